@@ -1,0 +1,14 @@
+# Every flag that can change a result or a warning, in one place.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+# Asserts stay on in the release build: our own bugs end the run instead of colouring a verdict.
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -g1")
+
+add_library(zproof_strict INTERFACE)
+target_include_directories(zproof_strict INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(zproof_strict INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Werror
+    -ffp-contract=off -fno-fast-math)
+target_compile_definitions(zproof_strict INTERFACE GLM_FORCE_EXPLICIT_CTOR)

@@ -1,0 +1,17 @@
+/// Frames as OpenEXR: channels `id` (uint32) and `Z` (float32), bit for bit.
+#pragma once
+
+#include <filesystem>
+
+#include "frame/frame.h"
+
+namespace zproof {
+
+/// Writes both AOVs, zip-compressed. Throws FrameError where the file cannot be written.
+void write_exr(const std::filesystem::path& file, const Frame& frame);
+
+/// Reads a frame back. Throws FrameError, naming the file and the channel, where a channel is missing, of
+/// another type, or the image is not readable. Values are not judged here: NaN and stray ids pass through.
+Frame read_exr(const std::filesystem::path& file);
+
+}  // namespace zproof

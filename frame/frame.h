@@ -1,0 +1,28 @@
+/// What one renderer saw through every pixel centre (x + 0.5, y + 0.5). Nothing here knows who rendered it.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "frame/plane.h"
+
+namespace zproof {
+
+/// Index of a triangle in the baked scene. A type of its own: never a float, never arithmetic.
+enum class PrimitiveId : std::uint32_t { none = 0xFFFF'FFFF };
+
+inline constexpr float background_depth = std::numeric_limits<float>::infinity();
+
+/// The AOVs of one view.
+struct Frame {
+    Plane<PrimitiveId> primitive;
+    Plane<float> camera_depth;  ///< distance along the view axis, scene units, positive; +inf = background
+
+    /// An all-background frame.
+    explicit Frame(Resolution size) : primitive(size, PrimitiveId::none), camera_depth(size, background_depth) {}
+    Frame() = default;
+
+    Resolution size() const { return primitive.size(); }
+};
+
+}  // namespace zproof

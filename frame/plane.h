@@ -1,0 +1,44 @@
+/// A rectangle of per-pixel values: one AOV, or one map.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace zproof {
+
+/// Size of an image in pixels. Valid: 1 to 32768 on either side.
+struct Resolution {
+    int width = 0, height = 0;
+
+    std::size_t pixel_count() const { return std::size_t(width) * std::size_t(height); }
+    bool operator==(const Resolution&) const = default;
+};
+
+/// Row-major values, row 0 at the top; at(x, y) is pixel (x, y) of raster space.
+template <class T>
+class Plane {
+  public:
+    Plane() = default;
+    explicit Plane(Resolution size, T fill = T{}) : size_(size), values_(size.pixel_count(), fill) {}
+
+    Resolution size() const { return size_; }
+    T& at(int x, int y) { return values_[index(x, y)]; }
+    const T& at(int x, int y) const { return values_[index(x, y)]; }
+    std::span<T> row(int y) { return pixels().subspan(index(0, y), std::size_t(size_.width)); }
+    std::span<const T> row(int y) const { return pixels().subspan(index(0, y), std::size_t(size_.width)); }
+    std::span<T> pixels() { return values_; }
+    std::span<const T> pixels() const { return values_; }
+
+  private:
+    std::size_t index(int x, int y) const {
+        assert(x >= 0 && x < size_.width && y >= 0 && y < size_.height);
+        return std::size_t(y) * std::size_t(size_.width) + std::size_t(x);
+    }
+
+    Resolution size_;
+    std::vector<T> values_;
+};
+
+}  // namespace zproof

@@ -1,0 +1,37 @@
+/// What a renderer promises about its arithmetic. The judge knows a renderer by this alone (docs/bounds.md).
+#pragma once
+
+#include <variant>
+
+namespace zproof {
+
+enum class Arithmetic {
+    float32,  ///< IEEE binary32, round to nearest
+    float64,  ///< IEEE binary64, round to nearest
+};
+
+/// How a vertex reaches its place on the sub-pixel grid.
+enum class Snap {
+    nearest,   ///< moves by at most half a grid step in x and in y
+    truncate,  ///< moves by less than a whole step
+};
+
+/// A z-buffer rasterizer: one fused clip_from_world matrix, division by w, viewport, snap, and depth interpolated
+/// from the snapped triangle's barycentrics (1/depth for perspective, depth for parallel projections).
+struct RasterPrecision {
+    Arithmetic transform = Arithmetic::float32;      ///< of matrix, division and viewport
+    int subpixel_bits = 8;                           ///< grid step is 2^-subpixel_bits px
+    Snap snap = Snap::nearest;                       ///< onto that grid
+    Arithmetic interpolation = Arithmetic::float32;  ///< of the depth functional
+    int depth_roundings = 2;                         ///< float32 roundings from interpolant to stored depth
+};
+
+/// A ray caster: one ray per pixel centre against the world-space triangle, edges tested by the signs of Pluecker
+/// products. Origins, directions and vertices are rounded to this arithmetic.
+struct RayPrecision {
+    Arithmetic arithmetic = Arithmetic::float32;
+};
+
+using Precision = std::variant<RasterPrecision, RayPrecision>;
+
+}  // namespace zproof

@@ -1,0 +1,61 @@
+/// Everything a run found out: the one input of every report, and the shape of results.json.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "compare/verdict.h"
+
+namespace zproof {
+
+/// Where a scene's time went, seconds of wall clock.
+struct StageTimes {
+    double load = 0, render = 0, reference_build = 0, reference = 0, judge = 0, write = 0;
+};
+
+/// A finding with its sentence and the command that tells more.
+struct ReportedFinding {
+    Finding finding;
+    std::string explanation;
+    std::string command;  ///< "zproof explain SCENE X Y"
+};
+
+enum class Outcome {
+    proven,       ///< judged, no defect
+    defective,    ///< at least one pixel fails the gate, or an expected class did not occur
+    unreadable,   ///< the input or a tool refused; `message` says why
+    not_judged,   ///< nothing to judge (no triangles)
+};
+
+/// One view of one scene, judged.
+struct ViewResult {
+    std::string scene;   ///< scene name
+    std::string source;  ///< file, or "suite"
+    std::string view;
+    std::string reason;  ///< why the suite has it; empty for users' files
+    Outcome outcome = Outcome::proven;
+    std::string message;  ///< one line where outcome is unreadable or not_judged, or an expectation failed
+    int width = 0, height = 0;
+    std::uint64_t triangles = 0;
+    std::string candidate, reference;  ///< renderer names
+    ClassCounts counts{};
+    DepthRecord candidate_depth, reference_depth;
+    std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
+    std::vector<ReportedFinding> worst;  ///< defects first, then by error/bound; at most 200
+    std::vector<std::string> notes;      ///< of the scene
+    StageTimes times;
+    std::string folder;  ///< scenes/NAME, relative to results.json; empty where nothing was written
+};
+
+/// A whole run.
+struct Results {
+    static constexpr const char* schema_version = "1.0";
+    std::string version;  ///< zproof's
+    std::string command;  ///< as typed
+    std::string compiler, embree;
+    int threads = 0;
+    std::vector<ViewResult> views;
+};
+
+}  // namespace zproof
