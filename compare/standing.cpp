@@ -1,0 +1,74 @@
+#include "compare/standing.h"
+
+#include <algorithm>
+
+#include "compare/admissible.h"
+#include "math/interval.h"
+#include "math/rational.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr Rules truly{DepthRule::strict, EdgeRule::as_is};
+constexpr Rules within_bounds{DepthRule::bounded, EdgeRule::as_is};
+constexpr Rules with_cracks{DepthRule::bounded, EdgeRule::unshared_moved_inwards};
+
+template <class Number>
+bool any_clipped(AdmissibleSet<Number>& set, size_t count) {
+    for (size_t i = 0; i < count; ++i)
+        if (set.is_clipped(i)) return true;
+    return false;
+}
+
+template <class Number>
+Standing standing_of_background(AdmissibleSet<Number>& set, size_t count) {
+    if (set.holds_background(EdgeRule::as_is)) return any_clipped(set, count) ? Standing::clipped : Standing::visible;
+    return set.holds_background(EdgeRule::unshared_moved_inwards) ? Standing::through_a_crack : Standing::hole;
+}
+
+template <class Number>
+Standing standing_of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count) {
+    if (set.holds(index, truly)) return any_clipped(set, count) ? Standing::clipped : Standing::visible;
+    if (set.holds(index, within_bounds)) return Standing::tied;
+    if (!set.reaches(index)) return Standing::outside;
+    return set.holds(index, with_cracks) ? Standing::through_a_crack : Standing::hidden;
+}
+
+template <class Number>
+Standing standing_in(const Neighbourhood& around, PrimitiveId answer) {
+    AdmissibleSet<Number> set(around);
+    const size_t count = around.neighbours.size();
+    if (answer == PrimitiveId::none) return standing_of_background(set, count);
+    const auto found = std::ranges::find(around.neighbours, std::uint32_t(answer), &Neighbour::triangle);
+    if (found == around.neighbours.end()) return Standing::outside;
+    return standing_of_triangle(set, size_t(found - around.neighbours.begin()), count);
+}
+
+}  // namespace
+
+Decision decide(const Neighbourhood& around, PrimitiveId answer) {
+    try {
+        return {standing_in<Interval>(around, answer), false};
+    } catch (const UndecidedSign&) {
+        return {standing_in<Rational>(around, answer), true};
+    }
+}
+
+PixelClass class_of(Standing candidate, Standing reference) {
+    switch (candidate) {
+        case Standing::hole: return PixelClass::hole;
+        case Standing::outside: return PixelClass::outside;
+        case Standing::hidden: return PixelClass::hidden;
+        default: break;
+    }
+    if (!is_lawful(reference)) return PixelClass::reference_wrong;
+    switch (std::max(candidate, reference)) {
+        case Standing::through_a_crack: return PixelClass::abutting_edges;
+        case Standing::tied: return PixelClass::depth_tie;
+        case Standing::clipped: return PixelClass::clip;
+        default: return PixelClass::edge;
+    }
+}
+
+}  // namespace zproof

@@ -1,0 +1,38 @@
+/// One renderer before the judge: its frame, its bounds, and what can be said of its answers one pixel at a time.
+#pragma once
+
+#include "compare/depth_bound.h"
+#include "compare/judge.h"
+
+namespace zproof {
+
+/// Not an answer at all: NaN, negative depth, an id out of range, background with a depth.
+bool is_invalid(const Answer& answer, std::size_t triangle_count);
+
+/// A renderer's depth at one pixel held against the bound of its own id.
+struct DepthCheck {
+    DepthBound bound;
+    double error_over_bound = 0;
+    bool lawful = false;
+};
+
+class Witness {
+  public:
+    Witness(const Scene& scene, const View& view, const Testimony& testimony)
+        : scene_(scene), view_(view), frame_(testimony.frame), bounds_(view, testimony.precision) {}
+
+    Answer answer_at(int x, int y) const { return {frame_.primitive.at(x, y), frame_.camera_depth.at(x, y)}; }
+    const ViewBounds& bounds() const { return bounds_; }
+
+    TriangleDepth depth_of(PrimitiveId primitive) const;
+    /// The answer's id must be a triangle of the scene, `triangle` its depth.
+    DepthCheck check(const TriangleDepth& triangle, const Answer& answer, int x, int y) const;
+
+  private:
+    const Scene& scene_;
+    const View& view_;
+    const Frame& frame_;
+    ViewBounds bounds_;
+};
+
+}  // namespace zproof
