@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "scenes/padded_allocator.h"
+
 namespace zproof {
 
 enum class Wrap { repeat, clamp_to_edge, mirrored_repeat };
@@ -49,10 +51,13 @@ struct Material {
     Texture base_color;
 };
 
+/// Readable for 16 bytes at the last vertex, so that a renderer may share it without a copy.
+using Positions = std::vector<glm::vec3, PaddedAllocator<glm::vec3>>;
+
 /// Attributes are per vertex; an empty vector means that no primitive has the attribute, otherwise its size is
 /// that of positions (vertices without it hold the default: normal 0, uv 0, colour 1).
 struct Vertices {
-    std::vector<glm::vec3> position_world;
+    Positions position_world;
     std::vector<glm::vec3> normal_world;
     std::vector<std::vector<glm::vec2>> uv;  ///< by uv set
     std::vector<glm::vec4> color;            ///< linear RGBA

@@ -1,0 +1,35 @@
+/// What an Embree device complains about, turned into exceptions on our side of its C interface.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <mutex>
+#include <string>
+
+namespace zproof::oracle {
+
+/// Collects the complaints of one device, from any thread. Stays where it is: the device holds its address.
+class EmbreeComplaints {
+  public:
+    EmbreeComplaints() = default;
+    EmbreeComplaints(const EmbreeComplaints&) = delete;
+    EmbreeComplaints& operator=(const EmbreeComplaints&) = delete;
+
+    /// From now on `device` reports to this object.
+    void listen_to(RTCDevice device);
+
+    /// Throws OracleError with the first complaint since the last call, its code in words and Embree's own
+    /// text, and what was being done: "Embree, while it built the scene 'room': out of memory: ...".
+    void raise(const std::string& doing) const;
+
+  private:
+    static void note(void* self, RTCError code, const char* text);
+
+    mutable std::mutex mutex_;
+    mutable std::string first_;
+};
+
+/// Embree's error codes in words.
+std::string in_words(RTCError code);
+
+}  // namespace zproof::oracle

@@ -1,0 +1,35 @@
+/// Embree's handles, owned; and the baked scene as Embree sees it.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <type_traits>
+
+#include "scenes/scene.h"
+
+namespace zproof::oracle {
+
+struct ReleaseEmbree {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+
+using DeviceHandle = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseEmbree>;
+using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseEmbree>;
+using GeometryHandle = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, ReleaseEmbree>;
+
+/// Coordinates must be smaller than this in magnitude: beyond, Embree drops triangles without a word (its
+/// FLT_LARGE).
+inline constexpr float embree_coordinate_limit = 1.844e18f;
+
+/// A device with Embree's defaults. Throws OracleError with Embree's reason.
+DeviceHandle new_device();
+
+/// The scene's triangles as one robust Embree scene, triangle i = primitive i, not built yet. The vertices
+/// and indices are shared, not copied. Throws OracleError, naming vertex and scene, where a coordinate is
+/// beyond the limit or NaN.
+SceneHandle share_triangles(RTCDevice device, const Scene& scene);
+
+}  // namespace zproof::oracle
