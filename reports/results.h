@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compare/verdict.h"
@@ -22,11 +23,14 @@ struct ReportedFinding {
 };
 
 enum class Outcome {
-    proven,       ///< judged, no defect
-    defective,    ///< at least one pixel fails the gate, or an expected class did not occur
-    unreadable,   ///< the input or a tool refused; `message` says why
-    not_judged,   ///< nothing to judge (no triangles)
+    proven,      ///< judged, no defect
+    defective,   ///< at least one pixel fails the gate, or an expected class did not occur
+    unreadable,  ///< the input or a tool refused; `message` says why
+    not_judged,  ///< nothing to judge (no triangles)
 };
+
+/// Its name in results.json: "not_judged".
+std::string_view name_of(Outcome outcome);
 
 /// One view of one scene, judged.
 struct ViewResult {
@@ -48,6 +52,12 @@ struct ViewResult {
     std::string folder;  ///< scenes/NAME, relative to results.json; empty where nothing was written
 };
 
+/// Pixels that fail the gate.
+std::uint64_t defect_count(const ViewResult& view);
+
+/// All stages together, seconds.
+double seconds(const StageTimes& times);
+
 /// A whole run.
 struct Results {
     static constexpr const char* schema_version = "1.0";
@@ -57,5 +67,8 @@ struct Results {
     int threads = 0;
     std::vector<ViewResult> views;
 };
+
+/// The views in reading order: defective, unreadable, not judged, proven; each in the order of the run.
+std::vector<const ViewResult*> failed_first(const Results& results);
 
 }  // namespace zproof

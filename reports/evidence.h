@@ -1,0 +1,26 @@
+/// What one view leaves behind on disk, so that a verdict can be checked without running zproof again.
+#pragma once
+
+#include <filesystem>
+#include <iosfwd>
+
+#include "compare/verdict.h"
+#include "frame/frame.h"
+#include "reports/report_error.h"
+
+namespace zproof {
+
+/// Writes into folder (made where absent):
+/// candidate.exr, reference.exr                      both frames, bit for bit
+/// id.png, reference-id.png, depth.png, class.png    pictures, full size
+/// *-small.png of the four                           the same for pages, see reports/pictures.h
+/// findings.csv                                      every pixel that is not `agree`
+/// Throws ReportError or FrameError where a file cannot be written.
+void write_view_evidence(const std::filesystem::path& folder, const Frame& candidate, const Frame& reference,
+                         const Verdict& verdict);
+
+/// The findings as CSV with a heading, in raster order. Numbers read back to the same bits; ids of background
+/// are `none`; non-finite numbers are nan, inf, -inf.
+void write_findings(std::ostream& out, const Verdict& verdict);
+
+}  // namespace zproof

@@ -1,0 +1,155 @@
+#include "reports/html.h"
+
+#include <algorithm>
+
+#include "reports/class_style.h"
+#include "reports/html_parts.h"
+#include "reports/wording.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr std::string_view policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
+
+std::ptrdiff_t number_of(const Results& results, Outcome outcome) {
+    return std::ranges::count(results.views, outcome, &ViewResult::outcome);
+}
+
+std::string colour_text(Rgb8 c) {
+    constexpr std::string_view hex = "0123456789abcdef";
+    std::string text = "#";
+    for (const std::uint8_t channel : {c.r, c.g, c.b}) text += {hex[channel >> 4], hex[channel & 15]};
+    return text;
+}
+
+/// Ink that stands out from a ground; the weights are luma's (BT.601).
+std::string_view ink_on(Rgb8 c) {
+    return 299 * c.r + 587 * c.g + 114 * c.b > 110'000 ? "#16181c" : "#ffffff";
+}
+
+std::string class_colours() {
+    std::string css;
+    for (int i = 0; i < pixel_class_count; ++i) {
+        const Rgb8 colour = style_of(PixelClass(i)).colour;
+        css += ".c" + std::to_string(i) + "{background:" + colour_text(colour) +
+               ";color:" + std::string(ink_on(colour)) + "}\n";
+    }
+    return css;
+}
+
+/// The page in one sentence.
+std::string headline(const Results& results) {
+    const auto views = results.views.size();
+    const auto proven = std::size_t(number_of(results, Outcome::proven));
+    if (views == 0) return "No view was judged, so nothing is proven.";
+    if (proven == views)
+        return views == 1 ? "The view is proven." : "All " + std::to_string(views) + " views are proven.";
+    std::string text;
+    const auto add = [&](Outcome outcome, std::string_view words) {
+        const auto count = number_of(results, outcome);
+        if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(words);
+    };
+    add(Outcome::defective, "defective");
+    add(Outcome::unreadable, "unreadable");
+    add(Outcome::not_judged, "not judged");
+    return text + ", of " + counted(views, "view") + ".";
+}
+
+std::string provenance(const Results& r) {
+    std::string text = "zproof " + escaped(r.version);
+    if (!r.embree.empty()) text += " · Embree " + escaped(r.embree);
+    if (!r.compiler.empty()) text += " · " + escaped(r.compiler);
+    if (r.threads > 0) text += " · " + counted(std::uint64_t(r.threads), "thread");
+    return "<p class=\"facts\">" + text + "</p>\n" +
+           (r.command.empty() ? "" : "<p class=\"facts\"><code>" + escaped(r.command) + "</code></p>\n");
+}
+
+std::string count_cell(const ViewResult& v, PixelClass c) {
+    const std::uint64_t count = v.counts[std::size_t(c)];
+    return "<td class=\"n" + std::string(count == 0 ? " zero" : "") + "\">" + grouped(count) + "</td>";
+}
+
+std::string measured_cells(const ViewResult& v) {
+    const std::uint64_t pixels = std::uint64_t(v.width) * std::uint64_t(v.height), defects = defect_count(v);
+    std::string cells =
+        "<td class=\"n\">" + grouped(v.triangles) + "</td><td class=\"n\">" + grouped(pixels) + "</td>";
+    for (const PixelClass c : {PixelClass::edge, PixelClass::depth_tie, PixelClass::abutting_edges,
+                               PixelClass::clip, PixelClass::reference_wrong})
+        cells += count_cell(v, c);
+    return cells + "<td class=\"n defects" + (defects == 0 ? " zero" : "") + "\">" + grouped(defects) +
+           "</td><td class=\"n\">" + rounded(v.candidate_depth.max_error_over_bound) +
+           "</td><td class=\"n\">" + rounded(v.reference_depth.max_error_over_bound) + "</td>";
+}
+
+std::string summary_row(const PageView& page) {
+    const ViewResult& v = *page.view;
+    const bool judged = v.outcome == Outcome::proven || v.outcome == Outcome::defective;
+    return "<tr><td>" + outcome_badge(v.outcome) + "</td><td><a href=\"#" + page.anchor + "\">" +
+           escaped(v.scene) + " <span class=\"view\">" + escaped(v.view) + "</span></a></td>" +
+           (judged ? measured_cells(v)
+                   : "<td colspan=\"10\" class=\"message\">" + escaped(v.message) + "</td>") +
+           "<td class=\"n\">" + fixed(seconds(v.times), 2) + "</td></tr>\n";
+}
+
+std::string summary(const std::vector<PageView>& pages) {
+    if (pages.empty()) return "";
+    std::string rows;
+    for (const PageView& page : pages) rows += summary_row(page);
+    std::string classes;
+    for (const std::string_view name :
+         {"edge", "depth tie", "abutting", "clip", "reference wrong", "defects"})
+        classes += "<th class=\"n\">" + std::string(name) + "</th>";
+    return "<div class=\"wide\"><table class=\"summary\"><thead><tr><th>verdict</th><th>scene, view</th>"
+           "<th class=\"n\">triangles</th><th class=\"n\">pixels</th>" +
+           classes +
+           "<th class=\"n\" title=\"largest depth error / bound, candidate\">error / bound</th>"
+           "<th class=\"n\" title=\"largest depth error / bound, reference\">of the reference</th>"
+           "<th class=\"n\">seconds</th></tr></thead><tbody>\n" +
+           rows + "</tbody></table></div>\n";
+}
+
+std::string legend_rows(bool lawful) {
+    std::string rows;
+    for (int i = 0; i < pixel_class_count; ++i)
+        if (passes(PixelClass(i)) == lawful)
+            rows += "<dt>" + class_badge(PixelClass(i)) + "</dt><dd>" +
+                    std::string(style_of(PixelClass(i)).meaning) + "</dd>\n";
+    return "<dl>" + rows + "</dl>";
+}
+
+std::string legend() {
+    return "<section class=\"legend\">\n<h2>How to read this</h2>\n"
+           "<p>At every pixel centre the renderer under test, the <em>candidate</em>, and an independent "
+           "<em>reference</em> name the triangle that they see and its depth. A pixel is a defect when no "
+           "faultless "
+           "renderer of the candidate's declared precision could have answered so. The bounds follow from "
+           "that "
+           "arithmetic; nothing is tuned. Each pixel gets one word:</p>\n"
+           "<div class=\"columns\"><div><h3>Lawful</h3>" +
+           legend_rows(true) + "</div><div><h3>Defects</h3>" + legend_rows(false) +
+           "<p class=\"fine\">Depth error / bound: how much of the permitted depth error was used up. Near 0 "
+           "the bound is loose, above 1 something is wrong.</p></div></div>\n</section>\n";
+}
+
+std::string head(const Results& results) {
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+           "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+           std::string(policy) +
+           "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+           "<meta name=\"color-scheme\" content=\"light dark\">\n<title>zproof: " +
+           escaped(headline(results)) + "</title>\n<style>\n" + std::string(html_style()) + class_colours() +
+           "</style>\n</head>\n";
+}
+
+}  // namespace
+
+std::string to_html(const Results& results, const std::filesystem::path& run_folder) {
+    const std::vector<PageView> pages = page_views(results, run_folder);
+    std::string page = head(results) + "<body>\n<header>\n<h1>" + escaped(headline(results)) + "</h1>\n" +
+                       provenance(results) + "</header>\n<main>\n" + summary(pages) + legend();
+    for (const PageView& one : pages) page += html_view(one);
+    return page + "</main>\n</body>\n</html>\n";
+}
+
+}  // namespace zproof

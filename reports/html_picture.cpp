@@ -1,0 +1,72 @@
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+
+#include "reports/html.h"
+#include "reports/html_parts.h"
+
+namespace zproof {
+
+namespace {
+
+struct Kind {
+    std::string_view name, caption;
+};
+
+constexpr std::array<Kind, 4> kinds{{{"class", "Verdict per pixel. Dark: both agree."},
+                                     {"id", "Candidate: a colour per triangle."},
+                                     {"reference-id", "Reference: a colour per triangle."},
+                                     {"depth", "Candidate: depth, near is bright. Magenta: no depth."}}};
+
+/// RFC 4648, section 4.
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const auto byte = [&](std::size_t k) {
+            return i + k < bytes.size() ? std::uint32_t(std::uint8_t(bytes[i + k])) : 0u;
+        };
+        const std::uint32_t group = byte(0) << 16 | byte(1) << 8 | byte(2);
+        text += alphabet[group >> 18];
+        text += alphabet[group >> 12 & 63];
+        text += i + 1 < bytes.size() ? alphabet[group >> 6 & 63] : '=';
+        text += i + 2 < bytes.size() ? alphabet[group & 63] : '=';
+    }
+    return text;
+}
+
+std::string content_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+PagePicture picture(const Kind& kind, const std::filesystem::path& folder, std::size_t budget) {
+    PagePicture result{.name = std::string(kind.name), .caption = std::string(kind.caption), .data = {}};
+    const std::string png = content_of(folder / (result.name + "-small.png"));
+    if (png.empty()) return result;
+    result.data = "data:image/png;base64," + base64(png);
+    result.left_out = result.data.size() > budget;
+    if (result.left_out) result.data.clear();
+    return result;
+}
+
+}  // namespace
+
+std::vector<PageView> page_views(const Results& results, const std::filesystem::path& run_folder) {
+    std::vector<PageView> pages;
+    std::size_t budget = picture_budget;
+    for (const ViewResult* view : failed_first(results)) {
+        PageView page{.view = view, .anchor = "view-" + std::to_string(pages.size() + 1), .pictures = {}};
+        if (!view->folder.empty())
+            for (const Kind& kind : kinds) {
+                page.pictures.push_back(picture(kind, run_folder / view->folder, budget));
+                budget -= page.pictures.back().data.size();
+            }
+        pages.push_back(std::move(page));
+    }
+    return pages;
+}
+
+}  // namespace zproof

@@ -1,0 +1,167 @@
+#include <algorithm>
+
+#include "reports/class_style.h"
+#include "reports/html_parts.h"
+#include "reports/wording.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr std::size_t worst_shown = 20;
+constexpr int sharp_side = 240;  // pictures up to this side are enlarged, pixel for pixel
+
+std::string cell(std::string_view kind, const std::string& content) {
+    return "<td" + (kind.empty() ? std::string() : " class=\"" + std::string(kind) + "\"") + ">" + content +
+           "</td>";
+}
+
+std::string code(const std::string& text) { return "<code>" + escaped(text) + "</code>"; }
+
+std::string file_link(const ViewResult& v, const std::string& file) {
+    return "<a href=\"" + as_url(v.folder + "/" + file) + "\">" + escaped(file) + "</a>";
+}
+
+std::string paragraph(std::string_view kind, const std::string& text) {
+    return text.empty() ? "" : "<p class=\"" + std::string(kind) + "\">" + escaped(text) + "</p>\n";
+}
+
+std::string facts(const ViewResult& v) {
+    std::string text = escaped(v.source);
+    if (!v.candidate.empty()) text += " · " + escaped(v.candidate) + " against " + escaped(v.reference);
+    if (v.width > 0) text += " · " + std::to_string(v.width) + " × " + std::to_string(v.height) + " pixels";
+    if (v.triangles > 0) text += " · " + counted(v.triangles, "triangle");
+    return "<p class=\"facts\">" + text + "</p>\n";
+}
+
+std::string figure(const ViewResult& v, const PagePicture& picture) {
+    if (picture.data.empty() && !picture.left_out) return "";
+    const std::string file = as_url(v.folder + "/" + picture.name + ".png");
+    if (picture.left_out)
+        return "<figure><p class=\"absent\">Left out to keep this page small.</p><figcaption><a href=\"" +
+               file + "\">" + picture.caption + "</a></figcaption></figure>";
+    const bool sharp = std::max(v.width, v.height) <= sharp_side;
+    return "<figure><a href=\"" + file + "\"><img" + (sharp ? " class=\"sharp\"" : "") + " alt=\"" +
+           picture.caption + "\" src=\"" + picture.data + "\"></a><figcaption>" + picture.caption +
+           "</figcaption></figure>";
+}
+
+std::string figures(const PageView& page) {
+    std::string text;
+    for (const PagePicture& picture : page.pictures) text += figure(*page.view, picture);
+    return text.empty() ? "" : "<div class=\"figures\">" + text + "</div>\n";
+}
+
+std::string count_row(PixelClass c, std::uint64_t count) {
+    return "<tr>" + cell("", class_badge(c)) + cell("n", grouped(count)) +
+           cell("gate", passes(c) ? "lawful" : "<strong>defect</strong>") + "</tr>\n";
+}
+
+std::string class_table(const ViewResult& v) {
+    std::string rows;
+    for (std::size_t i = 0; i < v.counts.size(); ++i)
+        if (v.counts[i] > 0) rows += count_row(PixelClass(i), v.counts[i]);
+    return "<div><h3>Pixels by class</h3><table class=\"counts\">" + rows + "</table>" +
+           "<p class=\"fine\">" + grouped(v.adjudicated) + " needed the admissible set, " + grouped(v.exact) +
+           " of them exact rationals; " + counted(v.reference_defects, "pixel") +
+           " where the reference's own answer is impossible.</p></div>\n";
+}
+
+std::string histogram(std::string_view whose, const std::string& renderer, const DepthRecord& record) {
+    return "<div><h3>Depth error / bound, " + std::string(whose) + "</h3>" + histogram_svg(record) +
+           "<p class=\"fine\">" + escaped(renderer) + ": at most " + rounded(record.max_error_over_bound) +
+           " of the bound.</p></div>\n";
+}
+
+std::string depth_cell(const Answer& answer) {
+    return id_text(answer.primitive) + "<br><span class=\"fine\" title=\"" + hex_bits(answer.camera_depth) +
+           "\">" + shortest(answer.camera_depth) + "</span>";
+}
+
+std::string worst_row(const ReportedFinding& reported) {
+    const Finding& f = reported.finding;
+    return "<tr>" + cell("n", std::to_string(f.x) + ", " + std::to_string(f.y)) +
+           cell("", class_badge(f.verdict)) + cell("n", depth_cell(f.candidate)) +
+           cell("n", depth_cell(f.reference)) + cell("n", rounded(f.error_over_bound)) +
+           cell("words", escaped(reported.explanation) + "<br>" + code(reported.command)) + "</tr>\n";
+}
+
+std::string worst_remainder(const ViewResult& v) {
+    std::string text;
+    if (v.worst.size() > worst_shown)
+        text = grouped(v.worst.size() - worst_shown) + " more with their stories in results.json";
+    if (!v.folder.empty())
+        text += (text.empty() ? "E" : "; e") + ("very differing pixel in " + file_link(v, "findings.csv"));
+    return text.empty() ? "" : "<p class=\"fine\">" + text + ".</p>\n";
+}
+
+std::string worst_table(const ViewResult& v) {
+    if (v.worst.empty()) return "";
+    std::string rows;
+    for (std::size_t i = 0; i < std::min(worst_shown, v.worst.size()); ++i) rows += worst_row(v.worst[i]);
+    return "<h3>Worst pixels</h3>\n<div class=\"wide\"><table class=\"worst\"><thead><tr><th class=\"n\">x, "
+           "y</th>"
+           "<th>class</th><th class=\"n\">candidate<br>id, depth</th><th class=\"n\">reference<br>id, "
+           "depth</th>"
+           "<th class=\"n\">error /<br>bound</th><th>why</th></tr></thead><tbody>\n" +
+           rows + "</tbody></table></div>\n" + worst_remainder(v);
+}
+
+std::string notes(const ViewResult& v) {
+    std::string items;
+    for (const std::string& note : v.notes) items += "<li>" + escaped(note) + "</li>";
+    return items.empty() ? "" : "<ul class=\"notes\">" + items + "</ul>\n";
+}
+
+std::string stage(std::string_view name, double time) {
+    return "<span>" + std::string(name) + " " + fixed(time, 2) + " s</span>";
+}
+
+std::string stages(const StageTimes& t) {
+    return "<p class=\"fine stages\">" + stage("load", t.load) + stage("render", t.render) +
+           stage("reference build", t.reference_build) + stage("reference", t.reference) +
+           stage("judge", t.judge) + stage("write", t.write) + stage("in all", seconds(t)) + "</p>\n";
+}
+
+bool was_judged(const ViewResult& v) {
+    return v.outcome == Outcome::proven || v.outcome == Outcome::defective;
+}
+
+std::string judgement(const ViewResult& v) {
+    if (!was_judged(v)) return "";
+    return "<div class=\"panels\">" + class_table(v) +
+           histogram("candidate", v.candidate, v.candidate_depth) +
+           histogram("reference", v.reference, v.reference_depth) + "</div>\n" + worst_table(v);
+}
+
+}  // namespace
+
+std::string class_badge(PixelClass c) {
+    const ClassStyle& style = style_of(c);
+    return "<span class=\"class\"><i class=\"c" + std::to_string(int(c)) + "\" aria-hidden=\"true\">" +
+           escaped(style.glyph) + "</i>" + std::string(name_of(c)) + "</span>";
+}
+
+std::string outcome_badge(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::proven:
+            return "<span class=\"outcome proven\">✓ proven</span>";
+        case Outcome::defective:
+            return "<span class=\"outcome defective\">✗ defective</span>";
+        case Outcome::unreadable:
+            return "<span class=\"outcome unreadable\">! unreadable</span>";
+        case Outcome::not_judged:
+            return "<span class=\"outcome not_judged\">? not judged</span>";
+    }
+    return "";
+}
+
+std::string html_view(const PageView& page) {
+    const ViewResult& v = *page.view;
+    return "<section id=\"" + page.anchor + "\">\n<h2>" + escaped(v.scene) + " <span class=\"view\">" +
+           escaped(v.view) + "</span> " + outcome_badge(v.outcome) + "</h2>\n" +
+           paragraph("reason", v.reason) + paragraph("message", v.message) + facts(v) + notes(v) +
+           figures(page) + judgement(v) + stages(v.times) + "</section>\n";
+}
+
+}  // namespace zproof

@@ -1,0 +1,21 @@
+/// results.json: everything that a run found out, for programs. Its shape is reports/results.schema.json.
+#pragma once
+
+#include <string>
+
+#include "reports/report_error.h"
+#include "reports/results.h"
+
+namespace zproof {
+
+/// The whole run as JSON text, UTF-8, ending in a newline. Numbers read back to the same bits; what JSON has
+/// no number for is written as "nan", "inf" or "-inf"; float32 depths come with their bits in hexadecimal
+/// beside them. What may differ between two runs of the same input stands in `run` and in each view's
+/// `times`, nowhere else.
+std::string to_json(const Results& results);
+
+/// Inverse of to_json. Keys that it does not know are passed over. Throws ReportError naming the place where
+/// a key is missing or of another type, and where the schema's major version is not ours.
+Results results_from_json(const std::string& text);
+
+}  // namespace zproof

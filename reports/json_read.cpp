@@ -1,0 +1,152 @@
+#include <bit>
+#include <charconv>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "reports/json.h"
+
+namespace zproof {
+
+namespace {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void refuse(const std::string& why) { throw ReportError("results.json: " + why); }
+
+double number(const Json& json) {
+    if (!json.is_string()) return json.get<double>();
+    const std::string& text = json.get_ref<const std::string&>();
+    if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
+    if (text == "inf") return std::numeric_limits<double>::infinity();
+    if (text == "-inf") return -std::numeric_limits<double>::infinity();
+    refuse("expected a number, \"nan\", \"inf\" or \"-inf\", found \"" + text + "\"");
+}
+
+std::uint64_t count(const Json& json) {
+    if (!json.is_number_unsigned()) refuse("expected a count, found " + json.dump());
+    return json.get<std::uint64_t>();
+}
+
+float float_from_bits(const std::string& text) {
+    std::uint32_t bits = 0;
+    const char* const end = text.data() + text.size();
+    if (text.size() != 10 || !text.starts_with("0x") ||
+        std::from_chars(text.data() + 2, end, bits, 16).ptr != end)
+        refuse("expected the bits of a float32 such as 0x3f800000, found \"" + text + "\"");
+    return std::bit_cast<float>(bits);
+}
+
+PixelClass class_named(const std::string& name) {
+    for (int i = 0; i < pixel_class_count; ++i)
+        if (name_of(PixelClass(i)) == name) return PixelClass(i);
+    refuse("no pixel class is named \"" + name + "\"");
+}
+
+Outcome outcome_named(const std::string& name) {
+    for (const Outcome outcome :
+         {Outcome::proven, Outcome::defective, Outcome::unreadable, Outcome::not_judged})
+        if (name_of(outcome) == name) return outcome;
+    refuse("no outcome is named \"" + name + "\"");
+}
+
+PrimitiveId id(const Json& json) { return json.is_null() ? PrimitiveId::none : PrimitiveId(count(json)); }
+
+Answer answer(const Json& json) {
+    return {id(json.at("primitive")), float_from_bits(json.at("camera_depth_bits"))};
+}
+
+DepthBound bound(const Json& json) {
+    return {number(json.at("low")), number(json.at("truth")), number(json.at("high"))};
+}
+
+ReportedFinding reported(const Json& json) {
+    return {.finding = {.x = json.at("x"),
+                        .y = json.at("y"),
+                        .verdict = class_named(json.at("class")),
+                        .candidate = answer(json.at("candidate")),
+                        .reference = answer(json.at("reference")),
+                        .eps_px = number(json.at("eps_px")),
+                        .candidate_depth = bound(json.at("candidate_depth_bound")),
+                        .error_over_bound = number(json.at("error_over_bound"))},
+            .explanation = json.at("explanation"),
+            .command = json.at("command")};
+}
+
+ClassCounts counts_by_name(const Json& json) {
+    ClassCounts counts{};
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        counts[i] = count(json.at(std::string(name_of(PixelClass(i)))));
+    return counts;
+}
+
+DepthRecord depth_record(const Json& json) {
+    DepthRecord record{.max_error_over_bound = number(json.at("max_error_over_bound"))};
+    const Json& bins = json.at("histogram");
+    if (bins.size() != record.histogram.size())
+        refuse("expected a histogram of " + std::to_string(record.histogram.size()) + " bins");
+    for (std::size_t i = 0; i < record.histogram.size(); ++i) record.histogram[i] = count(bins.at(i));
+    return record;
+}
+
+StageTimes stage_times(const Json& json) {
+    return {.load = number(json.at("load")),
+            .render = number(json.at("render")),
+            .reference_build = number(json.at("reference_build")),
+            .reference = number(json.at("reference")),
+            .judge = number(json.at("judge")),
+            .write = number(json.at("write"))};
+}
+
+ViewResult view(const Json& json) {
+    ViewResult v{.scene = json.at("scene"),
+                 .source = json.at("source"),
+                 .view = json.at("view"),
+                 .reason = json.at("reason"),
+                 .outcome = outcome_named(json.at("outcome")),
+                 .message = json.at("message"),
+                 .width = json.at("width"),
+                 .height = json.at("height"),
+                 .triangles = count(json.at("triangles")),
+                 .candidate = json.at("candidate"),
+                 .reference = json.at("reference"),
+                 .counts = counts_by_name(json.at("counts")),
+                 .candidate_depth = depth_record(json.at("candidate_depth")),
+                 .reference_depth = depth_record(json.at("reference_depth")),
+                 .reference_defects = count(json.at("reference_defects")),
+                 .adjudicated = count(json.at("adjudicated")),
+                 .exact = count(json.at("exact")),
+                 .worst = {},
+                 .notes = json.at("notes"),
+                 .times = stage_times(json.at("times")),
+                 .folder = json.at("folder")};
+    for (const Json& finding : json.at("worst")) v.worst.push_back(reported(finding));
+    return v;
+}
+
+void require_known_version(const std::string& version) {
+    const std::string ours = Results::schema_version;
+    const std::string major = ours.substr(0, ours.find('.') + 1);
+    if (!version.starts_with(major))
+        refuse("schema_version is " + version + ", this zproof reads " + major +
+               "x; use the zproof that wrote it");
+}
+
+}  // namespace
+
+Results results_from_json(const std::string& text) try {
+    const Json root = Json::parse(text);
+    require_known_version(root.at("schema_version"));
+    const Json& run = root.at("run");
+    Results results{.version = run.at("version"),
+                    .command = run.at("command"),
+                    .compiler = run.at("compiler"),
+                    .embree = run.at("embree"),
+                    .threads = run.at("threads"),
+                    .views = {}};
+    for (const Json& one : root.at("views")) results.views.push_back(view(one));
+    return results;
+} catch (const Json::exception& e) {
+    refuse(e.what());
+}
+
+}  // namespace zproof

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "reports/json.h"
+#include "reports/wording.h"
+
+namespace zproof {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(shortest(value)); }
+
+/// The double whose shortest decimal is the float's.
+Json number(float value) {
+    const std::string text = shortest(value);
+    double same = 0;
+    std::from_chars(text.data(), text.data() + text.size(), same);
+    return number(same);
+}
+
+Json id(PrimitiveId primitive) {
+    return primitive == PrimitiveId::none ? Json(nullptr) : Json(static_cast<std::uint32_t>(primitive));
+}
+
+Json answer(const Answer& a) {
+    return {{"primitive", id(a.primitive)},
+            {"camera_depth", number(a.camera_depth)},
+            {"camera_depth_bits", hex_bits(a.camera_depth)}};
+}
+
+Json bound(const DepthBound& b) {
+    return {{"low", number(b.low)}, {"truth", number(b.truth)}, {"high", number(b.high)}};
+}
+
+Json reported(const ReportedFinding& r) {
+    const Finding& f = r.finding;
+    return {{"x", f.x},
+            {"y", f.y},
+            {"class", name_of(f.verdict)},
+            {"candidate", answer(f.candidate)},
+            {"reference", answer(f.reference)},
+            {"eps_px", number(f.eps_px)},
+            {"candidate_depth_bound", bound(f.candidate_depth)},
+            {"error_over_bound", number(f.error_over_bound)},
+            {"explanation", r.explanation},
+            {"command", r.command}};
+}
+
+Json reported(const std::vector<ReportedFinding>& findings) {
+    Json list = Json::array();
+    for (const ReportedFinding& finding : findings) list.push_back(reported(finding));
+    return list;
+}
+
+Json counts_by_name(const ClassCounts& counts) {
+    Json object = Json::object();
+    for (std::size_t i = 0; i < counts.size(); ++i) object[std::string(name_of(PixelClass(i)))] = counts[i];
+    return object;
+}
+
+Json depth_record(const DepthRecord& record) {
+    return {{"max_error_over_bound", number(record.max_error_over_bound)}, {"histogram", record.histogram}};
+}
+
+Json stage_times(const StageTimes& t) {
+    return {{"load", number(t.load)},
+            {"render", number(t.render)},
+            {"reference_build", number(t.reference_build)},
+            {"reference", number(t.reference)},
+            {"judge", number(t.judge)},
+            {"write", number(t.write)}};
+}
+
+Json view_object(const ViewResult& v) {
+    return {{"scene", v.scene},
+            {"source", v.source},
+            {"view", v.view},
+            {"reason", v.reason},
+            {"outcome", name_of(v.outcome)},
+            {"message", v.message},
+            {"width", v.width},
+            {"height", v.height},
+            {"triangles", v.triangles},
+            {"candidate", v.candidate},
+            {"reference", v.reference},
+            {"defects", defect_count(v)},
+            {"counts", counts_by_name(v.counts)},
+            {"candidate_depth", depth_record(v.candidate_depth)},
+            {"reference_depth", depth_record(v.reference_depth)},
+            {"reference_defects", v.reference_defects},
+            {"adjudicated", v.adjudicated},
+            {"exact", v.exact},
+            {"worst", reported(v.worst)},
+            {"notes", v.notes},
+            {"folder", v.folder},
+            {"times", stage_times(v.times)}};
+}
+
+Json run_object(const Results& r) {
+    return {{"version", r.version},
+            {"command", r.command},
+            {"compiler", r.compiler},
+            {"embree", r.embree},
+            {"threads", r.threads}};
+}
+
+Json summary_object(const Results& results) {
+    Json summary = {{"views", results.views.size()}};
+    for (const Outcome outcome :
+         {Outcome::proven, Outcome::defective, Outcome::unreadable, Outcome::not_judged})
+        summary[std::string(name_of(outcome))] =
+            std::ranges::count(results.views, outcome, &ViewResult::outcome);
+    return summary;
+}
+
+}  // namespace
+
+std::string to_json(const Results& results) {
+    Json views = Json::array();
+    for (const ViewResult& view : results.views) views.push_back(view_object(view));
+    const Json root = {{"schema_version", Results::schema_version},
+                       {"run", run_object(results)},
+                       {"summary", summary_object(results)},
+                       {"views", views}};
+    return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace zproof

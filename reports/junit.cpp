@@ -1,0 +1,110 @@
+#include "reports/junit.h"
+
+#include <algorithm>
+
+#include "reports/wording.h"
+
+namespace zproof {
+
+namespace {
+
+struct Suite {
+    std::string name;
+    std::vector<const ViewResult*> cases;
+};
+
+/// In order of first appearance. A view that never met a reference stands under "none".
+std::vector<Suite> suites_of(const Results& results) {
+    std::vector<Suite> suites;
+    for (const ViewResult& view : results.views) {
+        const std::string name = view.reference.empty() ? "none" : view.reference;
+        auto place = std::ranges::find(suites, name, &Suite::name);
+        if (place == suites.end()) place = suites.insert(place, Suite{name, {}});
+        place->cases.push_back(&view);
+    }
+    return suites;
+}
+
+bool is_failure(const ViewResult* v) {
+    return v->outcome == Outcome::defective || v->outcome == Outcome::not_judged;
+}
+
+bool is_error(const ViewResult* v) { return v->outcome == Outcome::unreadable; }
+
+std::string attribute(std::string_view name, std::string_view value) {
+    return " " + std::string(name) + "=\"" + escaped(one_line(value)) + "\"";
+}
+
+std::string totals(const std::vector<const ViewResult*>& cases) {
+    double time = 0;
+    for (const ViewResult* v : cases) time += seconds(v->times);
+    return attribute("tests", std::to_string(cases.size())) +
+           attribute("failures", std::to_string(std::ranges::count_if(cases, is_failure))) +
+           attribute("errors", std::to_string(std::ranges::count_if(cases, is_error))) +
+           attribute("skipped", "0") + attribute("time", fixed(time, 3));
+}
+
+/// The class of the worst defect; "expectation" where pixels are sound but the view did not show what it
+/// must.
+std::string failure_type(const ViewResult& v) {
+    if (v.outcome == Outcome::not_judged) return "not_judged";
+    for (std::size_t i = v.counts.size(); i-- > 0;)
+        if (v.counts[i] > 0 && !passes(PixelClass(i))) return std::string(name_of(PixelClass(i)));
+    return "expectation";
+}
+
+std::string defect_sentence(const ViewResult& v) {
+    std::string sentence = counted(defect_count(v), "defective pixel");
+    for (std::size_t i = 0; i < v.counts.size(); ++i)
+        if (v.counts[i] > 0 && !passes(PixelClass(i)))
+            sentence += ", " + grouped(v.counts[i]) + " " + std::string(name_of(PixelClass(i)));
+    return sentence;
+}
+
+std::string headline(const ViewResult& v) {
+    if (!v.message.empty()) return v.message;
+    return v.outcome == Outcome::not_judged ? "nothing was judged" : defect_sentence(v);
+}
+
+std::string story(const ViewResult& v) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(10, v.worst.size()); ++i)
+        text += one_line(v.worst[i].explanation) + "\n    " + one_line(v.worst[i].command) + "\n";
+    return text;
+}
+
+std::string complaint(const ViewResult& v) {
+    if (v.outcome == Outcome::proven) return "";
+    const std::string element = is_error(&v) ? "error" : "failure";
+    const std::string type = is_error(&v) ? "unreadable" : failure_type(v);
+    return "      <" + element + attribute("type", type) + attribute("message", headline(v)) + ">" +
+           escaped(story(v)) + "</" + element + ">\n";
+}
+
+std::string attachment(const ViewResult& v) {
+    if (v.folder.empty()) return "";
+    return "      <system-out>[[ATTACHMENT|" + escaped(one_line(v.folder)) + "/class.png]]</system-out>\n";
+}
+
+std::string test_case(const ViewResult& v) {
+    return "    <testcase" + attribute("classname", v.scene) + attribute("name", v.view) +
+           attribute("time", fixed(seconds(v.times), 3)) + ">\n" + complaint(v) + attachment(v) +
+           "    </testcase>\n";
+}
+
+std::string test_suite(const Suite& suite) {
+    std::string text = "  <testsuite" + attribute("name", suite.name) + totals(suite.cases) + ">\n";
+    for (const ViewResult* v : suite.cases) text += test_case(*v);
+    return text + "  </testsuite>\n";
+}
+
+}  // namespace
+
+std::string to_junit(const Results& results) {
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" +
+                       attribute("name", "zproof") + totals(failed_first(results)) + ">\n";
+    for (const Suite& suite : suites_of(results)) text += test_suite(suite);
+    return text + "</testsuites>\n";
+}
+
+}  // namespace zproof

@@ -1,0 +1,16 @@
+/// junit.xml, for the test pages of CI servers.
+#pragma once
+
+#include <string>
+
+#include "reports/results.h"
+
+namespace zproof {
+
+/// Jenkins' dialect: a suite per reference renderer, a case per view. A defect is a <failure> whose type is
+/// the class of the worst pixel; a view that judged nothing is a <failure> as well, never <skipped>; an
+/// unreadable input is an <error>. Cases with evidence name class.png in the attachment notation of Jenkins
+/// and GitLab.
+std::string to_junit(const Results& results);
+
+}  // namespace zproof

@@ -1,0 +1,37 @@
+/// Frames and verdicts as pictures for people.
+#pragma once
+
+#include "compare/pixel_class.h"
+#include "frame/frame.h"
+#include "frame/png.h"
+
+namespace zproof {
+
+/// A colour per id, the same in every picture; background is dark.
+Plane<Rgb8> picture_of_ids(const Plane<PrimitiveId>& ids);
+
+/// Logarithm of depth over the range of finite positive depths, near bright, far dark blue; background dark;
+/// what is no depth (NaN, zero, negative) is magenta.
+Plane<Rgb8> picture_of_depths(const Plane<float>& depths);
+
+/// style_of(class).colour at every pixel.
+Plane<Rgb8> picture_of_classes(const Plane<PixelClass>& classes);
+
+inline constexpr int small_side = 480;  ///< longest side of a small picture, pixels
+
+/// The least whole factor that brings size down to small_side.
+int shrink_factor(Resolution size);
+
+/// One pixel out of each factor x factor block: its middle. Colours are never mixed.
+Plane<Rgb8> thinned(const Plane<Rgb8>& picture, int factor);
+
+/// The severest class of each factor x factor block.
+Plane<PixelClass> pooled_by_severity(const Plane<PixelClass>& classes, int factor);
+
+/// Every failing pixel grown to 3x3, so that a single one is seen; the severest wins.
+Plane<PixelClass> with_dots(const Plane<PixelClass>& classes);
+
+/// The class map for a page: pooled to small_side and, where a page may shrink it further, dotted.
+Plane<PixelClass> small_class_map(const Plane<PixelClass>& classes);
+
+}  // namespace zproof

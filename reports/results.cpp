@@ -1,0 +1,57 @@
+#include "reports/results.h"
+
+#include <algorithm>
+
+namespace zproof {
+
+namespace {
+
+int reading_order(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::defective:
+            return 0;
+        case Outcome::unreadable:
+            return 1;
+        case Outcome::not_judged:
+            return 2;
+        case Outcome::proven:
+            return 3;
+    }
+    return 3;
+}
+
+}  // namespace
+
+std::string_view name_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::proven:
+            return "proven";
+        case Outcome::defective:
+            return "defective";
+        case Outcome::unreadable:
+            return "unreadable";
+        case Outcome::not_judged:
+            return "not_judged";
+    }
+    return "not_judged";
+}
+
+std::uint64_t defect_count(const ViewResult& view) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < view.counts.size(); ++i)
+        if (!passes(PixelClass(i))) sum += view.counts[i];
+    return sum;
+}
+
+double seconds(const StageTimes& t) {
+    return t.load + t.render + t.reference_build + t.reference + t.judge + t.write;
+}
+
+std::vector<const ViewResult*> failed_first(const Results& results) {
+    std::vector<const ViewResult*> views;
+    for (const ViewResult& view : results.views) views.push_back(&view);
+    std::ranges::stable_sort(views, {}, [](const ViewResult* v) { return reading_order(v->outcome); });
+    return views;
+}
+
+}  // namespace zproof

@@ -1,0 +1,205 @@
+#include "reports/terminal.h"
+
+#include <algorithm>
+#include <array>
+
+#include "reports/wording.h"
+
+namespace zproof {
+
+namespace {
+
+enum class Align { left, right };
+
+struct Column {
+    std::string_view title;
+    Align align;
+};
+
+constexpr std::array<Column, 13> columns{{{"verdict", Align::left},
+                                          {"scene/view", Align::left},
+                                          {"triangles", Align::right},
+                                          {"pixels", Align::right},
+                                          {"edge", Align::right},
+                                          {"tie", Align::right},
+                                          {"abut", Align::right},
+                                          {"clip", Align::right},
+                                          {"ref", Align::right},
+                                          {"defects", Align::right},
+                                          {"err/bound", Align::right},
+                                          {"ref e/b", Align::right},
+                                          {"seconds", Align::right}}};
+using Row = std::array<std::string, columns.size()>;
+constexpr std::size_t longest_name = 40;
+
+std::string_view glyph_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::proven:
+            return "✓";
+        case Outcome::defective:
+            return "✗";
+        case Outcome::unreadable:
+            return "!";
+        case Outcome::not_judged:
+            return "?";
+    }
+    return "?";
+}
+
+std::string verdict_text(Outcome outcome) {
+    const std::string word = outcome == Outcome::not_judged ? "not judged" : std::string(name_of(outcome));
+    return std::string(glyph_of(outcome)) + " " + word;
+}
+
+/// SGR codes: bold red, bold yellow, green.
+std::string painted(const std::string& text, Outcome outcome, Colour colour) {
+    if (colour == Colour::plain) return text;
+    const char* const code = outcome == Outcome::proven      ? "32"
+                             : outcome == Outcome::defective ? "1;31"
+                                                             : "1;33";
+    return std::string("\x1b[") + code + "m" + text + "\x1b[0m";
+}
+
+std::string faint(const std::string& text, Colour colour) {
+    return colour == Colour::plain ? text : "\x1b[2m" + text + "\x1b[0m";
+}
+
+bool starts_character(char c) { return (std::uint8_t(c) & 0xC0) != 0x80; }
+
+/// Columns on screen, as far as one code point takes one.
+std::size_t width_of(std::string_view text) {
+    return std::size_t(std::ranges::count_if(text, starts_character));
+}
+
+std::string padded(const std::string& text, std::size_t width, Align align) {
+    const std::string blanks(width - std::min(width, width_of(text)), ' ');
+    return align == Align::left ? text + blanks : blanks + text;
+}
+
+/// A long name keeps both ends: file names differ at the end, folders at the start.
+std::string shortened(const std::string& name) {
+    if (width_of(name) <= longest_name) return name;
+    const auto place = [&](std::size_t character) {
+        std::size_t i = 0;
+        for (std::size_t seen = 0; i < name.size(); ++i)
+            if (starts_character(name[i]) && seen++ == character) break;
+        return i;
+    };
+    const std::size_t keep = longest_name / 2;
+    return name.substr(0, place(keep - 1)) + "…" + name.substr(place(width_of(name) - keep));
+}
+
+std::string title_of(const ViewResult& v) { return one_line(v.scene) + "/" + one_line(v.view); }
+
+std::string cell(const ViewResult& v, PixelClass c) { return grouped(v.counts[std::size_t(c)]); }
+
+bool was_judged(const ViewResult& v) {
+    return v.outcome == Outcome::proven || v.outcome == Outcome::defective;
+}
+
+Row row_of(const ViewResult& v) {
+    Row row{verdict_text(v.outcome), shortened(title_of(v))};
+    row[12] = fixed(seconds(v.times), 2);
+    if (!was_judged(v)) return row;
+    const std::uint64_t pixels = std::uint64_t(v.width) * std::uint64_t(v.height);
+    return {row[0],
+            row[1],
+            grouped(v.triangles),
+            grouped(pixels),
+            cell(v, PixelClass::edge),
+            cell(v, PixelClass::depth_tie),
+            cell(v, PixelClass::abutting_edges),
+            cell(v, PixelClass::clip),
+            cell(v, PixelClass::reference_wrong),
+            grouped(defect_count(v)),
+            rounded(v.candidate_depth.max_error_over_bound),
+            rounded(v.reference_depth.max_error_over_bound),
+            row[12]};
+}
+
+using Widths = std::array<std::size_t, columns.size()>;
+
+Widths widths_of(const std::vector<Row>& rows) {
+    Widths widths{};
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = width_of(columns[i].title);
+    for (const Row& row : rows)
+        for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+    return widths;
+}
+
+std::string heading(const Widths& widths) {
+    std::string line;
+    for (std::size_t i = 0; i < widths.size(); ++i)
+        line += (i == 0 ? "" : "  ") + padded(std::string(columns[i].title), widths[i], columns[i].align);
+    return line;
+}
+
+std::string table(const Results& results, Colour colour) {
+    std::vector<Row> rows;
+    for (const ViewResult& v : results.views) rows.push_back(row_of(v));
+    const Widths widths = widths_of(rows);
+    std::string text = faint(heading(widths), colour) + "\n";
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        text += painted(padded(rows[r][0], widths[0], Align::left), results.views[r].outcome, colour);
+        for (std::size_t i = 1; i < widths.size(); ++i)
+            text += "  " + padded(rows[r][i], widths[i], columns[i].align);
+        text += "\n";
+    }
+    return text;
+}
+
+std::string tally(const ViewResult& v) {
+    std::string text;
+    for (std::size_t i = v.counts.size(); i-- > 0;)
+        if (v.counts[i] > 0 && !passes(PixelClass(i)))
+            text +=
+                (text.empty() ? "" : ", ") + grouped(v.counts[i]) + " " + std::string(name_of(PixelClass(i)));
+    return text;
+}
+
+std::string story(const ViewResult& v, Colour colour) {
+    std::string text = painted(verdict_text(v.outcome), v.outcome, colour) + "  " + title_of(v);
+    if (!v.reference.empty()) text += "  against " + one_line(v.reference);
+    text += "\n";
+    if (!tally(v).empty()) text += "    " + tally(v) + "\n";
+    if (!v.message.empty()) text += "    " + one_line(v.message) + "\n";
+    if (v.worst.empty()) return text;
+    const ReportedFinding& first = v.worst.front();
+    return text + "    " + one_line(first.explanation) + "\n    " + faint(one_line(first.command), colour) +
+           "\n";
+}
+
+std::string totals(const Results& results) {
+    std::uint64_t pixels = 0, defects = 0, reference_defects = 0;
+    double time = 0;
+    for (const ViewResult& v : results.views) {
+        if (was_judged(v)) pixels += std::uint64_t(v.width) * std::uint64_t(v.height);
+        defects += defect_count(v);
+        reference_defects += v.reference_defects;
+        time += seconds(v.times);
+    }
+    return grouped(pixels) + " pixels judged: " + counted(defects, "defect") + ", " +
+           counted(reference_defects, "reference defect") + "   " + fixed(time, 1) + " s";
+}
+
+std::string outcomes(const Results& results, Colour colour) {
+    std::string text = counted(results.views.size(), "view") + ":";
+    for (const Outcome outcome :
+         {Outcome::proven, Outcome::defective, Outcome::unreadable, Outcome::not_judged}) {
+        const auto count = std::ranges::count(results.views, outcome, &ViewResult::outcome);
+        if (count > 0)
+            text += "  " + painted(std::to_string(count) + " " + verdict_text(outcome), outcome, colour);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string summary_table(const Results& results, Colour colour) {
+    std::string text = results.views.empty() ? "" : table(results, colour);
+    for (const ViewResult* v : failed_first(results))
+        if (v->outcome != Outcome::proven) text += "\n" + story(*v, colour);
+    return text + "\n" + outcomes(results, colour) + "\n" + totals(results) + "\n";
+}
+
+}  // namespace zproof

@@ -1,0 +1,37 @@
+/// Numbers and names as text, and text made safe for the page that it goes to.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "frame/frame.h"
+
+namespace zproof {
+
+/// The shortest decimal that reads back to the same bits; "nan", "inf", "-inf" otherwise.
+std::string shortest(double value);
+std::string shortest(float value);
+
+std::string hex_bits(float value);              ///< "0x3f800000"
+std::string grouped(std::uint64_t value);       ///< "12,345,678"
+std::string fixed(double value, int decimals);  ///< "12.30"
+std::string rounded(double value);              ///< three significant digits: "0.934", "41.2", "1.2e+07"
+std::string id_text(PrimitiveId id);            ///< "4711", or "none" for background
+
+/// "1 view", "2 views".
+std::string counted(std::uint64_t count, std::string_view noun);
+
+/// Well-formed UTF-8 without control characters except newline and tab; everything else becomes U+FFFD.
+std::string printable(std::string_view text);
+
+/// On a single line: newlines and tabs of printable(text) become blanks.
+std::string one_line(std::string_view text);
+
+/// printable(text), safe as content and in quoted attributes of HTML and XML.
+std::string escaped(std::string_view text);
+
+/// A relative path as a URL: everything but letters, digits and "-._~/" is percent-encoded.
+std::string as_url(std::string_view path);
+
+}  // namespace zproof
