@@ -18,7 +18,8 @@ constexpr const char* examples = R"(Proves a z-buffer rasterizer right, pixel by
   zproof run models/ -o out             judge every .gltf, .glb and .view.json below models/
   zproof explain model.glb 812 344      tell the whole story of one pixel
 
-Exit status: 0 proven, 1 a defect, 2 usage, 3 unreadable input, 4 nothing judged, 70 internal, 130 interrupted.)";
+Exit status: 0 proven, 1 a defect, 2 usage, 3 unreadable input, 4 nothing judged, 70 internal error,
+130 interrupted.)";
 
 constexpr const char* scene_words = "suite scene, .gltf or .glb file, or view file (.json)";
 
