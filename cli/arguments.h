@@ -1,0 +1,89 @@
+/// The command line as typed values.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "frame/plane.h"
+
+namespace zproof {
+
+enum class ColourWish {
+    automatic,  ///< on a terminal, unless NO_COLOR is set or TERM is "dumb"
+    always,
+    never,
+};
+
+enum class ProgressStyle {
+    automatic,  ///< a bar on a terminal, lines elsewhere
+    bar,        ///< one line that is redrawn
+    lines,      ///< a line per judged view
+    none,
+};
+
+enum class Detail {
+    verdict,  ///< the last line only
+    table,    ///< a row per view and the verdict
+    times,    ///< the same, and where the time went
+};
+
+/// The resolution at which the suite's expectations hold.
+inline constexpr Resolution default_resolution{.width = 1920, .height = 1080};
+
+/// Threads that the machine offers, 1 to 1024.
+int available_threads();
+
+/// How views are made; shared by every command that renders.
+struct RenderSettings {
+    Resolution resolution =
+        default_resolution;  ///< of suite scenes and glTF files; a view file states its own
+    int threads = available_threads();
+};
+
+struct RunArguments {
+    std::vector<std::string> scenes;  ///< empty: the whole suite
+    std::filesystem::path out = "zproof-out";
+    RenderSettings settings;
+    ColourWish colour = ColourWish::automatic;
+    ProgressStyle progress = ProgressStyle::automatic;
+    Detail detail = Detail::table;
+    std::string typed;  ///< the command line, quoted for a shell
+};
+
+struct ExplainArguments {
+    std::string scene;
+    int x = 0, y = 0;  ///< pixel
+    std::string view;  ///< empty: the scene's first view
+    RenderSettings settings;
+};
+
+struct RenderArguments {
+    std::string scene;
+    std::filesystem::path out = "zproof-render";
+    RenderSettings settings;
+};
+
+struct ListArguments {};
+
+struct GenerateArguments {
+    std::vector<std::string> names;  ///< empty: the whole suite
+    std::filesystem::path out = "zproof-scenes";
+};
+
+/// Text that the command line asked for: --help or --version.
+struct Answered {
+    std::string text;
+};
+
+using Command =
+    std::variant<RunArguments, ExplainArguments, RenderArguments, ListArguments, GenerateArguments, Answered>;
+
+/// Throws UsageError.
+Command parse_command_line(int argc, const char* const* argv);
+
+/// The word as a POSIX shell must be given it.
+std::string shell_quoted(const std::string& word);
+
+}  // namespace zproof

@@ -1,0 +1,16 @@
+/// What a caller learns from the exit status alone (docs/cli.md). Never a count.
+#pragma once
+
+namespace zproof {
+
+enum class ExitCode : int {
+    proven = 0,  ///< everything that was judged is right
+    defect = 1,  ///< at least one pixel fails the gate, or a suite scene no longer shows what it is there for
+    usage = 2,   ///< the command line cannot be understood
+    cannot_judge = 3,  ///< an input is unreadable, a tool refused, or a result could not be written
+    nothing = 4,       ///< nothing was judged at all
+    internal = 70,     ///< our own fault (EX_SOFTWARE of sysexits.h)
+    interrupted = 130  ///< ended by Ctrl-C or SIGTERM; what was judged until then is written
+};
+
+}  // namespace zproof

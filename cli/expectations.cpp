@@ -1,0 +1,34 @@
+#include "cli/expectations.h"
+
+#include <algorithm>
+#include <string>
+
+namespace zproof {
+namespace {
+
+bool occurs(const std::string& class_name, const ViewResult& view) {
+    for (int i = 0; i < pixel_class_count; ++i)
+        if (name_of(PixelClass(i)) == class_name) return view.counts[std::size_t(i)] > 0;
+    return false;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+}  // namespace
+
+void hold_to_expectations(const SceneSource& source, std::vector<ViewResult>& views) {
+    std::vector<std::string> missing;
+    for (const std::string& expected : source.expects)
+        if (std::ranges::none_of(views, [&](const ViewResult& view) { return occurs(expected, view); }))
+            missing.push_back(expected);
+    if (missing.empty() || views.empty()) return;
+    views.back().outcome = Outcome::defective;
+    views.back().message = "the suite expects pixels of class " + joined(missing) +
+                           " in this scene, and there are none: it no longer tests what it is there for";
+}
+
+}  // namespace zproof

@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/scene_selection.h"
+#include "cli/threads.h"
+#include "cli/usage_error.h"
+#include "compare/explain.h"
+#include "oracle/embree.h"
+#include "rasterizer/rasterizer.h"
+
+namespace zproof {
+namespace {
+
+std::string names_of(const std::vector<View>& views) {
+    std::string names;
+    for (const View& view : views) names += (names.empty() ? "" : ", ") + view.name;
+    return names;
+}
+
+const View& view_named(const std::string& name, const Loaded& loaded) {
+    if (name.empty()) return loaded.views.front();
+    const auto view = std::ranges::find(loaded.views, name, &View::name);
+    if (view == loaded.views.end())
+        throw UsageError{"--view " + name + ": " + loaded.scene.name + " has the views " +
+                         names_of(loaded.views)};
+    return *view;
+}
+
+void require_inside(const ExplainArguments& arguments, const View& view) {
+    if (arguments.x < view.width && arguments.y < view.height) return;
+    throw UsageError{"pixel (" + std::to_string(arguments.x) + ", " + std::to_string(arguments.y) +
+                     ") lies outside the view '" + view.name + "', which is " + std::to_string(view.width) +
+                     " x " + std::to_string(view.height) + "; see --width, --height"};
+}
+
+PixelStory story_of(const ExplainArguments& arguments, const Scene& scene, const View& view) {
+    const Frame candidate = rasterizer::render(scene, view);
+    const Frame reference = oracle::Embree{scene}.trace(view);
+    return explain(scene, view, {candidate, rasterizer::precision()}, {reference, oracle::embree_precision()},
+                   arguments.x, arguments.y);
+}
+
+}  // namespace
+
+ExitCode execute(const ExplainArguments& arguments) {
+    const SceneSource source = select_scene(arguments.scene);
+    const Loaded loaded = load(source, arguments.settings.resolution);
+    const View& view = view_named(arguments.view, loaded);
+    require_inside(arguments, view);
+    if (loaded.scene.triangles.empty()) {
+        std::cerr << "zproof: " << source.name << ": the scene has no triangles, nothing to explain\n";
+        return ExitCode::nothing;
+    }
+    PixelStory story;
+    on_threads(arguments.settings.threads, [&] { story = story_of(arguments, loaded.scene, view); });
+    std::cout << in_words(loaded.scene, story);
+    return passes(story.finding.verdict) ? ExitCode::proven : ExitCode::defect;
+}
+
+}  // namespace zproof

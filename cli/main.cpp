@@ -1,0 +1,34 @@
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+#include <string_view>
+
+#include "cli/commands.h"
+#include "cli/usage_error.h"
+
+namespace zproof {
+namespace {
+
+ExitCode complain(std::string_view kind, const std::exception& e, ExitCode code) {
+    std::cerr << "zproof: " << kind << ": " << e.what() << "\n";
+    return code;
+}
+
+/// The one place where errors meet. A failing pixel is a result and is not among them.
+ExitCode guarded_run(int argc, const char* const* argv) {
+    try {
+        return std::visit([](const auto& arguments) { return execute(arguments); },
+                          parse_command_line(argc, argv));
+    } catch (const UsageError& e) {
+        return complain("usage", e, ExitCode::usage);
+    } catch (const std::runtime_error& e) {  // the world refused: nothing is said about the renderer
+        return complain("cannot judge", e, ExitCode::cannot_judge);
+    } catch (const std::exception& e) {  // logic_error, bad_alloc: our own fault
+        return complain("internal error", e, ExitCode::internal);
+    }
+}
+
+}  // namespace
+}  // namespace zproof
+
+int main(int argc, char** argv) { return int(zproof::guarded_run(argc, argv)); }

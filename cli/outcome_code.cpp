@@ -1,0 +1,37 @@
+#include "cli/outcome_code.h"
+
+#include <algorithm>
+
+namespace zproof {
+
+ExitCode exit_code_of(const Results& results, Ending ending) {
+    const auto any = [&](Outcome outcome) {
+        return std::ranges::count(results.views, outcome, &ViewResult::outcome) > 0;
+    };
+    if (ending == Ending::interrupted) return ExitCode::interrupted;
+    if (any(Outcome::unreadable)) return ExitCode::cannot_judge;
+    if (any(Outcome::defective)) return ExitCode::defect;
+    return any(Outcome::proven) ? ExitCode::proven : ExitCode::nothing;
+}
+
+std::string_view in_words(ExitCode code) {
+    switch (code) {
+        case ExitCode::proven:
+            return "proven";
+        case ExitCode::defect:
+            return "defect";
+        case ExitCode::usage:
+            return "not understood";
+        case ExitCode::cannot_judge:
+            return "cannot judge everything";
+        case ExitCode::nothing:
+            return "nothing judged";
+        case ExitCode::internal:
+            return "internal error";
+        case ExitCode::interrupted:
+            return "interrupted";
+    }
+    return "";
+}
+
+}  // namespace zproof

@@ -1,0 +1,37 @@
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/folder_names.h"
+#include "cli/scene_selection.h"
+#include "cli/threads.h"
+#include "frame/exr.h"
+#include "frame/png.h"
+#include "rasterizer/rasterizer.h"
+#include "reports/output_folder.h"
+#include "reports/pictures.h"
+
+namespace zproof {
+namespace {
+
+void write_frame(const std::filesystem::path& stem, const Frame& frame) {
+    write_exr(stem.string() + ".exr", frame);
+    write_png(stem.string() + "-id.png", picture_of_ids(frame.primitive));
+    write_png(stem.string() + "-depth.png", picture_of_depths(frame.camera_depth));
+}
+
+}  // namespace
+
+ExitCode execute(const RenderArguments& arguments) {
+    const Loaded loaded = load(select_scene(arguments.scene), arguments.settings.resolution);
+    OutputFolder out{arguments.out};
+    on_threads(arguments.settings.threads, [&] {
+        for (const View& view : loaded.views)
+            write_frame(out.working() / safe_name(view.name), rasterizer::render(loaded.scene, view));
+    });
+    out.publish();
+    for (const View& view : loaded.views)
+        std::cout << (arguments.out / (safe_name(view.name) + ".exr")).string() << "\n";
+    return ExitCode::proven;
+}
+
+}  // namespace zproof

@@ -1,0 +1,36 @@
+/// All work on one scene: load, render, ask the reference, judge, write the evidence.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "cli/folder_names.h"
+#include "cli/outcome_code.h"
+#include "cli/progress.h"
+#include "cli/scene_selection.h"
+#include "reports/results.h"
+
+namespace zproof {
+
+/// What the scenes of one run share.
+struct Desk {
+    Resolution resolution;
+    std::filesystem::path run_folder;  ///< evidence goes below it, into scenes/
+    FolderNames& names;
+    Progress& progress;
+};
+
+/// Stands in for a scene, or the rest of one, that an interrupt left unjudged.
+ViewResult left_by_interrupt(const SceneSource& source);
+
+/// What came of one scene.
+struct SceneReport {
+    std::vector<ViewResult> views;  ///< at least one; an unreadable scene and one without triangles say so
+    Ending ending = Ending::complete;
+};
+
+/// Judges the scene's views one by one; frames are dropped after each. Uses the surrounding tbb::task_arena.
+/// Throws FrameError or ReportError where evidence cannot be written.
+SceneReport run_scene(const SceneSource& source, const Desk& desk);
+
+}  // namespace zproof

@@ -1,0 +1,142 @@
+#include "cli/scene_selection.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "scenes/gltf.h"
+#include "scenes/scene_error.h"
+#include "scenes/suite.h"
+#include "scenes/view_file.h"
+
+namespace zproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+SceneSource of_suite(const SuiteEntry& entry) {
+    return {SceneSource::Kind::suite, entry.name, "suite", entry.reason, entry.expects};
+}
+
+bool is_gltf(const fs::path& file) { return file.extension() == ".gltf" || file.extension() == ".glb"; }
+
+bool is_view_file(const fs::path& file) { return file.extension() == ".json"; }
+
+/// "room" for room.gltf, room.glb, room.json and room.view.json.
+std::string stem_of(const fs::path& file) {
+    const fs::path stem = file.stem();
+    return stem.extension() == ".view" ? stem.stem().string() : stem.string();
+}
+
+SceneSource of_file(const fs::path& file) {
+    const auto kind = is_gltf(file) ? SceneSource::Kind::gltf : SceneSource::Kind::view_file;
+    return {kind, stem_of(file), file.generic_string(), "", {}};
+}
+
+bool found_in_folder(const fs::path& file) {
+    if (file.extension() == ".json") return file.stem().extension() == ".view";
+    return is_gltf(file) && !fs::exists(file.parent_path() / (stem_of(file) + ".view.json"));
+}
+
+std::vector<SceneSource> of_folder(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder})
+        if (entry.is_regular_file() && found_in_folder(entry.path())) files.push_back(entry.path());
+    std::ranges::sort(files);
+    std::vector<SceneSource> sources;
+    std::ranges::transform(files, std::back_inserter(sources), of_file);
+    return sources;
+}
+
+/// Edits (insert, delete, replace) between two words: Levenshtein's distance.
+std::size_t edits_between(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+SceneError unknown_word(const std::string& word, const std::vector<SuiteEntry>& manifest) {
+    std::string message = word + ": no such file, folder or suite scene";
+    const auto nearest = std::ranges::min_element(
+        manifest, {}, [&](const SuiteEntry& entry) { return edits_between(word, entry.name); });
+    if (nearest != manifest.end() && edits_between(word, nearest->name) <= 2)
+        message += "; did you mean '" + nearest->name + "'?";
+    return SceneError{message + " (zproof list shows the suite)"};
+}
+
+std::optional<SceneSource> single_scene(const std::string& word, const std::vector<SuiteEntry>& manifest) {
+    const auto entry = std::ranges::find(manifest, word, &SuiteEntry::name);
+    if (entry != manifest.end()) return of_suite(*entry);
+    if (!fs::exists(word)) throw unknown_word(word, manifest);
+    if (fs::is_directory(word)) return std::nullopt;
+    if (!is_gltf(word) && !is_view_file(word))
+        throw SceneError{word +
+                         ": not a scene; expected a file ending in .gltf, .glb or .json (a view file)"};
+    return of_file(word);
+}
+
+std::vector<SceneSource> meant_by(const std::string& word, const std::vector<SuiteEntry>& manifest) {
+    if (word == "suite") {
+        std::vector<SceneSource> sources;
+        std::ranges::transform(manifest, std::back_inserter(sources), of_suite);
+        return sources;
+    }
+    if (const auto scene = single_scene(word, manifest)) return {*scene};
+    return of_folder(word);
+}
+
+/// Scenes that share a name are called by their files instead.
+void make_names_unique(std::vector<SceneSource>& sources) {
+    std::map<std::string, int> uses;
+    for (const SceneSource& source : sources) ++uses[source.name];
+    for (SceneSource& source : sources)
+        if (uses[source.name] > 1 && source.kind != SceneSource::Kind::suite) source.name = source.origin;
+}
+
+}  // namespace
+
+std::vector<SceneSource> select_scenes(const std::vector<std::string>& words) {
+    const std::vector<SuiteEntry> manifest = suite_manifest();
+    if (words.empty()) return meant_by("suite", manifest);
+    std::vector<SceneSource> sources;
+    std::set<std::string> seen;
+    for (const std::string& word : words)
+        for (SceneSource& source : meant_by(word, manifest))
+            if (seen.insert(word_for(source)).second) sources.push_back(std::move(source));
+    make_names_unique(sources);
+    return sources;
+}
+
+SceneSource select_scene(const std::string& word) {
+    if (const auto scene = single_scene(word, suite_manifest())) return *scene;
+    throw SceneError{word + ": a folder, where one scene was expected; name a file in it"};
+}
+
+Loaded load(const SceneSource& source, Resolution resolution) {
+    switch (source.kind) {
+        case SceneSource::Kind::suite:
+            return generate_suite_scene(source.name, resolution.width, resolution.height);
+        case SceneSource::Kind::gltf:
+            return load_gltf(source.origin, resolution.width, resolution.height);
+        case SceneSource::Kind::view_file:
+            return load_view_file(source.origin);
+    }
+    throw std::logic_error{"a scene source of no kind"};
+}
+
+std::string word_for(const SceneSource& source) {
+    return source.kind == SceneSource::Kind::suite ? source.name : source.origin;
+}
+
+}  // namespace zproof

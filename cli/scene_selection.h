@@ -1,0 +1,37 @@
+/// From the words of a command line to the scenes that they mean.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frame/plane.h"
+#include "scenes/loaded.h"
+
+namespace zproof {
+
+/// A scene that is known of, not yet loaded.
+struct SceneSource {
+    enum class Kind { suite, gltf, view_file };
+    Kind kind = Kind::suite;
+    std::string name;                  ///< unique within a selection: what the reports call it
+    std::string origin;                ///< "suite", or the file
+    std::string reason;                ///< why the suite has it; empty for files
+    std::vector<std::string> expects;  ///< classes that must occur; empty for files
+};
+
+/// The scenes that the words mean, in their order, each once: "suite" or no word at all is the whole suite; a
+/// folder is every .gltf, .glb and .view.json below it, sorted, where NAME.view.json speaks for a NAME.gltf
+/// or NAME.glb beside it. A suite scene's name goes before a file of that name. Nothing is opened. Throws
+/// SceneError for a word that is none of this.
+std::vector<SceneSource> select_scenes(const std::vector<std::string>& words);
+
+/// The one scene that the word means; a folder is not one. Throws SceneError.
+SceneSource select_scene(const std::string& word);
+
+/// Loads or generates it. The resolution does not touch view files. Throws SceneError.
+Loaded load(const SceneSource& source, Resolution resolution);
+
+/// What to type after "zproof explain" to mean this scene.
+std::string word_for(const SceneSource& source);
+
+}  // namespace zproof

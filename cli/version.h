@@ -1,0 +1,12 @@
+/// Who is speaking: for --version and for results.json.
+#pragma once
+
+#include <string>
+
+namespace zproof {
+
+std::string version_number();  ///< "0.1.0"
+std::string compiler_name();   ///< "g++ 12.2.0"
+std::string version_line();    ///< both, and the reference's version
+
+}  // namespace zproof

@@ -1,0 +1,30 @@
+/// What the judge said of one view, in the shape that the reports show.
+#pragma once
+
+#include <string>
+
+#include "cli/scene_selection.h"
+#include "compare/verdict.h"
+#include "reports/results.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace zproof {
+
+/// Scene and view, told of the command that explains one of its pixels.
+struct Docket {
+    const SceneSource& source;
+    const Scene& scene;
+    const View& view;
+};
+
+/// The command that explains a pixel of this view, quoted for a shell.
+std::string explain_command_for(const Docket& docket, int x, int y);
+
+/// Everything but times and folder.
+ViewResult to_view_result(const Docket& docket, const Verdict& verdict);
+
+/// A scene of which nothing was judged: why stands in the message.
+ViewResult unjudged(const SceneSource& source, Outcome outcome, const std::string& message);
+
+}  // namespace zproof

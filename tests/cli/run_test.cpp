@@ -1,0 +1,127 @@
+// What zproof run leaves behind, on the real program.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "scenes/suite.h"
+#include "tests/cli/program.h"
+
+namespace zproof::test {
+namespace {
+
+using nlohmann::json;
+
+const Words small{"--width", "96", "--height", "64"};
+
+Words run_words(Words words) {
+    words.insert(words.begin(), "run");
+    words.insert(words.end(), small.begin(), small.end());
+    return words;
+}
+
+/// results.json without what may differ between two runs of the same input.
+json comparable(const Folder& folder, const std::string& out) {
+    json results = json::parse(folder.read(out + "/results.json"));
+    results.erase("run");
+    for (json& view : results.at("views")) view.erase("times");
+    return results;
+}
+
+TEST(Run, LeavesTheReportsAndTheEvidenceOfASuiteScene) {
+    const Folder folder;
+    const std::string name = suite_manifest().front().name;
+    const Ran ran = run(folder, run_words({name}));
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    EXPECT_EQ(folder.names(), Words{"zproof-out"});
+    const json results = json::parse(folder.read("zproof-out/results.json"));
+    for (const json& view : results.at("views")) {
+        EXPECT_EQ(view.at("scene"), name);
+        EXPECT_GT(folder.read("zproof-out/" + view.at("folder").get<std::string>() + "/candidate.exr").size(),
+                  0u);
+    }
+    EXPECT_NE(folder.read("zproof-out/junit.xml").find(name), std::string::npos);
+    EXPECT_NE(folder.read("zproof-out/report.html").find(name), std::string::npos);
+}
+
+TEST(Run, SaysTheSameForAnyNumberOfThreads) {
+    const Folder folder;
+    const auto manifest = suite_manifest();
+    for (const char* threads : {"1", "2", "5"})
+        ASSERT_EQ(
+            run(folder, run_words({manifest[0].name, manifest[1].name, "--threads", threads, "-o", threads}))
+                .exit_code,
+            0);
+    EXPECT_EQ(comparable(folder, "1"), comparable(folder, "2"));
+    EXPECT_EQ(comparable(folder, "1"), comparable(folder, "5"));
+}
+
+TEST(Run, GoesOnPastAnUnreadableScene) {
+    const Folder folder;
+    folder.write("models/a.gltf", "{");
+    folder.write("models/b.gltf", two_triangles());
+    EXPECT_EQ(run(folder, run_words({"models"})).exit_code, 3);
+    const json views = json::parse(folder.read("zproof-out/results.json")).at("views");
+    ASSERT_EQ(views.size(), 2u);
+    EXPECT_EQ(views[0].at("outcome"), "unreadable");
+    EXPECT_EQ(views[1].at("outcome"), "proven");
+}
+
+TEST(Run, ReplacesItsOwnOutput) {
+    const Folder folder;
+    folder.write("a.gltf", one_triangle());
+    folder.write("b.gltf", two_triangles());
+    EXPECT_EQ(run(folder, run_words({"a.gltf"})).exit_code, 0);
+    EXPECT_EQ(run(folder, run_words({"b.gltf"})).exit_code, 0);
+    EXPECT_EQ(json::parse(folder.read("zproof-out/results.json")).at("views")[0].at("scene"), "b");
+    EXPECT_EQ(folder.names(), (Words{"a.gltf", "b.gltf", "zproof-out"}));
+}
+
+TEST(Run, TellsResultsOnStdoutAndProgressOnStderr) {
+    const Folder folder;
+    folder.write("a.gltf", one_triangle());
+    const Ran loud = run(folder, run_words({"a.gltf"}));
+    EXPECT_EQ(loud.err.find("[1/1] proven"), 0u) << loud.err;
+    EXPECT_EQ(loud.out.find("[1/1]"), std::string::npos) << loud.out;
+    const Ran quiet = run(folder, run_words({"a.gltf", "-q"}));
+    EXPECT_EQ(quiet.err, "");
+    EXPECT_EQ(quiet.out, "proven: 1 view; report: zproof-out/report.html\n");
+}
+
+TEST(Run, ColoursATerminalUnlessAskedNotTo) {
+    const Folder folder;
+    folder.write("a.gltf", one_triangle());
+    const auto coloured = [&](const Words& more, const Words& environment) {
+        Words words = run_words({"a.gltf", "--progress", "none"});
+        words.insert(words.end(), more.begin(), more.end());
+        return run_on_terminal(folder, words, environment).out.find('\x1b') != std::string::npos;
+    };
+    EXPECT_TRUE(coloured({}, {"TERM=xterm", "NO_COLOR="}));
+    EXPECT_FALSE(coloured({}, {"TERM=xterm", "NO_COLOR=1"}));
+    EXPECT_FALSE(coloured({}, {"TERM=dumb", "NO_COLOR="}));
+    EXPECT_FALSE(coloured({"--color", "never"}, {"TERM=xterm", "NO_COLOR="}));
+    EXPECT_TRUE(coloured({"--color", "always"}, {"TERM=dumb", "NO_COLOR=1"}));
+}
+
+TEST(Run, NamesTheCommandThatExplainsAPixelAndThatCommandWorks) {
+    const Folder folder;
+    folder.write("it's.gltf", one_triangle());
+    const Ran ran = run(folder, {"explain", "it's.gltf", "48", "32", "--width", "96", "--height", "64"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out, "");
+}
+
+TEST(Scenes, GeneratedAsFilesAreJudgedLikeTheSuite) {
+    const Folder folder;
+    const std::string name = suite_manifest().front().name;
+    ASSERT_EQ(run(folder, {"scenes", "generate", name, "-o", "scenes"}).exit_code, 0);
+    ASSERT_EQ(run(folder, {"run", "scenes", "-o", "of-files"}).exit_code, 0);
+    ASSERT_EQ(run(folder, {"run", name, "-o", "of-suite"}).exit_code, 0);
+    const json of_files = comparable(folder, "of-files").at("views"),
+               of_suite = comparable(folder, "of-suite").at("views");
+    ASSERT_EQ(of_files.size(), of_suite.size());
+    for (std::size_t i = 0; i < of_files.size(); ++i)
+        EXPECT_EQ(of_files[i].at("counts"), of_suite[i].at("counts"));
+}
+
+}  // namespace
+}  // namespace zproof::test
