@@ -66,12 +66,12 @@ class Comparison {
     double reference_error_over_bound_ = 0;
 };
 
+}  // namespace
+
 bool is_settled(const OpenPixel& p) {
     return p.finding.candidate.primitive == p.finding.reference.primitive && !p.candidate_invalid &&
            !p.reference_invalid && p.candidate_depth_lawful && p.reference_depth_lawful;
 }
-
-}  // namespace
 
 void count(DepthRecord& record, double error_over_bound) {
     record.max_error_over_bound = std::max(record.max_error_over_bound, error_over_bound);

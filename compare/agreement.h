@@ -22,6 +22,9 @@ struct OpenPixel {
     bool candidate_depth_lawful = true, reference_depth_lawful = true;
 };
 
+/// Do both say the same, lawfully?
+bool is_settled(const OpenPixel& pixel);
+
 /// Compares one row and counts the depths at pixels where both name the same triangle.
 std::vector<OpenPixel> open_pixels(const Scene& scene, const View& view, const Witness& candidate,
                                    const Witness& reference, int y, Tally& tally);
