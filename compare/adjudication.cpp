@@ -29,12 +29,14 @@ class Hearing {
         sites_.push_back({x, y, own, {}});
     }
 
-    /// Most squares grow no further than their own eps; the others are looked at once more with their full reach.
+    /// Most squares grow no further than their own eps; the others are looked at once more with their full
+    /// reach.
     void hear() {
         while (!pleas_.empty()) {
             find_nearby_triangles(scene_, view_, sites_);
             std::vector<double> lacking(pleas_.size(), 0);
-            tbb::parallel_for(std::size_t(0), pleas_.size(), [&](std::size_t i) { lacking[i] = try_to_hear(i); });
+            tbb::parallel_for(std::size_t(0), pleas_.size(),
+                              [&](std::size_t i) { lacking[i] = try_to_hear(i); });
             keep_lacking(lacking);
         }
     }
@@ -71,8 +73,8 @@ class Hearing {
 
 }  // namespace
 
-std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
-                            std::span<const OpenPixel> open) {
+std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness& candidate,
+                            const Witness& reference, std::span<const OpenPixel> open) {
     std::vector<Ruling> rulings(open.size());
     std::vector<double> reference_eps_px(open.size());
     Hearing hearing(scene, view);
@@ -80,9 +82,11 @@ std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness&
         const Finding& f = open[i].finding;
         if (f.candidate.primitive == f.reference.primitive) continue;
         if (!open[i].candidate_invalid)
-            hearing.add(candidate, f.candidate.primitive, f.x, f.y, rulings[i].candidate, rulings[i].candidate_eps_px);
+            hearing.add(candidate, f.candidate.primitive, f.x, f.y, rulings[i].candidate,
+                        rulings[i].candidate_eps_px);
         if (!open[i].reference_invalid)
-            hearing.add(reference, f.reference.primitive, f.x, f.y, rulings[i].reference, reference_eps_px[i]);
+            hearing.add(reference, f.reference.primitive, f.x, f.y, rulings[i].reference,
+                        reference_eps_px[i]);
     }
     hearing.hear();
     return rulings;
@@ -90,7 +94,8 @@ std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness&
 
 PixelClass class_of(const OpenPixel& open, const Ruling& ruling) {
     if (open.candidate_invalid) return PixelClass::invalid;
-    if (!is_lawful(ruling.candidate.standing)) return class_of(ruling.candidate.standing, ruling.reference.standing);
+    if (!is_lawful(ruling.candidate.standing))
+        return class_of(ruling.candidate.standing, ruling.reference.standing);
     if (!open.candidate_depth_lawful) return PixelClass::wrong_depth;
     if (open.reference_invalid || !open.reference_depth_lawful) return PixelClass::reference_wrong;
     return class_of(ruling.candidate.standing, ruling.reference.standing);

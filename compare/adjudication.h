@@ -15,8 +15,8 @@ struct Ruling {
 };
 
 /// Rules on every open pixel, in order, on all threads.
-std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
-                            std::span<const OpenPixel> open);
+std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness& candidate,
+                            const Witness& reference, std::span<const OpenPixel> open);
 
 /// The word that an open pixel earns from its ruling.
 PixelClass class_of(const OpenPixel& open, const Ruling& ruling);

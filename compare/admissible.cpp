@@ -10,6 +10,8 @@ namespace zproof {
 
 namespace {
 
+constexpr int no_edge = -1;  ///< an id that no line has
+
 template <class Number>
 Affine<Number> constant(double value) {
     return {Number(0), Number(0), Number(value)};
@@ -52,9 +54,9 @@ int AdmissibleSet<Number>::corner_id(const glm::vec3& p_world) {
 template <class Number>
 auto AdmissibleSet<Number>::edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge)
     -> LinePointer {
-    const auto [low, high] = std::minmax({corner_id(p_world[(edge + 1) % 3]), corner_id(p_world[(edge + 2) % 3])});
+    const auto [low, high] =
+        std::minmax({corner_id(p_world[(edge + 1) % 3]), corner_id(p_world[(edge + 2) % 3])});
     const int id = edge_ids_.try_emplace({low, high}, int(edge_ids_.size())).first->second;
-    ++edge_count_[id];
     return &lines_.emplace_back(Line<Number>{f, id, {low, high}});
 }
 
@@ -116,7 +118,8 @@ auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
         const auto segment = segment_image(sight_, p_world[i], p_world[(i + 1) % 3]);
         if (!segment) continue;
         std::optional<Region<Number>> region = square();
-        for (const Affine<Number>& f : {segment->line, -segment->line, segment->after_start, segment->before_end})
+        for (const Affine<Number>& f :
+             {segment->line, -segment->line, segment->after_start, segment->before_end})
             if (region) region = region->inside(*new_line(f));
         push_clipped(pieces, std::move(region), segment->nearness, index);
     }
@@ -124,73 +127,118 @@ auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
 }
 
 template <class Number>
-auto AdmissibleSet<Number>::covering_edge(LinePointer edge, EdgeRule rule) -> LinePointer {
-    if (rule == EdgeRule::as_is || is_shared(edge)) return edge;
-    const Number eps(around_.eps_px);
+auto AdmissibleSet<Number>::shared_edge(size_t a, size_t b) const -> std::optional<LinePointer> {
+    if (!drawn_[a].image || !drawn_[b].image) return std::nullopt;
+    for (const LinePointer edge : drawn_[a].edge)
+        if (std::ranges::count(drawn_[b].edge, edge->id, &Line<Number>::id)) return edge;
+    return std::nullopt;
+}
+
+template <class Number>
+bool AdmissibleSet<Number>::are_on_one_side(size_t a, size_t b, int edge_id) const {
+    const Affine<Number>& f = (*std::ranges::find(drawn_[a].edge, edge_id, &Line<Number>::id))->f;
+    const Affine<Number>& g = (*std::ranges::find(drawn_[b].edge, edge_id, &Line<Number>::id))->f;
+    return sign(f.a * g.a + f.b * g.b) > 0;
+}
+
+/// Does another occluder lie beyond this edge, so that no displacement can open it?
+template <class Number>
+bool AdmissibleSet<Number>::continues(LinePointer edge, size_t owner,
+                                      const std::vector<size_t>& occluders) const {
+    return std::ranges::any_of(occluders, [&](size_t other) {
+        return other != owner && std::ranges::count(drawn_[other].edge, edge->id, &Line<Number>::id) &&
+               !are_on_one_side(owner, other, edge->id);
+    });
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::moved_inwards(LinePointer edge) -> LinePointer {
     Affine<Number> moved = edge->f;
-    moved.c = moved.c - eps * (magnitude(moved.a) + magnitude(moved.b));
+    moved.c = moved.c - Number(around_.eps_px) * (magnitude(moved.a) + magnitude(moved.b));
     return new_line(moved);
 }
 
-/// The part of the image that a triangle covers for certain.
+/// At the pixel: is the occluder's least nearness above the greatest of what is seen (bounded), or its true
+/// nearness not below (strict)?
 template <class Number>
-HalfPlanes<Number> AdmissibleSet<Number>::covering(size_t index, EdgeRule rule) {
+bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule rule) const {
+    const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen];
+    if (rule == DepthRule::bounded) return front.least_nearness > back.greatest_nearness;
+    if (!drawn_[seen].image) return front.least_nearness > back.greatest_nearness;
+    if (coplanar(front.p_world, back.p_world)) return true;
+    return sign(drawn_[occluder].image->nearness.c - drawn_[seen].image->nearness.c) >= 0;
+}
+
+template <class Number>
+std::vector<size_t> AdmissibleSet<Number>::in_front_of(size_t seen, DepthRule rule) const {
+    std::vector<size_t> occluders;
+    for (size_t i = 0; i < drawn_.size(); ++i)
+        if (i != seen && drawn_[i].image && is_in_front(i, seen, rule)) occluders.push_back(i);
+    return occluders;
+}
+
+/// The part of the image that an occluder covers for certain, bounded by all its edges but `free_edge`.
+template <class Number>
+HalfPlanes<Number> AdmissibleSet<Number>::cover(size_t occluder, const std::vector<size_t>& occluders,
+                                                EdgeRule rule, int free_edge) {
     HalfPlanes<Number> half_planes;
-    for (const LinePointer edge : drawn_[index].edge) half_planes.push_back(covering_edge(edge, rule));
+    for (const LinePointer edge : drawn_[occluder].edge) {
+        if (edge->id == free_edge) continue;
+        const bool stays = rule == EdgeRule::watertight || continues(edge, occluder, occluders);
+        half_planes.push_back(stays ? edge : moved_inwards(edge));
+    }
     for (const Side side : {Side::near, Side::far})
-        if (auto line = plane(side, drawn_[index].image->nearness, around_.neighbours[index], Slack::require))
+        if (auto line =
+                plane(side, drawn_[occluder].image->nearness, around_.neighbours[occluder], Slack::require))
             half_planes.push_back(*line);
     return half_planes;
 }
 
-/// >= 0 where the occluder is in front of what is seen: by more than both bounds, or strictly by their exact places.
 template <class Number>
-Affine<Number> AdmissibleSet<Number>::lead(size_t occluder, const Piece& seen, DepthRule rule) {
-    const Neighbour& near_one = around_.neighbours[occluder];
-    const Neighbour& far_one = around_.neighbours[seen.index];
-    const Affine<Number>& nearness = drawn_[occluder].image->nearness;
-    if (rule == DepthRule::strict) {
-        if (coplanar(near_one.p_world, far_one.p_world)) return constant<Number>(0);
-        return nearness - seen.nearness;
+bool AdmissibleSet<Number>::leaves_square_bare(const std::vector<size_t>& occluders, EdgeRule rule,
+                                               std::optional<size_t> seen) {
+    std::vector<Region<Number>> left{square()};
+    for (const size_t o : occluders) {
+        const auto shared = seen ? shared_edge(o, *seen) : std::nullopt;
+        if (shared && !are_on_one_side(o, *seen, (*shared)->id)) continue;
+        left = without(left, cover(o, occluders, rule, shared ? (*shared)->id : no_edge));
+        if (left.empty()) return false;
     }
-    const bool perspective = sight_.projection == Projection::perspective;
-    // perspective: 1/depth is off by the factor 1 -+ r; parallel: depth by 1 +- r and by the absolute share
-    const auto relative = [&](const Neighbour& n, double nearest) {
-        return n.bounds.depth_relative + (perspective ? n.bounds.depth_absolute * nearest : 0);
-    };
-    const auto shift = [&](const Neighbour& n) {
-        return n.bounds.depth_eps_px * n.gradient + (perspective ? 0 : n.bounds.depth_absolute);
-    };
-    const double sense = perspective ? 1 : -1;
-    const Number low = Number(1) - Number(sense * relative(near_one, near_one.highest_nearness));
-    const Number high = Number(1) + Number(sense * relative(far_one, far_one.highest_nearness));
-    return low * nearness - high * seen.nearness - constant<Number>(shift(near_one) + shift(far_one));
-}
-
-template <class Number>
-bool AdmissibleSet<Number>::visible(const Piece& piece, Rules rules) {
-    std::vector<Region<Number>> left{piece.region};
-    for (size_t i = 0; i < drawn_.size() && !left.empty(); ++i) {
-        if (i == piece.index || !drawn_[i].image) continue;
-        HalfPlanes<Number> hiding = covering(i, rules.edges);
-        hiding.push_back(new_line(lead(i, piece, rules.depth)));
-        left = without(left, hiding);
-    }
-    return !left.empty();
+    return true;
 }
 
 template <class Number>
 bool AdmissibleSet<Number>::holds(size_t index, Rules rules) {
-    const auto pieces = seen_pieces(index);
-    return std::ranges::any_of(pieces, [&](const Piece& piece) { return visible(piece, rules); });
+    return reaches(index) && leaves_square_bare(in_front_of(index, rules.depth), rules.edges, index);
 }
 
 template <class Number>
 bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
-    std::vector<Region<Number>> left{square()};
-    for (size_t i = 0; i < drawn_.size() && !left.empty(); ++i)
-        if (drawn_[i].image) left = without(left, covering(i, edges));
-    return !left.empty();
+    std::vector<size_t> drawn;
+    for (size_t i = 0; i < drawn_.size(); ++i)
+        if (drawn_[i].image) drawn.push_back(i);
+    return leaves_square_bare(drawn, edges, std::nullopt);
+}
+
+/// Where the occluder's true image is not behind what is seen.
+template <class Number>
+HalfPlanes<Number> AdmissibleSet<Number>::true_cover(size_t occluder, const Piece& seen) {
+    HalfPlanes<Number> half_planes = cover(occluder, {}, EdgeRule::watertight, no_edge);
+    const bool tied = coplanar(around_.neighbours[occluder].p_world, around_.neighbours[seen.index].p_world);
+    half_planes.push_back(
+        new_line(tied ? constant<Number>(0) : drawn_[occluder].image->nearness - seen.nearness));
+    return half_planes;
+}
+
+template <class Number>
+bool AdmissibleSet<Number>::is_visible(size_t index) {
+    const auto pieces = seen_pieces(index);
+    return std::ranges::any_of(pieces, [&](const Piece& piece) {
+        std::vector<Region<Number>> left{piece.region};
+        for (size_t i = 0; i < drawn_.size() && !left.empty(); ++i)
+            if (i != index && drawn_[i].image) left = without(left, true_cover(i, piece));
+        return !left.empty();
+    });
 }
 
 template <class Number>

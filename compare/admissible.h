@@ -16,12 +16,12 @@ enum class DepthRule {
     strict,   ///< an occluder hides whatever is not strictly nearer; ties included
 };
 enum class EdgeRule {
-    as_is,
-    unshared_moved_inwards,  ///< occluders' edges that no other occluder shares are moved inwards by eps
+    watertight,  ///< occluders move together: only the outline of their union moves
+    separate,    ///< every occluder's edges that no other occluder continues are moved inwards by eps
 };
 struct Rules {
     DepthRule depth = DepthRule::bounded;
-    EdgeRule edges = EdgeRule::as_is;
+    EdgeRule edges = EdgeRule::watertight;
 };
 
 /// Decides by the signs of Number; with Interval, throws UndecidedSign where double precision is not enough.
@@ -30,7 +30,12 @@ class AdmissibleSet {
   public:
     explicit AdmissibleSet(const Neighbourhood& neighbourhood);
 
-    /// Is the triangle (an index into neighbours) visible somewhere in the square?
+    /// Is the triangle (an index into neighbours) truly visible somewhere in the square?
+    bool is_visible(size_t index);
+    /// Can it be answered by a renderer that moves corners by up to eps: does it meet the square, and is the
+    /// square not wholly covered by triangles in front of it? Edges that it shares with an occluder move
+    /// together: one that both have on the same side does not bound the occluder, and beyond one with each on
+    /// its own side there is none.
     bool holds(size_t index, Rules rules);
     /// Is some point of the square not covered by any triangle?
     bool holds_background(EdgeRule edges);
@@ -61,16 +66,23 @@ class AdmissibleSet {
     Drawn draw(const Neighbour& neighbour);
     Region<Number> square();
 
-    std::optional<LinePointer> plane(Side side, const Affine<Number>& nearness, const Neighbour& n, Slack slack);
+    std::optional<LinePointer> plane(Side side, const Affine<Number>& nearness, const Neighbour& n,
+                                     Slack slack);
     void push_clipped(std::vector<Piece>& pieces, std::optional<Region<Number>> region,
                       const Affine<Number>& nearness, size_t index);
     std::vector<Piece> seen_pieces(size_t index);
     std::vector<Piece> edge_on_pieces(size_t index);
-    bool is_shared(LinePointer edge) const { return edge_count_.at(edge->id) > 1; }
-    LinePointer covering_edge(LinePointer edge, EdgeRule rule);
-    HalfPlanes<Number> covering(size_t index, EdgeRule rule);
-    Affine<Number> lead(size_t occluder, const Piece& seen, DepthRule rule);
-    bool visible(const Piece& piece, Rules rules);
+    std::optional<LinePointer> shared_edge(size_t a, size_t b) const;
+    bool are_on_one_side(size_t a, size_t b, int edge_id) const;
+    bool continues(LinePointer edge, size_t owner, const std::vector<size_t>& occluders) const;
+    LinePointer moved_inwards(LinePointer edge);
+
+    bool is_in_front(size_t occluder, size_t seen, DepthRule rule) const;
+    std::vector<size_t> in_front_of(size_t seen, DepthRule rule) const;
+    HalfPlanes<Number> true_cover(size_t occluder, const Piece& seen);
+    HalfPlanes<Number> cover(size_t occluder, const std::vector<size_t>& occluders, EdgeRule rule,
+                             int free_edge);
+    bool leaves_square_bare(const std::vector<size_t>& occluders, EdgeRule rule, std::optional<size_t> seen);
 
     const Neighbourhood& around_;
     Sight<Number> sight_;
@@ -78,7 +90,6 @@ class AdmissibleSet {
     std::array<LinePointer, 4> sides_{};
     std::vector<glm::vec3> corner_positions_;
     std::map<std::pair<int, int>, int> edge_ids_;
-    std::map<int, int> edge_count_;  ///< triangles per edge id
     std::vector<Drawn> drawn_;
 };
 

@@ -8,7 +8,8 @@ namespace zproof {
 
 namespace {
 
-/// Holds a witness's answers against their bounds; neighbouring pixels mostly share the triangle asked for last.
+/// Holds a witness's answers against their bounds; neighbouring pixels mostly share the triangle asked for
+/// last.
 class DepthClerk {
   public:
     explicit DepthClerk(const Witness& witness) : witness_(witness) {}
@@ -16,7 +17,8 @@ class DepthClerk {
     /// The answer must be valid; background has no depth to be held.
     std::optional<DepthCheck> check(const Answer& answer, int x, int y) {
         if (answer.primitive == PrimitiveId::none) return std::nullopt;
-        if (!triangle_ || answer.primitive != primitive_) triangle_.emplace(witness_.depth_of(answer.primitive));
+        if (!triangle_ || answer.primitive != primitive_)
+            triangle_.emplace(witness_.depth_of(answer.primitive));
         primitive_ = answer.primitive;
         return witness_.check(*triangle_, answer, x, y);
     }
@@ -41,7 +43,14 @@ class Comparison {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
         OpenPixel open;
         Finding& f = open.finding;
-        f = {x, y, PixelClass::agree, candidate_.answer_at(x, y), reference_.answer_at(x, y), 0, {nan, nan, nan}, nan};
+        f = {x,
+             y,
+             PixelClass::agree,
+             candidate_.answer_at(x, y),
+             reference_.answer_at(x, y),
+             0,
+             {nan, nan, nan},
+             nan};
         open.candidate_invalid = is_invalid(f.candidate, triangle_count_);
         open.reference_invalid = is_invalid(f.reference, triangle_count_);
         if (!open.candidate_invalid)

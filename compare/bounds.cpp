@@ -36,10 +36,11 @@ double largest_defect(const Camera& camera) {
 struct ViewBounds::Extent {
     std::array<glm::dvec3, 3> v_world;  ///< corner - eye
     std::array<double, 3> depth;
-    glm::dvec3 from_eye{0};    ///< per camera axis: max over corners of sum |axis_j| |p_j - eye_j|
-    glm::dvec3 from_origin{0}; ///< per camera axis: max over corners of sum |axis_j| (|p_j| + |eye_j|)
+    glm::dvec3 from_eye{0};     ///< per camera axis: max over corners of sum |axis_j| |p_j - eye_j|
+    glm::dvec3 from_origin{0};  ///< per camera axis: max over corners of sum |axis_j| (|p_j| + |eye_j|)
 
-    /// Largest in-image displacement, px times depth, of an error of 1 relative to `camera_abs` on every axis.
+    /// Largest in-image displacement, px times depth, of an error of 1 relative to `camera_abs` on every
+    /// axis.
     static double lateral_px(const ViewBounds& b, const glm::dvec3& camera_abs) {
         return std::max(b.px_per_u_ * (camera_abs.x + b.slant_u_ * camera_abs.z),
                         b.px_per_v_ * (camera_abs.y + b.slant_v_ * camera_abs.z));
@@ -76,8 +77,10 @@ ViewBounds::Extent ViewBounds::extent_of(const CornersWorld& p_world) const {
         extent.depth[size_t(i)] = -glm::dot(c.back, p - eye);
         for (int axis = 0; axis < 3; ++axis) {
             const glm::dvec3 a = glm::abs(axes[size_t(axis)]);
-            extent.from_eye[axis] = std::max(extent.from_eye[axis], glm::dot(a, glm::abs(p - eye) + origin_abs_));
-            extent.from_origin[axis] = std::max(extent.from_origin[axis], glm::dot(a, glm::abs(p) + glm::abs(eye)));
+            extent.from_eye[axis] =
+                std::max(extent.from_eye[axis], glm::dot(a, glm::abs(p - eye) + origin_abs_));
+            extent.from_origin[axis] =
+                std::max(extent.from_origin[axis], glm::dot(a, glm::abs(p) + glm::abs(eye)));
         }
     }
     return extent;
@@ -112,7 +115,8 @@ TriangleBounds ViewBounds::of(const CornersWorld& p_world) const {
 
 TriangleBounds ViewBounds::raster_bounds(const Extent& extent, const RasterPrecision& precision) const {
     const double u = unit_of(precision.transform);
-    // float64: the fused matrix is built and applied in double: 3 (translation) + 3 + 3 (product of the two matrices)
+    // float64: the fused matrix is built and applied in double: 3 (translation) + 3 + 3 (product of the two
+    // matrices)
     // + 4 (matrix times point) roundings. float32: entries rounded once, then 4.
     const double transform =
         (precision.transform == Arithmetic::float64 ? gamma(13, u) : gamma(5, u)) + orthonormality_;
@@ -125,10 +129,11 @@ TriangleBounds ViewBounds::raster_bounds(const Extent& extent, const RasterPreci
     bounds.eps_per_nearness = perspective_ ? lateral : 0;
     bounds.depth_eps_base_px = bounds.eps_base_px;
     bounds.depth_eps_per_nearness = bounds.eps_per_nearness;
-    bounds.depth_relative = gamma(precision.depth_roundings, unit_roundoff_float32) +
-                            gamma(8, unit_of(precision.interpolation));
+    bounds.depth_relative =
+        gamma(precision.depth_roundings, unit_roundoff_float32) + gamma(8, unit_of(precision.interpolation));
     bounds.depth_absolute = transform * extent.from_origin.z;
-    const double span = std::max({std::abs(extent.depth[0]), std::abs(extent.depth[1]), std::abs(extent.depth[2])});
+    const double span =
+        std::max({std::abs(extent.depth[0]), std::abs(extent.depth[1]), std::abs(extent.depth[2])});
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gamma(8, u) * span;
     return bounds;
 }
@@ -161,7 +166,8 @@ TriangleBounds ViewBounds::ray_bounds(const Extent& extent, const PlaneSize& siz
         direction_error[i] = u * glm::dot(glm::abs(axes[size_t(i)]), direction_abs_);
         origin_error[i] = perspective_ ? 0 : u * glm::dot(glm::abs(axes[size_t(i)]), origin_world);
     }
-    const double span = std::max({std::abs(extent.depth[0]), std::abs(extent.depth[1]), std::abs(extent.depth[2])});
+    const double span =
+        std::max({std::abs(extent.depth[0]), std::abs(extent.depth[1]), std::abs(extent.depth[2])});
     // a corner is rounded once when the origin is subtracted
     const double corner = u * Extent::lateral_px(*this, extent.from_eye);
     const double aim = Extent::lateral_px(*this, direction_error) * (perspective_ ? 1 : span) +
@@ -176,8 +182,10 @@ TriangleBounds ViewBounds::ray_bounds(const Extent& extent, const PlaneSize& siz
     bounds.eps_base_px = aim + edges + (perspective_ ? 0 : 5 * corner);
     bounds.eps_per_nearness = perspective_ ? 5 * corner : 0;
 
-    // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and the product
-    const double volume_error = gamma(8, u) * size.volume_abs, numerator_error = gamma(8, u) * size.numerator_abs;
+    // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and the
+    // product
+    const double volume_error = gamma(8, u) * size.volume_abs,
+                 numerator_error = gamma(8, u) * size.numerator_abs;
     bounds.depth_relative = gamma(4, u) + direction_error.z;
     bounds.depth_absolute = u * extent.from_eye.z + origin_error.z;
     if (perspective_) {
@@ -196,9 +204,11 @@ TriangleBounds ViewBounds::ray_bounds(const Extent& extent, const PlaneSize& siz
 }
 
 LocalBounds TriangleBounds::at(double nearness, double gradient) const {
-    // perspective: eps = base + per (nearness + gradient eps), solved for eps; never beyond the nearest corner's
+    // perspective: eps = base + per (nearness + gradient eps), solved for eps; never beyond the nearest
+    // corner's
     const double highest = nearest > 0 ? 1 / nearest : 0;
-    const double here = std::clamp(nearness, farthest > 0 && std::isfinite(farthest) ? 1 / farthest : 0, highest);
+    const double here =
+        std::clamp(nearness, farthest > 0 && std::isfinite(farthest) ? 1 / farthest : 0, highest);
     const auto solve = [&](double base, double per) {
         if (per == 0) return base;
         const double loop = per * gradient;

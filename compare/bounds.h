@@ -1,5 +1,5 @@
-/// From declared precision to bounds: how far a faultless renderer may displace a triangle in the image, and how far
-/// its depth may be off. Every term is derived in docs/bounds.md under the name it has here.
+/// From declared precision to bounds: how far a faultless renderer may displace a triangle in the image, and
+/// how far its depth may be off. Every term is derived in docs/bounds.md under the name it has here.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ struct TriangleBounds {
     double eps_base_px = 0, eps_per_nearness = 0;              ///< eps = base + per_nearness * nearness
     double depth_eps_base_px = 0, depth_eps_per_nearness = 0;  ///< the same for depth
     double depth_relative = 0, depth_absolute = 0;
-    double plane_offset = 0;  ///< ray: error of (normal . direction) / volume, in nearness
+    double plane_offset = 0;               ///< ray: error of (normal . direction) / volume, in nearness
     double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
     double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
     PlaneSize plane_size;
@@ -55,17 +55,18 @@ class ViewBounds {
     Extent extent_of(const CornersWorld& p_world) const;
     PlaneSize plane_size_of(const Extent& extent, const CornersWorld& p_world) const;
     TriangleBounds raster_bounds(const Extent& extent, const RasterPrecision& precision) const;
-    TriangleBounds ray_bounds(const Extent& extent, const PlaneSize& size, const RayPrecision& precision) const;
+    TriangleBounds ray_bounds(const Extent& extent, const PlaneSize& size,
+                              const RayPrecision& precision) const;
     double edge_test_eps_px(const Extent& extent, int edge, double unit) const;
 
     View view_;
     Precision precision_;
     bool perspective_;
-    double px_per_u_, px_per_v_;          ///< pixels per unit of the image plane
-    double slant_u_, slant_v_;            ///< largest |d(u, v)/d depth| of a line of sight in the image
-    glm::dvec3 direction_abs_;            ///< per world axis, the largest |direction| in the image
-    glm::dvec3 origin_abs_;               ///< per world axis, the largest |origin - eye|
-    double orthonormality_;               ///< largest entry of |R R^T - I|
+    double px_per_u_, px_per_v_;  ///< pixels per unit of the image plane
+    double slant_u_, slant_v_;    ///< largest |d(u, v)/d depth| of a line of sight in the image
+    glm::dvec3 direction_abs_;    ///< per world axis, the largest |direction| in the image
+    glm::dvec3 origin_abs_;       ///< per world axis, the largest |origin - eye|
+    double orthonormality_;       ///< largest entry of |R R^T - I|
     double background_eps_px_;
 };
 

@@ -63,9 +63,11 @@ void TriangleDepth::set_nearness(const View& view, const CornersWorld& p_world) 
     // nearness = (normal . direction) / volume: absolute sums of both, 16 roundings at most in each
     const PlaneSize size = bounds_.plane_size;
     const double u = gamma(16, unit_roundoff_float64);
-    const double largest = std::abs(nearness_.c) + std::abs(nearness_.a) * view.width + std::abs(nearness_.b) * view.height;
+    const double largest =
+        std::abs(nearness_.c) + std::abs(nearness_.a) * view.width + std::abs(nearness_.b) * view.height;
     const double condition = size.volume_abs / size.volume;
-    own_error_ = u * condition < 0.5 ? 2 * u * (size.numerator_abs / size.volume + largest * condition) : unlimited;
+    own_error_ =
+        u * condition < 0.5 ? 2 * u * (size.numerator_abs / size.volume + largest * condition) : unlimited;
 }
 
 DepthBound TriangleDepth::at(int x, int y) const {
@@ -102,7 +104,8 @@ bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWo
         if (!image) return true;  // edge-on: its corners alone say
         return within(image->nearness.c, n.bounds, n.bounds.depth_eps_px * n.gradient, depth, perspective);
     };
-    if (bounds.keeps_to_corners() && !(z >= n.nearest * (1 - r) - a && z <= n.farthest * (1 + r) + a)) return false;
+    if (bounds.keeps_to_corners() && !(z >= n.nearest * (1 - r) - a && z <= n.farthest * (1 + r) + a))
+        return false;
     try {
         return decide(Interval());
     } catch (const UndecidedSign&) {

@@ -1,4 +1,5 @@
-/// Depth where the id is right: the true depth and the interval a faultless renderer may report (docs/bounds.md).
+/// Depth where the id is right: the true depth and the interval a faultless renderer may report
+/// (docs/bounds.md).
 #pragma once
 
 #include "compare/neighbourhood.h"
@@ -6,8 +7,8 @@
 
 namespace zproof {
 
-/// The nearness of one triangle over the whole image, in double with a forward error bound. Made once per triangle
-/// and asked at each of its pixels.
+/// The nearness of one triangle over the whole image, in double with a forward error bound. Made once per
+/// triangle and asked at each of its pixels.
 class TriangleDepth {
   public:
     TriangleDepth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world);

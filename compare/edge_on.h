@@ -1,5 +1,5 @@
-/// Triangles seen exactly edge-on. They cover no area, but a renderer that moves their corners by eps may draw them:
-/// each edge then stands as a segment of the image with the nearness that holds along it.
+/// Triangles seen exactly edge-on. They cover no area, but a renderer that moves their corners by eps may
+/// draw them: each edge then stands as a segment of the image with the nearness that holds along it.
 #pragma once
 
 #include <optional>
@@ -48,8 +48,8 @@ Affine<Number> beyond(const Sight<Number>& sight, const Vector3<Number>& p, cons
 }
 
 template <class Number>
-SegmentImage<Number> parallel_segment(const Sight<Number>& sight, const Vector3<Number>& a, const Vector3<Number>& b,
-                                      const Vector3<Number>& side) {
+SegmentImage<Number> parallel_segment(const Sight<Number>& sight, const Vector3<Number>& a,
+                                      const Vector3<Number>& b, const Vector3<Number>& side) {
     const Vector3<Number> along = cross(sight.direction, side);
     const Vector3<Number> plane = cross(b - a, side);
     return {parallel_edge(sight, a, b), beyond(sight, a, along), -beyond(sight, b, along),

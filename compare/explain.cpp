@@ -41,8 +41,8 @@ std::vector<Candidate> candidates_in(const View& view, const Witness& witness, c
         const Decision decision = decide(around, PrimitiveId(n.triangle));
         if (decision.standing == Standing::outside) continue;
         const TriangleDepth depth(view, witness.bounds(), n.p_world);
-        candidates.push_back({PrimitiveId(n.triangle), edge_distances(sight, n.p_world), depth.at(around.x, around.y),
-                              decision});
+        candidates.push_back({PrimitiveId(n.triangle), edge_distances(sight, n.p_world),
+                              depth.at(around.x, around.y), decision});
     }
     std::ranges::stable_sort(candidates, {}, [](const Candidate& c) { return c.depth.truth; });
     return candidates;
@@ -50,8 +50,8 @@ std::vector<Candidate> candidates_in(const View& view, const Witness& witness, c
 
 }  // namespace
 
-PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference,
-                   int x, int y) {
+PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
+                   const Testimony& reference, int x, int y) {
     if (x < 0 || y < 0 || x >= view.width || y >= view.height)
         throw std::out_of_range("explain: the pixel lies outside the view");
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
@@ -61,8 +61,10 @@ PixelStory explain(const Scene& scene, const View& view, const Testimony& candid
     const bool same = open.finding.candidate.primitive == open.finding.reference.primitive;
     story.finding.verdict = is_settled(open) ? PixelClass::agree : class_of(open, ruling);
     story.finding.eps_px =
-        same ? own_eps_px(scene, view, ours.bounds(), x, y, open.finding.candidate.primitive) : ruling.candidate_eps_px;
-    const Neighbourhood around = surroundings(scene, view, ours.bounds(), story.finding, story.finding.eps_px);
+        same ? own_eps_px(scene, view, ours.bounds(), x, y, open.finding.candidate.primitive)
+             : ruling.candidate_eps_px;
+    const Neighbourhood around =
+        surroundings(scene, view, ours.bounds(), story.finding, story.finding.eps_px);
     story.candidates = candidates_in(view, ours, around);
     story.background = decide(around, PrimitiveId::none);
     return story;

@@ -13,8 +13,8 @@ namespace zproof {
 /// A triangle that comes near the pixel, as the judge sees it.
 struct Candidate {
     PrimitiveId primitive = PrimitiveId::none;
-    /// Signed distance of the pixel's centre from each edge (0: v1v2, 1: v2v0, 2: v0v1), in 1/256 px; positive
-    /// inside; all NaN where the triangle is seen edge-on.
+    /// Signed distance of the pixel's centre from each edge (0: v1v2, 1: v2v0, 2: v0v1), in 1/256 px;
+    /// positive inside; all NaN where the triangle is seen edge-on.
     std::array<double, 3> edge_distance{};
     DepthBound depth;
     Decision decision;
@@ -22,14 +22,15 @@ struct Candidate {
 
 struct PixelStory {
     Finding finding;
-    Decision candidate, reference;      ///< both answers, each judged by its own renderer's precision
-    std::vector<Candidate> candidates;  ///< triangles within eps of the centre, nearest first; candidate's precision
-    Decision background;                ///< would background have been lawful?
+    Decision candidate, reference;  ///< both answers, each judged by its own renderer's precision
+    std::vector<Candidate>
+        candidates;       ///< triangles within eps of the centre, nearest first; candidate's precision
+    Decision background;  ///< would background have been lawful?
 };
 
 /// Judges one pixel and keeps the evidence. (x, y) must lie inside the view (std::out_of_range otherwise).
-PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference,
-                   int x, int y);
+PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
+                   const Testimony& reference, int x, int y);
 
 /// One sentence for a report: what was answered, what was expected, and why the verdict.
 std::string in_words(const Scene& scene, const Finding& finding);

@@ -1,4 +1,5 @@
-/// The judge: decides for every pixel which answers are lawful, from scene, view and declared precision alone.
+/// The judge: decides for every pixel which answers are lawful, from scene, view and declared precision
+/// alone.
 #pragma once
 
 #include "compare/verdict.h"
@@ -14,8 +15,8 @@ struct Testimony {
     Precision precision;
 };
 
-/// Judges every pixel on the threads of the surrounding tbb::task_arena; the result does not depend on their number.
-/// Both frames must have the view's size (std::invalid_argument otherwise).
+/// Judges every pixel on the threads of the surrounding tbb::task_arena; the result does not depend on their
+/// number. Both frames must have the view's size (std::invalid_argument otherwise).
 Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference);
 
 }  // namespace zproof

@@ -79,12 +79,12 @@ class BoxProjection {
         box.add((u - camera_.window.left) * px_per_u_, (camera_.window.top - v) * px_per_v_);
     }
 
-    /// Rounding moves a camera-space corner by at most 4u |v|, and its quotient in the image by 16 times that over
-    /// the least depth; scaling and the window's offset add a few ulps of the result.
+    /// Rounding moves a camera-space corner by at most 4u |v|, and its quotient in the image by 16 times that
+    /// over the least depth; scaling and the window's offset add a few ulps of the result.
     Box widened(Box box, double size) const {
         const double u = unit_roundoff_float64;
-        const double reach = std::max({std::abs(box.left), std::abs(box.right), std::abs(box.top),
-                                       std::abs(box.bottom), 65536.0});
+        const double reach = std::max(
+            {std::abs(box.left), std::abs(box.right), std::abs(box.top), std::abs(box.bottom), 65536.0});
         const double slant = 1 + std::abs(camera_.shear.x) + std::abs(camera_.shear.y);
         const double scale = std::max(px_per_u_, px_per_v_) / (perspective_ ? camera_.near_depth / 2 : 1);
         box.widen(64 * u * size * slant * scale + 16 * u * reach);
@@ -103,7 +103,8 @@ class SiteGrid {
         : columns_((view.width + tile_px - 1) / tile_px),
           rows_((view.height + tile_px - 1) / tile_px),
           first_(std::size_t(columns_) * std::size_t(rows_) + 1) {
-        for (std::size_t i = 0; i < sites.size(); ++i) largest_reach_ = std::max(largest_reach_, sites[i].reach_px);
+        for (std::size_t i = 0; i < sites.size(); ++i)
+            largest_reach_ = std::max(largest_reach_, sites[i].reach_px);
         for (const Site& site : sites) ++first_[tile_of(site) + 1];
         for (std::size_t t = 1; t < first_.size(); ++t) first_[t] += first_[t - 1];
         members_.resize(sites.size());
@@ -116,7 +117,8 @@ class SiteGrid {
         box.widen(largest_reach_);
         const int left = clamped(box.left, columns_), right = clamped(box.right, columns_);
         const int top = clamped(box.top, rows_), bottom = clamped(box.bottom, rows_);
-        if (box.right < 0 || box.bottom < 0 || box.left > columns_ * tile_px || box.top > rows_ * tile_px) return;
+        if (box.right < 0 || box.bottom < 0 || box.left > columns_ * tile_px || box.top > rows_ * tile_px)
+            return;
         for (int row = top; row <= bottom; ++row) {
             const std::size_t begin = first_[index(left, row)], end = first_[index(right, row) + 1];
             for (std::size_t k = begin; k < end; ++k) visit_site(members_[k]);
@@ -144,7 +146,8 @@ struct Meeting {
 void find_nearby_triangles(const Scene& scene, const View& view, std::span<Site> sites) {
     const BoxProjection box_projection(view);
     const SiteGrid grid(view, sites);
-    std::vector<std::vector<Meeting>> chunks((scene.triangles.size() + chunk_triangles - 1) / chunk_triangles);
+    std::vector<std::vector<Meeting>> chunks((scene.triangles.size() + chunk_triangles - 1) /
+                                             chunk_triangles);
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t chunk) {
         const std::size_t end = std::min(scene.triangles.size(), (chunk + 1) * chunk_triangles);
         for (std::size_t t = chunk * chunk_triangles; t < end; ++t) {

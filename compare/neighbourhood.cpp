@@ -3,15 +3,53 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/interval.h"
+
 namespace zproof {
 
 namespace {
 
 double steepness(const Affine<double>& f) { return std::abs(f.a) + std::abs(f.b); }
 
+/// [least, greatest] from the plane's slope over eps, kept to the corners where the renderer keeps to them,
+/// then rounded. An estimate in double of numbers that are bounds themselves.
+void set_nearness_range(Neighbour& n, const std::optional<TriangleImage<double>>& image,
+                        Projection projection, bool keeps_to_corners) {
+    const bool perspective = projection == Projection::perspective;
+    double least = perspective ? 1 / n.farthest : -n.farthest,
+           greatest = perspective ? 1 / n.nearest : -n.nearest;
+    if (image) {
+        const double shift = n.bounds.depth_eps_px * n.gradient;
+        const double low = image->nearness.c - shift, high = image->nearness.c + shift;
+        least = keeps_to_corners ? std::clamp(low, least, greatest) : low;
+        greatest = keeps_to_corners ? std::clamp(high, least, greatest) : high;
+    }
+    const double r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
+    const auto error = [&](double nearness) {
+        return perspective ? std::abs(nearness) * (r + a * std::abs(nearness)) : std::abs(nearness) * r + a;
+    };
+    n.least_nearness = least - error(least);
+    n.greatest_nearness = greatest + error(greatest);
+}
+
 /// Does the image come within eps of the centre? An estimate in double: it only decides whose eps counts.
 bool comes_within(const TriangleImage<double>& image, double eps_px) {
-    return std::ranges::all_of(image.edge, [&](const Affine<double>& e) { return e.c + eps_px * steepness(e) >= 0; });
+    return std::ranges::all_of(image.edge,
+                               [&](const Affine<double>& e) { return e.c + eps_px * steepness(e) >= 0; });
+}
+
+/// Is the whole square certainly beyond one edge of the triangle?
+bool certainly_misses(const Sight<Interval>& sight, const Neighbour& n, double eps_px) {
+    const auto beyond = [&](const Affine<Interval>& e) {
+        const double steepest = std::max(-e.a.low(), e.a.high()) + std::max(-e.b.low(), e.b.high());
+        return (e.c + Interval(eps_px) * Interval(0, steepest)).high() < 0;
+    };
+    try {
+        const auto image = image_of(sight, corners<Interval>(n.p_world));
+        return image && std::ranges::any_of(image->edge, beyond);
+    } catch (const UndecidedSign&) {
+        return false;
+    }
 }
 
 }  // namespace
@@ -25,21 +63,21 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world) {
     Neighbour n;
     n.p_world = p_world;
-    const TriangleBounds of_triangle = bounds.of(n.p_world);
-    const auto image = image_of(sight, corners<double>(n.p_world));
+    const TriangleBounds of_triangle = bounds.of(p_world);
+    const auto image = image_of(sight, corners<double>(p_world));
     const double highest = of_triangle.nearest > 0 ? 1 / of_triangle.nearest : 0;
     if (image) n.gradient = steepness(image->nearness);
     n.bounds = of_triangle.at(image ? image->nearness.c : highest, n.gradient);
-    n.highest_nearness = image ? std::min(highest, image->nearness.c + n.bounds.eps_px * n.gradient) : highest;
     n.near_slack = of_triangle.near_slack;
     n.far_slack = of_triangle.far_slack;
     n.nearest = of_triangle.nearest;
     n.farthest = of_triangle.farthest;
+    set_nearness_range(n, image, sight.projection, bounds.keeps_to_corners());
     return n;
 }
 
-Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds, const Site& site,
-                               double own_eps_px) {
+Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
+                               const Site& site, double own_eps_px) {
     const Sight<double> sight(view, site.x, site.y);
     Neighbourhood n{view, site.x, site.y, own_eps_px, {}};
     for (const std::uint32_t triangle : site.triangles) {
@@ -48,12 +86,17 @@ Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewB
         const auto image = image_of(sight, corners<double>(last.p_world));
         if (image && comes_within(*image, own_eps_px)) n.eps_px = std::max(n.eps_px, last.bounds.eps_px);
     }
+    const Sight<Interval> exact_sight(view, site.x, site.y);
+    std::erase_if(n.neighbours,
+                  [&](const Neighbour& o) { return certainly_misses(exact_sight, o, n.eps_px); });
     return n;
 }
 
-double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y, PrimitiveId answer) {
+double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
+                  PrimitiveId answer) {
     if (answer == PrimitiveId::none) return bounds.background_eps_px();
-    return neighbour_of(Sight<double>(view, x, y), bounds, corners_of(scene, std::uint32_t(answer))).bounds.eps_px;
+    return neighbour_of(Sight<double>(view, x, y), bounds, corners_of(scene, std::uint32_t(answer)))
+        .bounds.eps_px;
 }
 
 }  // namespace zproof

@@ -1,5 +1,5 @@
-/// The triangles that come near one pixel, each with its derived bounds there: all evidence that the admissible set
-/// is decided from. Plain numbers; the judge takes them as exact.
+/// The triangles that come near one pixel, each with its derived bounds there: all evidence that the
+/// admissible set is decided from. Plain numbers; the judge takes them as exact.
 #pragma once
 
 #include <vector>
@@ -22,15 +22,17 @@ struct Neighbour {
     CornersWorld p_world;
     LocalBounds bounds;
     double near_slack = 0, far_slack = 0;  ///< see TriangleBounds
-    double gradient = 0;                   ///< |d/dx| + |d/dy| of nearness, per px; 0 for an edge-on triangle
     double nearest = 0, farthest = 0;      ///< see TriangleBounds
-    double highest_nearness = 0;           ///< perspective: the largest 1/depth within the square
+    double gradient = 0;                   ///< |d/dx| + |d/dy| of nearness, per px; 0 for an edge-on triangle
+    /// What a faultless renderer may hold for its nearness at the pixel, all bounds included.
+    double least_nearness = 0, greatest_nearness = 0;
 };
 
 struct Neighbourhood {
     View view;
     int x = 0, y = 0;
-    double eps_px = 0;  ///< half-side of the square: the largest eps of the answer and the triangles around it
+    double eps_px =
+        0;  ///< half-side of the square: the largest eps of the answer and the triangles around it
     std::vector<Neighbour> neighbours;  ///< in triangle order
 };
 
@@ -39,18 +41,21 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);
 /// A triangle's corners in the number type asked for, without loss.
 template <class Number>
 Corners<Number> corners(const CornersWorld& p) {
-    return {exactly<Number>(glm::dvec3(p[0])), exactly<Number>(glm::dvec3(p[1])), exactly<Number>(glm::dvec3(p[2]))};
+    return {exactly<Number>(glm::dvec3(p[0])), exactly<Number>(glm::dvec3(p[1])),
+            exactly<Number>(glm::dvec3(p[2]))};
 }
 
 /// One triangle's bounds at a pixel (`triangle` is left 0).
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world);
 
 /// eps of an answer by itself, before its surroundings are looked at.
-double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y, PrimitiveId answer);
+double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
+                  PrimitiveId answer);
 
-/// Gathers the evidence for an answer whose own eps is own_eps_px <= site.reach_px. Where the result's eps_px exceeds
-/// site.reach_px, triangles may be missing: look again with that reach; the result's eps_px will be the same.
-Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds, const Site& site,
-                               double own_eps_px);
+/// Gathers the evidence, triangles that certainly miss the square left out, for an answer whose own eps is
+/// own_eps_px <= site.reach_px. Where the result's eps_px exceeds site.reach_px, triangles may be missing:
+/// look again with that reach; the result's eps_px will be the same.
+Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
+                               const Site& site, double own_eps_px);
 
 }  // namespace zproof

@@ -1,7 +1,7 @@
 /// What is left of a convex region of the image plane when closed convex regions are taken away, exactly.
 ///
-/// Every decision is the sign of a line's functional at a corner. Corners remember the lines they lie on, so that
-/// a corner on the very line (a shared mesh edge, a shared mesh vertex) has sign 0 without arithmetic.
+/// Every decision is the sign of a line's functional at a corner. Corners remember the lines they lie on, so
+/// that a corner on the very line (a shared mesh edge, a shared mesh vertex) has sign 0 without arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace zproof {
 
-/// The boundary of a half-plane `f >= 0`. Lines that are one and the same mesh edge have the same id (and either
-/// sign); `ends` are the mesh corners that it joins, or -1.
+/// The boundary of a half-plane `f >= 0`. Lines that are one and the same mesh edge have the same id (and
+/// either sign); `ends` are the mesh corners that it joins, or -1.
 template <class Number>
 struct Line {
     Affine<Number> f;
@@ -22,8 +22,8 @@ struct Line {
     std::array<int, 2> ends{-1, -1};
 };
 
-/// A closed convex polygon, possibly degenerate to a segment or a point, minus the closed half-planes whose lines
-/// are `outside_of` (it lies where their functional is < 0). Lines must outlive it.
+/// A closed convex polygon, possibly degenerate to a segment or a point, minus the closed half-planes whose
+/// lines are `outside_of` (it lies where their functional is < 0). Lines must outlive it.
 template <class Number>
 class Region {
   public:
@@ -70,7 +70,8 @@ class Region {
         for (const Line<Number>* on : corner.on)
             if (on->id == line.id) return 0;
         for (const int end : corner.on[0]->ends)
-            if (end >= 0 && std::ranges::count(corner.on[1]->ends, end) && std::ranges::count(line.ends, end)) return 0;
+            if (end >= 0 && std::ranges::count(corner.on[1]->ends, end) && std::ranges::count(line.ends, end))
+                return 0;
         return sign(line.f.at(corner.x, corner.y));
     }
 
@@ -118,7 +119,8 @@ using HalfPlanes = std::vector<const Line<Number>*>;
 
 /// Takes a hiding set away from every region. What is left is empty iff the hiding sets cover everything.
 template <class Number>
-std::vector<Region<Number>> without(const std::vector<Region<Number>>& regions, const HalfPlanes<Number>& hiding) {
+std::vector<Region<Number>> without(const std::vector<Region<Number>>& regions,
+                                    const HalfPlanes<Number>& hiding) {
     std::vector<Region<Number>> left;
     for (const Region<Number>& region : regions) {
         const auto untouched = [&](const Line<Number>* line) { return region.untouched_by(*line); };

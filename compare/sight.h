@@ -1,8 +1,10 @@
 /// The lines of sight around one pixel, exact: what scenes/camera.h says, in the number type asked for.
 ///
-/// Offsets (x, y) are in pixels from the pixel's centre, y down. A point at camera depth t on the line of sight is
+/// Offsets (x, y) are in pixels from the pixel's centre, y down. A point at camera depth t on the line of
+/// sight is
 ///     p_world = origin(x, y) + t direction(x, y).
-/// Perspective: origin is the eye, direction is affine in (x, y). Parallel: origin is affine, direction constant.
+/// Perspective: origin is the eye, direction is affine in (x, y). Parallel: origin is affine, direction
+/// constant.
 #pragma once
 
 #include "math/vector3.h"

@@ -10,9 +10,9 @@ namespace zproof {
 
 namespace {
 
-constexpr Rules truly{DepthRule::strict, EdgeRule::as_is};
-constexpr Rules within_bounds{DepthRule::bounded, EdgeRule::as_is};
-constexpr Rules with_cracks{DepthRule::bounded, EdgeRule::unshared_moved_inwards};
+constexpr Rules by_place{DepthRule::strict, EdgeRule::watertight};
+constexpr Rules by_depth{DepthRule::bounded, EdgeRule::watertight};
+constexpr Rules by_crack{DepthRule::bounded, EdgeRule::separate};
 
 template <class Number>
 bool any_clipped(AdmissibleSet<Number>& set, size_t count) {
@@ -23,16 +23,18 @@ bool any_clipped(AdmissibleSet<Number>& set, size_t count) {
 
 template <class Number>
 Standing standing_of_background(AdmissibleSet<Number>& set, size_t count) {
-    if (set.holds_background(EdgeRule::as_is)) return any_clipped(set, count) ? Standing::clipped : Standing::visible;
-    return set.holds_background(EdgeRule::unshared_moved_inwards) ? Standing::through_a_crack : Standing::hole;
+    if (set.holds_background(EdgeRule::watertight))
+        return any_clipped(set, count) ? Standing::clipped : Standing::visible;
+    return set.holds_background(EdgeRule::separate) ? Standing::through_a_crack : Standing::hole;
 }
 
 template <class Number>
 Standing standing_of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count) {
-    if (set.holds(index, truly)) return any_clipped(set, count) ? Standing::clipped : Standing::visible;
-    if (set.holds(index, within_bounds)) return Standing::tied;
     if (!set.reaches(index)) return Standing::outside;
-    return set.holds(index, with_cracks) ? Standing::through_a_crack : Standing::hidden;
+    if (set.is_visible(index) || set.holds(index, by_place))
+        return any_clipped(set, count) ? Standing::clipped : Standing::visible;
+    if (set.holds(index, by_depth)) return Standing::tied;
+    return set.holds(index, by_crack) ? Standing::through_a_crack : Standing::hidden;
 }
 
 template <class Number>
@@ -57,17 +59,25 @@ Decision decide(const Neighbourhood& around, PrimitiveId answer) {
 
 PixelClass class_of(Standing candidate, Standing reference) {
     switch (candidate) {
-        case Standing::hole: return PixelClass::hole;
-        case Standing::outside: return PixelClass::outside;
-        case Standing::hidden: return PixelClass::hidden;
-        default: break;
+        case Standing::hole:
+            return PixelClass::hole;
+        case Standing::outside:
+            return PixelClass::outside;
+        case Standing::hidden:
+            return PixelClass::hidden;
+        default:
+            break;
     }
     if (!is_lawful(reference)) return PixelClass::reference_wrong;
     switch (std::max(candidate, reference)) {
-        case Standing::through_a_crack: return PixelClass::abutting_edges;
-        case Standing::tied: return PixelClass::depth_tie;
-        case Standing::clipped: return PixelClass::clip;
-        default: return PixelClass::edge;
+        case Standing::through_a_crack:
+            return PixelClass::abutting_edges;
+        case Standing::tied:
+            return PixelClass::depth_tie;
+        case Standing::clipped:
+            return PixelClass::clip;
+        default:
+            return PixelClass::edge;
     }
 }
 

@@ -19,7 +19,6 @@ enum class Standing : std::uint8_t {
 
 constexpr bool is_lawful(Standing s) { return s < Standing::hole; }
 
-
 struct Decision {
     Standing standing = Standing::visible;
     bool exact = false;  ///< did double precision leave it to exact rationals?

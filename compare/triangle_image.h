@@ -1,5 +1,5 @@
-/// A triangle as seen around one pixel: half-planes and a nearness functional (homogeneous rasterization, Olano and
-/// Greer 1997; docs/truth.md).
+/// A triangle as seen around one pixel: half-planes and a nearness functional (homogeneous rasterization,
+/// Olano and Greer 1997; docs/truth.md).
 #pragma once
 
 #include <array>
@@ -32,7 +32,8 @@ Affine<Number> perspective_functional(const Sight<Number>& sight, const Vector3<
 /// The edge from r1 to r2 (relative to the origin of the centre's line of sight), for a constant direction d:
 /// ((r1 - e) x (r2 - e)) . d with e = x step_x + y step_y.
 template <class Number>
-Affine<Number> parallel_edge(const Sight<Number>& sight, const Vector3<Number>& r1, const Vector3<Number>& r2) {
+Affine<Number> parallel_edge(const Sight<Number>& sight, const Vector3<Number>& r1,
+                             const Vector3<Number>& r2) {
     const Vector3<Number> side = cross(r2 - r1, sight.direction);
     return {-dot(side, sight.step_x), -dot(side, sight.step_y), dot(cross(r1, r2), sight.direction)};
 }
@@ -46,8 +47,8 @@ TriangleImage<Number> oriented(TriangleImage<Number> image, int orientation) {
 
 }  // namespace detail
 
-/// The image of a triangle, or nothing where its plane holds the line of sight's origin (perspective) or direction
-/// (parallel): seen exactly edge-on it covers no area.
+/// The image of a triangle, or nothing where its plane holds the line of sight's origin (perspective) or
+/// direction (parallel): seen exactly edge-on it covers no area.
 template <class Number>
 std::optional<TriangleImage<Number>> image_of(const Sight<Number>& sight, const Corners<Number>& p_world) {
     const Vector3<Number> v0 = p_world[0] - sight.origin, v1 = p_world[1] - sight.origin,
@@ -69,8 +70,8 @@ std::optional<TriangleImage<Number>> image_of(const Sight<Number>& sight, const 
     if (orientation == 0) return std::nullopt;
     image.edge = {detail::parallel_edge(sight, v1, v2), detail::parallel_edge(sight, v2, v0),
                   detail::parallel_edge(sight, v0, v1)};
-    image.nearness = (Number(-1) / facing) * Affine<Number>{-dot(normal, sight.step_x), -dot(normal, sight.step_y),
-                                                            dot(normal, v0)};
+    image.nearness = (Number(-1) / facing) *
+                     Affine<Number>{-dot(normal, sight.step_x), -dot(normal, sight.step_y), dot(normal, v0)};
     return detail::oriented(image, orientation);
 }
 

@@ -31,8 +31,8 @@ struct Finding {
     double error_over_bound = 0;  ///< of the candidate's depth; NaN for background
 };
 
-/// Distribution of depth error / bound over pixels with an admissible id: bin k counts [k/20, (k+1)/20), the last
-/// bin counts everything from 1 up.
+/// Distribution of depth error / bound over pixels with an admissible id: bin k counts [k/20, (k+1)/20), the
+/// last bin counts everything from 1 up.
 using BoundHistogram = std::array<std::uint64_t, 21>;
 
 /// One renderer's depths held against their bounds.

@@ -1,4 +1,5 @@
-/// One renderer before the judge: its frame, its bounds, and what can be said of its answers one pixel at a time.
+/// One renderer before the judge: its frame, its bounds, and what can be said of its answers one pixel at a
+/// time.
 #pragma once
 
 #include "compare/depth_bound.h"

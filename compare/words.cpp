@@ -16,7 +16,8 @@ std::string number(double value, int digits) {
 }
 
 std::string name_of(PrimitiveId primitive) {
-    return primitive == PrimitiveId::none ? "background" : "triangle " + std::to_string(std::uint32_t(primitive));
+    return primitive == PrimitiveId::none ? "background"
+                                          : "triangle " + std::to_string(std::uint32_t(primitive));
 }
 
 /// "triangle 17 (node Wheel, mesh Spokes)".
@@ -31,39 +32,56 @@ std::string full_name_of(const Scene& scene, PrimitiveId primitive) {
 }
 
 std::string depth_sentence(const Finding& f) {
-    return "depth " + number(f.candidate.camera_depth, 9) + ", lawful from " + number(f.candidate_depth.low, 9) +
-           " to " + number(f.candidate_depth.high, 9) + " (error/bound " + number(f.error_over_bound, 3) + ")";
+    return "depth " + number(f.candidate.camera_depth, 9) + ", lawful from " +
+           number(f.candidate_depth.low, 9) + " to " + number(f.candidate_depth.high, 9) + " (error/bound " +
+           number(f.error_over_bound, 3) + ")";
 }
 
 std::string reason(const Finding& f) {
     const std::string square = "within " + number(f.eps_px, 4) + " px";
     switch (f.verdict) {
-        case PixelClass::agree: return "same id, depth within its bound";
-        case PixelClass::edge: return "both are visible " + square + " of the centre: they meet at an edge";
+        case PixelClass::agree:
+            return "same id, depth within its bound";
+        case PixelClass::edge:
+            return "both are visible " + square + " of the centre: they meet at an edge";
         case PixelClass::depth_tie:
             return "both are visible " + square + ", but one only because the depths tie within their bounds";
         case PixelClass::abutting_edges:
             return "visible only through a crack: occluders abut " + square + " without sharing an edge";
-        case PixelClass::clip: return "both are lawful " + square + ": the near or far plane cuts there";
-        case PixelClass::reference_wrong: return "the candidate is lawful " + square + ", the reference is not";
-        case PixelClass::wrong_depth: return "the id is right, the depth is not: " + depth_sentence(f);
-        case PixelClass::hole: return "the square of " + number(f.eps_px, 4) + " px around the centre is covered for certain";
-        case PixelClass::outside: return "its triangle does not come " + square + " of the centre";
-        case PixelClass::hidden: return "it is occluded for certain everywhere " + square + " of the centre";
-        case PixelClass::invalid: return "that is no answer: depth " + number(f.candidate.camera_depth, 9);
+        case PixelClass::clip:
+            return "both are lawful " + square + ": the near or far plane cuts there";
+        case PixelClass::reference_wrong:
+            return "the candidate is lawful " + square + ", the reference is not";
+        case PixelClass::wrong_depth:
+            return "the id is right, the depth is not: " + depth_sentence(f);
+        case PixelClass::hole:
+            return "the square of " + number(f.eps_px, 4) + " px around the centre is covered for certain";
+        case PixelClass::outside:
+            return "its triangle does not come " + square + " of the centre";
+        case PixelClass::hidden:
+            return "it is occluded for certain everywhere " + square + " of the centre";
+        case PixelClass::invalid:
+            return "that is no answer: depth " + number(f.candidate.camera_depth, 9);
     }
     return {};
 }
 
 const char* words_for(Standing s) {
     switch (s) {
-        case Standing::visible: return "lawful: visible";
-        case Standing::clipped: return "lawful: visible, at a clip plane";
-        case Standing::tied: return "lawful: within the depth bounds of the nearest";
-        case Standing::through_a_crack: return "lawful only through a crack of the scene";
-        case Standing::hole: return "not lawful: covered for certain";
-        case Standing::outside: return "not lawful: does not reach the square";
-        case Standing::hidden: return "not lawful: occluded for certain";
+        case Standing::visible:
+            return "lawful: visible";
+        case Standing::clipped:
+            return "lawful: visible, at a clip plane";
+        case Standing::tied:
+            return "lawful: within the depth bounds of the nearest";
+        case Standing::through_a_crack:
+            return "lawful only through a crack of the scene";
+        case Standing::hole:
+            return "not lawful: covered for certain";
+        case Standing::outside:
+            return "not lawful: does not reach the square";
+        case Standing::hidden:
+            return "not lawful: occluded for certain";
     }
     return "";
 }
@@ -86,11 +104,13 @@ std::string in_words(const Scene& scene, const Finding& f) {
 std::string in_words(const Scene& scene, const PixelStory& story) {
     const Finding& f = story.finding;
     std::ostringstream text;
-    text << "pixel (" << f.x << ", " << f.y << "): " << name_of(f.verdict) << (passes(f.verdict) ? ", pass" : ", FAIL")
-         << "\n  " << in_words(scene, f) << "\n  candidate  " << name_of(f.candidate.primitive) << ", depth "
-         << number(f.candidate.camera_depth, 9) << "\n  reference  " << name_of(f.reference.primitive) << ", depth "
-         << number(f.reference.camera_depth, 9) << "\n  eps        " << number(f.eps_px, 6) << " px = "
-         << number(256 * f.eps_px, 6) << "/256 px\ntriangles within eps of the centre, nearest first:\n";
+    text << "pixel (" << f.x << ", " << f.y << "): " << name_of(f.verdict)
+         << (passes(f.verdict) ? ", pass" : ", FAIL") << "\n  " << in_words(scene, f) << "\n  candidate  "
+         << name_of(f.candidate.primitive) << ", depth " << number(f.candidate.camera_depth, 9)
+         << "\n  reference  " << name_of(f.reference.primitive) << ", depth "
+         << number(f.reference.camera_depth, 9) << "\n  eps        " << number(f.eps_px, 6)
+         << " px = " << number(256 * f.eps_px, 6)
+         << "/256 px\ntriangles within eps of the centre, nearest first:\n";
     for (const Candidate& c : story.candidates) tell(text, scene, c);
     if (story.candidates.empty()) text << "  none\n";
     text << "background: " << words_for(story.background.standing) << '\n';

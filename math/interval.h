@@ -1,7 +1,8 @@
-/// Closed intervals of doubles that contain the exact result, and the exception that says "ask exact rationals".
+/// Closed intervals of doubles that contain the exact result, and the exception that says "ask exact
+/// rationals".
 ///
-/// Every operation rounds outwards by one relative step of 2^-52 without touching the rounding mode, so results
-/// are the same bits everywhere. An overflow gives NaN or infinite ends, which decide nothing.
+/// Every operation rounds outwards by one relative step of 2^-52 without touching the rounding mode, so
+/// results are the same bits everywhere. An overflow gives NaN or infinite ends, which decide nothing.
 #pragma once
 
 #include <algorithm>
