@@ -3,7 +3,6 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <regex>
 #include <span>
@@ -55,9 +54,11 @@ std::string contents(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file)) {
         throw FrameError(file.string() + ": no such file; expected a NumPy array");
     }
+    std::string bytes(std::filesystem::file_size(file), '\0');
     std::ifstream in(file, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    if (!in.eof() || in.bad()) throw FrameError(file.string() + ": cannot be read");
+    if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+        throw FrameError(file.string() + ": cannot be read; expected a NumPy array");
+    }
     return bytes;
 }
 

@@ -1,0 +1,174 @@
+#include "frame/exr.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+
+#include <bit>
+#include <fstream>
+#include <vector>
+
+#include "frame/frame_error.h"
+#include "scratch_folder.h"
+
+namespace zproof {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class Exr : public ScratchFolder {};
+
+/// Ids around the limits of float and of uint32, and depths whose bits a conversion would change.
+constexpr std::uint32_t hard_ids[] = {0,          1,          0xFFFFFF,   0x1000000,  0x1000001,  0x7FFFFFFF,
+                                      0x80000001, 0xFFFFFF7F, 0xFFFFFFFD, 0xFFFFFFFE, 0xFFFFFFFF, 12345678};
+constexpr std::uint32_t hard_depth_bits[] = {0x00000000,  // 0
+                                             0x80000000,  // -0
+                                             0x00000001,  // the smallest denormal
+                                             0x807FFFFF,  // the largest negative denormal
+                                             0x7F800000,  // inf
+                                             0xFF800000,  // -inf
+                                             0x7FC00000,  // quiet NaN
+                                             0x7FC12345,  // with a payload
+                                             0xFFFFFFFF,  // negative, all payload
+                                             0x7F800001,  // signalling NaN
+                                             0x7F7FFFFF,  // the largest finite
+                                             0x3F800001};
+
+Frame hard_frame() {
+    Frame frame({4, 3});
+    for (std::size_t i = 0; i < 12; ++i) {
+        frame.primitive.pixels()[i] = PrimitiveId{hard_ids[i]};
+        frame.camera_depth.pixels()[i] = std::bit_cast<float>(hard_depth_bits[i]);
+    }
+    return frame;
+}
+
+std::vector<std::uint32_t> bits(const Plane<float>& plane) {
+    std::vector<std::uint32_t> all;
+    for (const float value : plane.pixels()) all.push_back(std::bit_cast<std::uint32_t>(value));
+    return all;
+}
+
+std::vector<std::uint32_t> numbers(const Plane<PrimitiveId>& plane) {
+    std::vector<std::uint32_t> all;
+    for (const PrimitiveId id : plane.pixels()) all.push_back(static_cast<std::uint32_t>(id));
+    return all;
+}
+
+/// Channels of a file that another program may have written, all of one type, all values 0.
+struct Stranger {
+    std::vector<std::string> channels;
+    std::vector<OIIO::TypeDesc> types;
+    OIIO::ImageSpec spec{4, 3, 2, OIIO::TypeFloat};
+};
+
+void write_stranger(const std::filesystem::path& file, Stranger stranger) {
+    stranger.spec.nchannels = static_cast<int>(stranger.channels.size());
+    stranger.spec.channelnames = stranger.channels;
+    stranger.spec.channelformats = stranger.types;
+    const auto output = OIIO::ImageOutput::create("openexr");
+    ASSERT_TRUE(output->open(file.string(), stranger.spec)) << output->geterror();
+    const std::vector<std::byte> zeros(stranger.spec.image_bytes(true));
+    ASSERT_TRUE(output->write_image(OIIO::TypeUnknown, zeros.data())) << output->geterror();
+    ASSERT_TRUE(output->close()) << output->geterror();
+}
+
+std::string refusal_to_read(const std::filesystem::path& file) {
+    return complaint<FrameError>([&] { read_exr(file); });
+}
+
+TEST_F(Exr, KeepsEveryBitOfIdsAndDepths) {
+    const Frame frame = hard_frame();
+    write_exr(file("hard.exr"), frame);
+    const Frame back = read_exr(file("hard.exr"));
+    EXPECT_EQ(back.size(), frame.size());
+    EXPECT_EQ(numbers(back.primitive), numbers(frame.primitive));
+    EXPECT_EQ(bits(back.camera_depth), bits(frame.camera_depth));
+}
+
+TEST_F(Exr, KeepsRowsAndColumnsInPlaceInALargeFrame) {
+    Frame frame({517, 233});
+    for (std::size_t i = 0; i < frame.size().pixel_count(); ++i) {
+        frame.primitive.pixels()[i] = PrimitiveId{static_cast<std::uint32_t>(0x1000000 + 2654435761u * i)};
+        frame.camera_depth.pixels()[i] = static_cast<float>(i) * 0.1f;
+    }
+    write_exr(file("large.exr"), frame);
+    const Frame back = read_exr(file("large.exr"));
+    EXPECT_EQ(numbers(back.primitive), numbers(frame.primitive));
+    EXPECT_EQ(bits(back.camera_depth), bits(frame.camera_depth));
+}
+
+TEST_F(Exr, SameFrameGivesTheSameBytes) {
+    write_exr(file("a.exr"), hard_frame());
+    write_exr(file("b.exr"), hard_frame());
+    const auto bytes = [&](const char* name) {
+        std::ifstream in(file(name), std::ios::binary);
+        return std::string{std::istreambuf_iterator<char>(in), {}};
+    };
+    EXPECT_EQ(bytes("a.exr"), bytes("b.exr"));
+}
+
+TEST_F(Exr, ReadsAStrangersFileWithMoreChannels) {
+    write_stranger(file("more.exr"),
+                   {{"R", "G", "B", "Z", "id"},
+                    {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat, OIIO::TypeUInt32}});
+    EXPECT_EQ(read_exr(file("more.exr")).primitive.at(3, 2), PrimitiveId{0});
+}
+
+TEST_F(Exr, MissingFileIsNamed) {
+    EXPECT_THAT(refusal_to_read(file("nowhere.exr")),
+                AllOf(HasSubstr("nowhere.exr"), HasSubstr("no such file")));
+}
+
+TEST_F(Exr, FileThatIsNoExrIsNamed) {
+    std::ofstream(file("lies.exr")) << "this is no OpenEXR file, whatever its name says";
+    EXPECT_THAT(refusal_to_read(file("lies.exr")), AllOf(HasSubstr("lies.exr"), HasSubstr("OpenEXR")));
+}
+
+TEST_F(Exr, TruncatedFileIsRefused) {
+    Frame frame({64, 64});
+    std::uint32_t noise = 1;
+    for (float& depth : frame.camera_depth.pixels())
+        depth = static_cast<float>(noise = noise * 1664525u + 1013904223u);
+    write_exr(file("cut.exr"), frame);
+    std::filesystem::resize_file(file("cut.exr"), std::filesystem::file_size(file("cut.exr")) / 2);
+    EXPECT_THAT(refusal_to_read(file("cut.exr")), HasSubstr("cut.exr"));
+}
+
+TEST_F(Exr, MissingChannelIsNamedTogetherWithThoseThatAreThere) {
+    write_stranger(file("a.exr"), {{"Z", "object"}, {OIIO::TypeFloat, OIIO::TypeUInt32}});
+    EXPECT_THAT(refusal_to_read(file("a.exr")),
+                AllOf(HasSubstr("a.exr"), HasSubstr("'id' is missing"), HasSubstr("object")));
+    write_stranger(file("b.exr"), {{"id", "depth"}, {OIIO::TypeUInt32, OIIO::TypeFloat}});
+    EXPECT_THAT(refusal_to_read(file("b.exr")), AllOf(HasSubstr("b.exr"), HasSubstr("'Z' is missing")));
+}
+
+TEST_F(Exr, ChannelOfAnotherTypeIsRefused) {
+    write_stranger(file("a.exr"), {{"id", "Z"}, {OIIO::TypeFloat, OIIO::TypeFloat}});
+    EXPECT_THAT(refusal_to_read(file("a.exr")),
+                AllOf(HasSubstr("'id' is of type float"), HasSubstr("expected uint")));
+    write_stranger(file("b.exr"), {{"id", "Z"}, {OIIO::TypeUInt32, OIIO::TypeHalf}});
+    EXPECT_THAT(refusal_to_read(file("b.exr")),
+                AllOf(HasSubstr("'Z' is of type half"), HasSubstr("expected float")));
+}
+
+TEST_F(Exr, DataWindowThatLeavesPixelsOutIsRefused) {
+    Stranger stranger{{"id", "Z"}, {OIIO::TypeUInt32, OIIO::TypeFloat}};
+    stranger.spec.full_width = 8;
+    write_stranger(file("part.exr"), stranger);
+    EXPECT_THAT(refusal_to_read(file("part.exr")), HasSubstr("data window"));
+}
+
+TEST_F(Exr, FrameWithoutPixelsIsRefusedAndLeavesNoFile) {
+    EXPECT_THAT(complaint<FrameError>([&] { write_exr(file("none.exr"), Frame{}); }),
+                AllOf(HasSubstr("none.exr"), HasSubstr("0 x 0")));
+    EXPECT_EQ(file_count(), 0u);
+}
+
+TEST_F(Exr, FolderThatIsNotThereIsNamed) {
+    EXPECT_THAT(complaint<FrameError>([&] { write_exr(file("no/such/a.exr"), hard_frame()); }),
+                HasSubstr("no/such/a.exr: cannot be written"));
+}
+
+}  // namespace
+}  // namespace zproof

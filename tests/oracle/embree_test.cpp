@@ -1,0 +1,250 @@
+#include "oracle/embree.h"
+
+#include <gmock/gmock.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "oracle/oracle_error.h"
+#include "oracle/primary_ray.h"
+#include "scenes_at_random.h"
+
+namespace zproof::oracle {
+namespace {
+
+using testing::HasSubstr;
+
+/// Ids as one character per pixel: '.' = background.
+std::string picture(const Frame& frame) {
+    std::string rows = "\n";
+    for (int y = 0; y < frame.size().height; ++y) {
+        for (const PrimitiveId id : frame.primitive.row(y)) {
+            rows += id == PrimitiveId::none ? '.' : static_cast<char>('0' + static_cast<int>(id));
+        }
+        rows += '\n';
+    }
+    return rows;
+}
+
+/// One unit per pixel on the plane at depth 1; x runs right, y up, from the image's middle.
+View unit_pixels(int width, int height) {
+    View view{.name = "unit_pixels", .camera = {}, .width = width, .height = height};
+    view.camera.window = {-width / 2.0, width / 2.0, -height / 2.0, height / 2.0};
+    return view;
+}
+
+using Corners = std::vector<glm::vec3>;
+
+/// A triangle at this depth that covers everything unit_pixels sees of images up to 16 pixels wide.
+Corners wall(float depth) {
+    return {{-40 * depth, -20 * depth, -depth}, {40 * depth, -20 * depth, -depth}, {0, 40 * depth, -depth}};
+}
+
+Corners together(std::initializer_list<Corners> parts) {
+    Corners all;
+    for (const Corners& part : parts) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+Frame trace(const Corners& corners, const View& view) {
+    const Scene scene = scene_of(corners);
+    return Embree(scene).trace(view);
+}
+
+bool same_bits(const Frame& a, const Frame& b) {
+    const auto same = [](auto x, auto y) {
+        return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size_bytes()) == 0;
+    };
+    return same(a.primitive.pixels(), b.primitive.pixels()) &&
+           same(a.camera_depth.pixels(), b.camera_depth.pixels());
+}
+
+TEST(Embree, RowsRunDownAndColumnsRunRight) {
+    const Corners upper_left{{-2.9f, 1.9f, -1}, {0, 1.9f, -1}, {-2.9f, -0.9f, -1}};
+    EXPECT_EQ(picture(trace(upper_left, unit_pixels(6, 4))), R"(
+000...
+00....
+0.....
+......
+)");
+}
+
+TEST(Embree, DepthIsMeasuredAlongTheViewAxisNotAlongTheRay) {
+    const Frame frame = trace(wall(4), unit_pixels(6, 4));
+    for (const float depth : frame.camera_depth.pixels()) EXPECT_FLOAT_EQ(depth, 4);
+}
+
+TEST(Embree, NearestTriangleWinsWithinNearAndFar) {
+    const Corners walls = together({wall(5), wall(3), wall(1)});
+    View view = unit_pixels(1, 1);
+    const auto nearest = [&](double near, double far) {
+        view.camera.near_depth = near;
+        view.camera.far_depth = far;
+        return trace(walls, view);
+    };
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(nearest(0.1, 1000).primitive.at(0, 0), PrimitiveId{2});
+    EXPECT_EQ(nearest(2, 4).primitive.at(0, 0), PrimitiveId{1});
+    EXPECT_EQ(nearest(4, inf).primitive.at(0, 0), PrimitiveId{0});
+    EXPECT_EQ(nearest(1.5, 2.5).primitive.at(0, 0), PrimitiveId::none);
+    EXPECT_EQ(nearest(1.5, 2.5).camera_depth.at(0, 0), background_depth) << "not the far plane";
+    EXPECT_EQ(nearest(6, inf).primitive.at(0, 0), PrimitiveId::none);
+}
+
+TEST(Embree, ParallelCameraSeesBehindItsEye) {
+    View view = unit_pixels(1, 1);
+    view.camera.projection = Projection::parallel;
+    view.camera.near_depth = -4;
+    view.camera.far_depth = 4;
+    const Corners behind{{-9, -9, 3}, {9, -9, 3}, {0, 9, 3}};
+    const Frame frame = trace(together({wall(2), behind}), view);
+    EXPECT_EQ(frame.primitive.at(0, 0), PrimitiveId{1});
+    EXPECT_FLOAT_EQ(frame.camera_depth.at(0, 0), -3);
+}
+
+TEST(Embree, BothSidesOfATriangleAreSeen) {
+    const Corners front = wall(2), back{front[0], front[2], front[1]};
+    EXPECT_EQ(trace(front, unit_pixels(1, 1)).primitive.at(0, 0), PrimitiveId{0});
+    EXPECT_EQ(trace(back, unit_pixels(1, 1)).primitive.at(0, 0), PrimitiveId{0});
+}
+
+TEST(Embree, EveryPixelOfOddSizesIsTraced) {
+    for (int width = 1; width <= 9; ++width) {
+        for (int height = 1; height <= 9; ++height) {
+            const Frame frame = trace(wall(2), unit_pixels(width, height));
+            ASSERT_EQ(frame.size(), (Resolution{width, height}));
+            for (const PrimitiveId id : frame.primitive.pixels()) ASSERT_EQ(id, PrimitiveId{0});
+        }
+    }
+}
+
+TEST(Embree, SceneWithoutTrianglesIsBackground) {
+    const Frame frame = trace({}, unit_pixels(7, 5));
+    EXPECT_TRUE(same_bits(frame, Frame({7, 5})));
+}
+
+TEST(Embree, DegenerateTrianglesHideNothing) {
+    const glm::vec3 p{0, 0, -1}, q{4, 0, -1}, r{2, 0, -1};
+    const Frame frame = trace(together({{p, p, p}, {p, q, q}, {p, q, r}, wall(2)}), unit_pixels(7, 5));
+    for (const PrimitiveId id : frame.primitive.pixels()) EXPECT_EQ(id, PrimitiveId{3});
+    for (const float depth : frame.camera_depth.pixels()) EXPECT_FLOAT_EQ(depth, 2);
+}
+
+TEST(Embree, UnusedLastVertexAndSharedVerticesAreTakenAsTheyStand) {
+    Scene scene = scene_of(together({wall(3), {{1, 2, 3}}}));
+    scene.triangles = {{2, 1, 0}, {0, 1, 2}, {3, 3, 3}};
+    const Frame frame = Embree(scene).trace(unit_pixels(2, 2));
+    EXPECT_NE(frame.primitive.at(1, 1), PrimitiveId::none);
+    EXPECT_FLOAT_EQ(frame.camera_depth.at(1, 1), 3);
+}
+
+TEST(Embree, VerticesThatEmbreeWouldDropAreRefusedByNumber) {
+    for (const float bad : {1.844e18f, -2e18f, std::numeric_limits<float>::quiet_NaN()}) {
+        Corners corners = together({wall(1), wall(2)});
+        corners[4].y = bad;
+        try {
+            trace(corners, unit_pixels(1, 1));
+            ADD_FAILURE() << "accepted " << bad;
+        } catch (const OracleError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("vertex 4 of scene 'soup'"));
+        }
+    }
+}
+
+/// A mesh whose vertices lie half a pixel above the pixel centres, each at a depth of its own from 2 to 4:
+/// every line of sight runs, as nearly as float32 can, through the middle of an edge.
+Scene mesh_with_edges_on_pixel_centres(View view) {
+    const double half_a_pixel = (view.camera.window.top - view.camera.window.bottom) / view.height / 2;
+    view.camera.window.top += half_a_pixel;
+    view.camera.window.bottom += half_a_pixel;
+    Dice dice(11);
+    Corners vertices;
+    for (int y = 0; y < view.height; ++y) {
+        for (int x = 0; x < view.width; ++x) {
+            const PrimaryRay ray = primary_ray(view, x, y);
+            vertices.push_back(ray.origin + static_cast<float>(dice.between(2, 4)) * ray.direction);
+        }
+    }
+    Scene scene = scene_of(vertices);
+    scene.triangles.clear();
+    for (int y = 0; y + 1 < view.height; ++y) {
+        for (int x = 0; x + 1 < view.width; ++x) {
+            const auto corner = static_cast<unsigned>(y * view.width + x),
+                       below = corner + unsigned(view.width);
+            scene.triangles.emplace_back(corner, below, corner + 1);
+            scene.triangles.emplace_back(below, below + 1, corner + 1);
+        }
+    }
+    return scene;
+}
+
+/// Neighbours decide a shared edge alike: that is what Embree's robust flag is for. (Exactly at a vertex it
+/// promises nothing: there the signs of the edges around it may be rounded into a hole.)
+TEST(Embree, NoRaySlipsThroughAnEdgeThatTwoTrianglesShare) {
+    Dice dice(5);
+    for (const Lens lens : {Lens::perspective, Lens::off_axis, Lens::orthographic, Lens::oblique}) {
+        View view = random_view(dice, lens);
+        view.width = view.height = 200;
+        view.camera.near_depth = 1;
+        const Scene mesh = mesh_with_edges_on_pixel_centres(view);
+        const Frame frame = Embree(mesh).trace(view);
+        for (int y = 0; y + 1 < view.height; ++y) {
+            for (int x = 1; x + 1 < view.width; ++x) {
+                EXPECT_NE(frame.primitive.at(x, y), PrimitiveId::none) << "pixel " << x << ", " << y;
+            }
+        }
+    }
+}
+
+/// 15 000 triangles of which each is there three times, exactly: the order in Embree's leaves decides who is
+/// seen.
+Scene crowded_ties() {
+    Dice dice(7);
+    const Scene once = random_soup(dice, Camera{}, 5'000);
+    const Positions& corners = once.vertices.position_world;
+    Corners thrice;
+    for (int copy = 0; copy < 3; ++copy) thrice.insert(thrice.end(), corners.begin(), corners.end());
+    return scene_of(thrice);
+}
+
+Frame on_threads(int threads, const Scene& scene, const View& view) {
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(threads));
+    tbb::task_arena arena(threads);
+    return arena.execute([&] { return Embree(scene).trace(view); });
+}
+
+TEST(Embree, SameBitsForAnyNumberOfThreadsEvenInExactTies) {
+    const Scene scene = crowded_ties();
+    View view{.name = "ties", .camera = {}, .width = 301, .height = 203};
+    view.camera.near_depth = 2;
+    const Frame alone = on_threads(1, scene, view);
+    EXPECT_TRUE(same_bits(alone, on_threads(1, scene, view)));
+    for (const int threads : {2, 3, 8}) {
+        EXPECT_TRUE(same_bits(alone, on_threads(threads, scene, view))) << threads << " threads";
+    }
+}
+
+TEST(Embree, OneBuildServesManyViews) {
+    const Scene scene = scene_of(wall(3));
+    const Embree first(scene);
+    const Frame before = first.trace(unit_pixels(3, 3));
+    first.trace(unit_pixels(8, 2));
+    EXPECT_TRUE(same_bits(before, first.trace(unit_pixels(3, 3))));
+}
+
+TEST(Embree, VersionNamesReleaseAndInstructionSet) {
+    EXPECT_THAT(embree_version(),
+                testing::MatchesRegex("Embree 3\\.13\\.[0-9]+ \\((AVX-512|AVX2|AVX|SSE)\\)"));
+}
+
+TEST(Embree, PromisesFloat32Rays) {
+    EXPECT_EQ(std::get<RayPrecision>(embree_precision()).arithmetic, Arithmetic::float32);
+}
+
+}  // namespace
+}  // namespace zproof::oracle
