@@ -1,5 +1,7 @@
 #include "reports/evidence.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <fstream>
 #include <ostream>
 #include <string>
@@ -44,13 +46,13 @@ void write_findings_file(const fs::path& file, const Verdict& verdict) {
 void write_view_evidence(const fs::path& folder, const Frame& candidate, const Frame& reference,
                          const Verdict& verdict) {
     make_folder(folder);
-    write_exr(folder / "candidate.exr", candidate);
-    write_exr(folder / "reference.exr", reference);
-    write_pictures(folder, "id", picture_of_ids(candidate.primitive));
-    write_pictures(folder, "reference-id", picture_of_ids(reference.primitive));
-    write_pictures(folder, "depth", picture_of_depths(candidate.camera_depth));
-    write_class_maps(folder, verdict.classes);
-    write_findings_file(folder / "findings.csv", verdict);
+    tbb::parallel_invoke([&] { write_exr(folder / "candidate.exr", candidate); },
+                         [&] { write_exr(folder / "reference.exr", reference); },
+                         [&] { write_pictures(folder, "id", picture_of_ids(candidate.primitive)); },
+                         [&] { write_pictures(folder, "reference-id", picture_of_ids(reference.primitive)); },
+                         [&] { write_pictures(folder, "depth", picture_of_depths(candidate.camera_depth)); },
+                         [&] { write_class_maps(folder, verdict.classes); },
+                         [&] { write_findings_file(folder / "findings.csv", verdict); });
 }
 
 void write_findings(std::ostream& out, const Verdict& verdict) {

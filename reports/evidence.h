@@ -15,7 +15,8 @@ namespace zproof {
 /// id.png, reference-id.png, depth.png, class.png    pictures, full size
 /// *-small.png of the four                           the same for pages, see reports/pictures.h
 /// findings.csv                                      every pixel that is not `agree`
-/// Throws ReportError or FrameError where a file cannot be written.
+/// on the threads of the surrounding tbb::task_arena. Throws ReportError or FrameError where a file cannot be
+/// written.
 void write_view_evidence(const std::filesystem::path& folder, const Frame& candidate, const Frame& reference,
                          const Verdict& verdict);
 

@@ -84,11 +84,10 @@ std::string measured_cells(const ViewResult& v) {
 
 std::string summary_row(const PageView& page) {
     const ViewResult& v = *page.view;
-    const bool judged = v.outcome == Outcome::proven || v.outcome == Outcome::defective;
     return "<tr><td>" + outcome_badge(v.outcome) + "</td><td><a href=\"#" + page.anchor + "\">" +
            escaped(v.scene) + " <span class=\"view\">" + escaped(v.view) + "</span></a></td>" +
-           (judged ? measured_cells(v)
-                   : "<td colspan=\"10\" class=\"message\">" + escaped(v.message) + "</td>") +
+           (was_judged(v) ? measured_cells(v)
+                          : "<td colspan=\"10\" class=\"message\">" + escaped(v.message) + "</td>") +
            "<td class=\"n\">" + fixed(seconds(v.times), 2) + "</td></tr>\n";
 }
 
@@ -98,13 +97,13 @@ std::string summary(const std::vector<PageView>& pages) {
     for (const PageView& page : pages) rows += summary_row(page);
     std::string classes;
     for (const std::string_view name :
-         {"edge", "depth tie", "abutting", "clip", "reference wrong", "defects"})
+         {"edge", "depth<br>tie", "abutting<br>edges", "clip", "reference<br>wrong", "defects"})
         classes += "<th class=\"n\">" + std::string(name) + "</th>";
     return "<div class=\"wide\"><table class=\"summary\"><thead><tr><th>verdict</th><th>scene, view</th>"
            "<th class=\"n\">triangles</th><th class=\"n\">pixels</th>" +
            classes +
-           "<th class=\"n\" title=\"largest depth error / bound, candidate\">error / bound</th>"
-           "<th class=\"n\" title=\"largest depth error / bound, reference\">of the reference</th>"
+           "<th class=\"n\" title=\"largest depth error / bound, candidate\">error / bound,<br>candidate</th>"
+           "<th class=\"n\" title=\"largest depth error / bound, reference\">error / bound,<br>reference</th>"
            "<th class=\"n\">seconds</th></tr></thead><tbody>\n" +
            rows + "</tbody></table></div>\n";
 }

@@ -67,11 +67,13 @@ figure img { display: block; width: 100%; border-radius: 3px; background: #14161
 figure img.sharp { image-rendering: pixelated; }
 figcaption { color: var(--quiet); font-size: 0.8rem; margin-top: 0.35rem; line-height: 1.35; }
 .absent { background: var(--soft); color: var(--quiet); font-size: 0.86rem; padding: 2rem 1rem; margin: 0; text-align: center; }
+.map { display: grid; grid-template-columns: minmax(0, 8fr) minmax(17rem, 5fr); gap: 1.2rem 2.2rem; margin-top: 1.1rem; }
+.map > :only-child { grid-column: 1 / -1; }
 .panels { display: grid; grid-template-columns: repeat(auto-fit, minmax(270px, 1fr)); gap: 1.2rem 2.5rem; margin-bottom: 1.2rem; }
 .counts { width: 100%; margin-bottom: 0.5rem; font-size: 0.92rem; }
 .counts .gate { color: var(--quiet); width: 4rem; }
 .counts .gate strong { color: var(--defect); }
-svg { display: block; width: 100%; max-width: 400px; margin-bottom: 0.3rem; }
+svg { display: block; width: 100%; max-width: 460px; margin-bottom: 0.3rem; }
 svg text { font-size: 9px; fill: var(--quiet); }
 svg .x { text-anchor: middle; }
 svg .y { text-anchor: end; }
@@ -85,7 +87,7 @@ svg .over { fill: var(--defect); }
 .worst code { color: var(--quiet); user-select: all; }
 .stages { margin-top: 0.9rem; }
 .stages span { display: inline-block; margin-right: 1.2rem; }
-@media (max-width: 700px) { body { padding: 1.2rem 1rem 3rem; } .columns { grid-template-columns: 1fr; } }
+@media (max-width: 700px) { body { padding: 1.2rem 1rem 3rem; } .columns, .map { grid-template-columns: 1fr; } }
 @media print {
   :root {
     --ground: #fff; --ink: #000; --quiet: #444; --line: #ccc; --soft: #f4f4f4;
@@ -93,9 +95,9 @@ svg .over { fill: var(--defect); }
   }
   body { max-width: none; padding: 0; font-size: 10pt; }
   section { break-before: auto; }
-  .figures, .panels, tr, h2, h3 { break-inside: avoid; }
+  .map, .figures, .panels, tr, h2, h3 { break-inside: avoid; }
   h2, h3 { break-after: avoid; }
-  .figures { grid-template-columns: repeat(4, 1fr); }
+  .figures { grid-template-columns: repeat(3, 1fr); }
   .wide { overflow: visible; }
   img, svg { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "reports/class_style.h"
 #include "reports/html_parts.h"
@@ -8,7 +9,7 @@ namespace zproof {
 
 namespace {
 
-constexpr std::size_t worst_shown = 20;
+constexpr std::size_t defects_shown = 20, close_calls_shown = 5;
 constexpr int sharp_side = 240;  // pictures up to this side are enlarged, pixel for pixel
 
 std::string cell(std::string_view kind, const std::string& content) {
@@ -40,16 +41,18 @@ std::string figure(const ViewResult& v, const PagePicture& picture) {
     if (picture.left_out)
         return "<figure><p class=\"absent\">Left out to keep this page small.</p><figcaption><a href=\"" +
                file + "\">" + picture.caption + "</a></figcaption></figure>";
-    const bool sharp = std::max(v.width, v.height) <= sharp_side;
+    const bool sharp = picture.name == "class" || std::max(v.width, v.height) <= sharp_side;
     return "<figure><a href=\"" + file + "\"><img" + (sharp ? " class=\"sharp\"" : "") + " alt=\"" +
            picture.caption + "\" src=\"" + picture.data + "\"></a><figcaption>" + picture.caption +
            "</figcaption></figure>";
 }
 
-std::string figures(const PageView& page) {
+/// The pictures from first up to last, in a row.
+std::string figures(const PageView& page, std::size_t first, std::size_t last) {
     std::string text;
-    for (const PagePicture& picture : page.pictures) text += figure(*page.view, picture);
-    return text.empty() ? "" : "<div class=\"figures\">" + text + "</div>\n";
+    for (std::size_t i = first; i < std::min(last, page.pictures.size()); ++i)
+        text += figure(*page.view, page.pictures[i]);
+    return text;
 }
 
 std::string count_row(PixelClass c, std::uint64_t count) {
@@ -70,7 +73,7 @@ std::string class_table(const ViewResult& v) {
 std::string histogram(std::string_view whose, const std::string& renderer, const DepthRecord& record) {
     return "<div><h3>Depth error / bound, " + std::string(whose) + "</h3>" + histogram_svg(record) +
            "<p class=\"fine\">" + escaped(renderer) + ": at most " + rounded(record.max_error_over_bound) +
-           " of the bound.</p></div>\n";
+           " times the bound.</p></div>\n";
 }
 
 std::string depth_cell(const Answer& answer) {
@@ -82,14 +85,19 @@ std::string worst_row(const ReportedFinding& reported) {
     const Finding& f = reported.finding;
     return "<tr>" + cell("n", std::to_string(f.x) + ", " + std::to_string(f.y)) +
            cell("", class_badge(f.verdict)) + cell("n", depth_cell(f.candidate)) +
-           cell("n", depth_cell(f.reference)) + cell("n", rounded(f.error_over_bound)) +
+           cell("n", depth_cell(f.reference)) +
+           cell("n", std::isnan(f.error_over_bound) ? "–" : rounded(f.error_over_bound)) +
            cell("words", escaped(reported.explanation) + "<br>" + code(reported.command)) + "</tr>\n";
+}
+
+std::size_t worst_shown(const ViewResult& v) {
+    return std::min(v.worst.size(), defect_count(v) > 0 ? defects_shown : close_calls_shown);
 }
 
 std::string worst_remainder(const ViewResult& v) {
     std::string text;
-    if (v.worst.size() > worst_shown)
-        text = grouped(v.worst.size() - worst_shown) + " more with their stories in results.json";
+    if (v.worst.size() > worst_shown(v))
+        text = grouped(v.worst.size() - worst_shown(v)) + " more with their stories in results.json";
     if (!v.folder.empty())
         text += (text.empty() ? "E" : "; e") + ("very differing pixel in " + file_link(v, "findings.csv"));
     return text.empty() ? "" : "<p class=\"fine\">" + text + ".</p>\n";
@@ -98,8 +106,9 @@ std::string worst_remainder(const ViewResult& v) {
 std::string worst_table(const ViewResult& v) {
     if (v.worst.empty()) return "";
     std::string rows;
-    for (std::size_t i = 0; i < std::min(worst_shown, v.worst.size()); ++i) rows += worst_row(v.worst[i]);
-    return "<h3>Worst pixels</h3>\n<div class=\"wide\"><table class=\"worst\"><thead><tr><th class=\"n\">x, "
+    for (std::size_t i = 0; i < worst_shown(v); ++i) rows += worst_row(v.worst[i]);
+    return "<h3>" + std::string(defect_count(v) > 0 ? "Worst pixels" : "Closest calls") +
+           "</h3>\n<div class=\"wide\"><table class=\"worst\"><thead><tr><th class=\"n\">x, "
            "y</th>"
            "<th>class</th><th class=\"n\">candidate<br>id, depth</th><th class=\"n\">reference<br>id, "
            "depth</th>"
@@ -123,15 +132,18 @@ std::string stages(const StageTimes& t) {
            stage("judge", t.judge) + stage("write", t.write) + stage("in all", seconds(t)) + "</p>\n";
 }
 
-bool was_judged(const ViewResult& v) {
-    return v.outcome == Outcome::proven || v.outcome == Outcome::defective;
+std::string row(std::string_view kind, const std::string& content) {
+    return content.empty() ? "" : "<div class=\"" + std::string(kind) + "\">" + content + "</div>\n";
 }
 
-std::string judgement(const ViewResult& v) {
+std::string judgement(const PageView& page) {
+    const ViewResult& v = *page.view;
     if (!was_judged(v)) return "";
-    return "<div class=\"panels\">" + class_table(v) +
-           histogram("candidate", v.candidate, v.candidate_depth) +
-           histogram("reference", v.reference, v.reference_depth) + "</div>\n" + worst_table(v);
+    return row("map", figures(page, 0, 1) + class_table(v)) +
+           row("figures", figures(page, 1, page.pictures.size())) +
+           row("panels", histogram("candidate", v.candidate, v.candidate_depth) +
+                             histogram("reference", v.reference, v.reference_depth)) +
+           worst_table(v);
 }
 
 }  // namespace
@@ -161,7 +173,7 @@ std::string html_view(const PageView& page) {
     return "<section id=\"" + page.anchor + "\">\n<h2>" + escaped(v.scene) + " <span class=\"view\">" +
            escaped(v.view) + "</span> " + outcome_badge(v.outcome) + "</h2>\n" +
            paragraph("reason", v.reason) + paragraph("message", v.message) + facts(v) + notes(v) +
-           figures(page) + judgement(v) + stages(v.times) + "</section>\n";
+           judgement(page) + stages(v.times) + "</section>\n";
 }
 
 }  // namespace zproof

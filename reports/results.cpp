@@ -36,6 +36,10 @@ std::string_view name_of(Outcome outcome) {
     return "not_judged";
 }
 
+bool was_judged(const ViewResult& view) {
+    return view.outcome == Outcome::proven || view.outcome == Outcome::defective;
+}
+
 std::uint64_t defect_count(const ViewResult& view) {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < view.counts.size(); ++i)

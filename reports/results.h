@@ -52,6 +52,9 @@ struct ViewResult {
     std::string folder;  ///< scenes/NAME, relative to results.json; empty where nothing was written
 };
 
+/// Has the judge seen it? Only then do counts and depth records say something.
+bool was_judged(const ViewResult& view);
+
 /// Pixels that fail the gate.
 std::uint64_t defect_count(const ViewResult& view);
 

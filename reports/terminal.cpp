@@ -46,10 +46,11 @@ std::string_view glyph_of(Outcome outcome) {
     return "?";
 }
 
-std::string verdict_text(Outcome outcome) {
-    const std::string word = outcome == Outcome::not_judged ? "not judged" : std::string(name_of(outcome));
-    return std::string(glyph_of(outcome)) + " " + word;
+std::string word_of(Outcome outcome) {
+    return outcome == Outcome::not_judged ? "not judged" : std::string(name_of(outcome));
 }
+
+std::string verdict_text(Outcome outcome) { return std::string(glyph_of(outcome)) + " " + word_of(outcome); }
 
 /// SGR codes: bold red, bold yellow, green.
 std::string painted(const std::string& text, Outcome outcome, Colour colour) {
@@ -92,10 +93,6 @@ std::string shortened(const std::string& name) {
 std::string title_of(const ViewResult& v) { return one_line(v.scene) + "/" + one_line(v.view); }
 
 std::string cell(const ViewResult& v, PixelClass c) { return grouped(v.counts[std::size_t(c)]); }
-
-bool was_judged(const ViewResult& v) {
-    return v.outcome == Outcome::proven || v.outcome == Outcome::defective;
-}
 
 Row row_of(const ViewResult& v) {
     Row row{verdict_text(v.outcome), shortened(title_of(v))};
@@ -187,8 +184,10 @@ std::string outcomes(const Results& results, Colour colour) {
     for (const Outcome outcome :
          {Outcome::proven, Outcome::defective, Outcome::unreadable, Outcome::not_judged}) {
         const auto count = std::ranges::count(results.views, outcome, &ViewResult::outcome);
-        if (count > 0)
-            text += "  " + painted(std::to_string(count) + " " + verdict_text(outcome), outcome, colour);
+        if (count == 0) continue;
+        const std::string part =
+            std::string(glyph_of(outcome)) + " " + std::to_string(count) + " " + word_of(outcome);
+        text += "  " + painted(part, outcome, colour);
     }
     return text;
 }

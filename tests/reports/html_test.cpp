@@ -1,0 +1,122 @@
+#include "reports/html.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
+#include <fstream>
+#include <sstream>
+
+#include "reports/evidence.h"
+#include "reports/html_parts.h"
+#include "tests/reports/sample.h"
+
+namespace zproof {
+
+namespace {
+
+std::string page_without_pictures() { return to_html(sample_results(), "/nowhere"); }
+
+void write_file(const std::filesystem::path& file, const std::string& content) {
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << content;
+}
+
+}  // namespace
+
+TEST(Html, HoldsNoScriptAndNoAddress) {
+    const TemporaryFolder run;
+    const SampleView sample = sample_view();
+    write_view_evidence(run.path() / "scenes/room-corner", sample.candidate, sample.reference,
+                        sample.verdict);
+    const std::string page = to_html(sample_results(), run.path());
+    EXPECT_EQ(occurrences(page, "<script"), 0u);
+    EXPECT_EQ(occurrences(page, "://"), 0u);
+    EXPECT_EQ(occurrences(page, "url("), 0u);
+    EXPECT_EQ(occurrences(page, "@import"), 0u);
+    EXPECT_EQ(occurrences(page, "http"), 1u) << "http-equiv of the policy only";
+    EXPECT_EQ(occurrences(page, "default-src 'none'; style-src 'unsafe-inline'; img-src data:\""), 1u);
+    EXPECT_EQ(occurrences(page, "<img"), 4u);
+    EXPECT_EQ(occurrences(page, "src=\"data:image/png;base64,iVBORw0KGgo"), 4u);
+}
+
+TEST(Html, ANameCannotBreakOut) {
+    const std::string page = page_without_pictures();
+    EXPECT_EQ(occurrences(page, hostile_name), 0u);
+    EXPECT_EQ(occurrences(page, "<img"), 0u);
+    EXPECT_GE(occurrences(page, "&lt;/script&gt;&lt;img onerror=x&gt;"), 2u);
+    EXPECT_EQ(occurrences(page, "covers &lt;it&gt;."), 1u);
+}
+
+TEST(Html, FailedViewsComeFirst) {
+    const std::string page = page_without_pictures();
+    const auto room = page.find("<h2>room"), refused = page.find("<h2>&lt;/script"),
+               empty = page.find("<h2>empty"), meadow = page.find("<h2>meadow");
+    ASSERT_NE(meadow, std::string::npos);
+    EXPECT_LT(room, refused);
+    EXPECT_LT(refused, empty);
+    EXPECT_LT(empty, meadow);
+    EXPECT_LT(page.find("href=\"#view-1\""), page.find("<h2>"));
+    EXPECT_LT(page.find(">room <"), page.find(">meadow <"));
+}
+
+TEST(Html, SaysTheVerdictInWords) {
+    EXPECT_EQ(
+        occurrences(page_without_pictures(), "<h1>1 defective, 1 unreadable, 1 not judged, of 4 views.</h1>"),
+        1u);
+    Results results = sample_results();
+    results.views.resize(1);
+    EXPECT_EQ(occurrences(to_html(results, "/nowhere"), "<h1>The view is proven.</h1>"), 1u);
+    results.views.clear();
+    EXPECT_EQ(occurrences(to_html(results, "/nowhere"), "nothing is proven"), 2u) << "title and heading";
+}
+
+TEST(Html, TellsTheWorstPixels) {
+    const std::string page = page_without_pictures();
+    EXPECT_EQ(occurrences(page, "<code>zproof explain room 812 344</code>"), 1u);
+    EXPECT_EQ(occurrences(page, "Worst pixels"), 1u);
+    EXPECT_EQ(occurrences(page, "title=\"0x3dcccccd\">0.1<"), 1u);
+    EXPECT_EQ(occurrences(page, "3 lines were skipped."), 1u);
+}
+
+TEST(Html, EveryClassIsInTheLegend) {
+    const std::string page = page_without_pictures();
+    for (int i = 0; i < pixel_class_count; ++i)
+        EXPECT_GE(occurrences(page, "</i>" + std::string(name_of(PixelClass(i))) + "</span></dt>"), 1u);
+}
+
+TEST(Html, StaysBelow25MegabytesWhateverThePicturesWeigh) {
+    const TemporaryFolder run;
+    Results results = sample_results();
+    results.views.assign(20, results.views[1]);
+    for (int i = 0; i < 20; ++i) {
+        ViewResult& view = results.views[std::size_t(i)];
+        view.folder = "scenes/" + std::to_string(i);
+        write_file(run.path() / view.folder / "class-small.png", "tiny");
+        write_file(run.path() / view.folder / "id-small.png", std::string(1'500'000, 'x'));
+    }
+    const std::string page = to_html(results, run.path());
+    EXPECT_LT(page.size(), 25'000'000u);
+    EXPECT_GT(page.size(), 20'000'000u);
+    EXPECT_EQ(occurrences(page, "data:image/png;base64,dGlueQ=="), 20u) << "small pictures still fit";
+    EXPECT_EQ(occurrences(page, "Left out to keep this page small."), 10u);
+    EXPECT_EQ(occurrences(page, "href=\"scenes/19/id.png\""), 1u);
+}
+
+TEST(Html, HistogramHasABarPerFilledBinAndMarksTheBound) {
+    DepthRecord record{.max_error_over_bound = 41.2};
+    record.histogram[0] = 1'000'000;
+    record.histogram[3] = 1;
+    record.histogram[20] = 2;
+    const std::string svg = histogram_svg(record);
+    EXPECT_EQ(occurrences(svg, "<rect class=\"bar\""), 2u);
+    EXPECT_EQ(occurrences(svg, "<rect class=\"over\""), 1u);
+    EXPECT_EQ(occurrences(svg, "<title>0.15 to 0.20: 1 pixel</title>"), 1u);
+    EXPECT_EQ(occurrences(svg, "class=\"bound\""), 1u);
+    std::istringstream in(svg);
+    boost::property_tree::ptree tree;
+    EXPECT_NO_THROW(boost::property_tree::read_xml(in, tree));
+    EXPECT_EQ(occurrences(histogram_svg({}), "<rect"), 0u);
+}
+
+}  // namespace zproof

@@ -1,0 +1,152 @@
+#include "reports/json.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "tests/reports/sample.h"
+
+namespace zproof {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// The shipped schema, closed: keys that it does not name are errors, so that it must name all that we write.
+Json closed(Json schema) {
+    if (schema.is_object() && schema.contains("properties")) schema["additionalProperties"] = false;
+    if (schema.is_structured())
+        for (Json& part : schema) part = closed(part);
+    return schema;
+}
+
+/// What the schema has against a document; empty where it is content.
+std::string objections(const Json& document) {
+    const Json schema_text = closed(Json::parse(content_of(ZPROOF_RESULTS_SCHEMA)));
+    valijson::Schema schema;
+    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_text), schema);
+    valijson::ValidationResults results;
+    valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &results);
+    std::string text;
+    for (valijson::ValidationResults::Error error; results.popError(error);) {
+        for (const std::string& step : error.context) text += step;
+        text += ": " + error.description + "\n";
+    }
+    return text;
+}
+
+std::string refusal(const std::string& text) {
+    try {
+        results_from_json(text);
+    } catch (const ReportError& e) {
+        return e.what();
+    }
+    return "nothing was refused";
+}
+
+}  // namespace
+
+TEST(Json, ReadsBackToTheSameResults) {
+    const std::string text = to_json(sample_results());
+    EXPECT_EQ(to_json(results_from_json(text)), text);
+}
+
+TEST(Json, KeepsEveryBitOfHardNumbers) {
+    const Results original = sample_results();
+    const Results back = results_from_json(to_json(original));
+    ASSERT_EQ(back.views.size(), 4u);
+    const ViewResult& room = back.views[1];
+    EXPECT_EQ(room.worst[0].finding.reference.primitive, PrimitiveId(0xFFFF'FFFE));
+    EXPECT_EQ(room.worst[1].finding.reference.primitive, PrimitiveId((1u << 24) + 1));
+    EXPECT_EQ(room.worst[0].finding.candidate.primitive, PrimitiveId::none);
+    EXPECT_EQ(room.worst[0].finding.candidate.camera_depth, background_depth);
+    EXPECT_EQ(room.worst[1].finding.eps_px, std::nextafter(0.1, 1.0));
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(room.worst[1].finding.reference.camera_depth),
+              std::bit_cast<std::uint32_t>(original.views[1].worst[1].finding.reference.camera_depth));
+    EXPECT_TRUE(std::isnan(room.worst[0].finding.error_over_bound));
+    EXPECT_TRUE(std::isinf(room.candidate_depth.max_error_over_bound));
+    EXPECT_EQ(room.counts, original.views[1].counts);
+    EXPECT_EQ(room.candidate_depth.histogram, original.views[1].candidate_depth.histogram);
+    EXPECT_EQ(back.views[2].scene, hostile_name);
+    EXPECT_EQ(back.views[3].outcome, Outcome::not_judged);
+}
+
+TEST(Json, WritesDepthsAsShortestNumberAndBits) {
+    const Json answer = Json::parse(to_json(sample_results())).at("/views/1/worst/0/reference"_json_pointer);
+    EXPECT_EQ(answer.at("camera_depth").dump(), "0.1");
+    EXPECT_EQ(answer.at("camera_depth_bits"), "0x3dcccccd");
+}
+
+TEST(Json, IsWhatTheSchemaSays) { EXPECT_EQ(objections(Json::parse(to_json(sample_results()))), ""); }
+
+TEST(Json, OfAnEmptyRunIsWhatTheSchemaSays) { EXPECT_EQ(objections(Json::parse(to_json({}))), ""); }
+
+TEST(Json, SchemaObjectsToWhatIsMissingOrUnknown) {
+    Json document = Json::parse(to_json(sample_results()));
+    document["views"][0].erase("counts");
+    EXPECT_NE(objections(document), "");
+    document = Json::parse(to_json(sample_results()));
+    document["views"][0]["times"]["coffee"] = 1;
+    EXPECT_NE(objections(document), "");
+}
+
+TEST(Json, RunsDifferInRunAndTimesOnly) {
+    Results other = sample_results();
+    other.threads = 64;
+    other.command = "zproof run -j 64";
+    for (ViewResult& view : other.views) view.times = {.load = 9, .judge = 1.0 / 3};
+    Json a = Json::parse(to_json(sample_results())), b = Json::parse(to_json(other));
+    EXPECT_NE(a, b);
+    for (Json* document : {&a, &b}) {
+        document->erase("run");
+        for (Json& view : (*document)["views"]) view.erase("times");
+    }
+    EXPECT_EQ(a, b);
+}
+
+TEST(Json, PassesOverUnknownKeys) {
+    Json document = Json::parse(to_json(sample_results()));
+    document["schema_version"] = "1.7";
+    document["views"][0]["mood"] = "calm";
+    EXPECT_EQ(to_json(results_from_json(document.dump())), to_json(sample_results()));
+}
+
+TEST(Json, RefusalNamesThePlace) {
+    Json document = Json::parse(to_json(sample_results()));
+    document["views"][1]["counts"].erase("hole");
+    EXPECT_NE(refusal(document.dump()).find("/views/1/counts"), std::string::npos)
+        << refusal(document.dump());
+    EXPECT_NE(refusal(document.dump()).find("hole"), std::string::npos);
+}
+
+TEST(Json, RefusesWhatItCannotMean) {
+    const std::string text = to_json(sample_results());
+    const auto changed = [&](const std::string& pointer, const Json& value) {
+        Json document = Json::parse(text);
+        document[Json::json_pointer(pointer)] = value;
+        return refusal(document.dump());
+    };
+    EXPECT_NE(refusal("{").find("results.json"), std::string::npos);
+    EXPECT_NE(changed("/schema_version", "2.0").find("2.0"), std::string::npos);
+    EXPECT_NE(changed("/views/0/outcome", "fine").find("fine"), std::string::npos);
+    EXPECT_NE(changed("/views/0/triangles", -1).find("-1"), std::string::npos);
+    EXPECT_NE(changed("/views/1/worst/0/class", "holes").find("holes"), std::string::npos);
+    EXPECT_NE(changed("/views/1/worst/0/reference/camera_depth_bits", "0x12").find("0x12"),
+              std::string::npos);
+    EXPECT_NE(changed("/views/0/candidate_depth/histogram", Json::array({1})).find("21"), std::string::npos);
+}
+
+TEST(Json, SurvivesNamesThatAreNoText) {
+    Results results = sample_results();
+    results.views[0].scene = "\xFF\xFE";
+    EXPECT_EQ(results_from_json(to_json(results)).views[0].scene, "\xEF\xBF\xBD\xEF\xBF\xBD");
+}
+
+}  // namespace zproof

@@ -1,0 +1,46 @@
+/// A run with one view of every outcome, and the frames of a small view.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "compare/verdict.h"
+#include "frame/frame.h"
+#include "reports/results.h"
+
+namespace zproof {
+
+inline constexpr const char* hostile_name = "</script><img onerror=x>";
+
+/// A candidate, a reference and what a judge might say of them: 8 x 4, one hole at (6, 1), one edge at (2,
+/// 3).
+struct SampleView {
+    Frame candidate, reference;
+    Verdict verdict;
+};
+SampleView sample_view();
+
+/// proven "meadow/dawn", defective "room/corner" with numbers that are hard to print, unreadable
+/// hostile_name, not judged "empty/0", in this order.
+Results sample_results();
+
+/// A folder of this test alone, removed at the end.
+class TemporaryFolder {
+  public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+std::string content_of(const std::filesystem::path& file);
+
+/// How often part occurs in text.
+std::size_t occurrences(const std::string& text, const std::string& part);
+
+}  // namespace zproof

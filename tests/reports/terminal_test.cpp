@@ -1,0 +1,78 @@
+#include "reports/terminal.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "tests/reports/sample.h"
+
+namespace zproof {
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream in(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+std::string without_colour(std::string text) {
+    for (std::size_t i; (i = text.find('\x1b')) != std::string::npos;)
+        text.erase(i, text.find('m', i) - i + 1);
+    return text;
+}
+
+}  // namespace
+
+TEST(Terminal, HasALinePerViewInTheOrderOfTheRun) {
+    const std::vector<std::string> lines = lines_of(summary_table(sample_results(), Colour::plain));
+    ASSERT_GT(lines.size(), 5u);
+    EXPECT_TRUE(lines[1].starts_with("✓ proven      meadow/dawn")) << lines[1];
+    EXPECT_TRUE(lines[2].starts_with("✗ defective   room/corner")) << lines[2];
+    EXPECT_TRUE(lines[3].starts_with("! unreadable  </script>")) << lines[3];
+    EXPECT_TRUE(lines[4].starts_with("? not judged  empty/0")) << lines[4];
+    EXPECT_TRUE(lines[1].ends_with("  0       0.93        0     7.88")) << lines[1];
+}
+
+TEST(Terminal, TellsEachFailureWithItsCommand) {
+    const std::string text = summary_table(sample_results(), Colour::plain);
+    EXPECT_NE(text.find("✗ defective  room/corner  against embree\n    2 hole\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\n    zproof explain room 812 344\n"), std::string::npos);
+    EXPECT_NE(text.find("\n    the scene holds no triangles\n"), std::string::npos);
+}
+
+TEST(Terminal, EndsWithTheTotals) {
+    const std::vector<std::string> lines = lines_of(summary_table(sample_results(), Colour::plain));
+    EXPECT_EQ(lines[lines.size() - 2], "4 views:  ✓ 1 proven  ✗ 1 defective  ! 1 unreadable  ? 1 not judged");
+    EXPECT_EQ(lines.back(), "4,147,200 pixels judged: 2 defects, 0 reference defects   15.8 s");
+    EXPECT_EQ(lines_of(summary_table({}, Colour::plain)).back(),
+              "0 pixels judged: 0 defects, 0 reference defects   0.0 s");
+}
+
+TEST(Terminal, ColourAddsNothingButColour) {
+    const std::string plain = summary_table(sample_results(), Colour::plain);
+    const std::string coloured = summary_table(sample_results(), Colour::ansi);
+    EXPECT_EQ(plain.find('\x1b'), std::string::npos);
+    EXPECT_NE(coloured, plain);
+    EXPECT_EQ(without_colour(coloured), plain);
+}
+
+TEST(Terminal, ANameCannotWriteToTheTerminal) {
+    Results results = sample_results();
+    results.views[0].scene = "\x1b]0;owned\x07\nsecond line";
+    results.views[2].message = "\x1b[2J";
+    const std::string text = summary_table(results, Colour::plain);
+    EXPECT_EQ(text.find('\x1b'), std::string::npos);
+    EXPECT_EQ(text.find('\x07'), std::string::npos);
+    EXPECT_EQ(text.find("\nsecond"), std::string::npos);
+}
+
+TEST(Terminal, ALongNameKeepsBothEnds) {
+    Results results = sample_results();
+    results.views[0].scene = std::string(100, 'a') + "ö";
+    const std::vector<std::string> lines = lines_of(summary_table(results, Colour::plain));
+    EXPECT_NE(lines[1].find("aaaaaaaaaaaaaaaaaaa…aaaaaaaaaaaaaaö/dawn  "), std::string::npos) << lines[1];
+}
+
+}  // namespace zproof
