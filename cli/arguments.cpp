@@ -73,8 +73,8 @@ void add_run(CLI::App& app, RunArguments& run) {
 
 void add_explain(CLI::App& app, ExplainArguments& explain) {
     app.add_option("SCENE", explain.scene, scene_words)->required();
-    app.add_option("X", explain.x, "pixel column, 0 = left")->required()->check(CLI::NonNegativeNumber);
-    app.add_option("Y", explain.y, "pixel row, 0 = top")->required()->check(CLI::NonNegativeNumber);
+    app.add_option("X", explain.x, "pixel column, 0 = left")->required()->check(CLI::Range(0, 32767));
+    app.add_option("Y", explain.y, "pixel row, 0 = top")->required()->check(CLI::Range(0, 32767));
     app.add_option("--view", explain.view, "name of the view; default: the scene's first");
     add_render_settings(app, explain.settings);
 }
@@ -111,7 +111,7 @@ int available_threads() { return std::clamp(int(std::thread::hardware_concurrenc
 Command parse_command_line(int argc, const char* const* argv) {
     CLI::App app{examples, "zproof"};
     app.set_version_flag("--version", version_line);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);  // none is answered below, in words that name what is missing
 
     RunArguments run;
     run.typed = as_typed(argc, argv);
@@ -126,7 +126,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     CLI::App& scenes_app = *app.add_subcommand("scenes", "the built-in suite as files");
     CLI::App& generate_app =
         *scenes_app.add_subcommand("generate", "write suite scenes as .glb and .view.json");
-    scenes_app.require_subcommand(1);
+    scenes_app.require_subcommand(0, 1);
     add_run(run_app, run);
     add_explain(explain_app, explain);
     add_render(render_app, render);
@@ -141,7 +141,9 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (explain_app.parsed()) return explain;
     if (render_app.parsed()) return render;
     if (list_app.parsed()) return ListArguments{};
-    return generate;
+    if (generate_app.parsed()) return generate;
+    if (scenes_app.parsed()) throw UsageError{"scenes: 'generate' expected (see: zproof scenes --help)"};
+    throw UsageError{"a command is expected, such as: zproof run (see: zproof --help)"};
 }
 
 std::string shell_quoted(const std::string& word) {

@@ -17,8 +17,10 @@ ExitCode complain(std::string_view kind, const std::exception& e, ExitCode code)
 /// The one place where errors meet. A failing pixel is a result and is not among them.
 ExitCode guarded_run(int argc, const char* const* argv) {
     try {
-        return std::visit([](const auto& arguments) { return execute(arguments); },
-                          parse_command_line(argc, argv));
+        const ExitCode code = std::visit([](const auto& arguments) { return execute(arguments); },
+                                         parse_command_line(argc, argv));
+        if (!std::cout.flush()) throw std::runtime_error{"stdout: cannot be written; is the disk full?"};
+        return code;
     } catch (const UsageError& e) {
         return complain("usage", e, ExitCode::usage);
     } catch (const std::runtime_error& e) {  // the world refused: nothing is said about the renderer

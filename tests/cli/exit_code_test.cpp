@@ -1,5 +1,7 @@
 // Every row of the table in docs/cli.md, on the real program.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "scenes/suite.h"
 #include "tests/cli/program.h"
@@ -52,6 +54,7 @@ const std::vector<Case> cases{
     {"PointsAmongTriangles", {"run", "mixed"}, 0, "no triangles"},
     {"NoCommand", {}, 2, "--help"},
     {"UnknownCommand", {"frobnicate"}, 2, "frobnicate"},
+    {"ScenesWithoutVerb", {"scenes"}, 2, "generate"},
     {"UnknownOption", {"run", "--frobnicate"}, 2, "--frobnicate"},
     {"OptionWithoutValue", {"run", "one.gltf", "--out"}, 2, "--out"},
     {"WidthOfZero", {"run", "one.gltf", "--height", "48", "--width", "0"}, 2, "--width"},
@@ -83,6 +86,13 @@ TEST(ForeignOutputFolder, IsNotTouched) {
     EXPECT_EQ(run(folder, {"run", "one.gltf", "-o", "mine", "--width", "64", "--height", "48"}).exit_code, 3);
     EXPECT_EQ(folder.read("mine/thesis.tex"), "years of work");
     EXPECT_EQ(folder.names(), (Words{"mine", "one.gltf"}));
+}
+
+TEST(FullDisk, IsNotMistakenForSuccess) {
+    const Folder folder;
+    const int full = open("/dev/full", O_WRONLY | O_CLOEXEC);
+    EXPECT_EQ(exit_code_of(start(folder, {"list"}, {full, full})), 3);
+    close(full);
 }
 
 TEST(Misspelling, IsAnsweredWithTheSceneThatWasMeant) {
