@@ -1,0 +1,127 @@
+#include "scenes/gltf_accessor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "scenes/gltf_limits.h"
+#include "scenes/refusal.h"
+
+namespace zproof {
+namespace {
+
+template <typename T>
+T load(const unsigned char* from) {
+    T value;
+    std::memcpy(&value, from, sizeof value);
+    return value;
+}
+
+std::size_t component_bytes(int component_type) {
+    return static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type)));
+}
+
+std::size_t element_bytes(const Elements& elements) {
+    return static_cast<std::size_t>(elements.components) * component_bytes(elements.component_type);
+}
+
+/// An integer as the number that it stands for (glTF 2.0, 3.11 of the extension KHR_mesh_quantization).
+template <typename T>
+double integer(const Elements& elements, const unsigned char* from) {
+    const double value = load<T>(from);
+    return elements.is_normalized ? std::max(value / std::numeric_limits<T>::max(), -1.0) : value;
+}
+
+std::string accessor_at(int accessor) { return "/accessors/" + std::to_string(accessor); }
+
+}  // namespace
+
+double component(const Elements& elements, std::size_t i, int c) {
+    const unsigned char* from = elements.first + i * elements.stride +
+                                static_cast<std::size_t>(c) * component_bytes(elements.component_type);
+    switch (elements.component_type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE: return integer<std::int8_t>(elements, from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return integer<std::uint8_t>(elements, from);
+        case TINYGLTF_COMPONENT_TYPE_SHORT: return integer<std::int16_t>(elements, from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return integer<std::uint16_t>(elements, from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return integer<std::uint32_t>(elements, from);
+        default: return static_cast<double>(load<float>(from));
+    }
+}
+
+std::uint32_t index_at(const Elements& elements, std::size_t i) {
+    const unsigned char* from = elements.first + i * elements.stride;
+    switch (elements.component_type) {
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return load<std::uint8_t>(from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load<std::uint16_t>(from);
+        default: return load<std::uint32_t>(from);
+    }
+}
+
+const Elements& Accessors::elements(int accessor) {
+    if (const auto found = known_.find(accessor); found != known_.end()) return found->second;
+    Elements elements = packed(accessor);
+    if (model_.gltf.accessors[static_cast<std::size_t>(accessor)].sparse.isSparse)
+        elements = with_sparse(accessor, elements);
+    if (elements.first == nullptr)
+        refuse(model_.file, accessor_at(accessor), "has neither bufferView nor sparse; its data is missing");
+    if (elements.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT) check_finite(accessor, elements);
+    return known_.emplace(accessor, elements).first->second;
+}
+
+Elements Accessors::packed(int accessor) const {
+    const tinygltf::Accessor& declared = model_.gltf.accessors[static_cast<std::size_t>(accessor)];
+    Elements elements{nullptr, 0, declared.count, declared.componentType,
+                      tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(declared.type)), declared.normalized};
+    return declared.bufferView < 0 ? elements : view_of(declared.bufferView, declared.byteOffset, elements);
+}
+
+Elements Accessors::view_of(int buffer_view, std::size_t offset, const Elements& type) const {
+    const tinygltf::BufferView& view = model_.gltf.bufferViews[static_cast<std::size_t>(buffer_view)];
+    const Bytes& bytes = model_.gltf.buffers[static_cast<std::size_t>(view.buffer)].data;
+    Elements elements = type;
+    elements.stride = view.byteStride != 0 ? view.byteStride : element_bytes(type);
+    elements.first = bytes.data() + view.byteOffset + offset;
+    if (view.byteOffset + offset + elements.stride * (type.count - 1) + element_bytes(type) > bytes.size())
+        refuse(model_.file, "/bufferViews/" + std::to_string(buffer_view), "runs past the end of its buffer");
+    return elements;
+}
+
+Elements Accessors::with_sparse(int accessor, const Elements& base) {
+    const auto& sparse = model_.gltf.accessors[static_cast<std::size_t>(accessor)].sparse;
+    const std::size_t size = element_bytes(base), count = static_cast<std::size_t>(sparse.count);
+    written_bytes_ += size * base.count;
+    if (written_bytes_ > limits::sparse_bytes)
+        refuse(model_.file, accessor_at(accessor),
+               "sparse accessors need more than " + std::to_string(limits::sparse_bytes) + " bytes written out");
+    Bytes& bytes = written_out_.emplace_back(size * base.count);
+    for (std::size_t i = 0; base.first != nullptr && i < base.count; ++i)
+        std::memcpy(bytes.data() + i * size, base.first + i * base.stride, size);
+    const Elements indices = view_of(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
+                                     {nullptr, 0, count, sparse.indices.componentType, 1, false});
+    Elements values = base;
+    values.count = count;
+    values = view_of(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), values);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t index = index_at(indices, i);
+        if (index >= base.count || (i > 0 && index <= index_at(indices, i - 1)))
+            refuse(model_.file, accessor_at(accessor) + "/sparse/indices",
+                   "index " + std::to_string(index) + " at " + std::to_string(i) +
+                       "; expected rising indices below " + std::to_string(base.count));
+        std::memcpy(bytes.data() + index * size, values.first + i * values.stride, size);
+    }
+    Elements result = base;
+    result.first = bytes.data();
+    result.stride = size;
+    return result;
+}
+
+void Accessors::check_finite(int accessor, const Elements& elements) const {
+    for (std::size_t i = 0; i < elements.count; ++i)
+        for (int c = 0; c < elements.components; ++c)
+            if (!std::isfinite(component(elements, i, c)))
+                refuse(model_.file, accessor_at(accessor),
+                       "element " + std::to_string(i) + " is not finite; expected finite numbers");
+}
+
+}  // namespace zproof

@@ -1,0 +1,51 @@
+/// Typed reading of accessors.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <glm/glm.hpp>
+#include <map>
+#include <vector>
+
+#include "scenes/gltf_files.h"
+#include "scenes/gltf_model.h"
+
+namespace zproof {
+
+/// The elements of one accessor, all readable; floats are finite.
+struct Elements {
+    const unsigned char* first = nullptr;
+    std::size_t stride = 0, count = 0;
+    int component_type = 0;  ///< glTF's number: 5120 BYTE to 5126 FLOAT
+    int components = 0;
+    bool is_normalized = false;
+};
+
+/// Component c of element i as glTF defines it: normalized integers are mapped to [0, 1] or [-1, 1].
+double component(const Elements& elements, std::size_t i, int c);
+
+/// Element i of an index accessor.
+std::uint32_t index_at(const Elements& elements, std::size_t i);
+
+/// The accessors of one model, each checked once. Keeps a reference to the model.
+class Accessors {
+  public:
+    explicit Accessors(const GltfModel& model) : model_(model) {}
+
+    /// Throws SceneError for numbers that are not finite, for sparse indices that do not rise or are out of range, and
+    /// for sparse accessors beyond limits::sparse_bytes.
+    const Elements& elements(int accessor);
+
+  private:
+    Elements packed(int accessor) const;
+    Elements with_sparse(int accessor, const Elements& base);
+    Elements view_of(int buffer_view, std::size_t offset, const Elements& type) const;
+    void check_finite(int accessor, const Elements& elements) const;
+
+    const GltfModel& model_;
+    std::map<int, Elements> known_;
+    std::vector<Bytes> written_out_;
+    std::uint64_t written_bytes_ = 0;
+};
+
+}  // namespace zproof

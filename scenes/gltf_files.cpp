@@ -1,0 +1,150 @@
+#include "scenes/gltf_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+#include "scenes/gltf_limits.h"
+#include "scenes/refusal.h"
+
+namespace zproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+int hex_digit(char c) {
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return -1;
+}
+
+bool has_scheme(const std::string& uri) {
+    const std::size_t colon = uri.find(':');
+    return colon != std::string::npos && colon < uri.find('/');
+}
+
+bool is_within(const fs::path& folder, const fs::path& file) {
+    const auto [end, at] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+    return end == folder.end() && at != file.end();
+}
+
+/// What keeps the text from being a path beneath the folder, or nothing.
+std::string fault_of(const std::string& relative) {
+    if (relative.empty()) return "expected a path, found nothing";
+    const bool printable = std::ranges::all_of(relative, [](char c) { return static_cast<unsigned char>(c) >= 0x20; });
+    if (!printable || relative.find('\\') != std::string::npos)
+        return "expected a path without control characters and backslashes";
+    if (has_scheme(relative)) return "expected a relative path without a scheme";
+    const fs::path path = fs::path(relative).lexically_normal();
+    if (path.is_absolute()) return "expected a relative path";
+    if (*path.begin() == "..") return "the path leaves the file's folder";
+    return {};
+}
+
+/// The path in quotes, as a message shows it.
+std::string quoted(const std::string& path) {
+    std::string text(1, '"');
+    text += on_one_line(path.substr(0, 100));
+    text += '"';
+    return text;
+}
+
+/// tinygltf 2.7's own decoding (it also turns '+' into a blank): the name under which it asks for a file.
+std::string name_in_tinygltf(const std::string& uri) {
+    std::string name;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        if (uri[i] == '%' && uri.size() > i + 2) {
+            name += static_cast<char>(std::max(hex_digit(uri[i + 1]), 0) << 4 | std::max(hex_digit(uri[i + 2]), 0));
+            i += 2;
+        } else {
+            name += uri[i] == '+' ? ' ' : uri[i];
+        }
+    }
+    return name;
+}
+
+Bytes read_first(const fs::path& file, std::uint64_t bytes) {
+    Bytes content(bytes);
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(reinterpret_cast<char*>(content.data()), static_cast<std::streamsize>(bytes));
+    if (!stream) refuse(file, "file", "cannot be read to its end; check its permissions");
+    return content;
+}
+
+/// The size of a regular file.
+std::uint64_t size_of(const fs::path& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (error || !fs::exists(status)) refuse(file, "file", "not found");
+    if (!fs::is_regular_file(status)) refuse(file, "file", "expected a regular file");
+    const std::uint64_t bytes = fs::file_size(file, error);
+    if (error) refuse(file, "file", "cannot be measured");
+    return bytes;
+}
+
+}  // namespace
+
+Bytes read_file(const fs::path& file, std::uint64_t limit) {
+    const std::uint64_t bytes = size_of(file);
+    if (bytes > limit) refuse(file, "file", "too large: at most " + std::to_string(limit) + " bytes");
+    return read_first(file, bytes);
+}
+
+std::string percent_decoded(const std::string& uri) {
+    std::string text;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const bool escape = uri[i] == '%' && uri.size() > i + 2 && hex_digit(uri[i + 1]) >= 0 &&
+                            hex_digit(uri[i + 2]) >= 0;
+        text += escape ? static_cast<char>(hex_digit(uri[i + 1]) << 4 | hex_digit(uri[i + 2])) : uri[i];
+        if (escape) i += 2;
+    }
+    return text;
+}
+
+fs::path beneath_folder_of(const fs::path& from, const std::string& place, const std::string& relative) {
+    const std::string remedy = "; put the file next to the scene and name it by a relative path";
+    if (const std::string fault = fault_of(relative); !fault.empty())
+        refuse(from, place, quoted(relative) + ": " + fault + remedy);
+    std::error_code error;
+    const fs::path folder = fs::canonical(fs::absolute(from).parent_path(), error);
+    if (error) refuse(from, place, "the file's folder cannot be resolved");
+    const fs::path file = fs::canonical(folder / relative, error);
+    if (error) refuse(from, place, quoted(relative) + " not found in the file's folder");
+    if (!is_within(folder, file)) refuse(from, place, quoted(relative) + " leads out of the file's folder" + remedy);
+    if (!fs::is_regular_file(file, error)) refuse(from, place, quoted(relative) + " is not a regular file" + remedy);
+    return file;
+}
+
+void Admitted::admit(const std::string& place, const std::string& uri, Entry entry) {
+    if (entry.bytes > limits::file_bytes)
+        refuse(scene_file_, place, "too large: at most " + std::to_string(limits::file_bytes) + " bytes a file");
+    total_bytes_ += entry.bytes;
+    if (total_bytes_ > limits::total_bytes)
+        refuse(scene_file_, place, "too large: at most " + std::to_string(limits::total_bytes) + " bytes in all");
+    const auto [known, is_new] = files_.try_emplace(name_in_tinygltf(uri), entry);
+    if (!is_new && (known->second.bytes != entry.bytes || known->second.file != entry.file))
+        refuse(scene_file_, place, "the same file is named twice with different lengths; name it once");
+}
+
+void Admitted::admit_buffer(const std::string& place, const std::string& uri, std::uint64_t bytes) {
+    const fs::path file = beneath_folder_of(scene_file_, place, percent_decoded(uri));
+    const std::uint64_t there = size_of(file);
+    if (there < bytes)
+        refuse(scene_file_, place,
+               "expected a file of at least byteLength = " + std::to_string(bytes) + " bytes, found " +
+                   std::to_string(there));
+    admit(place, uri, {file, bytes});
+}
+
+void Admitted::admit_image(const std::string& place, const std::string& uri) {
+    const fs::path file = beneath_folder_of(scene_file_, place, percent_decoded(uri));
+    admit(place, uri, {file, size_of(file)});
+}
+
+Bytes Admitted::read(const std::string& name) const {
+    const Entry& entry = files_.at(name);
+    return read_first(entry.file, entry.bytes);
+}
+
+}  // namespace zproof

@@ -1,0 +1,115 @@
+#include "scenes/gltf_image.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
+
+#include "scenes/gltf_limits.h"
+
+namespace zproof {
+namespace {
+
+using Span = std::span<const unsigned char>;
+
+constexpr std::array<unsigned char, 8> png_magic{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+
+std::uint64_t big_endian(Span bytes, std::size_t at, std::size_t length) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < length; ++i) value = value << 8 | bytes[at + i];
+    return value;
+}
+
+bool is_png(Span bytes) {
+    return bytes.size() >= 33 && std::equal(png_magic.begin(), png_magic.end(), bytes.begin());
+}
+
+bool is_jpeg(Span bytes) { return bytes.size() >= 4 && bytes[0] == 0xFF && bytes[1] == 0xD8 && bytes[2] == 0xFF; }
+
+/// Start-of-frame markers: C0 to CF but for DHT (C4), JPG (C8) and DAC (CC).
+bool is_frame(unsigned char marker) {
+    return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+}
+
+/// Height and width stand 3 bytes behind the length of the start-of-frame segment.
+std::optional<ImageExtent> jpeg_extent(Span bytes) {
+    std::size_t at = 2;
+    while (at + 9 <= bytes.size() && bytes[at] == 0xFF) {
+        const unsigned char marker = bytes[at + 1];
+        if (is_frame(marker))
+            return ImageExtent{ImageExtent::Format::jpeg, big_endian(bytes, at + 7, 2), big_endian(bytes, at + 5, 2)};
+        at += marker == 0xFF ? 1 : 2 + big_endian(bytes, at + 2, 2);
+    }
+    return std::nullopt;
+}
+
+std::optional<ImageExtent> extent_of(Span bytes) {
+    if (is_png(bytes))
+        return ImageExtent{ImageExtent::Format::png, big_endian(bytes, 16, 4), big_endian(bytes, 20, 4)};
+    return is_jpeg(bytes) ? jpeg_extent(bytes) : std::nullopt;
+}
+
+/// Compressed bytes of a PNG. Deflate never needs more than 0.1 % above the raw size, so a surplus is no image.
+std::uint64_t png_data_bytes(Span bytes) {
+    std::uint64_t sum = 0;
+    for (std::size_t at = 8; at + 12 <= bytes.size();) {
+        const std::uint64_t length = big_endian(bytes, at, 4);
+        if (big_endian(bytes, at + 4, 4) == 0x49444154) sum += length;
+        at += 12 + length;
+    }
+    return sum;
+}
+
+int jpeg_scan_count(Span bytes) {
+    int scans = 0;
+    for (std::size_t i = 0; i + 1 < bytes.size(); ++i) scans += bytes[i] == 0xFF && bytes[i + 1] == 0xDA;
+    return scans;
+}
+
+/// 16 bit channels in the machine's order, rounded to 8 bit.
+std::vector<std::uint8_t> narrowed(const std::vector<unsigned char>& wide) {
+    std::vector<std::uint8_t> texels(wide.size() / 2);
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const unsigned value = wide[2 * i] | static_cast<unsigned>(wide[2 * i + 1]) << 8;
+        texels[i] = static_cast<std::uint8_t>((value * 255 + 32767) / 65535);
+    }
+    return texels;
+}
+
+}  // namespace
+
+std::string image_fault(Span bytes) {
+    const std::optional<ImageExtent> extent = extent_of(bytes);
+    if (!extent) return "expected a PNG or JPEG image";
+    const auto [format, width, height] = *extent;
+    const std::string size = std::to_string(width) + " x " + std::to_string(height);
+    if (width == 0 || height == 0) return "the image is " + size + " texels";
+    if (width > limits::image_side || height > limits::image_side || width * height > limits::image_texels)
+        return "the image claims " + size + " texels; at most " + std::to_string(limits::image_side) +
+               " per side and " + std::to_string(limits::image_texels) + " in all";
+    if (format == ImageExtent::Format::png && png_data_bytes(bytes) > width * height * 8 + height + (1 << 16))
+        return "the PNG holds more data than " + size + " texels need";
+    if (format == ImageExtent::Format::jpeg && jpeg_scan_count(bytes) > limits::jpeg_scans)
+        return "the JPEG has more than " + std::to_string(limits::jpeg_scans) + " scans";
+    return {};
+}
+
+ImageExtent image_extent(Span bytes) { return extent_of(bytes).value(); }
+
+Image decode_image(Span bytes) {
+    tinygltf::Image decoded;
+    std::string error, warning;
+    const bool is_whole = tinygltf::LoadImageData(&decoded, 0, &error, &warning, 0, 0, bytes.data(),
+                                                  static_cast<int>(bytes.size()), nullptr);
+    const auto [format, width, height] = image_extent(bytes);
+    const auto texels = static_cast<std::size_t>(width * height);
+    if (!is_whole || decoded.component != 4 || decoded.image.size() != texels * 4 * (decoded.bits == 16 ? 2 : 1))
+        throw std::runtime_error("the image's data is broken or cut short; export it again");
+    Image image{{}, decoded.width, decoded.height, {}};
+    image.texels = decoded.bits == 16 ? narrowed(decoded.image) : std::move(decoded.image);
+    return image;
+}
+
+}  // namespace zproof

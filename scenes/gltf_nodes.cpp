@@ -1,0 +1,86 @@
+#include "scenes/gltf_nodes.h"
+
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <ranges>
+#include <string>
+
+#include "scenes/refusal.h"
+
+namespace zproof {
+namespace {
+
+std::string node_at(int node) { return "/nodes/" + std::to_string(node); }
+
+glm::dmat4 from_matrix(const GltfModel& model, int node, const std::vector<double>& m) {
+    if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
+        refuse(model.file, node_at(node) + "/matrix", "expected the last row 0 0 0 1 (an affine transform)");
+    return {{m[0], m[1], m[2], m[3]}, {m[4], m[5], m[6], m[7]}, {m[8], m[9], m[10], m[11]}, {m[12], m[13], m[14], m[15]}};
+}
+
+/// glTF asks for unit quaternions; float32 files hold them to 1e-7 only, so the length is divided out in double.
+glm::dmat3 rotation_of(const GltfModel& model, int node, const std::vector<double>& q) {
+    const glm::dquat quaternion(q[3], q[0], q[1], q[2]);
+    const double length = glm::length(quaternion);
+    if (!(length > 0) || !std::isfinite(length))
+        refuse(model.file, node_at(node) + "/rotation", "expected a unit quaternion");
+    return glm::mat3_cast(quaternion / length);
+}
+
+glm::dmat4 local_transform(const GltfModel& model, int index) {
+    const tinygltf::Node& node = model.gltf.nodes[static_cast<std::size_t>(index)];
+    if (!node.matrix.empty()) return from_matrix(model, index, node.matrix);
+    const std::vector<double>&t = node.translation, &s = node.scale;
+    glm::dmat3 linear(1.0);
+    if (!node.rotation.empty()) linear = rotation_of(model, index, node.rotation);
+    if (!s.empty())
+        for (int axis = 0; axis < 3; ++axis) linear[axis] *= s[static_cast<std::size_t>(axis)];
+    glm::dmat4 transform(linear);
+    if (!t.empty()) transform[3] = {t[0], t[1], t[2], 1};
+    return transform;
+}
+
+bool is_finite(const glm::dmat4& matrix) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(matrix[column][row])) return false;
+    return true;
+}
+
+std::vector<int> all_roots(const tinygltf::Model& gltf) {
+    std::vector<bool> is_child(gltf.nodes.size(), false);
+    for (const tinygltf::Node& node : gltf.nodes)
+        for (const int child : node.children) is_child[static_cast<std::size_t>(child)] = true;
+    std::vector<int> roots;
+    for (std::size_t node = 0; node < gltf.nodes.size(); ++node)
+        if (!is_child[node]) roots.push_back(static_cast<int>(node));
+    return roots;
+}
+
+std::vector<int> roots_of(const GltfModel& model) {
+    const tinygltf::Model& gltf = model.gltf;
+    if (gltf.scenes.empty()) return all_roots(gltf);
+    return gltf.scenes[static_cast<std::size_t>(std::max(gltf.defaultScene, 0))].nodes;
+}
+
+}  // namespace
+
+std::vector<PlacedNode> placed_nodes(const GltfModel& model) {
+    if (model.gltf.nodes.empty() && model.gltf.scenes.empty())
+        refuse(model.file, "/scenes", "has neither scenes nor nodes; expected a scene to draw");
+    std::vector<PlacedNode> open, placed;
+    for (const int root : roots_of(model) | std::views::reverse) open.push_back({root, glm::dmat4(1.0)});
+    while (!open.empty()) {
+        PlacedNode next = open.back();
+        open.pop_back();
+        next.world_from_node = next.world_from_node * local_transform(model, next.node);
+        if (!is_finite(next.world_from_node))
+            refuse(model.file, node_at(next.node), "the world transform overflows; expected finite numbers");
+        placed.push_back(next);
+        const std::vector<int>& children = model.gltf.nodes[static_cast<std::size_t>(next.node)].children;
+        for (const int child : children | std::views::reverse) open.push_back({child, next.world_from_node});
+    }
+    return placed;
+}
+
+}  // namespace zproof

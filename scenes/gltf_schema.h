@@ -1,0 +1,16 @@
+/// The shape of glTF JSON: types, required properties, enumerations and references.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace zproof {
+
+/// Checks every property that the loader or tinygltf reads: tinygltf drops what has the wrong type and does not check
+/// references. Throws SceneError with the JSON pointer of the first offence.
+void check_schema(const std::filesystem::path& file, const nlohmann::json& gltf);
+
+/// The array gltf[name], or an empty one where the file has none.
+const nlohmann::json& list_of(const nlohmann::json& gltf, const char* name);
+
+}  // namespace zproof
