@@ -1,0 +1,71 @@
+#include "scenes/suite/mesh_builder.h"
+#include "scenes/suite/random.h"
+#include "scenes/suite/scenes.h"
+
+namespace zproof::suite {
+
+namespace {
+
+/// A triangle of the given plane around p_world whose corners lie at least `reach` away in three directions.
+void add_giant(MeshBuilder& mesh, Random& random, const glm::dvec3& p_world, double reach) {
+    const glm::dmat3 axes = random.rotation();
+    const double a = random.uniform(1, 3), b = random.uniform(1, 3), c = random.uniform(1, 3);
+    mesh.lone_triangle({p_world + reach * a * axes[0],
+                        p_world + reach * b * (-0.5 * axes[0] + 0.875 * axes[1]),
+                        p_world + reach * c * (-0.5 * axes[0] - 0.875 * axes[1])});
+}
+
+/// A blade with its tip ahead of the plane z = -1 and its root behind it, some of them behind the eye at the
+/// origin; the plane cuts it within the window |x| < 0.9, |y| < 0.5.
+void add_blade(MeshBuilder& mesh, Random& random) {
+    const glm::dvec3 middle{random.uniform(-0.85, 0.85), random.uniform(-0.48, 0.48), -1};
+    const glm::dvec3 half_cut{random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03), 0};
+    const double tip_depth = random.uniform(1.2, 6), root_depth = random.uniform(-6, 0.9);
+    const double sideways = 0.05 * (tip_depth - 1);
+    const glm::dvec3 tip{middle.x * tip_depth + random.uniform(-sideways, sideways),
+                         middle.y * tip_depth + random.uniform(-sideways, sideways), -tip_depth};
+    const double stretch = (tip_depth - root_depth) / (tip_depth - 1);
+    mesh.lone_triangle(
+        {tip, tip + stretch * (middle - half_cut - tip), tip + stretch * (middle + half_cut - tip)});
+}
+
+}  // namespace
+
+Loaded near_plane(ImageSize size) {
+    MeshBuilder mesh("near_plane");
+    Random random(1);
+    mesh.begin_part("floor", {0.4, 0.4, 0.35});
+    mesh.lone_quad({{{-3000, -1.5, 3000}, {3000, -1.5, 3000}, {3000, -1.5, -3000}, {-3000, -1.5, -3000}}});
+    mesh.begin_part("through the near plane", {0.8, 0.3, 0.2});
+    for (int i = 0; i < 16; ++i) {
+        const glm::dvec3 p_world{random.uniform(-0.8, 0.8), random.uniform(-0.45, 0.45), -1};
+        add_giant(mesh, random, p_world, random.uniform(3, 60));
+    }
+    mesh.begin_part("through the sides", {0.2, 0.4, 0.8});
+    for (int i = 0; i < 48; ++i) {
+        const double depth = random.uniform(4, 400), x = random.uniform(-1, 1), y = random.uniform(-0.6, 0.6);
+        add_giant(mesh, random, {x * depth, y * depth, -depth}, 0.4 * depth);
+    }
+    mesh.begin_part("through the far plane", {0.3, 0.7, 0.3});
+    for (int i = 0; i < 16; ++i)
+        add_giant(mesh, random, {random.uniform(-1600, 1600), random.uniform(100, 900), -2000}, 300);
+    return mesh.finish(
+        {perspective_view("ahead", size, {}, {.half_height = 0.5, .near_depth = 1, .far_depth = 2000}),
+         perspective_view("aside", size, {.target_world = {1, 0.1, -0.2}},
+                          {.half_height = 1, .near_depth = 0.125, .far_depth = 1500})});
+}
+
+Loaded clip_blades(ImageSize size) {
+    MeshBuilder mesh("clip_blades");
+    Random random(2);
+    for (const char* node : {"blades", "more blades", "still more blades"}) {
+        mesh.begin_part(node, random.color());
+        for (int i = 0; i < 500; ++i) add_blade(mesh, random);
+    }
+    return mesh.finish(
+        {perspective_view("near", size, {}, {.half_height = 0.5, .near_depth = 1, .far_depth = 100}),
+         perspective_view("far", size, {.eye_world = {0, 0, -12}, .target_world = {0, 0, 0}},
+                          {.half_height = 0.05, .near_depth = 0.01, .far_depth = 11})});
+}
+
+}  // namespace zproof::suite

@@ -1,0 +1,83 @@
+#include "scenes/suite/random.h"
+#include "scenes/suite/scenes.h"
+#include "scenes/suite/shapes.h"
+
+namespace zproof::suite {
+
+namespace {
+
+/// Houses that stand on the ground plane y = 0 within |x|, |z| < 40: every other one turned to any angle.
+void add_town(MeshBuilder& mesh, Random& random) {
+    mesh.begin_part("ground", {0.35, 0.35, 0.3});
+    add_sheet(mesh, {.across = 20, .down = 20}, [](double s, double t) {
+        return glm::dvec3{100 * s - 50, 0, 100 * t - 50};
+    });
+    mesh.begin_part("houses", {0.75, 0.7, 0.6});
+    for (int i = 0; i < 400; ++i) {
+        const double x = 4 * (i % 20) - 38, z = 4.0 * (i / 20) - 38, height = random.uniform(1, 9);
+        const double width = random.uniform(0.6, 1.4), length = random.uniform(0.6, 1.4);
+        const double tilt = i % 2 == 0 ? 0 : random.uniform(-0.6, 0.6);
+        add_box(mesh, {{x, height / 2, z},
+                       glm::dmat3(glm::dvec3{width, 0, tilt}, glm::dvec3{0, height / 2, 0},
+                                  glm::dvec3{-tilt, 0, length})});
+    }
+    mesh.begin_part("domes", {0.4, 0.6, 0.7});
+    for (int i = 0; i < 30; ++i) {
+        const double x = 4 * random.integer(-9, 9) + 2, z = 4 * random.integer(-9, 9) + 2;
+        add_sphere(mesh, {{x, 0.5, z}, glm::dmat3(random.uniform(0.8, 1.6))}, {.across = 32, .down = 16});
+    }
+}
+
+}  // namespace
+
+Loaded off_axis(ImageSize size) {
+    MeshBuilder mesh("off_axis");
+    Random random(16);
+    add_town(mesh, random);
+    const Lens lens{.half_height = 0.5, .near_depth = 0.5, .far_depth = 200};
+    const auto shifted = [&](const char* name, double eye_x, const glm::dvec2& shift) {
+        View view =
+            perspective_view(name, size, {.eye_world = {eye_x, 14, 44}, .target_world = {eye_x, 5, 0}}, lens);
+        view.camera.window.left += shift.x;
+        view.camera.window.right += shift.x;
+        view.camera.window.bottom += shift.y;
+        view.camera.window.top += shift.y;
+        return view;
+    };
+    return mesh.finish({shifted("left-eye", -1.5, {0.034, 0}), shifted("right-eye", 1.5, {-0.034, 0}),
+                        shifted("corner", 0, {1.1, -0.7})});
+}
+
+Loaded orthographic(ImageSize size) {
+    MeshBuilder mesh("orthographic");
+    Random random(17);
+    add_town(mesh, random);
+    return mesh.finish(
+        {parallel_view("plan", size,
+                       {.eye_world = {0, 50, 0}, .target_world = {0, 0, 0}, .up_world = {0, 0, -1}},
+                       {.half_height = 24, .near_depth = 1, .far_depth = 100}),
+         parallel_view("isometric", size, {.eye_world = {60, 60, 60}, .target_world = {0, 0, 0}},
+                       {.half_height = 20, .near_depth = 1, .far_depth = 300})});
+}
+
+Loaded oblique(ImageSize size) {
+    MeshBuilder mesh("oblique");
+    Random random(18);
+    add_town(mesh, random);
+    const auto sheared = [&](const char* name, const Stance& stance, const glm::dvec2& shear) {
+        View view = parallel_view(name, size, stance, {.half_height = 22, .near_depth = 1, .far_depth = 200});
+        view.camera.shear = shear;
+        const glm::dvec2 shift = shear * 60.0;  // keeps what lies at depth 60 where it was
+        view.camera.window.left -= shift.x;
+        view.camera.window.right -= shift.x;
+        view.camera.window.bottom -= shift.y;
+        view.camera.window.top -= shift.y;
+        return view;
+    };
+    return mesh.finish(
+        {sheared("cabinet", {.eye_world = {0, 4, 60}, .target_world = {0, 4, 0}}, {-0.35, -0.35}),
+         sheared("military", {.eye_world = {0, 60, 0}, .target_world = {0, 0, 0}, .up_world = {0, 0, -1}},
+                 {0.5, -0.75})});
+}
+
+}  // namespace zproof::suite

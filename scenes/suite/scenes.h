@@ -1,0 +1,53 @@
+/// The suite's scenes, one function each; the manifest says why each is there. Grouped by the file that
+/// builds them.
+#pragma once
+
+#include "scenes/loaded.h"
+#include "scenes/suite/views.h"
+
+namespace zproof::suite {
+
+// near_plane.cpp
+Loaded near_plane(ImageSize size);
+Loaded clip_blades(ImageSize size);
+
+// density.cpp
+Loaded million_triangles(ImageSize size);
+Loaded deep_overdraw(ImageSize size);
+
+// tiny.cpp
+Loaded slivers(ImageSize size);
+Loaded degenerate(ImageSize size);
+
+// fill_rule.cpp
+Loaded fan_at_pixel_centre(ImageSize size);
+Loaded shared_edges(ImageSize size);
+
+// ties.cpp
+Loaded coplanar(ImageSize size);
+Loaded interpenetrating(ImageSize size);
+
+// cracks.cpp
+Loaded t_junctions(ImageSize size);
+Loaded abutting_strips(ImageSize size);
+
+// extent.cpp
+Loaded far_from_origin(ImageSize size);
+Loaded depth_range(ImageSize size);
+
+// facing.cpp
+Loaded back_faces(ImageSize size);
+Loaded closed_surfaces(ImageSize size);
+
+// projections.cpp
+Loaded off_axis(ImageSize size);
+Loaded orthographic(ImageSize size);
+Loaded oblique(ImageSize size);
+
+// textured_ground.cpp
+Loaded textured_ground(ImageSize size);
+
+// room.cpp
+Loaded room(ImageSize size);
+
+}  // namespace zproof::suite

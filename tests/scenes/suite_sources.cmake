@@ -1,0 +1,7 @@
+# The suite's tests. Included by tests/scenes/CMakeLists.txt.
+target_sources(scenes_test PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/glb_writer_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/suite_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/suite_geometry_test.cpp)
+set_property(SOURCE ${CMAKE_CURRENT_LIST_DIR}/suite_test.cpp APPEND PROPERTY
+    COMPILE_DEFINITIONS ZPROOF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
