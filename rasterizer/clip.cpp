@@ -1,0 +1,132 @@
+#include "rasterizer/clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zproof::rasterizer {
+namespace {
+
+enum class Plane { near, far, left, right, bottom, top };
+
+constexpr std::array all_planes{Plane::near,  Plane::far,    Plane::left,
+                                Plane::right, Plane::bottom, Plane::top};
+
+/// Positive inside; +inf for a plane at infinity.
+double distance(Plane plane, const ClipVertex& v, const ClipVolume& volume) {
+    switch (plane) {
+        case Plane::near:
+            return v.depth - volume.near_depth;
+        case Plane::far:
+            return volume.far_depth - v.depth;
+        case Plane::left:
+            return v.x + volume.guard_x * v.w;
+        case Plane::right:
+            return volume.guard_x * v.w - v.x;
+        case Plane::bottom:
+            return v.y + volume.guard_y * v.w;
+        case Plane::top:
+            return volume.guard_y * v.w - v.y;
+    }
+    return 0;
+}
+
+void set_depth(ClipVertex& v, double depth, Projection projection) {
+    v.depth = depth;
+    if (projection == Projection::perspective) v.w = depth;
+}
+
+/// Both weights come from the distances: 1 - weight would cancel where the far end of a long edge is inside.
+/// Rounding may not carry depth past the ends of the edge.
+ClipVertex weighted_sum(const ClipVertex& a, double weight_a, const ClipVertex& b, double weight_b,
+                        Projection projection) {
+    ClipVertex v{a.x * weight_a + b.x * weight_b, a.y * weight_a + b.y * weight_b, a.w, a.depth};
+    const auto [least, greatest] = std::minmax(a.depth, b.depth);
+    set_depth(v, std::clamp(a.depth * weight_a + b.depth * weight_b, least, greatest), projection);
+    return v;
+}
+
+/// Puts the coordinate that the plane fixes exactly where the plane is, however long the edge was that it
+/// came from.
+void put_on(Plane plane, ClipVertex& v, const ClipVolume& volume) {
+    switch (plane) {
+        case Plane::near:
+            return set_depth(v, volume.near_depth, volume.projection);
+        case Plane::far:
+            return set_depth(v, volume.far_depth, volume.projection);
+        case Plane::left:
+            v.x = -volume.guard_x * v.w;
+            return;
+        case Plane::right:
+            v.x = volume.guard_x * v.w;
+            return;
+        case Plane::bottom:
+            v.y = -volume.guard_y * v.w;
+            return;
+        case Plane::top:
+            v.y = volume.guard_y * v.w;
+            return;
+    }
+}
+
+/// Where the edge leaves the volume.
+ClipVertex intersection(const ClipVertex& inside, const ClipVertex& outside, Plane plane,
+                        const ClipVolume& volume) {
+    const double d_inside = distance(plane, inside, volume);
+    const double d_outside = distance(plane, outside, volume);
+    const double length = d_inside - d_outside;
+    ClipVertex v = weighted_sum(inside, -d_outside / length, outside, d_inside / length, volume.projection);
+    put_on(plane, v, volume);
+    return v;
+}
+
+bool is_cut_by(Plane plane, const ClipPolygon& polygon, const ClipVolume& volume) {
+    return std::ranges::any_of(polygon.span(),
+                               [&](const ClipVertex& v) { return distance(plane, v, volume) < 0; });
+}
+
+ClipPolygon clip_by(Plane plane, const ClipPolygon& polygon, const ClipVolume& volume) {
+    ClipPolygon kept;
+    for (int i = 0; i < polygon.size; ++i) {
+        const ClipVertex& from = polygon.vertices[std::size_t(i)];
+        const ClipVertex& to = polygon.vertices[std::size_t((i + 1) % polygon.size)];
+        const bool from_inside = distance(plane, from, volume) >= 0;
+        const bool to_inside = distance(plane, to, volume) >= 0;
+        if (from_inside) kept.push(from);
+        if (from_inside && !to_inside) kept.push(intersection(from, to, plane, volume));
+        if (!from_inside && to_inside) kept.push(intersection(to, from, plane, volume));
+    }
+    return kept;
+}
+
+/// Leaves room for one product with guard_x < 2^18 and a few sums. float32 positions come nowhere near.
+bool is_usable(const ClipVertex& v) {
+    constexpr double limit = 0x1p960;
+    return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.w) < limit &&
+           std::abs(v.depth) < limit;
+}
+
+std::uint8_t bit_if(bool condition, std::uint8_t bit) { return condition ? bit : std::uint8_t{0}; }
+
+}  // namespace
+
+std::uint8_t outcode_of(const ClipVertex& v, const ClipVolume& volume) noexcept {
+    if (!is_usable(v)) return outcode::not_finite;
+    const bool in_guard_band = std::abs(v.x) <= volume.guard_x * v.w && std::abs(v.y) <= volume.guard_y * v.w;
+    const int code = bit_if(v.x < -v.w, outcode::left) | bit_if(v.x > v.w, outcode::right) |
+                     bit_if(v.y < -v.w, outcode::bottom) | bit_if(v.y > v.w, outcode::top) |
+                     bit_if(v.depth < volume.near_depth, outcode::near) |
+                     bit_if(v.depth > volume.far_depth, outcode::far) |
+                     bit_if(!in_guard_band, outcode::guard);
+    return std::uint8_t(code);
+}
+
+ClipPolygon clip(const std::array<ClipVertex, 3>& triangle, const ClipVolume& volume) noexcept {
+    ClipPolygon polygon;
+    for (const ClipVertex& v : triangle) polygon.push(v);
+    for (const Plane plane : all_planes) {
+        if (is_cut_by(plane, polygon, volume)) polygon = clip_by(plane, polygon, volume);
+    }
+    return polygon;
+}
+
+}  // namespace zproof::rasterizer

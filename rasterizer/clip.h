@@ -1,0 +1,59 @@
+/// Clipping in clip space, before any division: near, far and guard band (Sutherland and Hodgman 1974).
+///
+/// Lawful pictures need every vertex to be divided by w > 0, and the fixed-point edge functions need raster
+/// coordinates of limited size. Nothing is clipped against the image's own border: the scan does that
+/// exactly.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "rasterizer/projection.h"
+
+namespace zproof::rasterizer {
+
+/// Raster coordinates of drawn vertices lie within +-guard_band_px, which holds the largest image (32768 px).
+/// On the 24.8 grid that is 2^24 steps; differences are <= 2^25, products of two <= 2^50, and every edge
+/// function value and doubled area, a sum of two such products, <= 2^51. So they fit int64, and a double
+/// exactly (< 2^53).
+inline constexpr double guard_band_px = 65536;
+
+/// What may be drawn: near <= depth <= far, |x| <= guard_x w, |y| <= guard_y w. near and far are camera
+/// depths, exact facts of the camera, not z_ndc.
+struct ClipVolume {
+    double near_depth = 0, far_depth = 0;
+    double guard_x = 0, guard_y = 0;  ///< the guard band's half-width in NDC
+    Projection projection = Projection::perspective;
+};
+
+/// Where a vertex lies, as bits. All of a triangle's vertices outside one plane: it is invisible.
+namespace outcode {
+inline constexpr std::uint8_t left = 1, right = 2, bottom = 4, top = 8, near = 16, far = 32;
+inline constexpr std::uint8_t guard = 64;        ///< outside the guard band
+inline constexpr std::uint8_t not_finite = 128;  ///< NaN, infinite, or too large to be multiplied further
+inline constexpr std::uint8_t invisible = left | right | bottom | top | near | far;
+inline constexpr std::uint8_t needs_clip = near | far | guard;
+}  // namespace outcode
+
+std::uint8_t outcode_of(const ClipVertex& v, const ClipVolume& volume) noexcept;
+
+/// A convex polygon, up to rounding. A plane adds one vertex to a convex polygon, and half as many as there
+/// are to any other: 3 -> 4 -> 6 -> 9 -> 13 -> 19 -> 28 is never exceeded, whatever rounding does to a
+/// sliver.
+struct ClipPolygon {
+    std::array<ClipVertex, 28> vertices;
+    int size = 0;
+
+    void push(const ClipVertex& v) { vertices[std::size_t(size++)] = v; }
+    std::span<const ClipVertex> span() const { return {vertices.data(), std::size_t(size)}; }
+};
+
+/// The part of a triangle inside the volume, in the triangle's winding; empty where there is none.
+///
+/// An edge is always cut from its inside to its outside vertex, and by all planes in one order whichever
+/// triangle it belongs to. So two triangles that share an edge get the same bits, and no crack opens. No
+/// vertex may be not_finite.
+ClipPolygon clip(const std::array<ClipVertex, 3>& triangle, const ClipVolume& volume) noexcept;
+
+}  // namespace zproof::rasterizer

@@ -1,0 +1,37 @@
+/// What the z-buffer compares: a number that is affine over a triangle's raster image and grows towards the
+/// eye.
+#pragma once
+
+#include "rasterizer/rules.h"
+#include "scenes/camera.h"
+
+namespace zproof::rasterizer {
+
+/// "Nearness": 1 / depth for perspective, -depth for parallel projections. The z-buffer holds it as float32,
+/// rounded once; of two equal values the first to come stays.
+///
+/// The range is float32's: as 1 / depth it is relatively exact for depths of 2^-126 to 2^126 scene units.
+struct DepthFunctional {
+    enum class Form { reciprocal, linear };
+    Form form = Form::reciprocal;
+    double sign = 1;  ///< -1 turns the depth test round
+
+    constexpr double of_depth(double depth) const {
+        return form == Form::reciprocal ? sign / depth : -sign * depth;
+    }
+    /// Camera depth of a stored value. The quotient of two float32, computed in float32, is rounded once.
+    constexpr float depth_of(float nearness) const {
+        const float s = static_cast<float>(sign);
+        return form == Form::reciprocal ? s / nearness : -s * nearness;
+    }
+};
+
+constexpr DepthFunctional depth_functional(Projection projection, const Rules& rules) {
+    const bool affine_in_raster_space = projection == Projection::parallel;
+    const bool reciprocal =
+        !affine_in_raster_space && rules.depth_interpolation == DepthInterpolation::perspective_correct;
+    return {.form = reciprocal ? DepthFunctional::Form::reciprocal : DepthFunctional::Form::linear,
+            .sign = rules.depth_test == DepthTest::nearer_wins ? 1.0 : -1.0};
+}
+
+}  // namespace zproof::rasterizer

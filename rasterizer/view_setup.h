@@ -1,0 +1,51 @@
+/// Everything about a view that vertices and triangles need, derived once.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "frame/plane.h"
+#include "rasterizer/clip.h"
+#include "rasterizer/depth_functional.h"
+#include "rasterizer/projection.h"
+#include "rasterizer/rules.h"
+#include "rasterizer/snap.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace zproof::rasterizer {
+
+/// A vertex after divide, viewport and snap.
+struct SnappedVertex {
+    SnappedPoint p;
+    double nearness = 0;  ///< of the vertex before it was snapped (DepthFunctional)
+};
+
+struct ViewSetup {
+    Resolution size;
+    ClipTransform clip_from_world;
+    ClipVolume volume;
+    SubpixelGrid grid;
+    DepthFunctional depth;
+    FillRule fill = FillRule::top_left;
+    RasterY raster_y = RasterY::down;
+
+    ViewSetup(const View& view, const Rules& rules);
+
+    /// Divide by w > 0, viewport, snap. Nothing where the result leaves the guard band, which takes rounding
+    /// gone astray (subnormal depths), or NaN: no such number is ever converted to an integer.
+    std::optional<SnappedVertex> snap(const ClipVertex& v) const noexcept;
+};
+
+/// The vertices of a scene as one view sees them.
+struct ProjectedVertices {
+    std::vector<SnappedVertex>
+        snapped;  ///< meaningful where the outcode has no needs_clip and no not_finite bit
+    std::vector<std::uint8_t> outcode;
+};
+
+/// Transforms every vertex once, on the threads of the surrounding tbb::task_arena.
+ProjectedVertices project(const Vertices& vertices, const ViewSetup& setup);
+
+}  // namespace zproof::rasterizer
