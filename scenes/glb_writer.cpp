@@ -88,8 +88,8 @@ class GlbDocument {
         return {reinterpret_cast<const char*>(&little_endian), 4};
     }
 
-    template <class Element>
-    int vertex_view(const std::vector<Element>& attribute) {
+    template <class Element, class Allocator>
+    int vertex_view(const std::vector<Element, Allocator>& attribute) {
         return buffer_.add_view(bytes_of(std::span(attribute)),
                                 {{"target", 34962}, {"byteStride", sizeof(Element)}});
     }
