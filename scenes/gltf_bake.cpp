@@ -18,6 +18,7 @@ constexpr double square_overflows = 1.8e19;
 
 struct Tally {
     std::uint64_t points_and_lines = 0, without_position = 0, tails = 0, singular = 0, skinned = 0, morphed = 0;
+    std::uint64_t flat = 0, instancing = 0;
     bool is_huge = false;
 };
 
@@ -58,6 +59,7 @@ class Baker {
     void bake(const PlacedNode& placed) {
         const tinygltf::Node& node = node_of(placed);
         if (node.mesh < 0) return;
+        tally_.instancing += node.extensions.contains("EXT_mesh_gpu_instancing");
         const std::vector<tinygltf::Primitive>& primitives = primitives_of(placed);
         for (std::size_t i = 0; i < primitives.size(); ++i) bake(placed, static_cast<int>(i), primitives[i]);
         tally_.singular += glm::determinant(glm::dmat3(placed.world_from_node)) == 0;
@@ -116,6 +118,7 @@ class Baker {
         const auto base = static_cast<std::uint32_t>(scene_.vertices.position_world.size());
         for (const glm::uvec3& triangle : corners.triangles) scene_.triangles.push_back(triangle + base);
         append_positions(placed, positions, corners);
+        tally_.flat += flat_triangles(scene_.parts.back());
         append_normals(placed, primitive, corners);
         append_uv(primitive, corners);
         append_color(primitive, corners);
@@ -151,6 +154,18 @@ class Baker {
             tally_.is_huge |= largest > square_overflows;
             scene_.vertices.position_world.push_back(position);
         });
+    }
+
+    /// Triangles whose area is 0 as far as double can tell. They stay, since ids count them.
+    std::uint64_t flat_triangles(const Part& part) const {
+        const auto corner = [this](std::uint32_t i) { return glm::dvec3(scene_.vertices.position_world[i]); };
+        std::uint64_t flat = 0;
+        for (std::uint32_t i = 0; i < part.triangle_count; ++i) {
+            const glm::uvec3& t = scene_.triangles[part.first_triangle + i];
+            const glm::dvec3 origin = corner(t.x);
+            flat += glm::cross(corner(t.y) - origin, corner(t.z) - origin) == glm::dvec3(0);
+        }
+        return flat;
     }
 
     /// The first vertex of the primitive that was appended last; the attribute is padded up to it.
@@ -210,6 +225,8 @@ class Baker {
         note(tally_.points_and_lines, "primitives of points and lines skipped");
         note(tally_.without_position, "primitives without POSITION skipped");
         note(tally_.tails, "primitives whose last one or two corners make no triangle");
+        note(tally_.flat, "triangles without area, kept");
+        note(tally_.instancing, "nodes with EXT_mesh_gpu_instancing drawn once only");
         note(tally_.singular, "meshes flattened by a singular transform");
         note(tally_.skinned, "skinned meshes baked at rest, by their own node's transform");
         note(tally_.morphed, "meshes with morph targets baked without them");

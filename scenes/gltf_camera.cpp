@@ -114,7 +114,7 @@ class CameraBaker {
 }  // namespace
 
 std::string view_name(const std::string& text) {
-    std::string name = text.substr(0, 60);
+    std::string name = text.substr(0, 64);
     for (char& c : name)
         if (!is_name_character(c)) c = '_';
     if (name.empty()) return "camera";

@@ -25,8 +25,7 @@ bool has_scheme(const std::string& uri) {
 }
 
 bool is_within(const fs::path& folder, const fs::path& file) {
-    const auto [end, at] = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
-    return end == folder.end() && at != file.end();
+    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
 /// What keeps the text from being a path beneath the folder, or nothing.

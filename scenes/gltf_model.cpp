@@ -23,7 +23,8 @@ struct Reading {
     std::map<int, Image> images;
     std::vector<std::string> notes;
     std::uint64_t texels = 0;
-    std::string refusal;  ///< why an image was refused; exceptions may not cross the library's frames
+    /// Which image was refused, and why; exceptions may not cross the library's frames.
+    std::string refused_image, refusal;
 };
 
 bool is_admitted(const std::string& name, void* reading) {
@@ -67,8 +68,8 @@ bool load_image(tinygltf::Image* image, const int index, std::string*, std::stri
     try {
         take_image(reading, *image, index, {bytes, static_cast<std::size_t>(size)});
     } catch (const std::exception& error) {
+        reading.refused_image = image_place(index);
         reading.refusal = error.what();
-        reading.refusal.insert(0, image_place(index) + ": ");
     }
     return reading.refusal.empty();
 }
@@ -89,7 +90,7 @@ tinygltf::Model parse(Reading& reading, const Container& container, const Bytes&
     } catch (const std::exception& thrown) {
         error = thrown.what();
     }
-    if (!reading.refusal.empty()) refuse(reading.file, "image", reading.refusal);
+    if (!reading.refusal.empty()) refuse(reading.file, reading.refused_image, reading.refusal);
     if (!is_read) refuse(reading.file, "glTF", "cannot be read: " + error);
     return model;
 }
@@ -114,7 +115,7 @@ GltfModel read_gltf(const Path& file) {
     check_cameras(file, gltf);
     const std::set<int> in_use = images_in_use(gltf);
     const Admitted admitted = admit_files(file, gltf, container);
-    Reading reading{file, admitted, in_use, {}, {}, 0, {}};
+    Reading reading{file, admitted, in_use, {}, {}, 0, {}, {}};
     model.gltf = parse(reading, container, bytes);
     model.images = std::move(reading.images);
     model.notes.insert(model.notes.end(), reading.notes.begin(), reading.notes.end());

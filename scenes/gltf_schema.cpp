@@ -164,8 +164,8 @@ bool is_among(std::initializer_list<std::uint64_t> choices, std::uint64_t value)
 
 /// The phrase "one of 1, 2, 3".
 std::string listed(std::initializer_list<std::uint64_t> choices) {
-    std::string text = "one of";
-    for (const std::uint64_t choice : choices) text += (text.back() == 'f' ? " " : ", ") + std::to_string(choice);
+    std::string text;
+    for (const std::uint64_t choice : choices) text += (text.empty() ? "one of " : ", ") + std::to_string(choice);
     return text;
 }
 

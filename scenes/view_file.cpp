@@ -1,0 +1,245 @@
+#include "scenes/view_file.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "scenes/gltf.h"
+#include "scenes/gltf_camera.h"
+#include "scenes/gltf_files.h"
+#include "scenes/json_text.h"
+#include "scenes/refusal.h"
+#include "scenes/scene_error.h"
+
+namespace zproof {
+namespace {
+
+using nlohmann::json;
+using Path = std::filesystem::path;
+using Keys = std::initializer_list<const char*>;
+
+constexpr std::uint64_t largest_file = std::uint64_t{1} << 24;
+constexpr std::size_t most_views = 1000;
+constexpr int largest_side = 16384;
+
+/// A value with the place where it stands, so that every complaint can name it.
+class Place {
+  public:
+    Place(const Path& file, const json& value, std::string pointer)
+        : file_(file), value_(value), pointer_(std::move(pointer)) {}
+
+    [[noreturn]] void fail(const std::string& text) const { refuse(file_, pointer_.empty() ? "/" : pointer_, text); }
+
+    const json& value() const { return value_; }
+    bool has(const char* key) const { return value_.contains(key); }
+
+    /// The member, which must be there.
+    Place at(const char* key) const {
+        if (!has(key)) fail(std::string("\"") + key + "\" is missing");
+        return {file_, value_.at(key), pointer_ + "/" + key};
+    }
+
+    Place at(std::size_t index) const { return {file_, value_.at(index), pointer_ + "/" + std::to_string(index)}; }
+
+    /// Throws for a member that is not among the keys.
+    void allow(Keys keys) const {
+        if (!value_.is_object()) fail("expected an object");
+        std::string list;
+        for (const char* key : keys) list += (list.empty() ? "" : ", ") + std::string(key);
+        for (const auto& member : value_.items())
+            if (std::find_if(keys.begin(), keys.end(), [&](const char* key) { return member.key() == key; }) == keys.end())
+                refuse(file_, pointer_ + "/" + member.key().substr(0, 60), "unknown key; allowed here: " + list);
+    }
+
+    std::string text() const {
+        if (!value_.is_string()) fail("expected a string");
+        return value_.get<std::string>();
+    }
+
+    double number() const {
+        if (!value_.is_number()) fail("expected a number");
+        return value_.get<double>();
+    }
+
+    /// An array of `size` numbers.
+    const json& numbers(std::size_t size) const {
+        if (!value_.is_array() || value_.size() != size) fail("expected an array of " + std::to_string(size) + " numbers");
+        for (std::size_t i = 0; i < size; ++i) at(i).number();
+        return value_;
+    }
+
+    glm::dvec3 vector() const { return {numbers(3)[0].get<double>(), value_[1].get<double>(), value_[2].get<double>()}; }
+
+  private:
+    const Path& file_;
+    const json& value_;
+    std::string pointer_;
+};
+
+template <typename T>
+T choice(const Place& place, std::initializer_list<std::pair<std::string_view, T>> choices) {
+    std::string list;
+    for (const auto& [name, value] : choices) {
+        if (place.value().is_string() && place.text() == name) return value;
+        list += (list.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+    }
+    place.fail("expected one of " + list);
+}
+
+enum class Kind { perspective, orthographic, oblique, parallel };
+
+Kind kind_of(const Place& view) {
+    return choice<Kind>(view.at("projection"), {{"perspective", Kind::perspective},
+                                                {"orthographic", Kind::orthographic},
+                                                {"oblique", Kind::oblique},
+                                                {"parallel", Kind::parallel}});
+}
+
+Window window_at(const Place& place) {
+    place.allow({"left", "right", "bottom", "top"});
+    const Window window{place.at("left").number(), place.at("right").number(), place.at("bottom").number(),
+                        place.at("top").number()};
+    if (!(window.left < window.right && window.bottom < window.top)) place.fail("expected left < right and bottom < top");
+    return window;
+}
+
+double positive(const Place& place) {
+    if (!(place.number() > 0)) place.fail("expected a number above 0");
+    return place.number();
+}
+
+Window window_of_field(const Place& view, double aspect) {
+    const Place yfov = view.at("yfov_degrees");
+    if (!(yfov.number() > 0 && yfov.number() < 180)) yfov.fail("expected an angle between 0 and 180 degrees");
+    return symmetric_window(yfov.number() * std::numbers::pi / 180, aspect);
+}
+
+/// The window on the plane at depth 1 is the one on the near plane, scaled by 1 / near.
+Window window_at_near(const Place& view) {
+    const Window w = window_at(view.at("near_window"));
+    const double near = positive(view.at("near"));
+    return {w.left / near, w.right / near, w.bottom / near, w.top / near};
+}
+
+Window window_of_magnification(const Place& view) {
+    const double x = positive(view.at("xmag")), y = positive(view.at("ymag"));
+    return {-x, x, -y, y};
+}
+
+Window window_of(const Place& view, Kind kind, double aspect) {
+    const int forms = view.has("yfov_degrees") + view.has("near_window") + view.has("exact_window") +
+                      (view.has("xmag") || view.has("ymag"));
+    const bool is_perspective = kind == Kind::perspective;
+    if (forms == 1 && view.has("exact_window")) return window_at(view.at("exact_window"));
+    if (forms == 1 && is_perspective && view.has("yfov_degrees")) return window_of_field(view, aspect);
+    if (forms == 1 && is_perspective && view.has("near_window")) return window_at_near(view);
+    if (forms == 1 && !is_perspective && view.has("xmag")) return window_of_magnification(view);
+    view.fail(is_perspective ? "expected exactly one of \"yfov_degrees\", \"near_window\" and \"exact_window\""
+                             : "expected either \"xmag\" and \"ymag\" or \"exact_window\"");
+}
+
+glm::dvec2 shear_of(const Place& view, Kind kind) {
+    if (kind == Kind::oblique || (kind == Kind::parallel && view.has("shear"))) {
+        const json& shear = view.at("shear").numbers(2);
+        return {shear[0].get<double>(), shear[1].get<double>()};
+    }
+    if (view.has("shear")) view.at("shear").fail("only \"oblique\" and \"parallel\" projections have a shear");
+    return glm::dvec2(0);
+}
+
+void set_pose(const Place& view, Camera& camera) {
+    const bool has_target = view.has("target"), has_axes = view.has("right") || view.has("back");
+    const glm::dvec3 eye = view.at("eye").vector(), up = view.at("up").vector();
+    if (has_target == has_axes) view.fail("expected either \"target\" and \"up\" or \"right\", \"up\" and \"back\"");
+    if (has_target) {
+        camera = look_at(eye, view.at("target").vector(), up);
+        return;
+    }
+    camera.eye_world = glm::vec3(eye);
+    camera.right = view.at("right").vector();
+    camera.up = up;
+    camera.back = view.at("back").vector();
+}
+
+double far_of(const Place& view) {
+    const Place far = view.at("far");
+    if (far.value() == "infinity") return std::numeric_limits<double>::infinity();
+    if (!far.value().is_number()) far.fail("expected a number or \"infinity\"");
+    return far.number();
+}
+
+Camera camera_of(const Place& view, double aspect) {
+    const Kind kind = kind_of(view);
+    Camera camera;
+    set_pose(view, camera);
+    camera.projection = kind == Kind::perspective ? Projection::perspective : Projection::parallel;
+    camera.window = window_of(view, kind, aspect);
+    camera.shear = shear_of(view, kind);
+    camera.near_depth = view.at("near").number();
+    camera.far_depth = far_of(view);
+    if (view.has("ndc_depth"))
+        camera.ndc_depth = choice<NdcDepth>(view.at("ndc_depth"),
+                                            {{"minus_one_to_one", NdcDepth::minus_one_to_one},
+                                             {"zero_to_one", NdcDepth::zero_to_one},
+                                             {"zero_to_one_reversed", NdcDepth::zero_to_one_reversed}});
+    validate(camera);
+    return camera;
+}
+
+int side_of(const Place& view, const char* key, int otherwise) {
+    if (!view.has(key)) return otherwise;
+    const Place side = view.at(key);
+    if (!side.value().is_number_unsigned() || side.value() < 1 || side.value() > largest_side)
+        side.fail("expected an integer from 1 to " + std::to_string(largest_side));
+    return side.value().get<int>();
+}
+
+View view_at(const Place& place) {
+    place.allow({"back", "exact_window", "eye", "far", "height", "name", "ndc_depth", "near", "near_window", "projection",
+                 "right", "shear", "target", "up", "width", "xmag", "yfov_degrees", "ymag"});
+    View view;
+    view.name = place.at("name").text();
+    if (view.name.size() > 64 || view.name != view_name(view.name))
+        place.at("name").fail("expected 1 to 64 letters, digits, '-', '_', '.', the first not a '.'");
+    view.width = side_of(place, "width", view.width);
+    view.height = side_of(place, "height", view.height);
+    try {
+        view.camera = camera_of(place, static_cast<double>(view.width) / view.height);
+    } catch (const SceneError& error) {
+        const std::string what = error.what();
+        if (!what.starts_with("camera ")) throw;  // it names the file already
+        place.fail(what);
+    }
+    return view;
+}
+
+std::vector<View> views_at(const Place& list) {
+    const std::size_t size = list.value().is_array() ? list.value().size() : 0;
+    if (size < 1 || size > most_views) list.fail("expected an array of 1 to " + std::to_string(most_views) + " views");
+    std::vector<View> views;
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < size; ++i) {
+        views.push_back(view_at(list.at(i)));
+        if (!names.insert(views.back().name).second) list.at(i).at("name").fail("expected a name that no other view has");
+    }
+    return views;
+}
+
+}  // namespace
+
+Loaded load_view_file(const std::filesystem::path& file) {
+    const Bytes bytes = read_file(file, largest_file);
+    const json content = parse_json(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const Place root(file, content, "");
+    root.allow({"scene", "views"});
+    std::vector<View> views = views_at(root.at("views"));
+    return {load_gltf_scene(beneath_folder_of(file, "/scene", root.at("scene").text())), std::move(views)};
+}
+
+}  // namespace zproof
