@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -15,7 +16,10 @@ double depth_before_the_eye(Projection projection) {
 }
 
 /// x_raster = (x_ndc + 1) W / 2 stays within the guard band for |x_ndc| <= 2 guard_band_px / W - 1.
-double guard_in_ndc(int pixels) { return 2 * guard_band_px / pixels - 1; }
+double guard_in_ndc(int pixels) {
+    assert(pixels >= 1 && pixels <= 32768);
+    return 2 * guard_band_px / pixels - 1;
+}
 
 ClipVolume volume_of(const View& view, const Rules& rules) {
     const Camera& camera = view.camera;

@@ -25,6 +25,29 @@ std::set<std::tuple<double, double, double>> corners(const ClipPolygon& polygon)
     return set;
 }
 
+TEST(Clip, OutcodeNamesEverySide) {
+    EXPECT_EQ(outcode_of({0, 0, 2, 2}, box), 0);
+    EXPECT_EQ(outcode_of({-3, 0, 2, 2}, box), outcode::left);
+    EXPECT_EQ(outcode_of({3, 0, 2, 2}, box), outcode::right);
+    EXPECT_EQ(outcode_of({0, -3, 2, 2}, box), outcode::bottom);
+    EXPECT_EQ(outcode_of({0, 3, 2, 2}, box), outcode::top);
+    EXPECT_EQ(outcode_of({0, 0, 0.5, 0.5}, box), outcode::near);
+    EXPECT_EQ(outcode_of({0, 0, 11, 11}, box), outcode::far);
+    EXPECT_EQ(outcode_of({7, 0, 2, 2}, box), outcode::right | outcode::guard);
+    EXPECT_EQ(outcode_of({0, -5, 2, 2}, box), outcode::bottom | outcode::guard);
+}
+
+TEST(Clip, WhatIsNotFiniteIsNamedSo) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                     inf = std::numeric_limits<double>::infinity();
+    for (const double bad : {nan, inf, -inf, 1e300}) {
+        EXPECT_EQ(outcode_of({bad, 0, 2, 2}, box), outcode::not_finite);
+        EXPECT_EQ(outcode_of({0, bad, 2, 2}, box), outcode::not_finite);
+        EXPECT_EQ(outcode_of({0, 0, bad, 2}, box), outcode::not_finite);
+        EXPECT_EQ(outcode_of({0, 0, 2, bad}, box), outcode::not_finite);
+    }
+}
+
 TEST(Clip, KeepsATriangleInsideAsItIs) {
     const std::array<ClipVertex, 3> triangle{ClipVertex{0, 0, 2, 2}, {1, 0, 3, 3}, {0, 1, 4, 4}};
     const ClipPolygon polygon = clip(triangle, box);

@@ -200,5 +200,48 @@ TEST(Visibility, DepthOfASquareWallIsRoundedTwice) {
     }
 }
 
+/// The affine function through three corners' values, at the centre of pixel (x, y).
+long double interpolated(const std::array<glm::dvec2, 3>& p, const std::array<long double, 3>& value, int x,
+                         int y) {
+    const auto cross = [](long double ax, long double ay, long double bx, long double by) {
+        return ax * by - ay * bx;
+    };
+    const long double cx = x + 0.5L, cy = y + 0.5L;
+    long double sum = 0, area = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto &a = p[(i + 1) % 3], &b = p[(i + 2) % 3];
+        const long double part = cross(a.x - cx, a.y - cy, b.x - cx, b.y - cy);
+        sum += part * value[i];
+        area += part;
+    }
+    return sum / area;
+}
+
+// With corners on whole pixels nothing is lost to the snap, and what is left is float64 (far below a
+// float32's last place) and the roundings that precision() declares.
+TEST(Visibility, DepthIsLostToTheDeclaredRoundingsOnly) {
+    const std::array<glm::dvec2, 3> p{glm::dvec2{1, 2}, {31, 4}, {9, 29}};
+    const std::array<long double, 3> depth{3, 7, 5};
+    for (const Projection kind : {Projection::parallel, Projection::perspective}) {
+        const bool perspective = kind == Projection::perspective;
+        View view = raster_view(32, 32);
+        view.camera.projection = kind;
+        Triangle triangle;
+        std::array<long double, 3> functional;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double scale = perspective ? double(depth[i]) : 1.0;
+            triangle[i] = glm::vec3(p[i].x * scale, -p[i].y * scale, -depth[i]);
+            functional[i] = perspective ? 1 / depth[i] : depth[i];
+        }
+        const Frame frame = render(scene_of({triangle}), view);
+        for (int y = 8; y < 16; ++y) {
+            for (int x = 10; x < 18; ++x) {
+                const float stored = float(interpolated(p, functional, x, y));
+                ASSERT_EQ(frame.camera_depth.at(x, y), perspective ? 1 / stored : stored) << x << ", " << y;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace zproof::rasterizer
