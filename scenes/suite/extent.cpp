@@ -37,12 +37,12 @@ Loaded far_from_origin(ImageSize size) {
 Loaded depth_range(ImageSize size) {
     MeshBuilder mesh("depth_range");
     Random random(13);
-    mesh.begin_part("floor", {0.4, 0.4, 0.4});
+    mesh.begin_part("floor tiles", {0.4, 0.4, 0.4});
     double depth = 0x1p-6;
     for (int k = 0; k < 23;
-         ++k, depth *= 2)  // each step is twice as far and twice as large: one picture size
-        add_sheet(mesh, {.across = 8, .down = 2}, [&](double s, double t) {
-            return glm::dvec3{(8 * s - 4) * depth, -0.46 * depth * (1 + t), -depth * (1 + t)};
+         ++k, depth *= 2)  // each tile is twice as far and as large: one size in the picture
+        add_sheet(mesh, {.across = 2, .down = 8}, [&](double s, double t) {
+            return glm::dvec3{(0.07 * (k + s) - 0.8) * depth * (1 + t), -0.45 * depth, -depth * (1 + t)};
         });
     mesh.begin_part("balls", {0.8, 0.5, 0.2});
     depth = 0x1p-6;

@@ -15,6 +15,30 @@ void add_giant(MeshBuilder& mesh, Random& random, const glm::dvec3& p_world, dou
                         p_world + reach * c * (-0.5 * axes[0] - 0.875 * axes[1])});
 }
 
+/// A triangle through p_world, up to 3 reach long on either side of it and a twentieth to a tenth as wide.
+void add_beam(MeshBuilder& mesh, Random& random, const glm::dvec3& p_world, double reach) {
+    const glm::dmat3 axes = random.rotation();
+    const double ahead = random.uniform(1, 3), behind = random.uniform(1, 3);
+    mesh.lone_triangle({p_world + reach * ahead * axes[0],
+                        p_world - reach * (behind * axes[0] + 0.15 * axes[1]),
+                        p_world - reach * (behind * axes[0] - 0.15 * axes[1])});
+}
+
+/// A point of the border of the window |u| < aspect / 2, |v| < 1 / 2, at camera depth 1.
+glm::dvec2 on_border(Random& random, ImageSize size) {
+    const double u = 0.5 * size.aspect(), along = random.uniform(-1, 1);
+    switch (random.integer(0, 3)) {
+        case 0:
+            return {-u, 0.5 * along};
+        case 1:
+            return {u, 0.5 * along};
+        case 2:
+            return {u * along, -0.5};
+        default:
+            return {u * along, 0.5};
+    }
+}
+
 /// A blade with its tip ahead of the plane z = -1 and its root behind it, some of them behind the eye at the
 /// origin; the plane cuts it within the window |x| < 0.9, |y| < 0.5.
 void add_blade(MeshBuilder& mesh, Random& random) {
@@ -35,24 +59,25 @@ Loaded near_plane(ImageSize size) {
     MeshBuilder mesh("near_plane");
     Random random(1);
     mesh.begin_part("floor", {0.4, 0.4, 0.35});
-    mesh.lone_quad({{{-3000, -1.5, 3000}, {3000, -1.5, 3000}, {3000, -1.5, -3000}, {-3000, -1.5, -3000}}});
+    mesh.lone_quad({{{-3000, -90.4, 3000}, {3000, -30.4, 3000}, {3000, 89.6, -3000}, {-3000, 29.6, -3000}}});
     mesh.begin_part("through the near plane", {0.8, 0.3, 0.2});
-    for (int i = 0; i < 16; ++i) {
+    for (int i = 0; i < 14; ++i) {
         const glm::dvec3 p_world{random.uniform(-0.8, 0.8), random.uniform(-0.45, 0.45), -1};
-        add_giant(mesh, random, p_world, random.uniform(3, 60));
+        add_beam(mesh, random, p_world, random.uniform(0.4, 4));
     }
     mesh.begin_part("through the sides", {0.2, 0.4, 0.8});
     for (int i = 0; i < 48; ++i) {
-        const double depth = random.uniform(4, 400), x = random.uniform(-1, 1), y = random.uniform(-0.6, 0.6);
-        add_giant(mesh, random, {x * depth, y * depth, -depth}, 0.4 * depth);
+        const double depth = random.uniform(4, 400);
+        const glm::dvec2 p = depth * on_border(random, size);
+        add_giant(mesh, random, {p.x, p.y, -depth}, 0.1 * depth);
     }
     mesh.begin_part("through the far plane", {0.3, 0.7, 0.3});
     for (int i = 0; i < 16; ++i)
-        add_giant(mesh, random, {random.uniform(-1600, 1600), random.uniform(100, 900), -2000}, 300);
+        add_giant(mesh, random, {random.uniform(-1600, 1600), random.uniform(100, 900), -2000}, 150);
     return mesh.finish(
         {perspective_view("ahead", size, {}, {.half_height = 0.5, .near_depth = 1, .far_depth = 2000}),
          perspective_view("aside", size, {.target_world = {1, 0.1, -0.2}},
-                          {.half_height = 1, .near_depth = 0.125, .far_depth = 1500})});
+                          {.half_height = 1, .near_depth = 0.5, .far_depth = 1500})});
 }
 
 Loaded clip_blades(ImageSize size) {
