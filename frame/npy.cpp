@@ -1,10 +1,10 @@
 #include "frame/npy.h"
 
 #include <bit>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <optional>
-#include <regex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -78,31 +78,49 @@ Parts split(std::string_view bytes, const std::string& name) {
     return {std::string(bytes.substr(preamble_size, length)), bytes.substr(preamble_size + length)};
 }
 
-/// The value of one key of the header's dictionary, in parentheses or quotes or bare; none where the key is
-/// missing.
-std::optional<std::string> entry(const std::string& header, const std::string& key) {
-    std::smatch match;
-    const std::regex pattern("'" + key + R"('\s*:\s*(\([^)]*\)|'[^']*'|\w+))");
-    if (!std::regex_search(header, match, pattern)) return std::nullopt;
-    return match[1].str();
+/// The value of one key of the header's dictionary without its spaces, a tuple with its parentheses, a string
+/// with its quotes; "missing" where the key is.
+std::string entry(std::string header, const std::string& key) {
+    std::erase_if(header, [](char c) { return c == ' ' || c == '\n'; });
+    const std::string before = "'" + key + "':";
+    const std::size_t found = header.find(before);
+    if (found == std::string::npos) return "missing";
+    const std::size_t first = found + before.size();
+    const bool is_tuple = header.substr(first, 1) == "(";
+    const std::size_t end = is_tuple ? header.find(')', first) + 1 : header.find_first_of(",}", first);
+    return header.substr(first, end - first);
 }
 
 void expect_entry(const Parts& parts, const std::string& key, const std::string& expected,
                   const std::string& name) {
-    const std::string found = entry(parts.header, key).value_or("missing");
+    const std::string found = entry(parts.header, key);
     if (found == expected) return;
     throw FrameError(name + ": '" + key + "' is " + found + "; expected " + expected);
 }
 
+/// The whole of `text` as a number that is not negative; none where it is anything else.
+std::optional<int> number(std::string_view text) {
+    int value = 0;
+    const char* end = text.data() + text.size();
+    const auto [last, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc{} || last != end || text.starts_with('-')) return std::nullopt;
+    return value;
+}
+
 Resolution shape(const Parts& parts, const std::string& name) {
-    const std::string text = entry(parts.header, "shape").value_or("missing");
-    std::smatch match;
-    if (!std::regex_match(text, match, std::regex(R"(\(\s*(\d{1,9})\s*,\s*(\d{1,9})\s*,?\s*\))"))) {
-        throw FrameError(name + ": 'shape' is " + text + "; expected (height, width)");
+    const std::string text = entry(parts.header, "shape");
+    const std::size_t comma = text.find(',');
+    if (text.size() >= 2 && comma != std::string::npos) {
+        const std::string_view inside(text);
+        const auto height = number(inside.substr(1, comma - 1));
+        const auto width = number(inside.substr(comma + 1, text.size() - comma - 2));
+        if (height && width) {
+            const Resolution size{*width, *height};
+            refuse_bad_size(size, name);
+            return size;
+        }
     }
-    const Resolution size{std::stoi(match[2]), std::stoi(match[1])};
-    refuse_bad_size(size, name);
-    return size;
+    throw FrameError(name + ": 'shape' is " + text + "; expected (height, width)");
 }
 
 template <class T>

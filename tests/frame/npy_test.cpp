@@ -81,7 +81,13 @@ TEST_F(Npy, OtherTypesOrdersAndShapesAreRefused) {
     save("f.npy", "{'descr': '<f4', 'fortran_order': True, 'shape': (1, 1), }", "1234");
     EXPECT_THAT(refusal("f.npy"), HasSubstr("'fortran_order' is True"));
     save("3d.npy", "{'descr': '<f4', 'fortran_order': False, 'shape': (1, 1, 1), }", "1234");
-    EXPECT_THAT(refusal("3d.npy"), HasSubstr("'shape' is (1, 1, 1)"));
+    EXPECT_THAT(refusal("3d.npy"), HasSubstr("'shape' is (1,1,1)"));
+    save("1d.npy", "{'descr': '<f4', 'fortran_order': False, 'shape': (1,), }", "1234");
+    EXPECT_THAT(refusal("1d.npy"), HasSubstr("'shape' is (1,)"));
+    save("open.npy", "{'descr': '<f4', 'fortran_order': False, 'shape': (1, 1", "1234");
+    EXPECT_THAT(refusal("open.npy"), HasSubstr("'shape' is "));
+    save("big.npy", "{'descr': '<f4', 'fortran_order': False, 'shape': (99999999999, 1), }", "1234");
+    EXPECT_THAT(refusal("big.npy"), HasSubstr("'shape' is (99999999999,1)"));
     save("0.npy", "{'descr': '<f4', 'fortran_order': False, 'shape': (0, 4), }", "");
     EXPECT_THAT(refusal("0.npy"), HasSubstr("size 4 x 0"));
     save("none.npy", "{'fortran_order': False, 'shape': (1, 1), }", "1234");
