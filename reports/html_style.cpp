@@ -35,7 +35,10 @@ section { border-top: 1px solid var(--line); margin-top: 2.5rem; padding-top: 1.
 .view { color: var(--quiet); font-weight: 400; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; }
-th { font-size: 0.8rem; font-weight: 500; color: var(--quiet); text-align: left; vertical-align: bottom; line-height: 1.25; }
+th {
+  font-size: 0.8rem; font-weight: 500; color: var(--quiet); text-align: left; vertical-align: bottom;
+  line-height: 1.25;
+}
 th, td { padding: 0.32rem 0.8rem 0.32rem 0; border-bottom: 1px solid var(--line); vertical-align: top; }
 th:last-child, td:last-child { padding-right: 0; }
 .n { text-align: right; white-space: nowrap; }
@@ -52,24 +55,42 @@ h2 .outcome { font-size: 0.86rem; margin-left: 0.6rem; }
 .unreadable, .not_judged { color: var(--doubt); }
 .class { display: inline-flex; align-items: center; gap: 0.5rem; white-space: nowrap; }
 .class i {
-  display: inline-block; width: 1.3em; height: 1.3em; border-radius: 3px; text-align: center; font-style: normal;
-  font-size: 0.82em; font-weight: 600; line-height: 1.3em; box-shadow: inset 0 0 0 1px rgb(128 128 128 / 45%);
+  display: inline-block; width: 1.3em; height: 1.3em; border-radius: 3px; text-align: center;
+  font-style: normal; font-size: 0.82em; font-weight: 600; line-height: 1.3em; box-shadow: inset 0 0 0 1px rgb(128 128 128 / 45%);
   print-color-adjust: exact; -webkit-print-color-adjust: exact;
 }
 .legend p { max-width: 52rem; }
-.columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(24rem, 1fr)); gap: 0.5rem 3rem; margin-top: 1rem; }
-dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.35rem 1rem; margin: 0 0 0.8rem; font-size: 0.92rem; }
+.columns {
+  display: grid; grid-template-columns: repeat(auto-fit, minmax(24rem, 1fr)); gap: 0.5rem 3rem;
+  margin-top: 1rem;
+}
+dl {
+  display: grid; grid-template-columns: max-content 1fr; gap: 0.35rem 1rem; margin: 0 0 0.8rem;
+  font-size: 0.92rem;
+}
 dd { margin: 0; }
 .notes { color: var(--quiet); font-size: 0.86rem; margin: 0 0 0.6rem; padding-left: 1.1rem; }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(250px, 1fr)); gap: 1rem; margin: 1.1rem 0 1.4rem; }
+.figures {
+  display: grid; grid-template-columns: repeat(auto-fit, minmax(250px, 1fr)); gap: 1rem;
+  margin: 1.1rem 0 1.4rem;
+}
 figure { margin: 0; }
 figure img { display: block; width: 100%; border-radius: 3px; background: #14161a; }
 figure img.sharp { image-rendering: pixelated; }
 figcaption { color: var(--quiet); font-size: 0.8rem; margin-top: 0.35rem; line-height: 1.35; }
-.absent { background: var(--soft); color: var(--quiet); font-size: 0.86rem; padding: 2rem 1rem; margin: 0; text-align: center; }
-.map { display: grid; grid-template-columns: minmax(0, 8fr) minmax(17rem, 5fr); gap: 1.2rem 2.2rem; margin-top: 1.1rem; }
+.absent {
+  background: var(--soft); color: var(--quiet); font-size: 0.86rem; padding: 2rem 1rem; margin: 0;
+  text-align: center;
+}
+.map {
+  display: grid; grid-template-columns: minmax(0, 8fr) minmax(17rem, 5fr); gap: 1.2rem 2.2rem;
+  margin-top: 1.1rem;
+}
 .map > :only-child { grid-column: 1 / -1; }
-.panels { display: grid; grid-template-columns: repeat(auto-fit, minmax(270px, 1fr)); gap: 1.2rem 2.5rem; margin-bottom: 1.2rem; }
+.panels {
+  display: grid; grid-template-columns: repeat(auto-fit, minmax(270px, 1fr)); gap: 1.2rem 2.5rem;
+  margin-bottom: 1.2rem;
+}
 .counts { width: 100%; margin-bottom: 0.5rem; font-size: 0.92rem; }
 .counts .gate { color: var(--quiet); width: 4rem; }
 .counts .gate strong { color: var(--defect); }
@@ -87,7 +108,10 @@ svg .over { fill: var(--defect); }
 .worst code { color: var(--quiet); user-select: all; }
 .stages { margin-top: 0.9rem; }
 .stages span { display: inline-block; margin-right: 1.2rem; }
-@media (max-width: 700px) { body { padding: 1.2rem 1rem 3rem; } .columns, .map { grid-template-columns: 1fr; } }
+@media (max-width: 700px) {
+  body { padding: 1.2rem 1rem 3rem; }
+  .columns, .map { grid-template-columns: 1fr; }
+}
 @media print {
   :root {
     --ground: #fff; --ink: #000; --quiet: #444; --line: #ccc; --soft: #f4f4f4;
@@ -99,6 +123,7 @@ svg .over { fill: var(--defect); }
   h2, h3 { break-after: avoid; }
   .figures { grid-template-columns: repeat(3, 1fr); }
   .wide { overflow: visible; }
+  .summary { font-size: 7.5pt; }
   img, svg { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )css";
