@@ -15,7 +15,9 @@ namespace {
 }
 
 template <typename T>
-bool is_finite(const glm::vec<3, T>& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_finite(const glm::vec<3, T>& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 void check_axes(const Camera& camera) {
     constexpr double orthonormal_within = 1e-12;
@@ -41,7 +43,8 @@ void check_window(const Window& window) {
 
 void check_depths(const Camera& camera) {
     if (!std::isfinite(camera.near_depth)) refuse_field("near", "a finite number");
-    if (camera.projection == Projection::perspective && !(camera.near_depth > 0)) refuse_field("near", "above 0");
+    if (camera.projection == Projection::perspective && !(camera.near_depth > 0))
+        refuse_field("near", "above 0");
     if (!(camera.near_depth < camera.far_depth)) refuse_field("far", "above near");
     if (camera.projection == Projection::parallel && !std::isfinite(camera.far_depth))
         refuse_field("far", "a finite number for a parallel projection");
@@ -53,7 +56,8 @@ void validate(const Camera& camera) {
     if (!is_finite(camera.eye_world)) refuse_field("eye", "finite numbers (float32)");
     check_axes(camera);
     check_window(camera.window);
-    if (!std::isfinite(camera.shear.x) || !std::isfinite(camera.shear.y)) refuse_field("shear", "finite numbers");
+    if (!std::isfinite(camera.shear.x) || !std::isfinite(camera.shear.y))
+        refuse_field("shear", "finite numbers");
     if (camera.projection == Projection::perspective && camera.shear != glm::dvec2(0))
         refuse_field("shear", "0 for a perspective projection");
     check_depths(camera);
@@ -65,11 +69,13 @@ Camera look_at(const glm::dvec3& eye_world, const glm::dvec3& target_world, cons
     const glm::dvec3 away = glm::dvec3(camera.eye_world) - target_world;
     if (!is_finite(camera.eye_world) || !is_finite(target_world) || !is_finite(up_world))
         refuse_field("look-at", "finite numbers (eye: float32)");
-    if (!(glm::length(away) > 0)) refuse_field("target", "a point other than the eye (after rounding to float32)");
+    if (!(glm::length(away) > 0))
+        refuse_field("target", "a point other than the eye (after rounding to float32)");
     camera.back = glm::normalize(away);
     // Twice: where up is almost along the view, the first difference has lost most of its digits.
     glm::dvec3 right = glm::cross(up_world, camera.back);
-    if (!(glm::length(right) > 1e-9 * glm::length(up_world))) refuse_field("up", "a direction not along the view");
+    if (!(glm::length(right) > 1e-9 * glm::length(up_world)))
+        refuse_field("up", "a direction not along the view");
     right = glm::normalize(right);
     camera.right = glm::normalize(right - glm::dot(right, camera.back) * camera.back);
     camera.up = glm::normalize(glm::cross(camera.back, camera.right));

@@ -29,7 +29,8 @@ std::array<glm::dvec3, 8> corners_of_bounds(const Scene& scene) {
 }
 
 /// How far along the axis the eye must stand so that |x| <= u depth and |y| <= v depth for every corner.
-double distance_to_fit(const std::array<glm::dvec3, 8>& corners, const glm::dvec3& centre, const Camera& camera) {
+double distance_to_fit(const std::array<glm::dvec3, 8>& corners, const glm::dvec3& centre,
+                       const Camera& camera) {
     double distance = 0;
     for (const glm::dvec3& corner : corners) {
         const glm::dvec3 p = corner - centre;
@@ -69,7 +70,8 @@ Camera frame_all(const Scene& scene, double aspect) {
     const double distance = distance_to_fit(corners, centre, camera);
     camera.eye_world = glm::vec3(centre + distance * camera.back);
     if (!std::isfinite(glm::length(glm::dvec3(camera.eye_world))))
-        throw SceneError("frame-all: the scene is too large to be framed in float32; add a camera or scale it down");
+        throw SceneError(
+            "frame-all: the scene is too large to be framed in float32; add a camera or scale it down");
     enclose(corners, camera);
     validate(camera);
     return camera;

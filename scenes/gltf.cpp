@@ -22,7 +22,8 @@ Scene bake(GltfModel& model, const std::vector<PlacedNode>& nodes) {
     return scene;
 }
 
-void add_views(const GltfModel& model, const std::vector<PlacedNode>& nodes, const glm::ivec2& size, Loaded& loaded) {
+void add_views(const GltfModel& model, const std::vector<PlacedNode>& nodes, const glm::ivec2& size,
+               Loaded& loaded) {
     try {
         bake_cameras(model, nodes, size, loaded);
         if (loaded.views.empty())

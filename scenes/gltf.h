@@ -7,9 +7,9 @@
 
 namespace zproof {
 
-/// Loads the default scene (or scene 0). Every camera node becomes a view of width x height named after it; a scene
-/// without a camera gets one named "frame-all" that frames its bounds.
-/// Throws SceneError for whatever is not usable (docs/scenes.md); never reads outside the file's folder.
+/// Loads the default scene (or scene 0). Every camera node becomes a view of width x height named after it; a
+/// scene without a camera gets one named "frame-all" that frames its bounds. Throws SceneError for whatever
+/// is not usable (docs/scenes.md); never reads outside the file's folder.
 Loaded load_gltf(const std::filesystem::path& file, int width = 1920, int height = 1080);
 
 /// The same scene without its cameras, for callers that bring their own views.

@@ -18,7 +18,8 @@ T load(const unsigned char* from) {
 }
 
 std::size_t component_bytes(int component_type) {
-    return static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type)));
+    return static_cast<std::size_t>(
+        tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type)));
 }
 
 std::size_t element_bytes(const Elements& elements) {
@@ -40,21 +41,30 @@ double component(const Elements& elements, std::size_t i, int c) {
     const unsigned char* from = elements.first + i * elements.stride +
                                 static_cast<std::size_t>(c) * component_bytes(elements.component_type);
     switch (elements.component_type) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE: return integer<std::int8_t>(elements, from);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return integer<std::uint8_t>(elements, from);
-        case TINYGLTF_COMPONENT_TYPE_SHORT: return integer<std::int16_t>(elements, from);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return integer<std::uint16_t>(elements, from);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return integer<std::uint32_t>(elements, from);
-        default: return static_cast<double>(load<float>(from));
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return integer<std::int8_t>(elements, from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return integer<std::uint8_t>(elements, from);
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return integer<std::int16_t>(elements, from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return integer<std::uint16_t>(elements, from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return integer<std::uint32_t>(elements, from);
+        default:
+            return static_cast<double>(load<float>(from));
     }
 }
 
 std::uint32_t index_at(const Elements& elements, std::size_t i) {
     const unsigned char* from = elements.first + i * elements.stride;
     switch (elements.component_type) {
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return load<std::uint8_t>(from);
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load<std::uint16_t>(from);
-        default: return load<std::uint32_t>(from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return load<std::uint8_t>(from);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return load<std::uint16_t>(from);
+        default:
+            return load<std::uint32_t>(from);
     }
 }
 
@@ -71,8 +81,12 @@ const Elements& Accessors::elements(int accessor) {
 
 Elements Accessors::packed(int accessor) const {
     const tinygltf::Accessor& declared = model_.gltf.accessors[static_cast<std::size_t>(accessor)];
-    Elements elements{nullptr, 0, declared.count, declared.componentType,
-                      tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(declared.type)), declared.normalized};
+    Elements elements{nullptr,
+                      0,
+                      declared.count,
+                      declared.componentType,
+                      tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(declared.type)),
+                      declared.normalized};
     return declared.bufferView < 0 ? elements : view_of(declared.bufferView, declared.byteOffset, elements);
 }
 
@@ -92,13 +106,15 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
     const std::size_t size = element_bytes(base), count = static_cast<std::size_t>(sparse.count);
     written_bytes_ += size * base.count;
     if (written_bytes_ > limits::sparse_bytes)
-        refuse(model_.file, accessor_at(accessor),
-               "sparse accessors need more than " + std::to_string(limits::sparse_bytes) + " bytes written out");
+        refuse(
+            model_.file, accessor_at(accessor),
+            "sparse accessors need more than " + std::to_string(limits::sparse_bytes) + " bytes written out");
     Bytes& bytes = written_out_.emplace_back(size * base.count);
     for (std::size_t i = 0; base.first != nullptr && i < base.count; ++i)
         std::memcpy(bytes.data() + i * size, base.first + i * base.stride, size);
-    const Elements indices = view_of(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
-                                     {nullptr, 0, count, sparse.indices.componentType, 1, false});
+    const Elements indices =
+        view_of(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
+                {nullptr, 0, count, sparse.indices.componentType, 1, false});
     Elements values = base;
     values.count = count;
     values = view_of(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), values);

@@ -32,8 +32,8 @@ class Accessors {
   public:
     explicit Accessors(const GltfModel& model) : model_(model) {}
 
-    /// Throws SceneError for numbers that are not finite, for sparse indices that do not rise or are out of range, and
-    /// for sparse accessors beyond limits::sparse_bytes.
+    /// Throws SceneError for numbers that are not finite, for sparse indices that do not rise or are out of
+    /// range, and for sparse accessors beyond limits::sparse_bytes.
     const Elements& elements(int accessor);
 
   private:

@@ -17,13 +17,14 @@ namespace {
 constexpr double square_overflows = 1.8e19;
 
 struct Tally {
-    std::uint64_t points_and_lines = 0, without_position = 0, tails = 0, singular = 0, skinned = 0, morphed = 0;
+    std::uint64_t points_and_lines = 0, without_position = 0, tails = 0, singular = 0, skinned = 0,
+                  morphed = 0;
     std::uint64_t flat = 0, instancing = 0;
     bool is_huge = false;
 };
 
-/// Inverse transpose up to a positive factor, without a division: cofactors, turned round where the determinant is
-/// negative.
+/// Inverse transpose up to a positive factor, without a division: cofactors, turned round where the
+/// determinant is negative.
 glm::dmat3 normal_matrix(const glm::dmat3& m) {
     const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     return glm::determinant(m) < 0 ? -cofactors : cofactors;
@@ -64,7 +65,8 @@ class Baker {
         for (std::size_t i = 0; i < primitives.size(); ++i) bake(placed, static_cast<int>(i), primitives[i]);
         tally_.singular += glm::determinant(glm::dmat3(placed.world_from_node)) == 0;
         tally_.skinned += node.skin >= 0;
-        tally_.morphed += std::ranges::any_of(primitives, [](const auto& each) { return !each.targets.empty(); });
+        tally_.morphed +=
+            std::ranges::any_of(primitives, [](const auto& each) { return !each.targets.empty(); });
     }
 
     /// Pads attributes that the last primitives lack, and says what was left out.
@@ -101,8 +103,8 @@ class Baker {
     void check_limits(std::uint64_t triangles, std::uint64_t vertices) const {
         if (triangles > limits::triangles || vertices > limits::vertices)
             refuse(model_.file, "scene",
-                   "too large after instancing: at most " + std::to_string(limits::triangles) + " triangles and " +
-                       std::to_string(limits::vertices) + " vertices");
+                   "too large after instancing: at most " + std::to_string(limits::triangles) +
+                       " triangles and " + std::to_string(limits::vertices) + " vertices");
     }
 
     void bake(const PlacedNode& placed, int index, const tinygltf::Primitive& primitive) {
@@ -124,12 +126,13 @@ class Baker {
         append_color(primitive, corners);
     }
 
-    void append_part(const PlacedNode& placed, int index, const tinygltf::Primitive& primitive, const Corners& corners) {
+    void append_part(const PlacedNode& placed, int index, const tinygltf::Primitive& primitive,
+                     const Corners& corners) {
         const tinygltf::Node& node = node_of(placed);
         const int default_material = static_cast<int>(scene_.materials.size()) - 1;
         scene_.parts.push_back({on_one_line(node.name),
-                                on_one_line(model_.gltf.meshes[static_cast<std::size_t>(node.mesh)].name), index,
-                                static_cast<std::uint32_t>(scene_.triangles.size()),
+                                on_one_line(model_.gltf.meshes[static_cast<std::size_t>(node.mesh)].name),
+                                index, static_cast<std::uint32_t>(scene_.triangles.size()),
                                 static_cast<std::uint32_t>(corners.triangles.size()),
                                 primitive.material < 0 ? default_material : primitive.material});
     }
@@ -147,10 +150,12 @@ class Baker {
         const glm::dmat4& world = placed.world_from_node;
         for_each_element(positions, corners, [&](std::size_t i) {
             const glm::vec3 position(glm::dvec3(world * glm::dvec4(vec3_at(positions, i), 1)));
-            const float largest = std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
+            const float largest =
+                std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
             if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
                 refuse(model_.file, "/nodes/" + std::to_string(placed.node),
-                       "vertex " + std::to_string(i) + " overflows float32 in world space; scale the scene down");
+                       "vertex " + std::to_string(i) +
+                           " overflows float32 in world space; scale the scene down");
             tally_.is_huge |= largest > square_overflows;
             scene_.vertices.position_world.push_back(position);
         });
@@ -178,7 +183,8 @@ class Baker {
         return corners.used.empty() ? elements.count : corners.used.size();
     }
 
-    void append_normals(const PlacedNode& placed, const tinygltf::Primitive& primitive, const Corners& corners) {
+    void append_normals(const PlacedNode& placed, const tinygltf::Primitive& primitive,
+                        const Corners& corners) {
         const std::optional<int> accessor = attribute(primitive, "NORMAL");
         if (!accessor) return;
         const Elements& elements = accessors_.elements(*accessor);
@@ -231,7 +237,8 @@ class Baker {
         note(tally_.skinned, "skinned meshes baked at rest, by their own node's transform");
         note(tally_.morphed, "meshes with morph targets baked without them");
         note(model_.gltf.animations.size(), "animations ignored, nodes stand at rest");
-        if (tally_.is_huge) scene_.notes.push_back("coordinates so large that their squares overflow float32");
+        if (tally_.is_huge)
+            scene_.notes.push_back("coordinates so large that their squares overflow float32");
         if (scene_.triangles.empty()) scene_.notes.push_back("no triangles: there is nothing to judge");
     }
 

@@ -15,8 +15,8 @@ namespace {
 constexpr double worth_a_note = 1e-4;
 
 bool is_name_character(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
-           c == '.';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.';
 }
 
 std::string unique_name(const std::string& wanted, const std::set<std::string>& taken) {
@@ -56,11 +56,13 @@ class CameraBaker {
         const glm::dmat4& world = placed.world_from_node;
         camera.eye_world = glm::vec3(glm::dvec3(world[3]));
         glm::dvec3 right(world[0]), up(world[1]), back(world[2]);
-        // The volume of the axes' box; not a number where an axis has no length. Below 1e-9 Gram-Schmidt has no digits left.
+        // The volume of the axes' box; not a number where an axis has no length. Below 1e-9 Gram-Schmidt has
+        // no digits left.
         const double volume =
             glm::dot(glm::cross(glm::normalize(right), glm::normalize(up)), glm::normalize(back));
         if (!(std::abs(volume) > 1e-9))
-            refuse(model_.file, "/nodes/" + std::to_string(placed.node), "the camera's axes are not independent");
+            refuse(model_.file, "/nodes/" + std::to_string(placed.node),
+                   "the camera's axes are not independent");
         note_distortion(right, up, back);
         if (glm::dot(glm::cross(right, up), back) < 0) right = -right;
         for (int round = 0; round < 2; ++round) {
@@ -84,7 +86,8 @@ class CameraBaker {
 
     void note_aspect(double declared) {
         if (std::abs(declared / aspect() - 1) > worth_a_note)
-            note("aspect " + std::to_string(declared) + " replaced by the image's " + std::to_string(aspect()));
+            note("aspect " + std::to_string(declared) + " replaced by the image's " +
+                 std::to_string(aspect()));
     }
 
     void set_perspective(const tinygltf::PerspectiveCamera& lens, Camera& camera) {

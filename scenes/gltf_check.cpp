@@ -16,11 +16,13 @@ using nlohmann::json;
 using Path = std::filesystem::path;
 
 /// Extensions that change nothing that is baked, or that the loader follows.
-constexpr std::array known_extensions{
-    "KHR_texture_transform",     "KHR_mesh_quantization",   "KHR_materials_unlit",        "KHR_lights_punctual",
-    "KHR_materials_ior",         "KHR_materials_sheen",     "KHR_materials_clearcoat",    "KHR_materials_specular",
-    "KHR_materials_iridescence", "KHR_materials_anisotropy", "KHR_materials_transmission", "KHR_materials_volume",
-    "KHR_materials_dispersion",  "KHR_materials_emissive_strength"};
+constexpr std::array known_extensions{"KHR_texture_transform",      "KHR_mesh_quantization",
+                                      "KHR_materials_unlit",        "KHR_lights_punctual",
+                                      "KHR_materials_ior",          "KHR_materials_sheen",
+                                      "KHR_materials_clearcoat",    "KHR_materials_specular",
+                                      "KHR_materials_iridescence",  "KHR_materials_anisotropy",
+                                      "KHR_materials_transmission", "KHR_materials_volume",
+                                      "KHR_materials_dispersion",   "KHR_materials_emissive_strength"};
 
 bool is_known(const std::string& extension) {
     return std::ranges::find(known_extensions, extension) != known_extensions.end();
@@ -32,7 +34,8 @@ std::string pointer(const char* list, std::size_t index, const char* member = ""
 
 void check_perspective(const Path& file, const std::string& place, const json& lens) {
     const double yfov = lens["yfov"], near = lens["znear"];
-    if (!(yfov > 0 && yfov < std::numbers::pi)) refuse(file, place + "/yfov", "expected an angle between 0 and pi");
+    if (!(yfov > 0 && yfov < std::numbers::pi))
+        refuse(file, place + "/yfov", "expected an angle between 0 and pi");
     if (!(near > 0)) refuse(file, place + "/znear", "expected a distance above 0");
     if (lens.contains("zfar") && !(lens["zfar"].get<double>() > near))
         refuse(file, place + "/zfar", "expected a distance above znear");
@@ -55,7 +58,8 @@ void check_data_uri(const Path& file, const std::string& place, const std::strin
         refuse(file, place, "expected data:TYPE;base64, with an octet-stream, gltf-buffer, PNG or JPEG type");
     const std::size_t end = std::min(uri.find('=', first), uri.size());
     const auto is_base64 = [](char c) {
-        return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' || c == '/';
+        return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' ||
+               c == '/';
     };
     for (std::size_t i = first; i < end; ++i)
         if (!is_base64(uri[i])) refuse(file, place, "not base64 at character " + std::to_string(i - first));
@@ -63,7 +67,8 @@ void check_data_uri(const Path& file, const std::string& place, const std::strin
 
 bool is_data(const std::string& uri) { return uri.starts_with("data:"); }
 
-void admit_buffer(Admitted& admitted, const Path& file, const Container& container, const json& gltf, std::size_t i) {
+void admit_buffer(Admitted& admitted, const Path& file, const Container& container, const json& gltf,
+                  std::size_t i) {
     const json& buffer = gltf["buffers"][i];
     const std::uint64_t bytes = buffer["byteLength"];
     const std::string place = pointer("buffers", i);
@@ -71,7 +76,8 @@ void admit_buffer(Admitted& admitted, const Path& file, const Container& contain
         if (i > 0 || !container.bin_bytes)
             refuse(file, place, "has no uri; only the first buffer of a GLB with a BIN chunk may lack it");
         if (*container.bin_bytes < bytes)
-            refuse(file, place + "/byteLength", "the BIN chunk has only " + std::to_string(*container.bin_bytes) + " bytes");
+            refuse(file, place + "/byteLength",
+                   "the BIN chunk has only " + std::to_string(*container.bin_bytes) + " bytes");
         return;
     }
     const std::string uri = buffer["uri"];
@@ -79,7 +85,8 @@ void admit_buffer(Admitted& admitted, const Path& file, const Container& contain
     check_data_uri(file, place + "/uri", uri);
     const std::size_t first = uri.find(',') + 1, end = std::min(uri.find('=', first), uri.size());
     if ((end - first) * 3 / 4 != bytes)
-        refuse(file, place + "/byteLength", "the data URI holds " + std::to_string((end - first) * 3 / 4) + " bytes");
+        refuse(file, place + "/byteLength",
+               "the data URI holds " + std::to_string((end - first) * 3 / 4) + " bytes");
 }
 
 void admit_image(Admitted& admitted, const Path& file, const json& gltf, std::size_t i) {

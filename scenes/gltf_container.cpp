@@ -26,8 +26,8 @@ void check_header(const std::filesystem::path& file, const Bytes& bytes) {
         refuse(file, at_byte(4), "expected GLB version 2, found " + std::to_string(version));
     if (const std::uint32_t length = read_u32(bytes, 8); length != bytes.size())
         refuse(file, at_byte(8),
-               "expected the file's length " + std::to_string(bytes.size()) + ", found " + std::to_string(length) +
-                   std::string(again));
+               "expected the file's length " + std::to_string(bytes.size()) + ", found " +
+                   std::to_string(length) + std::string(again));
 }
 
 struct Chunk {
@@ -36,11 +36,13 @@ struct Chunk {
 };
 
 Chunk chunk_at(const std::filesystem::path& file, const Bytes& bytes, std::size_t at) {
-    if (bytes.size() - at < 8) refuse(file, at_byte(at), "expected a chunk header of 8 bytes" + std::string(again));
+    if (bytes.size() - at < 8)
+        refuse(file, at_byte(at), "expected a chunk header of 8 bytes" + std::string(again));
     const Chunk chunk{read_u32(bytes, at + 4), at + 8, read_u32(bytes, at)};
     if (chunk.length > bytes.size() - chunk.first)
         refuse(file, at_byte(at),
-               "chunk of " + std::to_string(chunk.length) + " bytes runs past the file's end" + std::string(again));
+               "chunk of " + std::to_string(chunk.length) + " bytes runs past the file's end" +
+                   std::string(again));
     if (chunk.length % 4 != 0)
         refuse(file, at_byte(at), "expected a chunk length that is a multiple of 4" + std::string(again));
     return chunk;
@@ -49,7 +51,8 @@ Chunk chunk_at(const std::filesystem::path& file, const Bytes& bytes, std::size_
 Container open_glb(const std::filesystem::path& file, const Bytes& bytes) {
     check_header(file, bytes);
     const Chunk json = chunk_at(file, bytes, 12);
-    if (json.type != chunk_json) refuse(file, at_byte(16), "expected a JSON chunk first" + std::string(again));
+    if (json.type != chunk_json)
+        refuse(file, at_byte(16), "expected a JSON chunk first" + std::string(again));
     Container glb{{reinterpret_cast<const char*>(bytes.data()) + json.first, json.length}, true, {}};
     std::size_t at = json.first + json.length;
     for (int number = 1; at < bytes.size(); ++number) {

@@ -9,8 +9,8 @@
 namespace zproof {
 namespace {
 
-/// The corners of triangle i (glTF 2.0, 3.7.2.1). A strip's odd triangles have their last two corners swapped, so that
-/// all wind alike; a fan's triangle ends in the hub.
+/// The corners of triangle i (glTF 2.0, 3.7.2.1). A strip's odd triangles have their last two corners
+/// swapped, so that all wind alike; a fan's triangle ends in the hub.
 glm::uvec3 corners_of(int mode, std::uint32_t i) {
     if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) return {i, i + 1 + i % 2, i + 2 - i % 2};
     if (mode == TINYGLTF_MODE_TRIANGLE_FAN) return {i + 1, i + 2, 0};
@@ -35,7 +35,8 @@ std::uint64_t triangle_count(int mode, std::uint64_t corners) {
     return is_run && corners > 2 ? corners - 2 : 0;
 }
 
-std::vector<std::uint32_t> Unroller::indices_of(const tinygltf::Primitive& primitive, std::uint32_t vertex_count) {
+std::vector<std::uint32_t> Unroller::indices_of(const tinygltf::Primitive& primitive,
+                                                std::uint32_t vertex_count) {
     std::vector<std::uint32_t> indices;
     if (primitive.indices < 0) {
         indices.resize(vertex_count);
@@ -48,8 +49,9 @@ std::vector<std::uint32_t> Unroller::indices_of(const tinygltf::Primitive& primi
         indices[i] = index_at(elements, i);
         if (indices[i] >= vertex_count)
             refuse(model_.file, "/accessors/" + std::to_string(primitive.indices),
-                   "index " + std::to_string(indices[i]) + " at " + std::to_string(i) + "; expected indices below " +
-                       std::to_string(vertex_count) + ", the number of vertices");
+                   "index " + std::to_string(indices[i]) + " at " + std::to_string(i) +
+                       "; expected indices below " + std::to_string(vertex_count) +
+                       ", the number of vertices");
     }
     return indices;
 }

@@ -9,7 +9,8 @@
 
 namespace zproof {
 
-/// Triangles that `corners` vertices make: lists, strips and fans; 0 for points and lines. Mode is glTF's number.
+/// Triangles that `corners` vertices make: lists, strips and fans; 0 for points and lines. Mode is glTF's
+/// number.
 std::uint64_t triangle_count(int mode, std::uint64_t corners);
 
 struct Corners {
@@ -17,8 +18,8 @@ struct Corners {
     std::vector<glm::uvec3> triangles;  ///< indices into `used`, or into all elements
 };
 
-/// Unrolls a primitive of `mode`. Where it uses few of its elements only those are kept (primitives often share one large
-/// accessor). Throws SceneError for an index that is not below vertex_count.
+/// Unrolls a primitive of `mode`. Where it uses few of its elements only those are kept (primitives often
+/// share one large accessor). Throws SceneError for an index that is not below vertex_count.
 class Unroller {
   public:
     Unroller(const GltfModel& model, Accessors& accessors) : model_(model), accessors_(accessors) {}

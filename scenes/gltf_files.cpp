@@ -31,7 +31,8 @@ bool is_within(const fs::path& folder, const fs::path& file) {
 /// What keeps the text from being a path beneath the folder, or nothing.
 std::string fault_of(const std::string& relative) {
     if (relative.empty()) return "expected a path, found nothing";
-    const bool printable = std::ranges::all_of(relative, [](char c) { return static_cast<unsigned char>(c) >= 0x20; });
+    const bool printable =
+        std::ranges::all_of(relative, [](char c) { return static_cast<unsigned char>(c) >= 0x20; });
     if (!printable || relative.find('\\') != std::string::npos)
         return "expected a path without control characters and backslashes";
     if (has_scheme(relative)) return "expected a relative path without a scheme";
@@ -54,7 +55,8 @@ std::string name_in_tinygltf(const std::string& uri) {
     std::string name;
     for (std::size_t i = 0; i < uri.size(); ++i) {
         if (uri[i] == '%' && uri.size() > i + 2) {
-            name += static_cast<char>(std::max(hex_digit(uri[i + 1]), 0) << 4 | std::max(hex_digit(uri[i + 2]), 0));
+            name += static_cast<char>(std::max(hex_digit(uri[i + 1]), 0) << 4 |
+                                      std::max(hex_digit(uri[i + 2]), 0));
             i += 2;
         } else {
             name += uri[i] == '+' ? ' ' : uri[i];
@@ -93,8 +95,8 @@ Bytes read_file(const fs::path& file, std::uint64_t limit) {
 std::string percent_decoded(const std::string& uri) {
     std::string text;
     for (std::size_t i = 0; i < uri.size(); ++i) {
-        const bool escape = uri[i] == '%' && uri.size() > i + 2 && hex_digit(uri[i + 1]) >= 0 &&
-                            hex_digit(uri[i + 2]) >= 0;
+        const bool escape =
+            uri[i] == '%' && uri.size() > i + 2 && hex_digit(uri[i + 1]) >= 0 && hex_digit(uri[i + 2]) >= 0;
         text += escape ? static_cast<char>(hex_digit(uri[i + 1]) << 4 | hex_digit(uri[i + 2])) : uri[i];
         if (escape) i += 2;
     }
@@ -110,17 +112,21 @@ fs::path beneath_folder_of(const fs::path& from, const std::string& place, const
     if (error) refuse(from, place, "the file's folder cannot be resolved");
     const fs::path file = fs::canonical(folder / relative, error);
     if (error) refuse(from, place, quoted(relative) + " not found in the file's folder");
-    if (!is_within(folder, file)) refuse(from, place, quoted(relative) + " leads out of the file's folder" + remedy);
-    if (!fs::is_regular_file(file, error)) refuse(from, place, quoted(relative) + " is not a regular file" + remedy);
+    if (!is_within(folder, file))
+        refuse(from, place, quoted(relative) + " leads out of the file's folder" + remedy);
+    if (!fs::is_regular_file(file, error))
+        refuse(from, place, quoted(relative) + " is not a regular file" + remedy);
     return file;
 }
 
 void Admitted::admit(const std::string& place, const std::string& uri, Entry entry) {
     if (entry.bytes > limits::file_bytes)
-        refuse(scene_file_, place, "too large: at most " + std::to_string(limits::file_bytes) + " bytes a file");
+        refuse(scene_file_, place,
+               "too large: at most " + std::to_string(limits::file_bytes) + " bytes a file");
     total_bytes_ += entry.bytes;
     if (total_bytes_ > limits::total_bytes)
-        refuse(scene_file_, place, "too large: at most " + std::to_string(limits::total_bytes) + " bytes in all");
+        refuse(scene_file_, place,
+               "too large: at most " + std::to_string(limits::total_bytes) + " bytes in all");
     const auto [known, is_new] = files_.try_emplace(name_in_tinygltf(uri), entry);
     if (!is_new && (known->second.bytes != entry.bytes || known->second.file != entry.file))
         refuse(scene_file_, place, "the same file is named twice with different lengths; name it once");

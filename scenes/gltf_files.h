@@ -14,8 +14,9 @@ using Bytes = std::vector<unsigned char>;
 /// Reads a regular file of at most limit bytes. Throws SceneError for anything else.
 Bytes read_file(const std::filesystem::path& file, std::uint64_t limit);
 
-/// The file that a relative path names beneath the folder of `from`: no scheme, not absolute, no step outside, neither
-/// by ".." nor by a symbolic link, and a regular file. Throws SceneError, naming from and place.
+/// The file that a relative path names beneath the folder of `from`: no scheme, not absolute, no step
+/// outside, neither by ".." nor by a symbolic link, and a regular file. Throws SceneError, naming from and
+/// place.
 std::filesystem::path beneath_folder_of(const std::filesystem::path& from, const std::string& place,
                                         const std::string& relative);
 

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "scenes/gltf_check.h"
 #include "scenes/gltf_limits.h"
+#include "scenes/gltf_schema.h"
 #include "scenes/refusal.h"
 
 namespace zproof {
@@ -13,41 +15,77 @@ using Path = std::filesystem::path;
 
 std::string node_at(std::size_t node) { return "/nodes/" + std::to_string(node); }
 
-std::vector<bool> nodes_with_a_parent(const Path& file, const json& nodes) {
-    std::vector<bool> has_parent(nodes.size(), false);
-    for (std::size_t node = 0; node < nodes.size(); ++node)
-        for (const std::size_t child : nodes[node].value("children", json::array())) {
-            if (has_parent[child]) refuse(file, node_at(child), "has several parents; expected one at most");
-            has_parent[child] = true;
-        }
-    return has_parent;
+std::vector<std::size_t> children_of(const json& node) {
+    return node.value("children", std::vector<std::size_t>());
 }
 
-struct Visit {
-    std::size_t node = 0, depth = 0;
+std::vector<std::size_t> parent_counts(const json& nodes) {
+    std::vector<std::size_t> parents(nodes.size(), 0);
+    for (const json& node : nodes)
+        for (const std::size_t child : children_of(node)) ++parents[child];
+    return parents;
+}
+
+/// A node's place in the graph: the longest way down to it, and how many ways lead there (how often it is
+/// drawn).
+struct Reach {
+    std::size_t depth = 1;
+    std::uint64_t ways = 1;
 };
 
-/// Marks root and all that is below it. Terminates, since no node has two parents and the root has none.
-void mark_tree(const Path& file, const json& nodes, std::size_t root, std::vector<bool>& is_reached) {
-    std::vector<Visit> open{{root, 1}};
-    while (!open.empty()) {
-        const Visit visit = open.back();
-        open.pop_back();
-        is_reached[visit.node] = true;
-        if (visit.depth > limits::node_depth)
-            refuse(file, node_at(visit.node), "nested too deep: at most " + std::to_string(limits::node_depth) + " nodes");
-        for (const std::size_t child : nodes[visit.node].value("children", json::array()))
-            open.push_back({child, visit.depth + 1});
-    }
-}
+/// Visits every node after all its parents (Kahn 1962); the number of ways is summed up, never enumerated.
+class Descent {
+  public:
+    Descent(const Path& file, const json& nodes)
+        : file_(file), nodes_(nodes), waiting_for_(parent_counts(nodes)), reach_(nodes.size()) {}
 
-void check_scene_roots(const Path& file, const json& gltf, const std::vector<bool>& has_parent) {
-    const json& scenes = gltf["scenes"];
+    void run() {
+        for (std::size_t node = 0; node < nodes_.size(); ++node)
+            if (waiting_for_[node] == 0) open_.push_back(node);
+        for (const std::size_t root : open_) placed_ += reach_[root].ways;
+        while (!open_.empty()) {
+            const std::size_t node = open_.back();
+            open_.pop_back();
+            for (const std::size_t child : children_of(nodes_[node])) reach_child(node, child);
+        }
+        for (std::size_t node = 0; node < nodes_.size(); ++node)
+            if (waiting_for_[node] != 0) refuse(file_, node_at(node), "is its own ancestor; expected a tree");
+    }
+
+  private:
+    void reach_child(std::size_t node, std::size_t child) {
+        Reach& reach = reach_[child];
+        const std::uint64_t ways_so_far = is_reached(child) ? reach.ways : 0;
+        reach = {std::max(reach.depth, reach_[node].depth + 1), ways_so_far + reach_[node].ways};
+        placed_ += reach_[node].ways;
+        if (reach.depth > limits::node_depth)
+            refuse(file_, node_at(child),
+                   "nested too deep: at most " + std::to_string(limits::node_depth) + " nodes");
+        if (placed_ > limits::placed_nodes)
+            refuse(file_, node_at(child),
+                   "nodes with several parents draw more than " + std::to_string(limits::placed_nodes) +
+                       " nodes; expected a tree");
+        if (--waiting_for_[child] == 0) open_.push_back(child);
+    }
+
+    bool is_reached(std::size_t node) const { return reach_[node].depth > 1; }
+
+    const Path& file_;
+    const json& nodes_;
+    std::vector<std::size_t> waiting_for_;  ///< parents that were not visited yet
+    std::vector<Reach> reach_;
+    std::vector<std::size_t> open_;
+    std::uint64_t placed_ = 0;
+};
+
+void check_scene_roots(const Path& file, const json& gltf, const std::vector<std::size_t>& parents) {
+    const json& scenes = list_of(gltf, "scenes");
     for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
-        std::vector<bool> is_listed(has_parent.size(), false);
-        for (const std::size_t node : scenes[scene].value("nodes", json::array())) {
+        std::vector<bool> is_listed(parents.size(), false);
+        for (const std::size_t node : scenes[scene].value("nodes", std::vector<std::size_t>())) {
             const std::string place = "/scenes/" + std::to_string(scene) + "/nodes";
-            if (has_parent[node]) refuse(file, place, "node " + std::to_string(node) + " is not a root");
+            if (parents[node] > 0)
+                refuse(file, place, "node " + std::to_string(node) + " has a parent; expected roots");
             if (is_listed[node]) refuse(file, place, "node " + std::to_string(node) + " is listed twice");
             is_listed[node] = true;
         }
@@ -56,16 +94,15 @@ void check_scene_roots(const Path& file, const json& gltf, const std::vector<boo
 
 }  // namespace
 
-void check_nodes(const Path& file, const json& gltf) {
-    if (!gltf.contains("nodes")) return;
-    const json& nodes = gltf["nodes"];
-    const std::vector<bool> has_parent = nodes_with_a_parent(file, nodes);
-    std::vector<bool> is_reached(nodes.size(), false);
-    for (std::size_t node = 0; node < nodes.size(); ++node)
-        if (!has_parent[node]) mark_tree(file, nodes, node, is_reached);
-    for (std::size_t node = 0; node < nodes.size(); ++node)
-        if (!is_reached[node]) refuse(file, node_at(node), "is its own ancestor; expected a tree");
-    if (gltf.contains("scenes")) check_scene_roots(file, gltf, has_parent);
+std::vector<std::string> check_nodes(const Path& file, const json& gltf) {
+    const json& nodes = list_of(gltf, "nodes");
+    Descent(file, nodes).run();
+    const std::vector<std::size_t> parents = parent_counts(nodes);
+    check_scene_roots(file, gltf, parents);
+    const auto shared = std::ranges::count_if(parents, [](std::size_t count) { return count > 1; });
+    if (shared == 0) return {};
+    return {"nodes with several parents, against glTF's rules, drawn once for each: " +
+            std::to_string(shared)};
 }
 
 }  // namespace zproof

@@ -26,7 +26,9 @@ bool is_png(Span bytes) {
     return bytes.size() >= 33 && std::equal(png_magic.begin(), png_magic.end(), bytes.begin());
 }
 
-bool is_jpeg(Span bytes) { return bytes.size() >= 4 && bytes[0] == 0xFF && bytes[1] == 0xD8 && bytes[2] == 0xFF; }
+bool is_jpeg(Span bytes) {
+    return bytes.size() >= 4 && bytes[0] == 0xFF && bytes[1] == 0xD8 && bytes[2] == 0xFF;
+}
 
 /// Start-of-frame markers: C0 to CF but for DHT (C4), JPG (C8) and DAC (CC).
 bool is_frame(unsigned char marker) {
@@ -39,7 +41,8 @@ std::optional<ImageExtent> jpeg_extent(Span bytes) {
     while (at + 9 <= bytes.size() && bytes[at] == 0xFF) {
         const unsigned char marker = bytes[at + 1];
         if (is_frame(marker))
-            return ImageExtent{ImageExtent::Format::jpeg, big_endian(bytes, at + 7, 2), big_endian(bytes, at + 5, 2)};
+            return ImageExtent{ImageExtent::Format::jpeg, big_endian(bytes, at + 7, 2),
+                               big_endian(bytes, at + 5, 2)};
         at += marker == 0xFF ? 1 : 2 + big_endian(bytes, at + 2, 2);
     }
     return std::nullopt;
@@ -51,7 +54,8 @@ std::optional<ImageExtent> extent_of(Span bytes) {
     return is_jpeg(bytes) ? jpeg_extent(bytes) : std::nullopt;
 }
 
-/// Compressed bytes of a PNG. Deflate never needs more than 0.1 % above the raw size, so a surplus is no image.
+/// Compressed bytes of a PNG. Deflate never needs more than 0.1 % above the raw size, so a surplus is no
+/// image.
 std::uint64_t png_data_bytes(Span bytes) {
     std::uint64_t sum = 0;
     for (std::size_t at = 8; at + 12 <= bytes.size();) {
@@ -105,7 +109,8 @@ Image decode_image(Span bytes) {
                                                   static_cast<int>(bytes.size()), nullptr);
     const auto [format, width, height] = image_extent(bytes);
     const auto texels = static_cast<std::size_t>(width * height);
-    if (!is_whole || decoded.component != 4 || decoded.image.size() != texels * 4 * (decoded.bits == 16 ? 2 : 1))
+    if (!is_whole || decoded.component != 4 ||
+        decoded.image.size() != texels * 4 * (decoded.bits == 16 ? 2 : 1))
         throw std::runtime_error("the image's data is broken or cut short; export it again");
     Image image{{}, decoded.width, decoded.height, {}};
     image.texels = decoded.bits == 16 ? narrowed(decoded.image) : std::move(decoded.image);

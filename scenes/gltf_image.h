@@ -15,14 +15,15 @@ struct ImageExtent {
     std::uint64_t width = 0, height = 0;
 };
 
-/// A reason why the bytes cannot be an image within limits, or nothing. Reads headers only: PNG chunks, JPEG markers.
+/// A reason why the bytes cannot be an image within limits, or nothing. Reads headers only: PNG chunks, JPEG
+/// markers.
 std::string image_fault(std::span<const unsigned char> bytes);
 
 /// Format and size. The bytes are without fault.
 ImageExtent image_extent(std::span<const unsigned char> bytes);
 
-/// Decodes bytes without fault into 8 bit RGBA (16 bit channels are rounded). Throws std::runtime_error with the reason
-/// where the data is broken.
+/// Decodes bytes without fault into 8 bit RGBA (16 bit channels are rounded). Throws std::runtime_error with
+/// the reason where the data is broken.
 Image decode_image(std::span<const unsigned char> bytes);
 
 }  // namespace zproof

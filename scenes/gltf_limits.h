@@ -6,15 +6,17 @@
 
 namespace zproof::limits {
 
-constexpr std::uint64_t file_bytes = std::uint64_t{1} << 30;   ///< each file: scene, buffer or image
-constexpr std::uint64_t total_bytes = std::uint64_t{1} << 31;  ///< all files of a scene together
-constexpr std::size_t json_depth = 64;                         ///< nested arrays and objects
-constexpr std::size_t json_values = std::size_t{1} << 24;      ///< values in one JSON text
-constexpr std::size_t node_depth = 1024;                       ///< nested nodes
-constexpr std::uint64_t triangles = std::uint64_t{1} << 27;    ///< baked, after instancing
-constexpr std::uint64_t vertices = std::uint64_t{1} << 28;     ///< baked, after instancing
-constexpr std::uint64_t sparse_bytes = std::uint64_t{1} << 28;  ///< sparse accessors written out, all together
-constexpr std::uint64_t image_side = 16384;                     ///< texels
+constexpr std::uint64_t file_bytes = std::uint64_t{1} << 30;    ///< each file: scene, buffer or image
+constexpr std::uint64_t total_bytes = std::uint64_t{1} << 31;   ///< all files of a scene together
+constexpr std::size_t json_depth = 64;                          ///< nested arrays and objects
+constexpr std::size_t json_values = std::size_t{1} << 24;       ///< values in one JSON text
+constexpr std::size_t node_depth = 1024;                        ///< nested nodes
+constexpr std::uint64_t placed_nodes = std::uint64_t{1} << 20;  ///< nodes to draw, once per parent
+constexpr std::uint64_t triangles = std::uint64_t{1} << 27;     ///< baked, after instancing
+constexpr std::uint64_t vertices = std::uint64_t{1} << 28;      ///< baked, after instancing
+constexpr std::uint64_t sparse_bytes = std::uint64_t{1}
+                                       << 28;  ///< sparse accessors written out, all together
+constexpr std::uint64_t image_side = 16384;    ///< texels
 constexpr std::uint64_t image_texels = std::uint64_t{1} << 26;  ///< each image
 constexpr std::uint64_t all_texels = std::uint64_t{1} << 28;    ///< all images of a scene together
 constexpr int jpeg_scans = 256;                                 ///< progressive passes of one JPEG

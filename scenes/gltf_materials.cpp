@@ -15,12 +15,18 @@ Wrap wrap_of(int gl) {
 /// glTF leaves undefined filters to the viewer: trilinear here.
 Minification minification_of(int gl) {
     switch (gl) {
-        case TINYGLTF_TEXTURE_FILTER_NEAREST: return Minification::nearest;
-        case TINYGLTF_TEXTURE_FILTER_LINEAR: return Minification::linear;
-        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST: return Minification::nearest_mip_nearest;
-        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST: return Minification::linear_mip_nearest;
-        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR: return Minification::nearest_mip_linear;
-        default: return Minification::linear_mip_linear;
+        case TINYGLTF_TEXTURE_FILTER_NEAREST:
+            return Minification::nearest;
+        case TINYGLTF_TEXTURE_FILTER_LINEAR:
+            return Minification::linear;
+        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+            return Minification::nearest_mip_nearest;
+        case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
+            return Minification::linear_mip_nearest;
+        case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
+            return Minification::nearest_mip_linear;
+        default:
+            return Minification::linear_mip_linear;
     }
 }
 
@@ -36,7 +42,8 @@ double number(const GltfModel& model, const tinygltf::Value& value) {
     return value.GetNumberAsDouble();
 }
 
-glm::dvec2 pair_or(const GltfModel& model, const tinygltf::Value& of, const char* name, const glm::dvec2& otherwise) {
+glm::dvec2 pair_or(const GltfModel& model, const tinygltf::Value& of, const char* name,
+                   const glm::dvec2& otherwise) {
     if (!of.Has(name)) return otherwise;
     const tinygltf::Value& pair = of.Get(name);
     if (pair.ArrayLen() != 2)
@@ -44,8 +51,8 @@ glm::dvec2 pair_or(const GltfModel& model, const tinygltf::Value& of, const char
     return {number(model, pair.Get(0)), number(model, pair.Get(1))};
 }
 
-/// translation * rotation * scale as KHR_texture_transform defines them; rotation runs counter-clockwise in uv with v
-/// down: (u, v) -> (u cos + v sin, -u sin + v cos).
+/// translation * rotation * scale as KHR_texture_transform defines them; rotation runs counter-clockwise in
+/// uv with v down: (u, v) -> (u cos + v sin, -u sin + v cos).
 UvTransform uv_transform(const GltfModel& model, const tinygltf::Value& extension) {
     const glm::dvec2 scale = pair_or(model, extension, "scale", glm::dvec2(1));
     const double angle = extension.Has("rotation") ? number(model, extension.Get("rotation")) : 0;
@@ -61,11 +68,13 @@ void apply_transform(const GltfModel& model, const tinygltf::TextureInfo& use, T
     texture.transform = uv_transform(model, found->second);
     if (!found->second.Has("texCoord")) return;
     const double uv_set = number(model, found->second.Get("texCoord"));
-    if (!(uv_set >= 0 && uv_set < 1000)) refuse(model.file, "KHR_texture_transform/texCoord", "expected a uv set");
+    if (!(uv_set >= 0 && uv_set < 1000))
+        refuse(model.file, "KHR_texture_transform/texCoord", "expected a uv set");
     texture.uv_set = static_cast<int>(uv_set);
 }
 
-Texture texture_of(const GltfModel& model, const tinygltf::TextureInfo& use, const std::map<int, int>& baked_image) {
+Texture texture_of(const GltfModel& model, const tinygltf::TextureInfo& use,
+                   const std::map<int, int>& baked_image) {
     Texture texture;
     if (use.index < 0) return texture;
     const tinygltf::Texture& declared = model.gltf.textures[static_cast<std::size_t>(use.index)];
@@ -98,7 +107,8 @@ void bake_materials(GltfModel& model, Scene& scene) {
         const tinygltf::TextureInfo& use = material.pbrMetallicRoughness.baseColorTexture;
         const Texture texture = texture_of(model, use, baked_image);
         without_source += use.index >= 0 && texture.image == Texture::none;
-        scene.materials.push_back({material.name, factor_of(material.pbrMetallicRoughness.baseColorFactor), texture});
+        scene.materials.push_back(
+            {material.name, factor_of(material.pbrMetallicRoughness.baseColorFactor), texture});
     }
     scene.materials.push_back({"default", glm::vec4(1.0f), {}});
     if (without_source > 0)
@@ -117,7 +127,8 @@ void drop_textures_without_uv(Scene& scene) {
         texture = {};
     }
     if (dropped > 0)
-        scene.notes.push_back("materials untextured, since no primitive has their uv set: " + std::to_string(dropped));
+        scene.notes.push_back("materials untextured, since no primitive has their uv set: " +
+                              std::to_string(dropped));
 }
 
 }  // namespace zproof

@@ -38,23 +38,28 @@ bool read_admitted(std::vector<unsigned char>* bytes, std::string*, const std::s
     return true;
 }
 
-bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }
+bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+}
 
 std::string image_place(int index) { return "/images/" + std::to_string(index); }
 
 void note_type(Reading& reading, const tinygltf::Image& image, int index, ImageExtent::Format format) {
     const std::string found = format == ImageExtent::Format::png ? "image/png" : "image/jpeg";
     if (!image.mimeType.empty() && image.mimeType != found)
-        reading.notes.push_back(on_one_line(image_place(index) + ": declared " + image.mimeType + ", is " + found));
+        reading.notes.push_back(
+            on_one_line(image_place(index) + ": declared " + image.mimeType + ", is " + found));
 }
 
-void take_image(Reading& reading, const tinygltf::Image& image, int index, std::span<const unsigned char> bytes) {
+void take_image(Reading& reading, const tinygltf::Image& image, int index,
+                std::span<const unsigned char> bytes) {
     const std::string fault = image_fault(bytes);
     if (!fault.empty()) throw std::runtime_error(fault);
     const auto [format, width, height] = image_extent(bytes);
     reading.texels += width * height;
     if (reading.texels > limits::all_texels)
-        throw std::runtime_error("too many texels: at most " + std::to_string(limits::all_texels) + " in all images");
+        throw std::runtime_error("too many texels: at most " + std::to_string(limits::all_texels) +
+                                 " in all images");
     note_type(reading, image, index, format);
     Image decoded = decode_image(bytes);
     decoded.name = image.name;
@@ -98,7 +103,8 @@ tinygltf::Model parse(Reading& reading, const Container& container, const Bytes&
 void note_unread_images(GltfModel& model, const std::set<int>& in_use) {
     const std::size_t unread = model.gltf.images.size() - in_use.size();
     if (unread > 0)
-        model.notes.push_back("images not read, since no base colour texture uses them: " + std::to_string(unread));
+        model.notes.push_back("images not read, since no base colour texture uses them: " +
+                              std::to_string(unread));
 }
 
 }  // namespace
@@ -110,7 +116,7 @@ GltfModel read_gltf(const Path& file) {
     GltfModel model{file, {}, {}, {}};
     check_schema(file, gltf);
     model.notes = check_extensions(file, gltf);
-    check_nodes(file, gltf);
+    for (std::string& note : check_nodes(file, gltf)) model.notes.push_back(std::move(note));
     check_ranges(file, gltf);
     check_cameras(file, gltf);
     const std::set<int> in_use = images_in_use(gltf);

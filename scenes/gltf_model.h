@@ -14,8 +14,8 @@ namespace zproof {
 
 struct GltfModel {
     std::filesystem::path file;
-    tinygltf::Model gltf;          ///< every reference and range in it is checked; no pixels in its images
-    std::map<int, Image> images;   ///< those that base colour textures use, by glTF index
+    tinygltf::Model gltf;         ///< every reference and range in it is checked; no pixels in its images
+    std::map<int, Image> images;  ///< those that base colour textures use, by glTF index
     std::vector<std::string> notes;
 };
 

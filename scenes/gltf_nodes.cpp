@@ -15,10 +15,14 @@ std::string node_at(int node) { return "/nodes/" + std::to_string(node); }
 glm::dmat4 from_matrix(const GltfModel& model, int node, const std::vector<double>& m) {
     if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
         refuse(model.file, node_at(node) + "/matrix", "expected the last row 0 0 0 1 (an affine transform)");
-    return {{m[0], m[1], m[2], m[3]}, {m[4], m[5], m[6], m[7]}, {m[8], m[9], m[10], m[11]}, {m[12], m[13], m[14], m[15]}};
+    return {{m[0], m[1], m[2], m[3]},
+            {m[4], m[5], m[6], m[7]},
+            {m[8], m[9], m[10], m[11]},
+            {m[12], m[13], m[14], m[15]}};
 }
 
-/// glTF asks for unit quaternions; float32 files hold them to 1e-7 only, so the length is divided out in double.
+/// glTF asks for unit quaternions; float32 files hold them to 1e-7 only, so the length is divided out in
+/// double.
 glm::dmat3 rotation_of(const GltfModel& model, int node, const std::vector<double>& q) {
     const glm::dquat quaternion(q[3], q[0], q[1], q[2]);
     const double length = glm::length(quaternion);

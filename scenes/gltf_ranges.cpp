@@ -39,12 +39,14 @@ struct Run {
 void check_run(const Path& file, const std::string& place, const json& view, const Run& run) {
     const std::uint64_t length = view["byteLength"];
     if (run.stride < run.size)
-        refuse(file, place, "byteStride " + std::to_string(run.stride) + " is less than an element's " +
-                                std::to_string(run.size) + " bytes");
+        refuse(file, place,
+               "byteStride " + std::to_string(run.stride) + " is less than an element's " +
+                   std::to_string(run.size) + " bytes");
     if (run.offset + run.stride * (run.count - 1) + run.size > length)
-        refuse(file, place, std::to_string(run.count) + " elements of " + std::to_string(run.size) +
-                                " bytes from byteOffset " + std::to_string(run.offset) +
-                                " run past the end of their buffer view of " + std::to_string(length) + " bytes");
+        refuse(file, place,
+               std::to_string(run.count) + " elements of " + std::to_string(run.size) +
+                   " bytes from byteOffset " + std::to_string(run.offset) +
+                   " run past the end of their buffer view of " + std::to_string(length) + " bytes");
 }
 
 class Ranges {
@@ -83,7 +85,8 @@ class Ranges {
         for (const auto& [name, index] : primitive["attributes"].items()) {
             const json& accessor = gltf_["accessors"][index.get<std::size_t>()];
             if (count.value_or(accessor["count"]) != accessor["count"])
-                refuse(file_, place + "/attributes/" + name, "expected as many elements as the other attributes");
+                refuse(file_, place + "/attributes/" + name,
+                       "expected as many elements as the other attributes");
             count = accessor["count"];
             check_attribute(place + "/attributes/" + name, name, accessor);
         }
@@ -96,9 +99,11 @@ class Ranges {
         return gltf_["bufferViews"][reference["bufferView"].get<std::size_t>()];
     }
 
-    void check_elements(const std::string& place, const json& at, std::uint64_t count, std::uint64_t size) const {
+    void check_elements(const std::string& place, const json& at, std::uint64_t count,
+                        std::uint64_t size) const {
         const json& view = view_of(at);
-        check_run(file_, place, view, {integer_or(at, "byteOffset", 0), integer_or(view, "byteStride", size), size, count});
+        check_run(file_, place, view,
+                  {integer_or(at, "byteOffset", 0), integer_or(view, "byteStride", size), size, count});
     }
 
     void check_sparse(const std::string& place, const json& accessor, std::uint64_t size) const {
@@ -127,15 +132,18 @@ class Ranges {
         const bool is_normalized = accessor.value("normalized", false);
         if (name == "POSITION" || name == "NORMAL") {
             if (type != "VEC3" || !(is_float || (has_quantization() && component <= 5123)))
-                refuse(file_, place, "expected VEC3 of FLOAT, or 8 and 16 bit integers with KHR_mesh_quantization");
+                refuse(file_, place,
+                       "expected VEC3 of FLOAT, or 8 and 16 bit integers with KHR_mesh_quantization");
         } else if (name.starts_with("TEXCOORD_")) {
             const bool is_core = (component == 5121 || component == 5123) && is_normalized;
             if (type != "VEC2" || !(is_float || is_core || (has_quantization() && component <= 5123)))
-                refuse(file_, place, "expected VEC2 of FLOAT or of normalized UNSIGNED_BYTE or UNSIGNED_SHORT");
+                refuse(file_, place,
+                       "expected VEC2 of FLOAT or of normalized UNSIGNED_BYTE or UNSIGNED_SHORT");
         } else if (name.starts_with("COLOR_")) {
             const bool is_core = (component == 5121 || component == 5123) && is_normalized;
             if ((type != "VEC3" && type != "VEC4") || !(is_float || is_core))
-                refuse(file_, place, "expected VEC3 or VEC4 of FLOAT or of normalized UNSIGNED_BYTE or UNSIGNED_SHORT");
+                refuse(file_, place,
+                       "expected VEC3 or VEC4 of FLOAT or of normalized UNSIGNED_BYTE or UNSIGNED_SHORT");
         }
     }
 

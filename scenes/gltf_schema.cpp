@@ -23,10 +23,10 @@ enum class Kind {
     strings,
     boolean,
     number,
-    numbers,  ///< an array of numbers; `choices` holds the lengths allowed, none for any length
-    integer,  ///< 0 or more
-    count,    ///< 1 or more
-    one_of,   ///< an integer among `choices`
+    numbers,    ///< an array of numbers; `choices` holds the lengths allowed, none for any length
+    integer,    ///< 0 or more
+    count,      ///< 1 or more
+    one_of,     ///< an integer among `choices`
     reference,  ///< an index into the array `into`
 };
 enum class Presence { optional, required };
@@ -165,7 +165,8 @@ bool is_among(std::initializer_list<std::uint64_t> choices, std::uint64_t value)
 /// The phrase "one of 1, 2, 3".
 std::string listed(std::initializer_list<std::uint64_t> choices) {
     std::string text;
-    for (const std::uint64_t choice : choices) text += (text.empty() ? "one of " : ", ") + std::to_string(choice);
+    for (const std::uint64_t choice : choices)
+        text += (text.empty() ? "one of " : ", ") + std::to_string(choice);
     return text;
 }
 
@@ -220,32 +221,46 @@ class Walk {
     /// What was expected where the value is not it, or nothing.
     std::string expectation(const json& value) const {
         switch (rule_->kind) {
-            case Kind::object: return value.is_object() ? "" : "an object";
-            case Kind::array: return value.is_array() ? "" : "an array";
-            case Kind::objects: return every(value, &json::is_object) ? "" : "an array of objects";
-            case Kind::string: return value.is_string() ? "" : "a string";
-            case Kind::strings: return every(value, &json::is_string) ? "" : "an array of strings";
-            case Kind::boolean: return value.is_boolean() ? "" : "true or false";
-            case Kind::number: return value.is_number() ? "" : "a number";
-            case Kind::numbers: return of_numbers(value);
-            case Kind::integer: return is_index(value) ? "" : "an integer from 0 to 2^40";
-            case Kind::count: return is_index(value) && value != 0 ? "" : "an integer from 1 to 2^40";
-            case Kind::one_of: return is_index(value) && is_among(rule_->choices, value) ? "" : listed(rule_->choices);
-            case Kind::reference: return of_reference(value);
+            case Kind::object:
+                return value.is_object() ? "" : "an object";
+            case Kind::array:
+                return value.is_array() ? "" : "an array";
+            case Kind::objects:
+                return every(value, &json::is_object) ? "" : "an array of objects";
+            case Kind::string:
+                return value.is_string() ? "" : "a string";
+            case Kind::strings:
+                return every(value, &json::is_string) ? "" : "an array of strings";
+            case Kind::boolean:
+                return value.is_boolean() ? "" : "true or false";
+            case Kind::number:
+                return value.is_number() ? "" : "a number";
+            case Kind::numbers:
+                return of_numbers(value);
+            case Kind::integer:
+                return is_index(value) ? "" : "an integer from 0 to 2^40";
+            case Kind::count:
+                return is_index(value) && value != 0 ? "" : "an integer from 1 to 2^40";
+            case Kind::one_of:
+                return is_index(value) && is_among(rule_->choices, value) ? "" : listed(rule_->choices);
+            case Kind::reference:
+                return of_reference(value);
         }
         return {};
     }
 
     std::string of_numbers(const json& value) const {
         if (!every(value, &json::is_number)) return "an array of numbers";
-        return is_among(rule_->choices, value.size()) ? "" : "an array whose length is " + listed(rule_->choices);
+        return is_among(rule_->choices, value.size()) ? ""
+                                                      : "an array whose length is " + listed(rule_->choices);
     }
 
     std::string of_reference(const json& value) const {
         const auto into = gltf_.find(rule_->into);
         const std::size_t size = into == gltf_.end() ? 0 : into->size();
         if (is_index(value) && value.get<std::uint64_t>() < size) return {};
-        return "an index into " + std::string(rule_->into) + ", which has " + std::to_string(size) + " elements";
+        return "an index into " + std::string(rule_->into) + ", which has " + std::to_string(size) +
+               " elements";
     }
 
     const std::filesystem::path& file_;
@@ -268,7 +283,8 @@ void check_schema(const std::filesystem::path& file, const json& gltf) {
     for (const Rule& rule : rules) walk.apply(rule);
     const std::string version = gltf["asset"]["version"];
     if (!version.starts_with("2."))
-        refuse(file, "/asset/version", "expected 2.0, found \"" + version + "\"; convert the file to glTF 2.0");
+        refuse(file, "/asset/version",
+               "expected 2.0, found \"" + version + "\"; convert the file to glTF 2.0");
 }
 
 }  // namespace zproof

@@ -34,7 +34,9 @@ class Place {
     Place(const Path& file, const json& value, std::string pointer)
         : file_(file), value_(value), pointer_(std::move(pointer)) {}
 
-    [[noreturn]] void fail(const std::string& text) const { refuse(file_, pointer_.empty() ? "/" : pointer_, text); }
+    [[noreturn]] void fail(const std::string& text) const {
+        refuse(file_, pointer_.empty() ? "/" : pointer_, text);
+    }
 
     const json& value() const { return value_; }
     bool has(const char* key) const { return value_.contains(key); }
@@ -45,7 +47,9 @@ class Place {
         return {file_, value_.at(key), pointer_ + "/" + key};
     }
 
-    Place at(std::size_t index) const { return {file_, value_.at(index), pointer_ + "/" + std::to_string(index)}; }
+    Place at(std::size_t index) const {
+        return {file_, value_.at(index), pointer_ + "/" + std::to_string(index)};
+    }
 
     /// Throws for a member that is not among the keys.
     void allow(Keys keys) const {
@@ -53,8 +57,10 @@ class Place {
         std::string list;
         for (const char* key : keys) list += (list.empty() ? "" : ", ") + std::string(key);
         for (const auto& member : value_.items())
-            if (std::find_if(keys.begin(), keys.end(), [&](const char* key) { return member.key() == key; }) == keys.end())
-                refuse(file_, pointer_ + "/" + member.key().substr(0, 60), "unknown key; allowed here: " + list);
+            if (std::find_if(keys.begin(), keys.end(),
+                             [&](const char* key) { return member.key() == key; }) == keys.end())
+                refuse(file_, pointer_ + "/" + member.key().substr(0, 60),
+                       "unknown key; allowed here: " + list);
     }
 
     std::string text() const {
@@ -69,12 +75,15 @@ class Place {
 
     /// An array of `size` numbers.
     const json& numbers(std::size_t size) const {
-        if (!value_.is_array() || value_.size() != size) fail("expected an array of " + std::to_string(size) + " numbers");
+        if (!value_.is_array() || value_.size() != size)
+            fail("expected an array of " + std::to_string(size) + " numbers");
         for (std::size_t i = 0; i < size; ++i) at(i).number();
         return value_;
     }
 
-    glm::dvec3 vector() const { return {numbers(3)[0].get<double>(), value_[1].get<double>(), value_[2].get<double>()}; }
+    glm::dvec3 vector() const {
+        return {numbers(3)[0].get<double>(), value_[1].get<double>(), value_[2].get<double>()};
+    }
 
   private:
     const Path& file_;
@@ -105,7 +114,8 @@ Window window_at(const Place& place) {
     place.allow({"left", "right", "bottom", "top"});
     const Window window{place.at("left").number(), place.at("right").number(), place.at("bottom").number(),
                         place.at("top").number()};
-    if (!(window.left < window.right && window.bottom < window.top)) place.fail("expected left < right and bottom < top");
+    if (!(window.left < window.right && window.bottom < window.top))
+        place.fail("expected left < right and bottom < top");
     return window;
 }
 
@@ -140,8 +150,9 @@ Window window_of(const Place& view, Kind kind, double aspect) {
     if (forms == 1 && is_perspective && view.has("yfov_degrees")) return window_of_field(view, aspect);
     if (forms == 1 && is_perspective && view.has("near_window")) return window_at_near(view);
     if (forms == 1 && !is_perspective && view.has("xmag")) return window_of_magnification(view);
-    view.fail(is_perspective ? "expected exactly one of \"yfov_degrees\", \"near_window\" and \"exact_window\""
-                             : "expected either \"xmag\" and \"ymag\" or \"exact_window\"");
+    view.fail(is_perspective
+                  ? "expected exactly one of \"yfov_degrees\", \"near_window\" and \"exact_window\""
+                  : "expected either \"xmag\" and \"ymag\" or \"exact_window\"");
 }
 
 glm::dvec2 shear_of(const Place& view, Kind kind) {
@@ -149,14 +160,16 @@ glm::dvec2 shear_of(const Place& view, Kind kind) {
         const json& shear = view.at("shear").numbers(2);
         return {shear[0].get<double>(), shear[1].get<double>()};
     }
-    if (view.has("shear")) view.at("shear").fail("only \"oblique\" and \"parallel\" projections have a shear");
+    if (view.has("shear"))
+        view.at("shear").fail("only \"oblique\" and \"parallel\" projections have a shear");
     return glm::dvec2(0);
 }
 
 void set_pose(const Place& view, Camera& camera) {
     const bool has_target = view.has("target"), has_axes = view.has("right") || view.has("back");
     const glm::dvec3 eye = view.at("eye").vector(), up = view.at("up").vector();
-    if (has_target == has_axes) view.fail("expected either \"target\" and \"up\" or \"right\", \"up\" and \"back\"");
+    if (has_target == has_axes)
+        view.fail("expected either \"target\" and \"up\" or \"right\", \"up\" and \"back\"");
     if (has_target) {
         camera = look_at(eye, view.at("target").vector(), up);
         return;
@@ -201,8 +214,8 @@ int side_of(const Place& view, const char* key, int otherwise) {
 }
 
 View view_at(const Place& place) {
-    place.allow({"back", "exact_window", "eye", "far", "height", "name", "ndc_depth", "near", "near_window", "projection",
-                 "right", "shear", "target", "up", "width", "xmag", "yfov_degrees", "ymag"});
+    place.allow({"back", "exact_window", "eye", "far", "height", "name", "ndc_depth", "near", "near_window",
+                 "projection", "right", "shear", "target", "up", "width", "xmag", "yfov_degrees", "ymag"});
     View view;
     view.name = place.at("name").text();
     if (view.name.size() > 64 || view.name != view_name(view.name))
@@ -221,12 +234,14 @@ View view_at(const Place& place) {
 
 std::vector<View> views_at(const Place& list) {
     const std::size_t size = list.value().is_array() ? list.value().size() : 0;
-    if (size < 1 || size > most_views) list.fail("expected an array of 1 to " + std::to_string(most_views) + " views");
+    if (size < 1 || size > most_views)
+        list.fail("expected an array of 1 to " + std::to_string(most_views) + " views");
     std::vector<View> views;
     std::set<std::string> names;
     for (std::size_t i = 0; i < size; ++i) {
         views.push_back(view_at(list.at(i)));
-        if (!names.insert(views.back().name).second) list.at(i).at("name").fail("expected a name that no other view has");
+        if (!names.insert(views.back().name).second)
+            list.at(i).at("name").fail("expected a name that no other view has");
     }
     return views;
 }

@@ -44,7 +44,9 @@ void expect_sound(const Scene& scene) {
     EXPECT_EQ(next, scene.triangles.size());
     const std::size_t size = scene.vertices.position_world.size();
     for (const glm::uvec3& t : scene.triangles) ASSERT_LT(std::max({t.x, t.y, t.z}), size);
-    const auto empty_or_whole = [size](const auto& attribute) { return attribute.empty() || attribute.size() == size; };
+    const auto empty_or_whole = [size](const auto& attribute) {
+        return attribute.empty() || attribute.size() == size;
+    };
     EXPECT_TRUE(empty_or_whole(scene.vertices.normal_world));
     EXPECT_TRUE(empty_or_whole(scene.vertices.color));
     for (const auto& uv : scene.vertices.uv) EXPECT_TRUE(empty_or_whole(uv));
@@ -83,7 +85,8 @@ TEST(GltfModels, LoadTheSameBitsTwice) {
 }
 
 TEST(GltfModels, SayWhatTheyLeaveOut) {
-    const Loaded points = load_gltf(models / "AssetGenerator_Mesh_PrimitiveMode" / "Mesh_PrimitiveMode_00.gltf");
+    const Loaded points =
+        load_gltf(models / "AssetGenerator_Mesh_PrimitiveMode" / "Mesh_PrimitiveMode_00.gltf");
     EXPECT_EQ(points.scene.notes.at(0), "primitives of points and lines skipped: 1");
     EXPECT_EQ(points.scene.notes.at(1), "no triangles: there is nothing to judge");
 }

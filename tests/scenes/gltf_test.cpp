@@ -95,10 +95,12 @@ TEST(Gltf, ReadsASparseAccessorOverItsBase) {
     const TestFolder folder;
     WrittenGltf gltf;
     const int position = gltf.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, 0});
-    const int indices = gltf.add_view<std::uint16_t>({0, 2}), values = gltf.add_view<float>({9, 8, 7, 6, 5, 4});
-    gltf.json["accessors"][position]["sparse"] = {{"count", 2},
-                                                  {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
-                                                  {"values", {{"bufferView", values}}}};
+    const int indices = gltf.add_view<std::uint16_t>({0, 2}),
+              values = gltf.add_view<float>({9, 8, 7, 6, 5, 4});
+    gltf.json["accessors"][position]["sparse"] = {
+        {"count", 2},
+        {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+        {"values", {{"bufferView", values}}}};
     const Scene scene = load_gltf(gltf.write(folder)).scene;
     EXPECT_EQ(scene.vertices.position_world, (Positions{{9, 8, 7}, {1, 0, 0}, {6, 5, 4}}));
 }
@@ -122,11 +124,14 @@ TEST(Gltf, RefusesSparseIndicesThatFall) {
     const TestFolder folder;
     WrittenGltf gltf;
     const int position = gltf.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, 0});
-    const int indices = gltf.add_view<std::uint16_t>({2, 0}), values = gltf.add_view<float>({9, 8, 7, 6, 5, 4});
-    gltf.json["accessors"][position]["sparse"] = {{"count", 2},
-                                                  {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
-                                                  {"values", {{"bufferView", values}}}};
-    EXPECT_NE(refusal_of(gltf.write(folder)).find("/accessors/0/sparse/indices: index 0 at 1"), std::string::npos);
+    const int indices = gltf.add_view<std::uint16_t>({2, 0}),
+              values = gltf.add_view<float>({9, 8, 7, 6, 5, 4});
+    gltf.json["accessors"][position]["sparse"] = {
+        {"count", 2},
+        {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+        {"values", {{"bufferView", values}}}};
+    EXPECT_NE(refusal_of(gltf.write(folder)).find("/accessors/0/sparse/indices: index 0 at 1"),
+              std::string::npos);
 }
 
 TEST(Gltf, RefusesAHugeSparseAccessorBeforeAllocatingIt) {
@@ -171,8 +176,11 @@ TEST(Gltf, ReadsNormalizedIntegers) {
     WrittenGltf gltf;
     gltf.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, 0});
     const int color = gltf.add_view<std::uint8_t>({255, 0, 51, 0, 0, 0, 0, 0, 0, 0, 0, 0});
-    gltf.add_accessor(
-        {{"bufferView", color}, {"componentType", 5121}, {"normalized", true}, {"count", 3}, {"type", "VEC4"}});
+    gltf.add_accessor({{"bufferView", color},
+                       {"componentType", 5121},
+                       {"normalized", true},
+                       {"count", 3},
+                       {"type", "VEC4"}});
     const int uv = gltf.add_view<std::uint16_t>({65535, 0, 13107, 0, 0, 65535});
     gltf.add_accessor(
         {{"bufferView", uv}, {"componentType", 5123}, {"normalized", true}, {"count", 3}, {"type", "VEC2"}});
@@ -191,8 +199,11 @@ TEST(Gltf, ReadsQuantizedPositions) {
     gltf.json["extensionsRequired"] = {"KHR_mesh_quantization"};
     const int view = gltf.add_view<std::int8_t>({-128, 127, 0, 0, -127, 0, 0, 0, 0, 0, 127, 0});
     gltf.json["bufferViews"][view]["byteStride"] = 4;
-    gltf.add_accessor(
-        {{"bufferView", view}, {"componentType", 5120}, {"normalized", true}, {"count", 3}, {"type", "VEC3"}});
+    gltf.add_accessor({{"bufferView", view},
+                       {"componentType", 5120},
+                       {"normalized", true},
+                       {"count", 3},
+                       {"type", "VEC3"}});
     const Scene scene = load_gltf(gltf.write(folder)).scene;
     EXPECT_EQ(scene.vertices.position_world, (Positions{{-1, 1, 0}, {-1, 0, 0}, {0, 0, 1}}));
 }
@@ -265,10 +276,11 @@ TEST(Gltf, PadsAttributesThatSomePrimitivesLack) {
     EXPECT_EQ(scene.vertices.normal_world, (Positions{none, none, none, z, z, z, none, none, none}));
 }
 
-/// The arrow of TextureTransformTest: with rotation 22.5 degrees its tip, uv (7/9, 7/9), must show at the green marker.
+/// The arrow of TextureTransformTest: with rotation 22.5 degrees its tip, uv (7/9, 7/9), must show at the
+/// green marker.
 TEST(Gltf, RotatesTextureCoordinatesAsTheSampleModelAsks) {
-    const Loaded loaded =
-        load_gltf(std::filesystem::path(ZPROOF_SHARED) / "models/TextureTransformTest/TextureTransformTest.gltf");
+    const Loaded loaded = load_gltf(std::filesystem::path(ZPROOF_SHARED) /
+                                    "models/TextureTransformTest/TextureTransformTest.gltf");
     const UvTransform& transform = loaded.scene.materials.at(3).base_color.transform;
     const glm::dvec2 marker(0.5 - 0.07904822439840126, 0.5 + 0.5162674857624154);
     const glm::dvec2 tip = transform.linear * marker + transform.translation;
@@ -296,8 +308,9 @@ WrittenGltf with_camera(nlohmann::json camera, nlohmann::json node) {
 TEST(Gltf, ReadsAnInfinitePerspectiveCamera) {
     const TestFolder folder;
     const double yfov = 2 * std::atan(0.5);
-    const WrittenGltf gltf = with_camera({{"type", "perspective"}, {"perspective", {{"yfov", yfov}, {"znear", 0.25}}}},
-                                         {{"name", "left eye"}, {"translation", {0.1, 2, 3}}});
+    const WrittenGltf gltf =
+        with_camera({{"type", "perspective"}, {"perspective", {{"yfov", yfov}, {"znear", 0.25}}}},
+                    {{"name", "left eye"}, {"translation", {0.1, 2, 3}}});
     const Loaded loaded = load_gltf(gltf.write(folder), 200, 100);
     ASSERT_EQ(loaded.views.size(), 1u);
     const View& view = loaded.views.front();
@@ -313,8 +326,8 @@ TEST(Gltf, ReadsAnInfinitePerspectiveCamera) {
 TEST(Gltf, ReadsAnOrthographicCameraAndDropsItsNodesScale) {
     const TestFolder folder;
     const nlohmann::json lens = {{"xmag", 4}, {"ymag", 2}, {"znear", 0}, {"zfar", 9}};
-    const WrittenGltf gltf =
-        with_camera({{"type", "orthographic"}, {"orthographic", lens}}, {{"name", "top"}, {"scale", {2, -2, 2}}});
+    const WrittenGltf gltf = with_camera({{"type", "orthographic"}, {"orthographic", lens}},
+                                         {{"name", "top"}, {"scale", {2, -2, 2}}});
     const Loaded loaded = load_gltf(gltf.write(folder), 200, 100);
     const Camera& camera = loaded.views.at(0).camera;
     EXPECT_EQ(camera.projection, Projection::parallel);
@@ -327,8 +340,8 @@ TEST(Gltf, ReadsAnOrthographicCameraAndDropsItsNodesScale) {
 
 TEST(Gltf, GivesEveryCameraANameOfItsOwn) {
     const TestFolder folder;
-    WrittenGltf gltf =
-        with_camera({{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.25}}}}, {{"name", "c"}});
+    WrittenGltf gltf = with_camera({{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.25}}}},
+                                   {{"name", "c"}});
     gltf.json["nodes"].push_back({{"camera", 0}, {"name", "c"}});
     gltf.json["scenes"][0]["nodes"] = {0, 1, 2};
     const Loaded loaded = load_gltf(gltf.write(folder));
@@ -345,7 +358,8 @@ TEST(Gltf, RefusesFilesOutsideItsFolder) {
     const std::filesystem::path file = gltf.write(folder);
     std::filesystem::rename(file, folder.path() / "inside/scene.gltf");
     std::filesystem::create_symlink("../scene.bin", folder.path() / "inside/scene.bin");
-    EXPECT_NE(refusal_of(folder.path() / "inside/scene.gltf").find("leads out of the file's folder"), std::string::npos);
+    EXPECT_NE(refusal_of(folder.path() / "inside/scene.gltf").find("leads out of the file's folder"),
+              std::string::npos);
     std::filesystem::remove(folder.path() / "inside/scene.bin");
     std::filesystem::rename(folder.path() / "scene.bin", folder.path() / "inside/scene.bin");
     EXPECT_EQ(refusal_of(folder.path() / "inside/scene.gltf"), "loaded");
