@@ -1,29 +1,51 @@
 #include "compare/coplanar.h"
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
-#include "compare/neighbourhood.h"
 #include "math/interval.h"
-#include "math/rational.h"
+#include "math/vector3.h"
 
 namespace zproof {
 
 namespace {
 
-template <class Number>
-bool all_in_plane(const Corners<Number>& a, const Corners<Number>& b) {
-    const Vector3<Number> normal = cross(a[1] - a[0], a[2] - a[0]);
-    return std::ranges::all_of(b, [&](const Vector3<Number>& p) { return sign(dot(normal, p - a[0])) == 0; });
+/// Every finite float32 is an integer times 2^-149 and below 2^128: 277 bits, so an edge has 278 and the
+/// triple product 3 * 278 + 3 < 1024.
+using Exact = boost::multiprecision::int1024_t;
+
+Exact times_2_to_149(float value) {
+    int exponent = 0;
+    const float mantissa = std::frexp(value, &exponent);
+    const auto integer = static_cast<std::int64_t>(std::ldexp(mantissa, 24));
+    const int shift = exponent - 24 + 149;
+    return shift >= 0 ? Exact(integer) << unsigned(shift) : Exact(integer / (std::int64_t{1} << -shift));
+}
+
+Vector3<Exact> times_2_to_149(const glm::vec3& p) {
+    return {times_2_to_149(p.x), times_2_to_149(p.y), times_2_to_149(p.z)};
+}
+
+int sign(const Exact& n) { return n.sign(); }
+
+/// Number's corners of a, then whether those of b lie in their plane.
+template <class Number, class Convert>
+bool all_in_plane(const CornersWorld& a, const CornersWorld& b, const Convert& convert) {
+    const Vector3<Number> origin = convert(a[0]);
+    const Vector3<Number> normal = cross(convert(a[1]) - origin, convert(a[2]) - origin);
+    return std::ranges::all_of(
+        b, [&](const glm::vec3& p) { return sign(dot(normal, convert(p) - origin)) == 0; });
 }
 
 }  // namespace
 
 bool coplanar(const CornersWorld& a, const CornersWorld& b) {
     try {
-        return all_in_plane(corners<Interval>(a), corners<Interval>(b));
+        return all_in_plane<Interval>(a, b,
+                                      [](const glm::vec3& p) { return exactly<Interval>(glm::dvec3(p)); });
     } catch (const UndecidedSign&) {
-        return all_in_plane(corners<Rational>(a), corners<Rational>(b));
+        return all_in_plane<Exact>(a, b, [](const glm::vec3& p) { return times_2_to_149(p); });
     }
 }
 

@@ -96,6 +96,51 @@ class BoxProjection {
     double px_per_u_, px_per_v_;
 };
 
+/// A triangle's three half-planes over the whole image, in double, each with the rounding error of its value.
+class EdgeFilter {
+  public:
+    EdgeFilter(const View& view, const CornersWorld& p_world) {
+        const Sight<double> sight(view, 0, 0);
+        const Corners<double> p = corners<double>(p_world);
+        const auto image = image_of(sight, p);
+        if (!image) return;  // edge-on: let the exact arithmetic look
+        edge_ = image->edge;
+        for (std::size_t i = 0; i < 3; ++i)
+            margin_[i] = rounding_error(view, sight, p[(i + 1) % 3], p[(i + 2) % 3]);
+        trusted_ = true;
+    }
+
+    /// Is the square of this half-side around a raster position certainly beyond one edge?
+    bool misses(double x_raster, double y_raster, double half_side_px) const {
+        if (!trusted_) return false;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Affine<double>& e = edge_[i];
+            const double nearest_inside = e.at(x_raster - 0.5, y_raster - 0.5) +
+                                          half_side_px * (std::abs(e.a) + std::abs(e.b)) + margin_[i];
+            if (nearest_inside < 0) return true;
+        }
+        return false;
+    }
+
+  private:
+    /// 16 roundings at most in a triple product, with every difference and product in absolute value.
+    static double rounding_error(const View& view, const Sight<double>& sight, const Vector3<double>& from,
+                                 const Vector3<double>& to) {
+        const auto size = [](const Vector3<double>& v) {
+            return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+        };
+        const double across = view.width * size(sight.step_x) + view.height * size(sight.step_y);
+        const double moving = sight.projection == Projection::perspective ? 0 : across;
+        const double corners_size = (size(from - sight.origin) + moving) * (size(to - sight.origin) + moving);
+        return gamma(16, unit_roundoff_float64) * 2 * corners_size *
+               (size(sight.direction) + across - moving);
+    }
+
+    std::array<Affine<double>, 3> edge_{};
+    std::array<double, 3> margin_{};
+    bool trusted_ = false;
+};
+
 /// Sites by tile of the image.
 class SiteGrid {
   public:
@@ -103,29 +148,53 @@ class SiteGrid {
         : columns_((view.width + tile_px - 1) / tile_px),
           rows_((view.height + tile_px - 1) / tile_px),
           first_(std::size_t(columns_) * std::size_t(rows_) + 1) {
-        for (std::size_t i = 0; i < sites.size(); ++i)
-            largest_reach_ = std::max(largest_reach_, sites[i].reach_px);
-        for (const Site& site : sites) ++first_[tile_of(site) + 1];
+        for (const Site& site : sites) {
+            largest_reach_ = std::max(largest_reach_, site.reach_px);
+            ++first_[tile_of(site) + 1];
+        }
         for (std::size_t t = 1; t < first_.size(); ++t) first_[t] += first_[t - 1];
         members_.resize(sites.size());
         std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
         for (std::size_t i = 0; i < sites.size(); ++i) members_[next[tile_of(sites[i])]++] = std::uint32_t(i);
     }
 
-    template <class Visit>
-    void visit(Box box, const Visit& visit_site) const {
-        box.widen(largest_reach_);
-        const int left = clamped(box.left, columns_), right = clamped(box.right, columns_);
-        const int top = clamped(box.top, rows_), bottom = clamped(box.bottom, rows_);
-        if (box.right < 0 || box.bottom < 0 || box.left > columns_ * tile_px || box.top > rows_ * tile_px)
-            return;
-        for (int row = top; row <= bottom; ++row) {
-            const std::size_t begin = first_[index(left, row)], end = first_[index(right, row) + 1];
-            for (std::size_t k = begin; k < end; ++k) visit_site(members_[k]);
-        }
+    /// May any site lie in the box?
+    bool holds_sites(Box box) const {
+        bool any = false;
+        visit_rows(box, [&](int row, int left, int right) {
+            any = any || first_[index(left, row)] != first_[index(right, row) + 1];
+        });
+        return any;
+    }
+
+    /// Visits the sites of every tile that the box meets and that `misses(x, y, half_side)` does not rule
+    /// out.
+    template <class Misses, class Visit>
+    void visit(Box box, const Misses& misses, const Visit& visit_site) const {
+        visit_rows(box, [&](int row, int left, int right) {
+            if (first_[index(left, row)] == first_[index(right, row) + 1]) return;
+            for (int column = left; column <= right; ++column) visit_tile(column, row, misses, visit_site);
+        });
     }
 
   private:
+    template <class VisitRow>
+    void visit_rows(Box box, const VisitRow& visit_row) const {
+        box.widen(largest_reach_);
+        if (box.right < 0 || box.bottom < 0 || box.left > columns_ * tile_px || box.top > rows_ * tile_px)
+            return;
+        const int left = clamped(box.left, columns_), right = clamped(box.right, columns_);
+        const int top = clamped(box.top, rows_), bottom = clamped(box.bottom, rows_);
+        for (int row = top; row <= bottom; ++row) visit_row(row, left, right);
+    }
+    template <class Misses, class Visit>
+    void visit_tile(int column, int row, const Misses& misses, const Visit& visit_site) const {
+        const std::size_t begin = first_[index(column, row)], end = first_[index(column, row) + 1];
+        constexpr double half = tile_px / 2.0;
+        if (begin == end || misses(column * tile_px + half, row * tile_px + half, half + largest_reach_))
+            return;
+        for (std::size_t k = begin; k < end; ++k) visit_site(members_[k]);
+    }
     static int clamped(double px, int count) { return int(std::clamp(px / tile_px, 0.0, count - 1.0)); }
     std::size_t index(int column, int row) const {
         return std::size_t(row) * std::size_t(columns_) + std::size_t(column);
@@ -151,10 +220,17 @@ void find_nearby_triangles(const Scene& scene, const View& view, std::span<Site>
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t chunk) {
         const std::size_t end = std::min(scene.triangles.size(), (chunk + 1) * chunk_triangles);
         for (std::size_t t = chunk * chunk_triangles; t < end; ++t) {
-            const std::optional<Box> box = box_projection(corners_of(scene, std::uint32_t(t)));
-            if (!box) continue;
-            grid.visit(*box, [&](std::uint32_t site) {
-                if (box->meets(box_of(sites[site]))) chunks[chunk].push_back({site, std::uint32_t(t)});
+            const CornersWorld p_world = corners_of(scene, std::uint32_t(t));
+            const std::optional<Box> box = box_projection(p_world);
+            if (!box || !grid.holds_sites(*box)) continue;
+            const EdgeFilter filter(view, p_world);
+            const auto misses = [&](double x, double y, double half_side) {
+                return filter.misses(x, y, half_side);
+            };
+            grid.visit(*box, misses, [&](std::uint32_t i) {
+                const Site& site = sites[i];
+                if (box->meets(box_of(site)) && !misses(site.x + 0.5, site.y + 0.5, site.reach_px))
+                    chunks[chunk].push_back({i, std::uint32_t(t)});
             });
         }
     });
