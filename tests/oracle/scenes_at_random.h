@@ -17,7 +17,9 @@ Scene scene_of(const std::vector<glm::vec3>& corners);
 class Dice {
   public:
     explicit Dice(std::uint32_t seed) : engine_(seed) {}
-    double between(double low, double high) { return low + (high - low) * (static_cast<std::uint32_t>(engine_()) * 0x1p-32); }
+    double between(double low, double high) {
+        return low + (high - low) * (static_cast<std::uint32_t>(engine_()) * 0x1p-32);
+    }
 
   private:
     std::mt19937 engine_;
