@@ -224,9 +224,8 @@ bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
 template <class Number>
 HalfPlanes<Number> AdmissibleSet<Number>::true_cover(size_t occluder, const Piece& seen) {
     HalfPlanes<Number> half_planes = cover(occluder, {}, EdgeRule::watertight, no_edge);
-    const bool tied = coplanar(around_.neighbours[occluder].p_world, around_.neighbours[seen.index].p_world);
-    half_planes.push_back(
-        new_line(tied ? constant<Number>(0) : drawn_[occluder].image->nearness - seen.nearness));
+    if (!coplanar(around_.neighbours[occluder].p_world, around_.neighbours[seen.index].p_world))
+        half_planes.push_back(new_line(drawn_[occluder].image->nearness - seen.nearness));
     return half_planes;
 }
 
