@@ -23,8 +23,9 @@ void check_axes(const Camera& camera) {
     constexpr double orthonormal_within = 1e-12;
     const std::array<const glm::dvec3*, 3> axes{&camera.right, &camera.up, &camera.back};
     constexpr std::array names{"right", "up", "back"};
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
         if (!is_finite(*axes[i])) refuse_field(names[i], "finite numbers");
+    for (std::size_t i = 0; i < 3; ++i) {
         if (!(std::abs(glm::dot(*axes[i], *axes[i]) - 1) <= orthonormal_within))
             refuse_field(names[i], "a vector of length 1 within 1e-12");
         if (!(std::abs(glm::dot(*axes[i], *axes[(i + 1) % 3])) <= orthonormal_within))
