@@ -1,0 +1,32 @@
+/// The lawful rasterizer and Embree on the whole suite, small: nothing unexplained at any size.
+#include <gtest/gtest.h>
+
+#include "scenes/suite.h"
+#include "tests/gate/trial.h"
+
+namespace zproof {
+namespace {
+
+class EverySuiteScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(EverySuiteScene, HasNoUnexplainedPixelAndKeepsItsDepthBounds) {
+    for (const Trial& trial : try_suite_scene(GetParam(), 500, 281)) {
+        SCOPED_TRACE(trial.name);
+        EXPECT_EQ(defect_count(trial.verdict), 0u) << name_of(commonest_defect(trial.verdict));
+        EXPECT_EQ(trial.verdict.reference_defects, 0u);
+        EXPECT_LE(trial.verdict.candidate_depth.max_error_over_bound, 1);
+        EXPECT_LE(trial.verdict.reference_depth.max_error_over_bound, 1);
+    }
+}
+
+std::vector<std::string> suite_names() {
+    std::vector<std::string> names;
+    for (const SuiteEntry& entry : suite_manifest()) names.push_back(entry.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Suite, EverySuiteScene, testing::ValuesIn(suite_names()),
+                         [](const auto& scene) { return scene.param; });
+
+}  // namespace
+}  // namespace zproof
