@@ -1,6 +1,7 @@
 #include "compare/admissible.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "compare/coplanar.h"
 #include "math/interval.h"
@@ -9,8 +10,6 @@
 namespace zproof {
 
 namespace {
-
-constexpr int no_edge = -1;  ///< an id that no line has
 
 template <class Number>
 Affine<Number> constant(double value) {
@@ -27,15 +26,25 @@ Interval magnitude(const Interval& n) {
     return {0, std::max(-n.low(), n.high())};
 }
 
+/// Can the near or far plane cut the triangle at all? Corners are clamped to both planes.
+bool may_be_clipped(const Camera& camera, const Neighbour& n) {
+    return n.nearest <= camera.near_depth + n.near_slack || n.farthest >= camera.far_depth - n.far_slack;
+}
+
 }  // namespace
 
 template <class Number>
 AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around)
-    : around_(around), sight_(around.view, around.x, around.y) {
+    : around_(around),
+      sight_(around.view, around.x, around.y),
+      drawn_(around.neighbours.size()),
+      nearest_first_(around.neighbours.size()) {
     const Number h(around.eps_px), zero(0), one(1);
     sides_ = {new_line({zero, one, h}), new_line({-one, zero, h}), new_line({zero, -one, h}),
               new_line({one, zero, h})};
-    for (const Neighbour& n : around_.neighbours) drawn_.push_back(draw(n));
+    std::iota(nearest_first_.begin(), nearest_first_.end(), size_t(0));
+    std::ranges::stable_sort(nearest_first_, std::greater<>{},
+                             [&](size_t i) { return around_.neighbours[i].least_nearness; });
 }
 
 template <class Number>
@@ -100,13 +109,12 @@ void AdmissibleSet<Number>::push_clipped(std::vector<Piece>& pieces, std::option
 
 template <class Number>
 auto AdmissibleSet<Number>::seen_pieces(size_t index) -> std::vector<Piece> {
-    const Drawn& drawn = drawn_[index];
-    if (!drawn.image) return edge_on_pieces(index);
+    if (!drawn(index).image) return edge_on_pieces(index);
     std::optional<Region<Number>> region = square();
-    for (const LinePointer edge : drawn.edge)
+    for (const LinePointer edge : drawn(index).edge)
         if (region) region = region->inside(*edge);
     std::vector<Piece> pieces;
-    push_clipped(pieces, std::move(region), drawn.image->nearness, index);
+    push_clipped(pieces, std::move(region), drawn(index).image->nearness, index);
     return pieces;
 }
 
@@ -127,28 +135,30 @@ auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
 }
 
 template <class Number>
-auto AdmissibleSet<Number>::shared_edge(size_t a, size_t b) const -> std::optional<LinePointer> {
-    if (!drawn_[a].image || !drawn_[b].image) return std::nullopt;
-    for (const LinePointer edge : drawn_[a].edge)
-        if (std::ranges::count(drawn_[b].edge, edge->id, &Line<Number>::id)) return edge;
-    return std::nullopt;
+auto AdmissibleSet<Number>::drawn(size_t index) -> const Drawn& {
+    if (!drawn_[index]) drawn_[index] = draw(around_.neighbours[index]);
+    return *drawn_[index];
 }
 
 template <class Number>
-bool AdmissibleSet<Number>::are_on_one_side(size_t a, size_t b, int edge_id) const {
-    const Affine<Number>& f = (*std::ranges::find(drawn_[a].edge, edge_id, &Line<Number>::id))->f;
-    const Affine<Number>& g = (*std::ranges::find(drawn_[b].edge, edge_id, &Line<Number>::id))->f;
-    return sign(f.a * g.a + f.b * g.b) > 0;
+auto AdmissibleSet<Number>::edge_of(size_t index, int edge_id) -> LinePointer {
+    if (!drawn(index).image) return nullptr;
+    const auto found = std::ranges::find(drawn(index).edge, edge_id, &Line<Number>::id);
+    return found == drawn(index).edge.end() ? nullptr : *found;
+}
+
+/// Nothing where the other triangle does not share the edge.
+template <class Number>
+std::optional<bool> AdmissibleSet<Number>::are_on_one_side(LinePointer edge, size_t other) {
+    const LinePointer same = edge_of(other, edge->id);
+    if (!same) return std::nullopt;
+    return sign(edge->f.a * same->f.a + edge->f.b * same->f.b) > 0;
 }
 
 /// Does another occluder lie beyond this edge, so that no displacement can open it?
 template <class Number>
-bool AdmissibleSet<Number>::continues(LinePointer edge, size_t owner,
-                                      const std::vector<size_t>& occluders) const {
-    return std::ranges::any_of(occluders, [&](size_t other) {
-        return other != owner && std::ranges::count(drawn_[other].edge, edge->id, &Line<Number>::id) &&
-               !are_on_one_side(owner, other, edge->id);
-    });
+bool AdmissibleSet<Number>::continues(LinePointer edge, const std::vector<size_t>& occluders) {
+    return std::ranges::any_of(occluders, [&](size_t o) { return !are_on_one_side(edge, o).value_or(true); });
 }
 
 template <class Number>
@@ -158,40 +168,55 @@ auto AdmissibleSet<Number>::moved_inwards(LinePointer edge) -> LinePointer {
     return new_line(moved);
 }
 
-/// At the pixel: is the occluder's least nearness above the greatest of what is seen (bounded), or its true
-/// nearness not below (strict)?
+/// At the pixel: is the occluder's least nearness above the greatest of what is seen (bounded), or is its
+/// true nearness not below (strict)?
 template <class Number>
-bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule rule) const {
+bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule rule) {
     const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen];
-    if (rule == DepthRule::bounded) return front.least_nearness > back.greatest_nearness;
-    if (!drawn_[seen].image) return front.least_nearness > back.greatest_nearness;
+    if (front.least_nearness > back.greatest_nearness) return true;
+    if (rule == DepthRule::bounded || front.greatest_nearness < back.least_nearness) return false;
+    if (!drawn(seen).image) return false;
     if (coplanar(front.p_world, back.p_world)) return true;
-    return sign(drawn_[occluder].image->nearness.c - drawn_[seen].image->nearness.c) >= 0;
+    return sign(drawn(occluder).image->nearness.c - drawn(seen).image->nearness.c) >= 0;
 }
 
 template <class Number>
-std::vector<size_t> AdmissibleSet<Number>::in_front_of(size_t seen, DepthRule rule) const {
+std::vector<size_t> AdmissibleSet<Number>::in_front_of(size_t seen, DepthRule rule) {
     std::vector<size_t> occluders;
-    for (size_t i = 0; i < drawn_.size(); ++i)
-        if (i != seen && drawn_[i].image && is_in_front(i, seen, rule)) occluders.push_back(i);
+    for (const size_t i : nearest_first_)
+        if (i != seen && drawn(i).image && is_in_front(i, seen, rule)) occluders.push_back(i);
     return occluders;
 }
 
-/// The part of the image that an occluder covers for certain, bounded by all its edges but `free_edge`.
+template <class Number>
+void AdmissibleSet<Number>::push_planes(HalfPlanes<Number>& half_planes, size_t occluder) {
+    const Neighbour& n = around_.neighbours[occluder];
+    if (!may_be_clipped(around_.view.camera, n)) return;
+    for (const Side side : {Side::near, Side::far})
+        if (auto line = plane(side, drawn(occluder).image->nearness, n, Slack::require))
+            half_planes.push_back(*line);
+}
+
+/// The part of the image that an occluder covers for certain. An edge that it shares with what is seen, both
+/// on one side of it, moves with that and bounds nothing.
 template <class Number>
 HalfPlanes<Number> AdmissibleSet<Number>::cover(size_t occluder, const std::vector<size_t>& occluders,
-                                                EdgeRule rule, int free_edge) {
+                                                EdgeRule rule, std::optional<size_t> seen) {
     HalfPlanes<Number> half_planes;
-    for (const LinePointer edge : drawn_[occluder].edge) {
-        if (edge->id == free_edge) continue;
-        const bool stays = rule == EdgeRule::watertight || continues(edge, occluder, occluders);
+    for (const LinePointer edge : drawn(occluder).edge) {
+        if (seen && are_on_one_side(edge, *seen).value_or(false)) continue;
+        const bool stays = rule == EdgeRule::watertight || continues(edge, occluders);
         half_planes.push_back(stays ? edge : moved_inwards(edge));
     }
-    for (const Side side : {Side::near, Side::far})
-        if (auto line =
-                plane(side, drawn_[occluder].image->nearness, around_.neighbours[occluder], Slack::require))
-            half_planes.push_back(*line);
+    push_planes(half_planes, occluder);
     return half_planes;
+}
+
+/// Do both share an edge, each on its own side of it? Then a point of one is never a point of the other.
+template <class Number>
+bool AdmissibleSet<Number>::stands_apart(size_t occluder, size_t seen) {
+    return std::ranges::any_of(drawn(occluder).edge,
+                               [&](LinePointer edge) { return !are_on_one_side(edge, seen).value_or(true); });
 }
 
 template <class Number>
@@ -199,9 +224,8 @@ bool AdmissibleSet<Number>::leaves_square_bare(const std::vector<size_t>& occlud
                                                std::optional<size_t> seen) {
     std::vector<Region<Number>> left{square()};
     for (const size_t o : occluders) {
-        const auto shared = seen ? shared_edge(o, *seen) : std::nullopt;
-        if (shared && !are_on_one_side(o, *seen, (*shared)->id)) continue;
-        left = without(left, cover(o, occluders, rule, shared ? (*shared)->id : no_edge));
+        if (seen && stands_apart(o, *seen)) continue;
+        left = without(left, cover(o, occluders, rule, seen));
         if (left.empty()) return false;
     }
     return true;
@@ -214,18 +238,24 @@ bool AdmissibleSet<Number>::holds(size_t index, Rules rules) {
 
 template <class Number>
 bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
-    std::vector<size_t> drawn;
-    for (size_t i = 0; i < drawn_.size(); ++i)
-        if (drawn_[i].image) drawn.push_back(i);
-    return leaves_square_bare(drawn, edges, std::nullopt);
+    std::vector<size_t> covering;
+    for (const size_t i : nearest_first_)
+        if (drawn(i).image) covering.push_back(i);
+    return leaves_square_bare(covering, edges, std::nullopt);
 }
 
-/// Where the occluder's true image is not behind what is seen.
+/// Where the occluder's true image is not behind what is seen; nothing where it is behind all over the
+/// square.
 template <class Number>
-HalfPlanes<Number> AdmissibleSet<Number>::true_cover(size_t occluder, const Piece& seen) {
-    HalfPlanes<Number> half_planes = cover(occluder, {}, EdgeRule::watertight, no_edge);
-    if (!coplanar(around_.neighbours[occluder].p_world, around_.neighbours[seen.index].p_world))
-        half_planes.push_back(new_line(drawn_[occluder].image->nearness - seen.nearness));
+std::optional<HalfPlanes<Number>> AdmissibleSet<Number>::true_cover(size_t occluder, const Piece& seen) {
+    const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen.index];
+    const double slope = around_.eps_px * (front.gradient + back.gradient);  // what the ranges may lack
+    if (front.greatest_nearness + slope < back.least_nearness) return std::nullopt;
+    HalfPlanes<Number> half_planes(drawn(occluder).edge.begin(), drawn(occluder).edge.end());
+    push_planes(half_planes, occluder);
+    const bool certain = front.least_nearness - slope > back.greatest_nearness;
+    if (!certain && !coplanar(front.p_world, back.p_world))
+        half_planes.push_back(new_line(drawn(occluder).image->nearness - seen.nearness));
     return half_planes;
 }
 
@@ -234,21 +264,23 @@ bool AdmissibleSet<Number>::is_visible(size_t index) {
     const auto pieces = seen_pieces(index);
     return std::ranges::any_of(pieces, [&](const Piece& piece) {
         std::vector<Region<Number>> left{piece.region};
-        for (size_t i = 0; i < drawn_.size() && !left.empty(); ++i)
-            if (i != index && drawn_[i].image) left = without(left, true_cover(i, piece));
+        for (const size_t o : nearest_first_) {
+            if (o == index || left.empty() || !drawn(o).image) continue;
+            if (const auto hiding = true_cover(o, piece)) left = without(left, *hiding);
+        }
         return !left.empty();
     });
 }
 
 template <class Number>
 bool AdmissibleSet<Number>::is_clipped(size_t index) {
-    if (!drawn_[index].image) return false;
+    if (!may_be_clipped(around_.view.camera, around_.neighbours[index]) || !drawn(index).image) return false;
     std::optional<Region<Number>> region = square();
-    for (const LinePointer edge : drawn_[index].edge)
+    for (const LinePointer edge : drawn(index).edge)
         if (region) region = region->inside(*edge);
     if (!region) return false;
     for (const Side side : {Side::near, Side::far})
-        if (auto line = plane(side, drawn_[index].image->nearness, around_.neighbours[index], Slack::require))
+        if (auto line = plane(side, drawn(index).image->nearness, around_.neighbours[index], Slack::require))
             if (region->outside(**line)) return true;
     return false;
 }

@@ -72,16 +72,20 @@ class AdmissibleSet {
                       const Affine<Number>& nearness, size_t index);
     std::vector<Piece> seen_pieces(size_t index);
     std::vector<Piece> edge_on_pieces(size_t index);
-    std::optional<LinePointer> shared_edge(size_t a, size_t b) const;
-    bool are_on_one_side(size_t a, size_t b, int edge_id) const;
-    bool continues(LinePointer edge, size_t owner, const std::vector<size_t>& occluders) const;
+    /// Drawn when first asked for: most occluders are never reached.
+    const Drawn& drawn(size_t index);
+    LinePointer edge_of(size_t index, int edge_id);
+    std::optional<bool> are_on_one_side(LinePointer edge, size_t other);
+    bool continues(LinePointer edge, const std::vector<size_t>& occluders);
     LinePointer moved_inwards(LinePointer edge);
+    bool stands_apart(size_t occluder, size_t seen);
 
-    bool is_in_front(size_t occluder, size_t seen, DepthRule rule) const;
-    std::vector<size_t> in_front_of(size_t seen, DepthRule rule) const;
-    HalfPlanes<Number> true_cover(size_t occluder, const Piece& seen);
+    bool is_in_front(size_t occluder, size_t seen, DepthRule rule);
+    std::vector<size_t> in_front_of(size_t seen, DepthRule rule);
+    void push_planes(HalfPlanes<Number>& half_planes, size_t occluder);
+    std::optional<HalfPlanes<Number>> true_cover(size_t occluder, const Piece& seen);
     HalfPlanes<Number> cover(size_t occluder, const std::vector<size_t>& occluders, EdgeRule rule,
-                             int free_edge);
+                             std::optional<size_t> seen);
     bool leaves_square_bare(const std::vector<size_t>& occluders, EdgeRule rule, std::optional<size_t> seen);
 
     const Neighbourhood& around_;
@@ -90,7 +94,8 @@ class AdmissibleSet {
     std::array<LinePointer, 4> sides_{};
     std::vector<glm::vec3> corner_positions_;
     std::map<std::pair<int, int>, int> edge_ids_;
-    std::vector<Drawn> drawn_;
+    std::vector<std::optional<Drawn>> drawn_;
+    std::vector<size_t> nearest_first_;
 };
 
 }  // namespace zproof

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/interval.h"
-
 namespace zproof {
 
 namespace {
@@ -36,20 +34,6 @@ void set_nearness_range(Neighbour& n, const std::optional<TriangleImage<double>>
 bool comes_within(const TriangleImage<double>& image, double eps_px) {
     return std::ranges::all_of(image.edge,
                                [&](const Affine<double>& e) { return e.c + eps_px * steepness(e) >= 0; });
-}
-
-/// Is the whole square certainly beyond one edge of the triangle?
-bool certainly_misses(const Sight<Interval>& sight, const Neighbour& n, double eps_px) {
-    const auto beyond = [&](const Affine<Interval>& e) {
-        const double steepest = std::max(-e.a.low(), e.a.high()) + std::max(-e.b.low(), e.b.high());
-        return (e.c + Interval(eps_px) * Interval(0, steepest)).high() < 0;
-    };
-    try {
-        const auto image = image_of(sight, corners<Interval>(n.p_world));
-        return image && std::ranges::any_of(image->edge, beyond);
-    } catch (const UndecidedSign&) {
-        return false;
-    }
 }
 
 }  // namespace
@@ -86,9 +70,6 @@ Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewB
         const auto image = image_of(sight, corners<double>(last.p_world));
         if (image && comes_within(*image, own_eps_px)) n.eps_px = std::max(n.eps_px, last.bounds.eps_px);
     }
-    const Sight<Interval> exact_sight(view, site.x, site.y);
-    std::erase_if(n.neighbours,
-                  [&](const Neighbour& o) { return certainly_misses(exact_sight, o, n.eps_px); });
     return n;
 }
 

@@ -52,7 +52,7 @@ Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, con
 double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
                   PrimitiveId answer);
 
-/// Gathers the evidence, triangles that certainly miss the square left out, for an answer whose own eps is
+/// Gathers the evidence for an answer whose own eps is
 /// own_eps_px <= site.reach_px. Where the result's eps_px exceeds site.reach_px, triangles may be missing:
 /// look again with that reach; the result's eps_px will be the same.
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,

@@ -31,7 +31,7 @@ Standing standing_of_background(AdmissibleSet<Number>& set, size_t count) {
 template <class Number>
 Standing standing_of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count) {
     if (!set.reaches(index)) return Standing::outside;
-    if (set.is_visible(index) || set.holds(index, by_place))
+    if (set.holds(index, by_place) || set.is_visible(index))
         return any_clipped(set, count) ? Standing::clipped : Standing::visible;
     if (set.holds(index, by_depth)) return Standing::tied;
     return set.holds(index, by_crack) ? Standing::through_a_crack : Standing::hidden;
