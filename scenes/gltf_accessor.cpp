@@ -56,6 +56,12 @@ double component(const Elements& elements, std::size_t i, int c) {
     }
 }
 
+glm::dvec3 vec3_at(const Elements& elements, std::size_t i) {
+    if (elements.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT)
+        return glm::dvec3(load<glm::vec3>(elements.first + i * elements.stride));
+    return {component(elements, i, 0), component(elements, i, 1), component(elements, i, 2)};
+}
+
 std::uint32_t index_at(const Elements& elements, std::size_t i) {
     const unsigned char* from = elements.first + i * elements.stride;
     switch (elements.component_type) {
@@ -133,9 +139,10 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
 }
 
 void Accessors::check_finite(int accessor, const Elements& elements) const {
+    const auto components = static_cast<std::size_t>(elements.components);
     for (std::size_t i = 0; i < elements.count; ++i)
-        for (int c = 0; c < elements.components; ++c)
-            if (!std::isfinite(component(elements, i, c)))
+        for (std::size_t c = 0; c < components; ++c)
+            if (!std::isfinite(load<float>(elements.first + i * elements.stride + c * sizeof(float))))
                 refuse(model_.file, accessor_at(accessor),
                        "element " + std::to_string(i) + " is not finite; expected finite numbers");
 }

@@ -24,6 +24,9 @@ struct Elements {
 /// Component c of element i as glTF defines it: normalized integers are mapped to [0, 1] or [-1, 1].
 double component(const Elements& elements, std::size_t i, int c);
 
+/// The first three components of element i.
+glm::dvec3 vec3_at(const Elements& elements, std::size_t i);
+
 /// Element i of an index accessor.
 std::uint32_t index_at(const Elements& elements, std::size_t i);
 

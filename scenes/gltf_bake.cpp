@@ -30,10 +30,6 @@ glm::dmat3 normal_matrix(const glm::dmat3& m) {
     return glm::determinant(m) < 0 ? -cofactors : cofactors;
 }
 
-glm::dvec3 vec3_at(const Elements& elements, std::size_t i) {
-    return {component(elements, i, 0), component(elements, i, 1), component(elements, i, 2)};
-}
-
 std::optional<int> attribute(const tinygltf::Primitive& primitive, const std::string& name) {
     const auto found = primitive.attributes.find(name);
     return found == primitive.attributes.end() ? std::nullopt : std::optional(found->second);
@@ -147,9 +143,10 @@ class Baker {
     }
 
     void append_positions(const PlacedNode& placed, const Elements& positions, const Corners& corners) {
-        const glm::dmat4& world = placed.world_from_node;
+        const glm::dmat3 linear(placed.world_from_node);
+        const glm::dvec3 translation(placed.world_from_node[3]);
         for_each_element(positions, corners, [&](std::size_t i) {
-            const glm::vec3 position(glm::dvec3(world * glm::dvec4(vec3_at(positions, i), 1)));
+            const glm::vec3 position(linear * vec3_at(positions, i) + translation);
             const float largest =
                 std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
             if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
