@@ -83,8 +83,8 @@ void expect_same(const std::vector<View>& a, const std::vector<View>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) expect_same(a[i], b[i]);
 }
 
-std::vector<glm::vec3> all_corners(const Scene& scene) {
-    std::vector<glm::vec3> corners;
+Positions all_corners(const Scene& scene) {
+    Positions corners;
     for (const glm::uvec3& t : scene.triangles)
         for (const int i : {0, 1, 2}) corners.push_back(scene.vertices.position_world[t[i]]);
     return corners;

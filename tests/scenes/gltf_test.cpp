@@ -14,7 +14,6 @@
 namespace zproof {
 namespace {
 
-using Positions = std::vector<glm::vec3>;
 using Triangles = std::vector<glm::uvec3>;
 
 const std::vector<float> five_points{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
@@ -160,7 +159,7 @@ TEST(Gltf, ReadsInterleavedAttributes) {
     gltf.primitive()["attributes"]["NORMAL"] = 1;
     const Scene scene = load_gltf(gltf.write(folder)).scene;
     EXPECT_EQ(scene.vertices.position_world, (Positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
-    EXPECT_EQ(scene.vertices.normal_world, (Positions{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
+    EXPECT_EQ(scene.vertices.normal_world, (std::vector<glm::vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
 }
 
 TEST(Gltf, RefusesAnElementThatEndsOneByteBeyondItsView) {
@@ -273,7 +272,8 @@ TEST(Gltf, PadsAttributesThatSomePrimitivesLack) {
     gltf.json["meshes"][0]["primitives"] = {plain, with_normal, plain};
     const Scene scene = load_gltf(gltf.write(folder)).scene;
     const glm::vec3 none(0), z(0, 0, 1);
-    EXPECT_EQ(scene.vertices.normal_world, (Positions{none, none, none, z, z, z, none, none, none}));
+    EXPECT_EQ(scene.vertices.normal_world,
+              (std::vector<glm::vec3>{none, none, none, z, z, z, none, none, none}));
 }
 
 /// The arrow of TextureTransformTest: with rotation 22.5 degrees its tip, uv (7/9, 7/9), must show at the
