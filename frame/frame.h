@@ -19,7 +19,8 @@ struct Frame {
     Plane<float> camera_depth;  ///< distance along the view axis, scene units, positive; +inf = background
 
     /// An all-background frame.
-    explicit Frame(Resolution size) : primitive(size, PrimitiveId::none), camera_depth(size, background_depth) {}
+    explicit Frame(Resolution size)
+        : primitive(size, PrimitiveId::none), camera_depth(size, background_depth) {}
     Frame() = default;
 
     Resolution size() const { return primitive.size(); }

@@ -16,8 +16,9 @@ enum class Snap {
     truncate,  ///< moves by less than a whole step
 };
 
-/// A z-buffer rasterizer: one fused clip_from_world matrix, division by w, viewport, snap, and depth interpolated
-/// from the snapped triangle's barycentrics (1/depth for perspective, depth for parallel projections).
+/// A z-buffer rasterizer: one fused clip_from_world matrix, division by w, viewport, snap, and depth
+/// interpolated from the snapped triangle's barycentrics (1/depth for perspective, depth for parallel
+/// projections).
 struct RasterPrecision {
     Arithmetic transform = Arithmetic::float32;      ///< of matrix, division and viewport
     int subpixel_bits = 8;                           ///< grid step is 2^-subpixel_bits px
@@ -26,8 +27,8 @@ struct RasterPrecision {
     int depth_roundings = 2;                         ///< float32 roundings from interpolant to stored depth
 };
 
-/// A ray caster: one ray per pixel centre against the world-space triangle, edges tested by the signs of Pluecker
-/// products. Origins, directions and vertices are rounded to this arithmetic.
+/// A ray caster: one ray per pixel centre against the world-space triangle, edges tested by the signs of
+/// Pluecker products. Origins, directions and vertices are rounded to this arithmetic.
 struct RayPrecision {
     Arithmetic arithmetic = Arithmetic::float32;
 };

@@ -14,14 +14,15 @@ namespace zproof::oracle {
 /// A scene handed to Embree. Geometry is shared without a copy: the scene must outlive this object.
 class Embree {
   public:
-    /// Builds the acceleration structure. Throws OracleError with Embree's own words where the device refuses.
+    /// Builds the acceleration structure. Throws OracleError with Embree's own words where the device
+    /// refuses.
     explicit Embree(const Scene& scene);
     ~Embree();
     Embree(Embree&&) noexcept;
     Embree& operator=(Embree&&) noexcept;
 
-    /// Traces the view on the threads of the surrounding tbb::task_arena. Ray directions have unit camera depth, so
-    /// that the hit distance is the camera depth and tnear/tfar are the near and far planes.
+    /// Traces the view on the threads of the surrounding tbb::task_arena. Ray directions have unit camera
+    /// depth, so that the hit distance is the camera depth and tnear/tfar are the near and far planes.
     Frame trace(const View& view) const;
 
   private:

@@ -56,7 +56,8 @@ h2 .outcome { font-size: 0.86rem; margin-left: 0.6rem; }
 .class { display: inline-flex; align-items: center; gap: 0.5rem; white-space: nowrap; }
 .class i {
   display: inline-block; width: 1.3em; height: 1.3em; border-radius: 3px; text-align: center;
-  font-style: normal; font-size: 0.82em; font-weight: 600; line-height: 1.3em; box-shadow: inset 0 0 0 1px rgb(128 128 128 / 45%);
+  font-style: normal; font-size: 0.82em; font-weight: 600; line-height: 1.3em;
+  box-shadow: inset 0 0 0 1px rgb(128 128 128 / 45%);
   print-color-adjust: exact; -webkit-print-color-adjust: exact;
 }
 .legend p { max-width: 52rem; }

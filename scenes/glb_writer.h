@@ -7,8 +7,9 @@
 
 namespace zproof {
 
-/// Writes FOLDER/NAME.glb with positions, normals, uv sets, colours, materials and images, and FOLDER/NAME.view.json
-/// with the views, so that load_view_file gives back the same bits. Throws SceneError where it cannot write.
+/// Writes FOLDER/NAME.glb with positions, normals, uv sets, colours, materials and images, and
+/// FOLDER/NAME.view.json with the views, so that load_view_file gives back the same bits. Throws SceneError
+/// where it cannot write.
 void write_glb(const std::filesystem::path& folder, const Loaded& loaded);
 
 }  // namespace zproof

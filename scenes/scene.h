@@ -1,7 +1,8 @@
 /// The baked scene: the one input of every renderer.
 ///
-/// Positions are world space, float32, rounded once; from here on they are exact numbers. Triangles stand in file
-/// order (glTF: depth-first node order, primitives in order, triangles in order); their index is the primitive id.
+/// Positions are world space, float32, rounded once; from here on they are exact numbers. Triangles stand in
+/// file order (glTF: depth-first node order, primitives in order, triangles in order); their index is the
+/// primitive id.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +16,14 @@
 namespace zproof {
 
 enum class Wrap { repeat, clamp_to_edge, mirrored_repeat };
-enum class Minification { nearest, linear, nearest_mip_nearest, linear_mip_nearest, nearest_mip_linear, linear_mip_linear };
+enum class Minification {
+    nearest,
+    linear,
+    nearest_mip_nearest,
+    linear_mip_nearest,
+    nearest_mip_linear,
+    linear_mip_linear
+};
 enum class Magnification { nearest, linear };
 
 struct Sampler {
@@ -54,8 +62,8 @@ struct Material {
 /// Readable for 16 bytes at the last vertex, so that a renderer may share it without a copy.
 using Positions = std::vector<glm::vec3, PaddedAllocator<glm::vec3>>;
 
-/// Attributes are per vertex; an empty vector means that no primitive has the attribute, otherwise its size is
-/// that of positions (vertices without it hold the default: normal 0, uv 0, colour 1).
+/// Attributes are per vertex; an empty vector means that no primitive has the attribute, otherwise its size
+/// is that of positions (vertices without it hold the default: normal 0, uv 0, colour 1).
 struct Vertices {
     Positions position_world;
     std::vector<glm::vec3> normal_world;

@@ -10,8 +10,8 @@
 namespace zproof {
 
 struct SuiteEntry {
-    std::string name;    ///< unique; also the scene's name
-    std::string reason;  ///< one sentence: what this scene can catch
+    std::string name;                  ///< unique; also the scene's name
+    std::string reason;                ///< one sentence: what this scene can catch
     std::vector<std::string> expects;  ///< pixel classes that must occur, e.g. "edge", "clip"
 };
 

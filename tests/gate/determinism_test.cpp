@@ -22,7 +22,8 @@ bool same_bits(const Frame& a, const Frame& b) {
 bool same_finding(const Finding& a, const Finding& b) {
     return a.x == b.x && a.y == b.y && a.verdict == b.verdict && a.eps_px == b.eps_px &&
            a.candidate.primitive == b.candidate.primitive && a.reference.primitive == b.reference.primitive &&
-           std::bit_cast<std::uint64_t>(a.error_over_bound) == std::bit_cast<std::uint64_t>(b.error_over_bound);
+           std::bit_cast<std::uint64_t>(a.error_over_bound) ==
+               std::bit_cast<std::uint64_t>(b.error_over_bound);
 }
 
 struct Outcome {
@@ -56,12 +57,14 @@ TEST_P(Determinism, FramesAndVerdictsDoNotDependOnThreadsOrRuns) {
         EXPECT_TRUE(same_bits(one.reference, other.reference));
         EXPECT_EQ(one.verdict.counts, other.verdict.counts);
         EXPECT_EQ(one.verdict.candidate_depth.histogram, other.verdict.candidate_depth.histogram);
-        EXPECT_EQ(one.verdict.candidate_depth.max_error_over_bound, other.verdict.candidate_depth.max_error_over_bound);
+        EXPECT_EQ(one.verdict.candidate_depth.max_error_over_bound,
+                  other.verdict.candidate_depth.max_error_over_bound);
         EXPECT_TRUE(std::ranges::equal(one.verdict.findings, other.verdict.findings, same_finding));
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Suite, Determinism, testing::Values("deep_overdraw", "interpenetrating", "near_plane", "room"),
+INSTANTIATE_TEST_SUITE_P(Suite, Determinism,
+                         testing::Values("deep_overdraw", "interpenetrating", "near_plane", "room"),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace

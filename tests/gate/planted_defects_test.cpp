@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "tests/gate/trial.h"
 #include "tests/support/planted_rules.h"
@@ -13,6 +14,9 @@ struct Case {
     std::string defect, scene;
     std::vector<PixelClass> expected;  ///< classes that must occur
 };
+
+/// Names the case in the test's parameter line.
+void PrintTo(const Case& planted, std::ostream* out) { *out << planted.defect << " in " << planted.scene; }
 
 rasterizer::Rules rules_of(const std::string& defect) {
     const auto& all = rasterizer::planted_rules;

@@ -7,15 +7,17 @@
 
 namespace zproof {
 
-std::vector<Trial> try_suite_scene(const std::string& scene, int width, int height, const rasterizer::Rules& rules) {
+std::vector<Trial> try_suite_scene(const std::string& scene, int width, int height,
+                                   const rasterizer::Rules& rules) {
     const Loaded loaded = generate_suite_scene(scene, width, height);
     const oracle::Embree embree(loaded.scene);
     std::vector<Trial> trials;
     for (const View& view : loaded.views) {
         const Frame candidate = rasterizer::render_by(rules, loaded.scene, view);
         const Frame reference = embree.trace(view);
-        trials.push_back({scene + "/" + view.name, judge(loaded.scene, view, {candidate, rasterizer::precision()},
-                                                         {reference, oracle::embree_precision()})});
+        trials.push_back(
+            {scene + "/" + view.name, judge(loaded.scene, view, {candidate, rasterizer::precision()},
+                                            {reference, oracle::embree_precision()})});
     }
     return trials;
 }

@@ -14,8 +14,8 @@ struct Trial {
     Verdict verdict;
 };
 
-/// Every view of a suite scene, the candidate drawn by these rules and judged by the precision that the lawful
-/// rasterizer declares.
+/// Every view of a suite scene, the candidate drawn by these rules and judged by the precision that the
+/// lawful rasterizer declares.
 std::vector<Trial> try_suite_scene(const std::string& scene, int width, int height,
                                    const rasterizer::Rules& rules = rasterizer::lawful_rules);
 
