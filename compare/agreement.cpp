@@ -8,25 +8,42 @@ namespace zproof {
 
 namespace {
 
-/// Holds a witness's answers against their bounds; neighbouring pixels mostly share the triangle asked for
-/// last.
-class DepthClerk {
+/// The triangle asked for last: neighbouring pixels, and both witnesses, mostly ask for the same.
+class TriangleClerk {
   public:
-    explicit DepthClerk(const Witness& witness) : witness_(witness) {}
+    explicit TriangleClerk(const Witness& any_witness) : witness_(any_witness) {}
 
-    /// The answer must be valid; background has no depth to be held.
-    std::optional<DepthCheck> check(const Answer& answer, int x, int y) {
-        if (answer.primitive == PrimitiveId::none) return std::nullopt;
-        if (!triangle_ || answer.primitive != primitive_)
-            triangle_.emplace(witness_.depth_of(answer.primitive));
-        primitive_ = answer.primitive;
-        return witness_.check(*triangle_, answer, x, y);
+    const TriangleInView& triangle(PrimitiveId primitive) {
+        if (!triangle_ || primitive != primitive_) triangle_.emplace(witness_.triangle_in_view(primitive));
+        primitive_ = primitive;
+        return *triangle_;
     }
 
   private:
     const Witness& witness_;
     PrimitiveId primitive_ = PrimitiveId::none;
-    std::optional<TriangleDepth> triangle_;
+    std::optional<TriangleInView> triangle_;
+};
+
+/// Holds one witness's answers against their bounds.
+class DepthClerk {
+  public:
+    DepthClerk(const Witness& witness, TriangleClerk& triangles) : witness_(witness), triangles_(triangles) {}
+
+    /// The answer must be valid; background has no depth to be held.
+    std::optional<DepthCheck> check(const Answer& answer, int x, int y) {
+        if (answer.primitive == PrimitiveId::none) return std::nullopt;
+        if (!depth_ || answer.primitive != primitive_)
+            depth_.emplace(depth_of(triangles_.triangle(answer.primitive), witness_.bounds()));
+        primitive_ = answer.primitive;
+        return witness_.check(*depth_, answer, x, y);
+    }
+
+  private:
+    const Witness& witness_;
+    TriangleClerk& triangles_;
+    PrimitiveId primitive_ = PrimitiveId::none;
+    std::optional<TriangleDepth> depth_;
 };
 
 /// A row's, or a pixel's, look at both witnesses.
@@ -36,8 +53,9 @@ class Comparison {
         : triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
-          candidate_clerk_(candidate),
-          reference_clerk_(reference) {}
+          triangles_(candidate),
+          candidate_clerk_(candidate, triangles_),
+          reference_clerk_(reference, triangles_) {}
 
     OpenPixel look_at(int x, int y) {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -71,6 +89,7 @@ class Comparison {
   private:
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
+    TriangleClerk triangles_;
     DepthClerk candidate_clerk_, reference_clerk_;
     double reference_error_over_bound_ = 0;
 };

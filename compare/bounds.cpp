@@ -32,20 +32,14 @@ double largest_defect(const Camera& camera) {
 
 }  // namespace
 
-/// A triangle's size as the error analysis sees it: per camera axis, sums of absolute products.
-struct ViewBounds::Extent {
-    std::array<glm::dvec3, 3> v_world;  ///< corner - eye
-    std::array<double, 3> depth;
-    glm::dvec3 from_eye{0};     ///< per camera axis: max over corners of sum |axis_j| |p_j - eye_j|
-    glm::dvec3 from_origin{0};  ///< per camera axis: max over corners of sum |axis_j| (|p_j| + |eye_j|)
+double TriangleExtent::largest_depth() const {
+    return std::max({std::abs(depth[0]), std::abs(depth[1]), std::abs(depth[2])});
+}
 
-    /// Largest in-image displacement, px times depth, of an error of 1 relative to `camera_abs` on every
-    /// axis.
-    static double lateral_px(const ViewBounds& b, const glm::dvec3& camera_abs) {
-        return std::max(b.px_per_u_ * (camera_abs.x + b.slant_u_ * camera_abs.z),
-                        b.px_per_v_ * (camera_abs.y + b.slant_v_ * camera_abs.z));
-    }
-};
+double ViewBounds::lateral_px(const glm::dvec3& camera_abs) const {
+    return std::max(px_per_u_ * (camera_abs.x + slant_u_ * camera_abs.z),
+                    px_per_v_ * (camera_abs.y + slant_v_ * camera_abs.z));
+}
 
 ViewBounds::ViewBounds(const View& view, const Precision& precision)
     : view_(view),
@@ -66,11 +60,11 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
         background_eps_px_ = std::ldexp(raster->snap == Snap::nearest ? 0.5 : 1.0, -raster->subpixel_bits);
 }
 
-ViewBounds::Extent ViewBounds::extent_of(const CornersWorld& p_world) const {
+TriangleExtent ViewBounds::extent_of(const CornersWorld& p_world) const {
     const Camera& c = view_.camera;
     const std::array axes{c.right, c.up, c.back};
     const glm::dvec3 eye(c.eye_world);
-    Extent extent;
+    TriangleExtent extent;
     for (int i = 0; i < 3; ++i) {
         const glm::dvec3 p(p_world[size_t(i)]);
         extent.v_world[size_t(i)] = p - eye;
@@ -83,10 +77,11 @@ ViewBounds::Extent ViewBounds::extent_of(const CornersWorld& p_world) const {
                 std::max(extent.from_origin[axis], glm::dot(a, glm::abs(p) + glm::abs(eye)));
         }
     }
+    extent.plane_size = plane_size_of(extent, p_world);
     return extent;
 }
 
-PlaneSize ViewBounds::plane_size_of(const Extent& extent, const CornersWorld& p_world) const {
+PlaneSize ViewBounds::plane_size_of(const TriangleExtent& extent, const CornersWorld& p_world) const {
     const glm::dvec3 e1 = glm::dvec3(p_world[1]) - glm::dvec3(p_world[0]);
     const glm::dvec3 e2 = glm::dvec3(p_world[2]) - glm::dvec3(p_world[0]);
     const glm::dvec3 normal = glm::cross(e1, e2);
@@ -99,13 +94,10 @@ PlaneSize ViewBounds::plane_size_of(const Extent& extent, const CornersWorld& p_
     return {std::abs(glm::dot(direction, normal)), along_sight, from_corner};
 }
 
-TriangleBounds ViewBounds::of(const CornersWorld& p_world) const {
-    const Extent extent = extent_of(p_world);
-    const PlaneSize size = plane_size_of(extent, p_world);
+TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
     TriangleBounds bounds = std::holds_alternative<RasterPrecision>(precision_)
                                 ? raster_bounds(extent, std::get<RasterPrecision>(precision_))
-                                : ray_bounds(extent, size, std::get<RayPrecision>(precision_));
-    bounds.plane_size = size;
+                                : ray_bounds(extent, std::get<RayPrecision>(precision_));
     const Camera& c = view_.camera;
     const auto [low, high] = std::minmax({extent.depth[0], extent.depth[1], extent.depth[2]});
     bounds.nearest = std::clamp(low, c.near_depth, c.far_depth);
@@ -113,7 +105,8 @@ TriangleBounds ViewBounds::of(const CornersWorld& p_world) const {
     return bounds;
 }
 
-TriangleBounds ViewBounds::raster_bounds(const Extent& extent, const RasterPrecision& precision) const {
+TriangleBounds ViewBounds::raster_bounds(const TriangleExtent& extent,
+                                         const RasterPrecision& precision) const {
     const double u = unit_of(precision.transform);
     // float64: the fused matrix is built and applied in double: 3 (translation) + 3 + 3 (product of the two
     // matrices)
@@ -122,7 +115,7 @@ TriangleBounds ViewBounds::raster_bounds(const Extent& extent, const RasterPreci
         (precision.transform == Arithmetic::float64 ? gamma(13, u) : gamma(5, u)) + orthonormality_;
     const double viewport = gamma(8, u) * guard_band_px;  // division, scale, offset; clipping's interpolation
     const double snap = background_eps_px_;
-    const double lateral = transform * Extent::lateral_px(*this, extent.from_origin);
+    const double lateral = transform * lateral_px(extent.from_origin);
 
     TriangleBounds bounds;
     bounds.eps_base_px = snap + viewport + (perspective_ ? 0 : lateral);
@@ -132,13 +125,11 @@ TriangleBounds ViewBounds::raster_bounds(const Extent& extent, const RasterPreci
     bounds.depth_relative =
         gamma(precision.depth_roundings, unit_roundoff_float32) + gamma(8, unit_of(precision.interpolation));
     bounds.depth_absolute = transform * extent.from_origin.z;
-    const double span =
-        std::max({std::abs(extent.depth[0]), std::abs(extent.depth[1]), std::abs(extent.depth[2])});
-    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gamma(8, u) * span;
+    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gamma(8, u) * extent.largest_depth();
     return bounds;
 }
 
-double ViewBounds::edge_test_eps_px(const Extent& extent, int edge, double unit) const {
+double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const {
     const glm::dvec3& from = extent.v_world[size_t((edge + 1) % 3)];
     const glm::dvec3& to = extent.v_world[size_t((edge + 2) % 3)];
     const Camera& c = view_.camera;
@@ -155,8 +146,7 @@ double ViewBounds::edge_test_eps_px(const Extent& extent, int edge, double unit)
     return gradient > 0 ? error / gradient : 0;  // an edge without extent in the image bounds no area
 }
 
-TriangleBounds ViewBounds::ray_bounds(const Extent& extent, const PlaneSize& size,
-                                      const RayPrecision& precision) const {
+TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPrecision& precision) const {
     const double u = unit_of(precision.arithmetic);
     const Camera& c = view_.camera;
     const std::array axes{c.right, c.up, c.back};
@@ -166,12 +156,10 @@ TriangleBounds ViewBounds::ray_bounds(const Extent& extent, const PlaneSize& siz
         direction_error[i] = u * glm::dot(glm::abs(axes[size_t(i)]), direction_abs_);
         origin_error[i] = perspective_ ? 0 : u * glm::dot(glm::abs(axes[size_t(i)]), origin_world);
     }
-    const double span =
-        std::max({std::abs(extent.depth[0]), std::abs(extent.depth[1]), std::abs(extent.depth[2])});
     // a corner is rounded once when the origin is subtracted
-    const double corner = u * Extent::lateral_px(*this, extent.from_eye);
-    const double aim = Extent::lateral_px(*this, direction_error) * (perspective_ ? 1 : span) +
-                       Extent::lateral_px(*this, origin_error);
+    const double corner = u * lateral_px(extent.from_eye);
+    const double aim =
+        lateral_px(direction_error) * (perspective_ ? 1 : extent.largest_depth()) + lateral_px(origin_error);
     double edges = 0;
     for (int edge = 0; edge < 3; ++edge) edges = std::max(edges, edge_test_eps_px(extent, edge, u));
 
@@ -184,6 +172,7 @@ TriangleBounds ViewBounds::ray_bounds(const Extent& extent, const PlaneSize& siz
 
     // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and the
     // product
+    const PlaneSize& size = extent.plane_size;
     const double volume_error = gamma(8, u) * size.volume_abs,
                  numerator_error = gamma(8, u) * size.numerator_abs;
     bounds.depth_relative = gamma(4, u) + direction_error.z;

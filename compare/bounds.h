@@ -26,6 +26,18 @@ struct PlaneSize {
     double volume = 0, volume_abs = 0, numerator_abs = 0;
 };
 
+/// A triangle's size as the error analysis sees it, the same for every renderer of a view: sums of absolute
+/// products per camera axis.
+struct TriangleExtent {
+    std::array<glm::dvec3, 3> v_world;  ///< corner - eye
+    std::array<double, 3> depth;
+    glm::dvec3 from_eye{0};     ///< max over corners of sum |axis_j| |p_j - eye_j|
+    glm::dvec3 from_origin{0};  ///< max over corners of sum |axis_j| (|p_j| + |eye_j|)
+    PlaneSize plane_size;
+
+    double largest_depth() const;  ///< of the corners, in absolute value
+};
+
 /// The bounds of one triangle, as functions of its nearness (1/depth; perspective) at the pixel.
 struct TriangleBounds {
     double eps_base_px = 0, eps_per_nearness = 0;              ///< eps = base + per_nearness * nearness
@@ -34,7 +46,6 @@ struct TriangleBounds {
     double plane_offset = 0;               ///< ray: error of (normal . direction) / volume, in nearness
     double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
     double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
-    PlaneSize plane_size;
 
     /// At a place where nearness is `nearness` and changes by `gradient` (|d/dx| + |d/dy|) per pixel.
     LocalBounds at(double nearness, double gradient) const;
@@ -45,19 +56,20 @@ class ViewBounds {
   public:
     ViewBounds(const View& view, const Precision& precision);
 
-    TriangleBounds of(const CornersWorld& p_world) const;
+    TriangleExtent extent_of(const CornersWorld& p_world) const;
+    TriangleBounds of(const TriangleExtent& extent) const;
+    TriangleBounds of(const CornersWorld& p_world) const { return of(extent_of(p_world)); }
     /// A rasterizer interpolates between its corners' depths; a ray meets the plane.
     bool keeps_to_corners() const { return std::holds_alternative<RasterPrecision>(precision_); }
     double background_eps_px() const { return background_eps_px_; }  ///< the share that no triangle causes
 
   private:
-    struct Extent;
-    Extent extent_of(const CornersWorld& p_world) const;
-    PlaneSize plane_size_of(const Extent& extent, const CornersWorld& p_world) const;
-    TriangleBounds raster_bounds(const Extent& extent, const RasterPrecision& precision) const;
-    TriangleBounds ray_bounds(const Extent& extent, const PlaneSize& size,
-                              const RayPrecision& precision) const;
-    double edge_test_eps_px(const Extent& extent, int edge, double unit) const;
+    PlaneSize plane_size_of(const TriangleExtent& extent, const CornersWorld& p_world) const;
+    TriangleBounds raster_bounds(const TriangleExtent& extent, const RasterPrecision& precision) const;
+    TriangleBounds ray_bounds(const TriangleExtent& extent, const RayPrecision& precision) const;
+    /// Largest displacement in the image, px times depth, of errors of camera_abs along the camera's axes.
+    double lateral_px(const glm::dvec3& camera_abs) const;
+    double edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const;
 
     View view_;
     Precision precision_;

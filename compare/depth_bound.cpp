@@ -46,51 +46,50 @@ bool within(const Number& nearness, const LocalBounds& local, double shift, floa
 
 }  // namespace
 
-TriangleDepth::TriangleDepth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world)
-    : perspective_(view.camera.projection == Projection::perspective),
-      keeps_to_corners_(bounds.keeps_to_corners()),
-      bounds_(bounds.of(p_world)) {
-    set_nearness(view, p_world);
-}
-
-void TriangleDepth::set_nearness(const View& view, const CornersWorld& p_world) {
-    const Sight<double> sight(view, 0, 0);
-    const auto image = image_of(sight, corners<double>(p_world));
-    edge_on_ = !image;
-    if (edge_on_) return;
-    nearness_ = image->nearness;
-    gradient_ = std::abs(nearness_.a) + std::abs(nearness_.b);
+TriangleNearness::TriangleNearness(const View& view, const TriangleExtent& extent,
+                                   const CornersWorld& p_world)
+    : perspective(view.camera.projection == Projection::perspective) {
+    const auto image = image_of(Sight<double>(view, 0, 0), corners<double>(p_world));
+    edge_on = !image;
+    if (edge_on) return;
+    nearness = image->nearness;
+    gradient = std::abs(nearness.a) + std::abs(nearness.b);
     // nearness = (normal . direction) / volume: absolute sums of both, 16 roundings at most in each
-    const PlaneSize size = bounds_.plane_size;
+    const PlaneSize& size = extent.plane_size;
     const double u = gamma(16, unit_roundoff_float64);
     const double largest =
-        std::abs(nearness_.c) + std::abs(nearness_.a) * view.width + std::abs(nearness_.b) * view.height;
+        std::abs(nearness.c) + std::abs(nearness.a) * view.width + std::abs(nearness.b) * view.height;
     const double condition = size.volume_abs / size.volume;
-    own_error_ =
+    own_error =
         u * condition < 0.5 ? 2 * u * (size.numerator_abs / size.volume + largest * condition) : unlimited;
 }
 
 DepthBound TriangleDepth::at(int x, int y) const {
-    const double nearness = nearness_.at(x, y);
-    const LocalBounds local = bounds_.at(nearness, gradient_);
-    if (edge_on_ || !std::isfinite(own_error_))
+    const double nearness = plane_.nearness.at(x, y);
+    const LocalBounds local = bounds_.at(nearness, plane_.gradient);
+    if (plane_.edge_on || !std::isfinite(plane_.own_error))
         return with_rounding({bounds_.nearest, bounds_.farthest}, bounds_.nearest, local);
-    DepthRange range = shifted(nearness, local.depth_eps_px * gradient_, perspective_);
-    double truth = perspective_ ? 1 / nearness : -nearness;
+    DepthRange range = shifted(nearness, local.depth_eps_px * plane_.gradient, plane_.perspective);
+    double truth = plane_.perspective ? 1 / nearness : -nearness;
     if (keeps_to_corners_) {
         range = {std::clamp(range.low, bounds_.nearest, bounds_.farthest),
                  std::clamp(range.high, bounds_.nearest, bounds_.farthest)};
-        truth = std::clamp(nearness > 0 || !perspective_ ? truth : unlimited, range.low, range.high);
+        truth = std::clamp(nearness > 0 || !plane_.perspective ? truth : unlimited, range.low, range.high);
     }
     return with_rounding(range, truth, local);
 }
 
 bool TriangleDepth::certainly_holds(const DepthBound& bound, float depth) const {
     const double z = depth;
-    if (edge_on_) return bound.low <= z && z <= bound.high;
-    const double relative = perspective_ ? own_error_ * z : 0, absolute = perspective_ ? 0 : own_error_;
+    if (plane_.edge_on) return bound.low <= z && z <= bound.high;
+    const double relative = plane_.perspective ? plane_.own_error * z : 0,
+                 absolute = plane_.perspective ? 0 : plane_.own_error;
     const double margin = 2 * relative * z + absolute + 8 * unit_roundoff_float64 * z;
     return bound.low + margin <= z && z <= bound.high - margin;
+}
+
+TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds) {
+    return {triangle.nearness, bounds.of(triangle.extent), bounds.keeps_to_corners()};
 }
 
 bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world, int x, int y,

@@ -8,10 +8,22 @@
 namespace zproof {
 
 /// The nearness of one triangle over the whole image, in double with a forward error bound. Made once per
-/// triangle and asked at each of its pixels.
+/// triangle; the same for every renderer of the view.
+struct TriangleNearness {
+    TriangleNearness(const View& view, const TriangleExtent& extent, const CornersWorld& p_world);
+
+    bool perspective;
+    bool edge_on = false;
+    Affine<double> nearness{0, 0, 0};  ///< of pixel indices
+    double gradient = 0;               ///< |d/dx| + |d/dy|
+    double own_error = 0;              ///< of nearness, anywhere in the image
+};
+
+/// The depths that one renderer may report for one triangle.
 class TriangleDepth {
   public:
-    TriangleDepth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world);
+    TriangleDepth(const TriangleNearness& nearness, const TriangleBounds& bounds, bool keeps_to_corners)
+        : plane_(nearness), bounds_(bounds), keeps_to_corners_(keeps_to_corners) {}
 
     /// The lawful interval at a pixel, in double.
     DepthBound at(int x, int y) const;
@@ -19,16 +31,21 @@ class TriangleDepth {
     bool certainly_holds(const DepthBound& bound, float depth) const;
 
   private:
-    void set_nearness(const View& view, const CornersWorld& p_world);
-
-    bool perspective_;
-    bool edge_on_ = false;
-    bool keeps_to_corners_;
+    TriangleNearness plane_;
     TriangleBounds bounds_;
-    Affine<double> nearness_{0, 0, 0};  ///< of pixel indices
-    double gradient_ = 0;
-    double own_error_ = 0;  ///< of nearness_, anywhere in the image
+    bool keeps_to_corners_;
 };
+
+/// What renderers of one view share about one triangle.
+struct TriangleInView {
+    TriangleInView(const View& view, const ViewBounds& any_bounds, const CornersWorld& p_world)
+        : extent(any_bounds.extent_of(p_world)), nearness(view, extent, p_world) {}
+
+    TriangleExtent extent;
+    TriangleNearness nearness;
+};
+
+TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds);
 
 /// Decides by exact arithmetic where double does not suffice.
 bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world, int x, int y,

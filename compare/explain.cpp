@@ -40,7 +40,8 @@ std::vector<Candidate> candidates_in(const View& view, const Witness& witness, c
     for (const Neighbour& n : around.neighbours) {
         const Decision decision = decide(around, PrimitiveId(n.triangle));
         if (decision.standing == Standing::outside) continue;
-        const TriangleDepth depth(view, witness.bounds(), n.p_world);
+        const TriangleDepth depth =
+            depth_of(TriangleInView(view, witness.bounds(), n.p_world), witness.bounds());
         candidates.push_back({PrimitiveId(n.triangle), edge_distances(sight, n.p_world),
                               depth.at(around.x, around.y), decision});
     }

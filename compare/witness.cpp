@@ -10,7 +10,7 @@ bool is_invalid(const Answer& answer, std::size_t triangle_count) {
     return std::size_t(answer.primitive) >= triangle_count;
 }
 
-TriangleDepth Witness::depth_of(PrimitiveId primitive) const {
+TriangleInView Witness::triangle_in_view(PrimitiveId primitive) const {
     return {view_, bounds_, corners_of(scene_, std::uint32_t(primitive))};
 }
 

@@ -25,8 +25,9 @@ class Witness {
     Answer answer_at(int x, int y) const { return {frame_.primitive.at(x, y), frame_.camera_depth.at(x, y)}; }
     const ViewBounds& bounds() const { return bounds_; }
 
-    TriangleDepth depth_of(PrimitiveId primitive) const;
-    /// The answer's id must be a triangle of the scene, `triangle` its depth.
+    /// The same for every witness of the view. The id must be a triangle of the scene.
+    TriangleInView triangle_in_view(PrimitiveId primitive) const;
+    /// `triangle` must be the depth of the answer's id.
     DepthCheck check(const TriangleDepth& triangle, const Answer& answer, int x, int y) const;
 
   private:
