@@ -27,6 +27,7 @@ struct Box {
         bottom = std::max(bottom, y);
     }
     void widen(double by) { left -= by, top -= by, right += by, bottom += by; }
+    bool fits(double side) const { return right - left <= side && bottom - top <= side; }
     bool meets(const Box& o) const {
         return left <= o.right && o.left <= right && top <= o.bottom && o.top <= bottom;
     }
@@ -210,29 +211,51 @@ struct Meeting {
     std::uint32_t site, triangle;
 };
 
+/// Finds the sites that one triangle meets. Its edges are asked only where its box does not say no.
+class TriangleSearch {
+  public:
+    TriangleSearch(const View& view, const SiteGrid& grid, std::span<const Site> sites)
+        : view_(view), grid_(grid), sites_(sites), box_projection_(view) {}
+
+    template <class Visit>
+    void operator()(const CornersWorld& p_world, const Visit& visit_site) const {
+        const std::optional<Box> box = box_projection_(p_world);
+        if (!box || !grid_.holds_sites(*box)) return;
+        std::optional<EdgeFilter> edges;
+        const auto misses = [&](double x, double y, double half_side) {
+            if (!edges) edges.emplace(view_, p_world);
+            return edges->misses(x, y, half_side);
+        };
+        const bool is_small = box->fits(tile_px);
+        const auto misses_tile = [&](double x, double y, double half_side) {
+            return !is_small && misses(x, y, half_side);
+        };
+        grid_.visit(*box, misses_tile, [&](std::uint32_t i) {
+            const Site& site = sites_[i];
+            if (box->meets(box_of(site)) && !misses(site.x + 0.5, site.y + 0.5, site.reach_px)) visit_site(i);
+        });
+    }
+
+  private:
+    const View& view_;
+    const SiteGrid& grid_;
+    std::span<const Site> sites_;
+    BoxProjection box_projection_;
+};
+
 }  // namespace
 
 void find_nearby_triangles(const Scene& scene, const View& view, std::span<Site> sites) {
-    const BoxProjection box_projection(view);
     const SiteGrid grid(view, sites);
+    const TriangleSearch search(view, grid, sites);
     std::vector<std::vector<Meeting>> chunks((scene.triangles.size() + chunk_triangles - 1) /
                                              chunk_triangles);
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t chunk) {
         const std::size_t end = std::min(scene.triangles.size(), (chunk + 1) * chunk_triangles);
-        for (std::size_t t = chunk * chunk_triangles; t < end; ++t) {
-            const CornersWorld p_world = corners_of(scene, std::uint32_t(t));
-            const std::optional<Box> box = box_projection(p_world);
-            if (!box || !grid.holds_sites(*box)) continue;
-            const EdgeFilter filter(view, p_world);
-            const auto misses = [&](double x, double y, double half_side) {
-                return filter.misses(x, y, half_side);
-            };
-            grid.visit(*box, misses, [&](std::uint32_t i) {
-                const Site& site = sites[i];
-                if (box->meets(box_of(site)) && !misses(site.x + 0.5, site.y + 0.5, site.reach_px))
-                    chunks[chunk].push_back({i, std::uint32_t(t)});
+        for (std::size_t t = chunk * chunk_triangles; t < end; ++t)
+            search(corners_of(scene, std::uint32_t(t)), [&](std::uint32_t site) {
+                chunks[chunk].push_back({site, std::uint32_t(t)});
             });
-        }
     });
     for (Site& site : sites) site.triangles.clear();
     for (const auto& chunk : chunks)
