@@ -76,7 +76,6 @@ class Hearing {
 std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness& candidate,
                             const Witness& reference, std::span<const OpenPixel> open) {
     std::vector<Ruling> rulings(open.size());
-    std::vector<double> reference_eps_px(open.size());
     Hearing hearing(scene, view);
     for (std::size_t i = 0; i < open.size(); ++i) {
         const Finding& f = open[i].finding;
@@ -86,7 +85,7 @@ std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness&
                         rulings[i].candidate_eps_px);
         if (!open[i].reference_invalid)
             hearing.add(reference, f.reference.primitive, f.x, f.y, rulings[i].reference,
-                        reference_eps_px[i]);
+                        rulings[i].reference_eps_px);
     }
     hearing.hear();
     return rulings;

@@ -11,7 +11,7 @@ namespace zproof {
 /// What the admissible set says of both answers at one pixel.
 struct Ruling {
     Decision candidate, reference;
-    double candidate_eps_px = 0;
+    double candidate_eps_px = 0, reference_eps_px = 0;
 };
 
 /// Rules on every open pixel, in order, on all threads.

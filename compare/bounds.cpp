@@ -12,6 +12,10 @@ namespace {
 
 constexpr double guard_band_px = 32768;  ///< clipped vertices lie within it (D3D11.3 15.16: 16.8 coordinates)
 
+/// What factors and divisors whose relative errors add up to `sum` may come to: 1 / (1 - sum) - 1 (Higham
+/// 2002, Lemma 3.1); unlimited from 1 up.
+double compounded(double sum) { return sum < 1 ? sum / (1 - sum) : std::numeric_limits<double>::infinity(); }
+
 double unit_of(Arithmetic arithmetic) {
     return arithmetic == Arithmetic::float32 ? unit_roundoff_float32 : unit_roundoff_float64;
 }
@@ -55,9 +59,26 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
     slant_v_ = perspective_ ? v_abs : std::abs(c.shear.y);
     direction_abs_ = slant_u_ * glm::abs(c.right) + slant_v_ * glm::abs(c.up) + glm::abs(c.back);
     origin_abs_ = perspective_ ? glm::dvec3(0) : u_abs * glm::abs(c.right) + v_abs * glm::abs(c.up);
-    background_eps_px_ = 0;
     if (const auto* raster = std::get_if<RasterPrecision>(&precision))
         background_eps_px_ = std::ldexp(raster->snap == Snap::nearest ? 0.5 : 1.0, -raster->subpixel_bits);
+    else
+        set_aim(unit_of(std::get<RayPrecision>(precision).arithmetic));
+}
+
+void ViewBounds::set_aim(double unit) {
+    const Camera& c = view_.camera;
+    const std::array axes{c.right, c.up, c.back};
+    const glm::dvec3 origin_world = glm::abs(glm::dvec3(c.eye_world)) + origin_abs_;
+    glm::dvec3 direction_error, origin_error;  // per camera axis
+    for (int i = 0; i < 3; ++i) {
+        direction_error[i] = unit * glm::dot(glm::abs(axes[size_t(i)]), direction_abs_);
+        origin_error[i] = perspective_ ? 0 : unit * glm::dot(glm::abs(axes[size_t(i)]), origin_world);
+    }
+    aim_px_ = lateral_px(perspective_ ? direction_error : origin_error);
+    aim_px_per_depth_ = perspective_ ? 0 : lateral_px(direction_error);
+    aim_depth_relative_ = direction_error.z;
+    aim_depth_absolute_ = origin_error.z;
+    background_eps_px_ = aim_px_;
 }
 
 TriangleExtent ViewBounds::extent_of(const CornersWorld& p_world) const {
@@ -122,7 +143,7 @@ TriangleBounds ViewBounds::raster_bounds(const TriangleExtent& extent,
     bounds.eps_per_nearness = perspective_ ? lateral : 0;
     bounds.depth_eps_base_px = bounds.eps_base_px;
     bounds.depth_eps_per_nearness = bounds.eps_per_nearness;
-    bounds.depth_relative =
+    bounds.depth_factor =
         gamma(precision.depth_roundings, unit_roundoff_float32) + gamma(8, unit_of(precision.interpolation));
     bounds.depth_absolute = transform * extent.from_origin.z;
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gamma(8, u) * extent.largest_depth();
@@ -148,18 +169,9 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
 
 TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPrecision& precision) const {
     const double u = unit_of(precision.arithmetic);
-    const Camera& c = view_.camera;
-    const std::array axes{c.right, c.up, c.back};
-    glm::dvec3 direction_error, origin_error;  // per camera axis
-    const glm::dvec3 origin_world = glm::abs(glm::dvec3(c.eye_world)) + origin_abs_;
-    for (int i = 0; i < 3; ++i) {
-        direction_error[i] = u * glm::dot(glm::abs(axes[size_t(i)]), direction_abs_);
-        origin_error[i] = perspective_ ? 0 : u * glm::dot(glm::abs(axes[size_t(i)]), origin_world);
-    }
     // a corner is rounded once when the origin is subtracted
     const double corner = u * lateral_px(extent.from_eye);
-    const double aim =
-        lateral_px(direction_error) * (perspective_ ? 1 : extent.largest_depth()) + lateral_px(origin_error);
+    const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
     double edges = 0;
     for (int edge = 0; edge < 3; ++edge) edges = std::max(edges, edge_test_eps_px(extent, edge, u));
 
@@ -173,22 +185,21 @@ TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPre
     // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and the
     // product
     const PlaneSize& size = extent.plane_size;
-    const double volume_error = gamma(8, u) * size.volume_abs,
-                 numerator_error = gamma(8, u) * size.numerator_abs;
-    bounds.depth_relative = gamma(4, u) + direction_error.z;
-    bounds.depth_absolute = u * extent.from_eye.z + origin_error.z;
-    if (perspective_) {
-        bounds.depth_relative += volume_error / size.volume;
-        bounds.plane_offset = numerator_error / size.volume;
-    } else {
-        bounds.depth_relative += volume_error / size.volume;
-        bounds.depth_absolute += numerator_error / size.volume;
-    }
-    bounds.near_slack = c.near_depth * (u + bounds.depth_relative) + bounds.depth_absolute;
-    bounds.far_slack = std::isfinite(c.far_depth)
-                           ? c.far_depth * (u + bounds.depth_relative + bounds.plane_offset * c.far_depth) +
-                                 bounds.depth_absolute
-                           : 0;
+    const double volume_factor = gamma(8, u) * size.volume_abs / size.volume;
+    const double numerator_error = gamma(8, u) * size.numerator_abs / size.volume;
+    bounds.depth_factor = gamma(4, u) + aim_depth_relative_ + volume_factor;
+    bounds.depth_absolute = u * extent.from_eye.z + aim_depth_absolute_;
+    if (perspective_)
+        bounds.plane_offset = numerator_error;
+    else
+        bounds.depth_absolute += numerator_error * (1 + compounded(volume_factor));
+    const auto slack = [&](double plane_depth) {
+        return plane_depth * compounded(u + bounds.depth_factor + bounds.plane_offset * plane_depth) +
+               bounds.depth_absolute;
+    };
+    const Camera& c = view_.camera;
+    bounds.near_slack = slack(c.near_depth);
+    bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
     return bounds;
 }
 
@@ -206,7 +217,7 @@ LocalBounds TriangleBounds::at(double nearness, double gradient) const {
     };
     return {.eps_px = solve(eps_base_px, eps_per_nearness),
             .depth_eps_px = solve(depth_eps_base_px, depth_eps_per_nearness),
-            .depth_relative = depth_relative + (plane_offset > 0 ? plane_offset / std::max(here, 1e-300) : 0),
+            .depth_relative = compounded(depth_factor + (plane_offset > 0 ? plane_offset / here : 0)),
             .depth_absolute = depth_absolute};
 }
 

@@ -16,7 +16,7 @@ using CornersWorld = std::array<glm::vec3, 3>;
 struct LocalBounds {
     double eps_px = 0;          ///< coverage: displacement in x and in y
     double depth_eps_px = 0;    ///< displacement at which depth may have been taken
-    double depth_relative = 0;  ///< delta: relative error of depth
+    double depth_relative = 0;  ///< delta: relative error of depth; infinite where the plane is not known
     double depth_absolute = 0;  ///< alpha: absolute error of depth, scene units
 };
 
@@ -42,7 +42,8 @@ struct TriangleExtent {
 struct TriangleBounds {
     double eps_base_px = 0, eps_per_nearness = 0;              ///< eps = base + per_nearness * nearness
     double depth_eps_base_px = 0, depth_eps_per_nearness = 0;  ///< the same for depth
-    double depth_relative = 0, depth_absolute = 0;
+    double depth_factor = 0;  ///< sum of the relative errors of depth's factors
+    double depth_absolute = 0;
     double plane_offset = 0;               ///< ray: error of (normal . direction) / volume, in nearness
     double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
     double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
@@ -61,7 +62,8 @@ class ViewBounds {
     TriangleBounds of(const CornersWorld& p_world) const { return of(extent_of(p_world)); }
     /// A rasterizer interpolates between its corners' depths; a ray meets the plane.
     bool keeps_to_corners() const { return std::holds_alternative<RasterPrecision>(precision_); }
-    double background_eps_px() const { return background_eps_px_; }  ///< the share that no triangle causes
+    /// The share that every triangle has in common; above 0.
+    double background_eps_px() const { return background_eps_px_; }
 
   private:
     PlaneSize plane_size_of(const TriangleExtent& extent, const CornersWorld& p_world) const;
@@ -70,6 +72,7 @@ class ViewBounds {
     /// Largest displacement in the image, px times depth, of errors of camera_abs along the camera's axes.
     double lateral_px(const glm::dvec3& camera_abs) const;
     double edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const;
+    void set_aim(double unit);
 
     View view_;
     Precision precision_;
@@ -79,7 +82,9 @@ class ViewBounds {
     glm::dvec3 direction_abs_;    ///< per world axis, the largest |direction| in the image
     glm::dvec3 origin_abs_;       ///< per world axis, the largest |origin - eye|
     double orthonormality_;       ///< largest entry of |R R^T - I|
-    double background_eps_px_;
+    double background_eps_px_ = 0;
+    /// A ray's own rounding: sideways, px (and px per unit of depth), and along the view axis.
+    double aim_px_ = 0, aim_px_per_depth_ = 0, aim_depth_relative_ = 0, aim_depth_absolute_ = 0;
 };
 
 }  // namespace zproof

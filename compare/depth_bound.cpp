@@ -27,16 +27,23 @@ DepthRange shifted(double nearness, double shift, bool perspective) {
 
 DepthBound with_rounding(DepthRange range, double truth, const LocalBounds& local) {
     const double r = local.depth_relative, a = local.depth_absolute;
+    if (!std::isfinite(r) || !std::isfinite(a)) return {0, truth, unlimited};
     return {range.low - std::abs(range.low) * r - a, truth, range.high + std::abs(range.high) * r + a};
 }
 
-/// (depth + a) >= low (1 - r) and (depth - a) <= high (1 + r), without division by nearness.
+template <class Number>
+Number magnitude(const Number& n) {
+    return sign(n) < 0 ? Number(-n) : n;
+}
+
+/// depth + a >= low - |low| r and depth - a <= high + |high| r, without division by nearness.
 template <class Number>
 bool within(const Number& nearness, const LocalBounds& local, double shift, float depth, bool perspective) {
     const Number r(local.depth_relative), a(local.depth_absolute), z{double(depth)}, s(shift), one(1);
     if (!perspective) {
         const Number low = -nearness - s, high = -nearness + s;
-        return sign((z + a) - low * (one - r)) >= 0 && sign(high * (one + r) - (z - a)) >= 0;
+        return sign((z + a) - (low - magnitude(low) * r)) >= 0 &&
+               sign(high + magnitude(high) * r - (z - a)) >= 0;
     }
     const Number nearer = nearness + s, farther = nearness - s;
     if (sign(nearer) <= 0) return false;
@@ -70,11 +77,11 @@ DepthBound TriangleDepth::at(int x, int y) const {
     if (plane_.edge_on || !std::isfinite(plane_.own_error))
         return with_rounding({bounds_.nearest, bounds_.farthest}, bounds_.nearest, local);
     DepthRange range = shifted(nearness, local.depth_eps_px * plane_.gradient, plane_.perspective);
-    double truth = plane_.perspective ? 1 / nearness : -nearness;
+    double truth = !plane_.perspective ? -nearness : nearness > 0 ? 1 / nearness : unlimited;
     if (keeps_to_corners_) {
         range = {std::clamp(range.low, bounds_.nearest, bounds_.farthest),
                  std::clamp(range.high, bounds_.nearest, bounds_.farthest)};
-        truth = std::clamp(nearness > 0 || !plane_.perspective ? truth : unlimited, range.low, range.high);
+        truth = std::clamp(truth, range.low, range.high);
     }
     return with_rounding(range, truth, local);
 }
@@ -94,10 +101,11 @@ TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds)
 
 bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world, int x, int y,
                      float depth) {
-    if (!std::isfinite(depth)) return false;
     const Neighbour n = neighbour_of(Sight<double>(view, x, y), bounds, p_world);
     const bool perspective = view.camera.projection == Projection::perspective;
     const double z = depth, r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
+    if (!std::isfinite(z)) return false;
+    if (!std::isfinite(r) || !std::isfinite(a)) return true;
     const auto decide = [&]<class Number>(Number) {
         const auto image = image_of(Sight<Number>(view, x, y), corners<Number>(p_world));
         if (!image) return true;  // edge-on: its corners alone say
@@ -115,7 +123,8 @@ bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWo
 double error_over_bound(const DepthBound& bound, float depth) {
     const double error = std::abs(depth - bound.truth);
     if (error == 0) return 0;
-    return error / (depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth);
+    const double room = depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth;
+    return std::isinf(room) ? 0 : error / room;
 }
 
 }  // namespace zproof

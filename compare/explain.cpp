@@ -58,8 +58,9 @@ PixelStory explain(const Scene& scene, const View& view, const Testimony& candid
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
     const OpenPixel open = open_pixel(scene, ours, theirs, x, y);
     const Ruling ruling = rule_on(scene, view, ours, theirs, std::span(&open, 1)).front();
-    PixelStory story{open.finding, ruling.candidate, ruling.reference, {}, {}};
     const bool same = open.finding.candidate.primitive == open.finding.reference.primitive;
+    PixelStory story{
+        open.finding, ruling.candidate, ruling.reference, ruling.reference_eps_px, !same, {}, {}};
     story.finding.verdict = is_settled(open) ? PixelClass::agree : class_of(open, ruling);
     story.finding.eps_px =
         same ? own_eps_px(scene, view, ours.bounds(), x, y, open.finding.candidate.primitive)

@@ -23,6 +23,8 @@ struct Candidate {
 struct PixelStory {
     Finding finding;
     Decision candidate, reference;  ///< both answers, each judged by its own renderer's precision
+    double reference_eps_px = 0;    ///< half-side of the square that the reference's answer was judged in
+    bool ids_differ = false;        ///< otherwise the decisions were not needed and say nothing
     std::vector<Candidate>
         candidates;       ///< triangles within eps of the centre, nearest first; candidate's precision
     Decision background;  ///< would background have been lawful?

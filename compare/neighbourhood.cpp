@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace zproof {
 
 namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 double steepness(const Affine<double>& f) { return std::abs(f.a) + std::abs(f.b); }
 
@@ -23,11 +26,17 @@ void set_nearness_range(Neighbour& n, const std::optional<TriangleImage<double>>
         greatest = keeps_to_corners ? std::clamp(high, least, greatest) : high;
     }
     const double r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
-    const auto error = [&](double nearness) {
-        return perspective ? std::abs(nearness) * (r + a * std::abs(nearness)) : std::abs(nearness) * r + a;
-    };
-    n.least_nearness = least - error(least);
-    n.greatest_nearness = greatest + error(greatest);
+    if (!std::isfinite(r) || !std::isfinite(a)) {
+        n.least_nearness = -unlimited;
+        n.greatest_nearness = unlimited;
+    } else if (perspective) {
+        const double share = r + a * std::abs(greatest);
+        n.least_nearness = least - std::abs(least) * (r + a * std::abs(least));
+        n.greatest_nearness = share < 1 ? greatest + std::abs(greatest) * share / (1 - share) : unlimited;
+    } else {
+        n.least_nearness = least - std::abs(least) * r - a;
+        n.greatest_nearness = greatest + std::abs(greatest) * r + a;
+    }
 }
 
 /// Does the image come within eps of the centre? An estimate in double: it only decides whose eps counts.

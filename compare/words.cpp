@@ -94,6 +94,13 @@ void tell(std::ostream& text, const Scene& scene, const Candidate& c) {
          << words_for(c.decision.standing) << (c.decision.exact ? "  [exact rationals]" : "") << '\n';
 }
 
+/// "  candidate  triangle 17, depth 3.25; eps 0.002 px = 0.5/256 px; lawful: visible".
+void tell(std::ostream& text, const char* who, const Answer& answer, const char* standing, double eps_px) {
+    text << "  " << who << "  " << name_of(answer.primitive) << ", depth " << number(answer.camera_depth, 9)
+         << "; eps " << number(eps_px, 4) << " px = " << number(256 * eps_px, 4) << "/256 px"
+         << (*standing ? "; " : "") << standing << '\n';
+}
+
 }  // namespace
 
 std::string in_words(const Scene& scene, const Finding& f) {
@@ -105,12 +112,12 @@ std::string in_words(const Scene& scene, const PixelStory& story) {
     const Finding& f = story.finding;
     std::ostringstream text;
     text << "pixel (" << f.x << ", " << f.y << "): " << name_of(f.verdict)
-         << (passes(f.verdict) ? ", pass" : ", FAIL") << "\n  " << in_words(scene, f) << "\n  candidate  "
-         << name_of(f.candidate.primitive) << ", depth " << number(f.candidate.camera_depth, 9)
-         << "\n  reference  " << name_of(f.reference.primitive) << ", depth "
-         << number(f.reference.camera_depth, 9) << "\n  eps        " << number(f.eps_px, 6)
-         << " px = " << number(256 * f.eps_px, 6)
-         << "/256 px\ntriangles within eps of the centre, nearest first:\n";
+         << (passes(f.verdict) ? ", pass" : ", FAIL") << "\n  " << in_words(scene, f) << '\n';
+    const bool decided = story.ids_differ && f.verdict != PixelClass::invalid;
+    tell(text, "candidate", f.candidate, decided ? words_for(story.candidate.standing) : "", f.eps_px);
+    tell(text, "reference", f.reference, decided ? words_for(story.reference.standing) : "",
+         decided ? story.reference_eps_px : f.eps_px);
+    text << "triangles within the candidate's eps of the centre, nearest first:\n";
     for (const Candidate& c : story.candidates) tell(text, scene, c);
     if (story.candidates.empty()) text << "  none\n";
     text << "background: " << words_for(story.background.standing) << '\n';
