@@ -58,7 +58,7 @@ std::string headline(const Results& results) {
 
 std::string provenance(const Results& r) {
     std::string text = "zproof " + escaped(r.version);
-    if (!r.embree.empty()) text += " · Embree " + escaped(r.embree);
+    if (!r.embree.empty()) text += " · " + escaped(r.embree);
     if (!r.compiler.empty()) text += " · " + escaped(r.compiler);
     if (r.threads > 0) text += " · " + counted(std::uint64_t(r.threads), "thread");
     return "<p class=\"facts\">" + text + "</p>\n" +

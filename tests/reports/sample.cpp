@@ -116,7 +116,7 @@ Results sample_results() {
     results.version = "0.1.0";
     results.command = "zproof run";
     results.compiler = "g++ 12";
-    results.embree = "3.13.5";
+    results.embree = "Embree 3.13.5 (AVX2)";
     results.threads = 2;
     results.views = {meadow(), room(), refused(), empty()};
     return results;
