@@ -15,6 +15,7 @@ std::string bits_text(int bits) {
 Hypothesis as_precise_as(const CaseFile& file, const std::string& name, const std::string& description,
                          const RasterPrecision& precision) {
     Hypothesis h = as_declared(file, name, description);
+    h.kind = Kind::lenient;
     h.precision = precision;
     return h;
 }
@@ -84,6 +85,7 @@ Hypothesis stored_in(const CaseFile& file, int bits) {
     Hypothesis h =
         as_declared(file, "depth has " + std::to_string(bits) + " bits, fixed point",
                     "Depth went through a buffer of " + std::to_string(bits) + " bits between near and far.");
+    h.kind = Kind::lenient;
     h.report = format;
     h.amend = [step = format.step](Neighbourhood& around, PrimitiveId) {
         for (Neighbour& n : around.neighbours) n.least_nearness -= step, n.greatest_nearness += step;
@@ -95,6 +97,7 @@ Hypothesis stored_in(const CaseFile& file, int bits) {
 Hypothesis stored_as_float(const CaseFile& file, int bits) {
     Hypothesis h = as_declared(file, "depth is a float of " + std::to_string(bits) + " bits",
                                "Depth was rounded to " + std::to_string(bits) + " significant bits.");
+    h.kind = Kind::lenient;
     const double r = std::ldexp(1.0, 1 - bits);
     h.report = [r](const DepthBound& bound, const Claim&) {
         return ReportedDepth{bound.low - r * std::abs(bound.low), bound.high + r * std::abs(bound.high)};
