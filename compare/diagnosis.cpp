@@ -104,12 +104,9 @@ struct Trial {
 
 bool explains_most(const Trial& trial) { return trial.gain > 0.5; }
 
-/// The better first. Of equals, the narrowest of lenient ones, and else the more specific, which stood first.
+/// The better first. Of equals, the narrowest, and then the more specific, which stood first.
 void rank(std::vector<Trial>& trials) {
-    std::ranges::sort(trials, {}, [](const Trial& t) {
-        const bool most = explains_most(t);
-        return std::tuple{!most, most ? t.hypothesis->kind : Kind::firm, -t.gain, t.leniency, t.place};
-    });
+    std::ranges::sort(trials, {}, [](const Trial& t) { return std::tuple{-t.gain, t.leniency, t.place}; });
 }
 
 class Inquest {
@@ -118,37 +115,59 @@ class Inquest {
         : file_(file), evidence_(file.candidate.frame, verdict), hypotheses_(all_hypotheses(file)) {}
 
     Diagnosis hold() {
-        std::vector<Trial> trials;
-        for (std::size_t i = 0; i < hypotheses_.size(); ++i)
-            if (may_apply(hypotheses_[i]))
-                trials.push_back({&hypotheses_[i],
-                                  i,
-                                  {.name = hypotheses_[i].name, .description = hypotheses_[i].description}});
-        ask(trials, first_round);
-        rank(trials);
+        std::vector<Trial> held;
         for (const Kind kind : {Kind::firm, Kind::lenient, Kind::fitted}) {
-            if (explains_most(trials.front()) && trials.front().hypothesis->kind < kind) break;
-            ask_again(trials, kind);
-            rank(trials);
+            std::vector<Trial> trials = trials_of(kind);
+            kind == Kind::lenient ? hold_lenient(trials) : hold(trials);
+            held.insert(held.end(), trials.begin(), trials.end());
+            rank(held);
+            if (!held.empty() && explains_most(held.front())) break;
         }
-        return diagnosis_from(trials);
+        return diagnosis_from(held);
     }
 
   private:
     /// One wrong pixel proves no rule that would show all over the frame.
     bool may_apply(const Hypothesis& h) const {
-        return evidence_.defect_count() > 1 || h.cell != file_.candidate.frame.size();
+        return evidence_.defect_count() > 1 ||
+               (h.kind == Kind::firm && h.cell != file_.candidate.frame.size());
+    }
+
+    std::vector<Trial> trials_of(Kind kind) const {
+        std::vector<Trial> trials;
+        for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
+            const Hypothesis& h = hypotheses_[i];
+            if (h.kind == kind && may_apply(h))
+                trials.push_back({&h, i, {.name = h.name, .description = h.description}});
+        }
+        return trials;
     }
 
     /// A second, larger round for those that explain most; for the first alone where it leaves nothing to
     /// explain.
-    void ask_again(std::vector<Trial>& ranked, Kind kind) {
-        const auto rest = std::ranges::stable_partition(
-            ranked, [&](const Trial& t) { return explains_most(t) && t.hypothesis->kind == kind; });
-        const std::span hopeful(ranked.begin(), rest.begin());
+    void hold(std::vector<Trial>& trials) {
+        ask(trials, first_round);
+        rank(trials);
+        const auto rest = std::ranges::partition_point(trials, explains_most);
+        const std::span hopeful(trials.begin(), rest);
         if (hopeful.empty()) return;
         ask(hopeful.first(1), second_round);
         if (hopeful.front().gain < 1) ask(hopeful.subspan(1), second_round);
+    }
+
+    /// One at a time, the narrowest first: behind one that leaves nothing to explain, wider ones have no say.
+    void hold_lenient(std::vector<Trial>& trials) {
+        const std::vector<Claim> defects = evidence_.defects(first_round);
+        for (Trial& t : trials) t.leniency = leniency_of(file_, {t.hypothesis, defects});
+        std::ranges::stable_sort(trials, {}, &Trial::leniency);
+        for (std::size_t i = 0; i < trials.size(); ++i) {
+            const std::span one = std::span(trials).subspan(i, 1);
+            ask(one, first_round);
+            if (trials[i].gain == 1) ask(one, second_round);
+            if (trials[i].gain == 1) trials.resize(i + 1);
+        }
+        rank(trials);
+        if (!trials.empty() && explains_most(trials.front())) ask(std::span(trials).first(1), second_round);
     }
 
     /// Puts up to `most` defects, and as many agreeing pixels, to every trial's hypothesis.
@@ -161,14 +180,13 @@ class Inquest {
             questions.push_back({trials[i].hypothesis, defects});
             questions.push_back({trials[i].hypothesis, agreeing[i]});
         }
-        const std::vector<RetrialOutcome> outcomes = retry(file_, questions);
+        const std::vector<std::uint64_t> lawful = count_lawful(file_, questions);
         for (std::size_t i = 0; i < trials.size(); ++i) {
             Explanation& e = trials[i].outcome;
-            e.explained = outcomes[2 * i].lawful;
+            e.explained = lawful[2 * i];
             e.asked = defects.size();
-            e.contradicted = agreeing[i].size() - outcomes[2 * i + 1].lawful;
+            e.contradicted = agreeing[i].size() - lawful[2 * i + 1];
             e.checked = agreeing[i].size();
-            trials[i].leniency = outcomes[2 * i].leniency;
             trials[i].gain = gain_of(trials[i]);
         }
     }

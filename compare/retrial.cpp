@@ -24,13 +24,11 @@ class Reading {
             const std::optional<Claim> meant = hypothesis_.restate ? hypothesis_.restate(claim) : claim;
             if (meant && is_sound(*meant)) claims_.push_back(*meant);
         }
-        if (hypothesis_.kind == Kind::lenient) leniency_ = leniency_over(file, question.claims);
     }
 
     const Hypothesis& hypothesis() const { return hypothesis_; }
     const ViewBounds& bounds() const { return bounds_; }
     const std::vector<Claim>& claims() const { return claims_; }
-    double leniency() const { return leniency_; }
 
   private:
     bool is_sound(const Claim& claim) const {
@@ -44,26 +42,6 @@ class Reading {
 
     CornersWorld corners_at(const Claim& claim) const {
         return corners_of(scene_, std::uint32_t(claim.answer.primitive));
-    }
-
-    double leniency_over(const CaseFile& file, std::span<const Claim> claims) const {
-        const ViewBounds declared(file.view, file.candidate.precision);
-        double sum = 0, count = 0;
-        for (const Claim& claim : claims) {
-            if (!is_triangle(claim.answer.primitive)) continue;
-            const CornersWorld p_world = corners_at(claim);
-            const DepthBound law = depth_of({file.view, declared, p_world}, declared).at(claim.x, claim.y);
-            DepthBound bound = depth_of({hypothesis_.view, bounds_, p_world}, bounds_).at(claim.x, claim.y);
-            if (hypothesis_.report) {
-                const ReportedDepth reported = hypothesis_.report(bound, claim);
-                bound = {reported.low, bound.truth, reported.high};
-            }
-            const double wider = std::log((bound.high - bound.low) / (law.high - law.low));
-            if (!std::isfinite(wider)) continue;
-            sum += wider;
-            ++count;
-        }
-        return count > 0 ? sum / count : 0;
     }
 
     bool has_lawful_depth(const Claim& claim) const {
@@ -83,7 +61,6 @@ class Reading {
     const Hypothesis& hypothesis_;
     ViewBounds bounds_;
     std::vector<Claim> claims_;
-    double leniency_ = 0;
 };
 
 /// The triangles that come near any place in question, as a scene of their own: small, so that every
@@ -186,15 +163,34 @@ std::uint64_t count_lawful(const CaseFile& file, const District& district, const
 
 }  // namespace
 
-std::vector<RetrialOutcome> retry(const CaseFile& file, std::span<const Question> questions) {
+std::vector<std::uint64_t> count_lawful(const CaseFile& file, std::span<const Question> questions) {
     std::vector<Reading> readings;
     readings.reserve(questions.size());
     for (const Question& question : questions) readings.emplace_back(file, question);
     const District district(file, readings);
-    std::vector<RetrialOutcome> outcomes;
-    for (const Reading& reading : readings)
-        outcomes.push_back({count_lawful(file, district, reading), reading.leniency()});
-    return outcomes;
+    std::vector<std::uint64_t> counts;
+    for (const Reading& reading : readings) counts.push_back(count_lawful(file, district, reading));
+    return counts;
+}
+
+double leniency_of(const CaseFile& file, const Question& question) {
+    const Hypothesis& supposed = *question.hypothesis;
+    const ViewBounds declared(file.view, file.candidate.precision),
+        widened(supposed.view, supposed.precision);
+    double sum = 0, count = 0;
+    for (const Claim& claim : question.claims) {
+        if (std::size_t(claim.answer.primitive) >= file.scene.triangles.size()) continue;
+        const CornersWorld p_world = corners_of(file.scene, std::uint32_t(claim.answer.primitive));
+        const DepthBound law = depth_of({file.view, declared, p_world}, declared).at(claim.x, claim.y);
+        const DepthBound bound = depth_of({supposed.view, widened, p_world}, widened).at(claim.x, claim.y);
+        const ReportedDepth reported =
+            supposed.report ? supposed.report(bound, claim) : ReportedDepth{bound.low, bound.high};
+        const double wider = std::log((reported.high - reported.low) / (law.high - law.low));
+        if (!std::isfinite(wider)) continue;
+        sum += wider;
+        ++count;
+    }
+    return count > 0 ? sum / count : 0;
 }
 
 }  // namespace zproof

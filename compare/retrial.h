@@ -14,17 +14,11 @@ struct Question {
     std::span<const Claim> claims;
 };
 
-/// What the judge says to a question.
-struct RetrialOutcome {
-    std::uint64_t lawful = 0;  ///< claims that are lawful if the hypothesis holds
-    /// Of a lenient hypothesis: how much wider it makes the bounds of the depths in question, as a mean of
-    /// logarithms.
-    double leniency = 0;
-};
+/// For each question, how many of its claims are lawful if its hypothesis holds. Questions of one call share
+/// one pass over the scene. Runs on all threads; the counts do not depend on their number.
+std::vector<std::uint64_t> count_lawful(const CaseFile& file, std::span<const Question> questions);
 
-/// Puts every question to the judge. Questions of one call share
-/// one pass over the scene. Runs on all threads; the outcomes do not depend on their
-/// number.
-std::vector<RetrialOutcome> retry(const CaseFile& file, std::span<const Question> questions);
+/// How much wider the hypothesis makes the bounds of the depths claimed: the mean logarithm.
+double leniency_of(const CaseFile& file, const Question& question);
 
 }  // namespace zproof

@@ -245,7 +245,7 @@ std::vector<FrameFault> faults_of_ids() {
          })},
         {"ids_apart", "ids lie one pixel right of their depths", with_ids_one_pixel_right},
         {"ids_swapped", "ids are exchanged", with_two_swapped},
-        {"background_0", "background has an id", with_background_0},
+        {"background_0", "background has an id", with_background_0, "textured_ground"},
     };
 }
 
@@ -275,7 +275,7 @@ std::vector<FrameFault> faults_of_depth() {
         {"some_infinite", "depth is infinite", each_depth([](const Seen& s) {
              return (s.x + s.y) % 7 == 0 ? std::numeric_limits<double>::infinity() : s.depth;
          })},
-        {"background_at_far", "background has a depth", with_background_at_far},
+        {"background_at_far", "background has a depth", with_background_at_far, "textured_ground"},
     };
 }
 
