@@ -164,7 +164,10 @@ TEST(Limit, ATriangleIsOutsideBeyondEpsOfTheNearPlane) {
         const TriangleBounds of_triangle = bounds.of(corners_of(t.scene, 0));
         return t.view.camera.near_depth - of_triangle.near_slack <= 8 + t.candidate_eps_px(0, 0, 0);
     };
-    const auto class_at = [](float cut) { return class_of_answer(cut_at(cut), 0, 8); };
+    const auto class_at = [](float cut) {
+        const Trial t = cut_at(cut);
+        return class_of_answer(t, 0, t.view.camera.near_depth);
+    };
     const float last = last_that(within, centre, 0.75f);
     EXPECT_EQ(class_at(last), PixelClass::clip);
     EXPECT_EQ(class_at(std::nextafter(last, 1.f)), PixelClass::outside);
