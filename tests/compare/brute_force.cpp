@@ -11,7 +11,6 @@ using Vector = Vector3<Rational>;
 Rational determinant(const Vector& a, const Vector& b, const Vector& c) { return dot(a, cross(b, c)); }
 Vector vector(const Place& p) { return {p.x, p.y, p.d}; }
 Functional functional(const Vector& v) { return {v.x, v.y, v.z}; }
-Functional opposite(const Functional& f) { return {-f.a, -f.b, -f.c}; }
 Functional difference(const Functional& f, const Functional& g) { return {f.a - g.a, f.b - g.b, f.c - g.c}; }
 
 /// Solves p = along(x, y, t) for the place in the image: Cramer's rule on [step_x step_y direction].
