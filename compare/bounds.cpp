@@ -184,17 +184,14 @@ TriangleBounds ViewBounds::ray_bounds(const Extent& extent, const PlaneSize& siz
 
     // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and the
     // product
-    const double volume_error = gamma(8, u) * size.volume_abs,
-                 numerator_error = gamma(8, u) * size.numerator_abs;
-    bounds.depth_relative = gamma(4, u) + direction_error.z;
+    // where the plane holds the origin of sight, nothing bounds it
+    const auto over_volume = [&](double sum_abs) {
+        return size.volume > 0 ? gamma(8, u) * sum_abs / size.volume
+                               : std::numeric_limits<double>::infinity();
+    };
+    bounds.depth_relative = gamma(4, u) + direction_error.z + over_volume(size.volume_abs);
     bounds.depth_absolute = u * extent.from_eye.z + origin_error.z;
-    if (perspective_) {
-        bounds.depth_relative += volume_error / size.volume;
-        bounds.plane_offset = numerator_error / size.volume;
-    } else {
-        bounds.depth_relative += volume_error / size.volume;
-        bounds.depth_absolute += numerator_error / size.volume;
-    }
+    (perspective_ ? bounds.plane_offset : bounds.depth_absolute) += over_volume(size.numerator_abs);
     bounds.near_slack = c.near_depth * (u + bounds.depth_relative) + bounds.depth_absolute;
     bounds.far_slack = std::isfinite(c.far_depth)
                            ? c.far_depth * (u + bounds.depth_relative + bounds.plane_offset * c.far_depth) +

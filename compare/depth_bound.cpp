@@ -106,6 +106,7 @@ bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWo
     };
     if (bounds.keeps_to_corners() && !(z >= n.nearest * (1 - r) - a && z <= n.farthest * (1 + r) + a))
         return false;
+    if (!std::isfinite(r) || !std::isfinite(a)) return true;  // nothing bounds it
     try {
         return decide(Interval());
     } catch (const UndecidedSign&) {

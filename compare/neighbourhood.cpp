@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "math/rounding.h"
 
 namespace zproof {
 
@@ -9,15 +12,22 @@ namespace {
 
 double steepness(const Affine<double>& f) { return std::abs(f.a) + std::abs(f.b); }
 
+/// Forward error of the nearness at the centre, computed in double: see TriangleDepth.
+double own_error(const PlaneSize& size, double nearness) {
+    const double u = gamma(16, unit_roundoff_float64), condition = size.volume_abs / size.volume;
+    return u * condition < 0.5 ? 2 * u * (size.numerator_abs / size.volume + std::abs(nearness) * condition)
+                               : std::numeric_limits<double>::infinity();
+}
+
 /// [least, greatest] from the plane's slope over eps, kept to the corners where the renderer keeps to them,
 /// then rounded. An estimate in double of numbers that are bounds themselves.
 void set_nearness_range(Neighbour& n, const std::optional<TriangleImage<double>>& image,
-                        Projection projection, bool keeps_to_corners) {
+                        const PlaneSize& size, Projection projection, bool keeps_to_corners) {
     const bool perspective = projection == Projection::perspective;
     double least = perspective ? 1 / n.farthest : -n.farthest,
            greatest = perspective ? 1 / n.nearest : -n.nearest;
     if (image) {
-        const double shift = n.bounds.depth_eps_px * n.gradient;
+        const double shift = n.bounds.depth_eps_px * n.gradient + own_error(size, image->nearness.c);
         const double low = image->nearness.c - shift, high = image->nearness.c + shift;
         least = keeps_to_corners ? std::clamp(low, least, greatest) : low;
         greatest = keeps_to_corners ? std::clamp(high, least, greatest) : high;
@@ -56,7 +66,7 @@ Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, con
     n.far_slack = of_triangle.far_slack;
     n.nearest = of_triangle.nearest;
     n.farthest = of_triangle.farthest;
-    set_nearness_range(n, image, sight.projection, bounds.keeps_to_corners());
+    set_nearness_range(n, image, of_triangle.plane_size, sight.projection, bounds.keeps_to_corners());
     return n;
 }
 
