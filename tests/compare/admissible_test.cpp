@@ -13,7 +13,8 @@
 namespace zproof {
 namespace {
 
-constexpr std::uint32_t seeds = 2500;
+constexpr std::uint32_t seeds = 200;
+constexpr std::uint32_t far_corner = 1346;  ///< a corner at 1e10: its plane in double is off by 50 times
 constexpr std::array all_rules{Rules{DepthRule::strict, EdgeRule::watertight},
                                Rules{DepthRule::bounded, EdgeRule::watertight},
                                Rules{DepthRule::bounded, EdgeRule::separate}};
@@ -54,9 +55,9 @@ std::optional<bool> answer_or_undecided(const Question& question) {
 
 TEST(AdmissibleSet, AgreesWithBruteForceOnRandomAndHardSurroundings) {
     int asked = 0, decided = 0, yes = 0;
-    for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    for (std::uint32_t seed = 0; seed <= seeds; ++seed) {
         SCOPED_TRACE(seed);
-        const Surroundings s = random_surroundings(seed);
+        const Surroundings s = random_surroundings(seed < seeds ? seed : far_corner);
         const std::size_t count = s.around.neighbours.size();
         const std::vector<bool> flags = edge_on(s.around);
         const brute_force::Picture plain(s.around);

@@ -65,8 +65,11 @@ Set Picture::clip_planes(std::size_t index, const Functional& nearness, Plane pl
     const auto limit = [&](double depth) {
         return Functional{0, 0, Rational(perspective_ ? 1 / depth : -depth)};
     };
+    const Functional nowhere{0, 0, -1};
+    if (plane == Plane::as_near_as_it_may_be && (!std::isfinite(near) || far < (perspective_ ? 0 : near)))
+        return {nowhere};
     Set set;
-    if (!perspective_ || near > 0) set.push_back(difference(limit(near), nearness));
+    if (std::isfinite(near) && (!perspective_ || near > 0)) set.push_back(difference(limit(near), nearness));
     if (std::isfinite(far)) set.push_back(difference(nearness, limit(far)));
     return set;
 }

@@ -13,7 +13,26 @@ struct Point {
     bool operator==(const Point&) const = default;
 };
 
-int side(const Functional& f, const Point& p) { return sign(f.a * p.x + f.b * p.y + f.c); }
+using Integer = boost::multiprecision::cpp_int;
+
+/// Of an integer functional (see `in_integers`): without a fraction to be reduced.
+int side(const Functional& f, const Point& p) {
+    const Integer x = numerator(p.x) * denominator(p.y), y = numerator(p.y) * denominator(p.x);
+    const Integer d = denominator(p.x) * denominator(p.y);
+    return (numerator(f.a) * x + numerator(f.b) * y + numerator(f.c) * d).sign();
+}
+
+Functional in_integers(const Functional& f) {
+    const Rational scale(Integer(denominator(f.a) * denominator(f.b) * denominator(f.c)));
+    const Rational a = scale * f.a, b = scale * f.b, c = scale * f.c;
+    const Rational common(Integer(gcd(gcd(numerator(a), numerator(b)), numerator(c))));
+    return common == 0 ? f : Functional{a / common, b / common, c / common};
+}
+Set in_integers(const Set& set) {
+    Set integers;
+    for (const Functional& f : set) integers.push_back(in_integers(f));
+    return integers;
+}
 
 bool is_in(const Set& set, const Point& p) {
     return std::ranges::all_of(set, [&](const Functional& f) { return side(f, p) >= 0; });
@@ -30,12 +49,11 @@ std::optional<Point> crossing(const Functional& f, const Functional& g) {
 
 /// A number between two others with as few binary digits as may be.
 Rational short_number_between(const Rational& low, const Rational& high) {
-    using boost::multiprecision::cpp_int;
     for (unsigned bits = 0;; bits = 2 * bits + 1) {
-        const cpp_int scaled = numerator(low) << bits, d = denominator(low);
-        cpp_int whole = scaled / d;
+        const Integer scaled = numerator(low) << bits, d = denominator(low);
+        Integer whole = scaled / d;
         if (whole * d > scaled) --whole;
-        const Rational next(cpp_int(whole + 1), cpp_int(cpp_int(1) << bits));
+        const Rational next(Integer(whole + 1), Integer(Integer(1) << bits));
         if (next < high) return next;
     }
 }
@@ -120,14 +138,17 @@ bool polygon_is_covered(const Set& place, const std::vector<Point>& corners, con
 
 }  // namespace
 
-bool is_empty(const Set& place) { return corners_of(place).empty(); }
+bool is_empty(const Set& place) { return corners_of(in_integers(place)).empty(); }
 
 bool is_covered(const Set& place, const std::vector<Set>& sets) {
-    const std::vector<Point> corners = corners_of(place);
+    const Set within = in_integers(place);
+    std::vector<Set> covers;
+    for (const Set& set : sets) covers.push_back(in_integers(set));
+    const std::vector<Point> corners = corners_of(within);
     if (corners.empty()) return true;
-    if (corners.size() == 1) return is_in_any(sets, corners[0]);
-    if (is_segment(corners)) return segment_is_covered(corners, sets);
-    return polygon_is_covered(place, corners, sets);
+    if (corners.size() == 1) return is_in_any(covers, corners[0]);
+    if (is_segment(corners)) return segment_is_covered(corners, covers);
+    return polygon_is_covered(within, corners, covers);
 }
 
 }  // namespace zproof::brute_force
