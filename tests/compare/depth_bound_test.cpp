@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/admissible.h"
 #include "math/rational.h"
 #include "random_surroundings.h"
 
@@ -32,9 +33,17 @@ std::vector<float> depths_around(const DepthBound& bound) {
         const auto z = float(end);
         constexpr float most = std::numeric_limits<float>::max();
         for (const float depth : {std::nextafter(z, 0.f), z, std::nextafter(z, most)})
-            if (std::isfinite(depth)) depths.push_back(depth);
+            if (std::isfinite(depth) && depth >= 0) depths.push_back(depth);  // others are no answers
     }
     return depths;
+}
+
+/// Elsewhere no depth is lawful, and the interval means nothing.
+bool reaches_its_pixel(const Surroundings& s, const ViewBounds& bounds, std::uint32_t triangle) {
+    const double own = own_eps_px(s.scene, s.view, bounds, s.x, s.y, PrimitiveId(triangle));
+    const Site site{s.x, s.y, own, {triangle}};
+    const Neighbourhood around = neighbourhood_of(s.scene, s.view, bounds, site, own);
+    return AdmissibleSet<Rational>(around).reaches(0);
 }
 
 TEST(DepthBound, CertainlyHoldsOnlyWhatIsLawfulAtTheEndsAndTheirNeighbours) {
@@ -44,6 +53,7 @@ TEST(DepthBound, CertainlyHoldsOnlyWhatIsLawfulAtTheEndsAndTheirNeighbours) {
         const Surroundings s = random_surroundings(seed);
         const ViewBounds bounds(s.view, seed % 2 ? Precision(RayPrecision{}) : Precision(RasterPrecision{}));
         for (const Neighbour& n : s.around.neighbours) {
+            if (!reaches_its_pixel(s, bounds, n.triangle)) continue;
             const TriangleDepth depth(s.view, bounds, n.p_world);
             const DepthBound bound = depth.at(s.x, s.y);
             for (const float z : depths_around(bound)) {
@@ -60,7 +70,7 @@ TEST(DepthBound, CertainlyHoldsOnlyWhatIsLawfulAtTheEndsAndTheirNeighbours) {
 
 TEST(DepthBound, IsDecidedAsRationalsDecide) {
     int lawful = 0, asked = 0;
-    for (std::uint32_t seed = 0; seed < 500; ++seed) {
+    for (std::uint32_t seed = 0; seed < 250; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
         const ViewBounds bounds(s.view, RayPrecision{});
