@@ -31,7 +31,7 @@ Standing word_for(Set& set, std::size_t count, std::optional<std::size_t> index)
 TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
     std::array<int, 7> said{};
     int exact = 0;
-    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+    for (std::uint32_t seed = 0; seed < 600; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
         AdmissibleSet<Rational> set(s.around);
@@ -46,7 +46,7 @@ TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
             exact += decision.exact;
         }
     }
-    for (std::size_t word = 0; word < said.size(); ++word) EXPECT_GT(said[word], 5) << "word " << word;
+    for (std::size_t word = 0; word < said.size(); ++word) EXPECT_GT(said[word], 3) << "word " << word;
     EXPECT_GT(exact, 100);
 }
 
