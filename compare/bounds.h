@@ -79,6 +79,9 @@ class ViewBounds {
     TriangleBounds ray_bounds(const TriangleExtent& extent, const RayPrecision& precision) const;
     /// Largest displacement in the image, px times depth, of errors of camera_abs along the camera's axes.
     double lateral_px(const glm::dvec3& camera_abs) const;
+    /// The farthest that a corner lies from the image's origin or the window's centre, px; that of the guard
+    /// band where near may cut the triangle.
+    double reach_px(const TriangleExtent& extent) const;
     double edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const;
     void set_aim(double unit);
 

@@ -31,7 +31,7 @@ Standing word_for(Set& set, std::size_t count, std::optional<std::size_t> index)
 TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
     std::array<int, 7> said{};
     int exact = 0;
-    for (std::uint32_t seed = 0; seed < 600; ++seed) {
+    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
         AdmissibleSet<Rational> set(s.around);
