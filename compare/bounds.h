@@ -2,6 +2,7 @@
 /// how far its depth may be off. Every term is derived in docs/bounds.md under the name it has here.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -58,6 +59,39 @@ struct TriangleBounds {
 
     /// At a place where nearness is `nearness` and changes by `gradient` (|d/dx| + |d/dy|) per pixel.
     LocalBounds at(double nearness, double gradient) const;
+};
+
+/// The same for many places of one triangle: what does not change from pixel to pixel is worked out once.
+class BoundsOnPlane {
+  public:
+    BoundsOnPlane(const TriangleBounds& bounds, double gradient);
+
+    LocalBounds at(double nearness) const {
+        const double here = std::clamp(nearness, least_, highest_);
+        return {.eps_px = eps_px_.at(here),
+                .depth_eps_px = depth_eps_px_.at(here),
+                .depth_relative =
+                    plane_offset_ > 0 ? compounded(depth_factor_ + plane_offset_ / here) : depth_relative_,
+                .depth_absolute = depth_absolute_};
+    }
+
+    /// What factors and divisors whose relative errors add up to `sum` may come to: 1 / (1 - sum) - 1 (Higham
+    /// 2002, Lemma 3.1); unlimited from 1 up.
+    static double compounded(double sum) { return sum < 1 ? sum / (1 - sum) : unlimited; }
+
+  private:
+    /// eps = base + per (nearness + gradient eps), solved for eps; never beyond the nearest corner's.
+    struct Displacement {
+        double base, per, most, amplification;
+        double at(double nearness) const {
+            return per == 0 ? base : std::min(most, (base + per * nearness) * amplification);
+        }
+    };
+    Displacement displacement(double base, double per, double gradient) const;
+
+    double least_, highest_;  ///< nearness of the farthest and the nearest corner
+    Displacement eps_px_, depth_eps_px_;
+    double depth_factor_, plane_offset_, depth_relative_, depth_absolute_;
 };
 
 /// What a renderer's precision means for one view.

@@ -79,14 +79,13 @@ TriangleNearness::TriangleNearness(const View& view, const TriangleExtent& exten
 
 DepthBound TriangleDepth::at(int x, int y) const {
     const double nearness = plane_.nearness.at(x, y);
-    const LocalBounds local = bounds_.at(nearness, plane_.gradient);
+    const LocalBounds local = bounds_.at(nearness);
     if (plane_.edge_on || !std::isfinite(plane_.own_error))
-        return with_rounding({bounds_.nearest, bounds_.farthest}, bounds_.nearest, local);
+        return with_rounding({nearest_, farthest_}, nearest_, local);
     DepthRange range = shifted(nearness, local.depth_eps_px * plane_.gradient, plane_.perspective);
     double truth = !plane_.perspective ? -nearness : nearness > 0 ? 1 / nearness : unlimited;
     if (keeps_to_corners_) {
-        range = {std::clamp(range.low, bounds_.nearest, bounds_.farthest),
-                 std::clamp(range.high, bounds_.nearest, bounds_.farthest)};
+        range = {std::clamp(range.low, nearest_, farthest_), std::clamp(range.high, nearest_, farthest_)};
         truth = std::clamp(truth, range.low, range.high);
     }
     return with_rounding(range, truth, local);

@@ -23,7 +23,11 @@ struct TriangleNearness {
 class TriangleDepth {
   public:
     TriangleDepth(const TriangleNearness& nearness, const TriangleBounds& bounds, bool keeps_to_corners)
-        : plane_(nearness), bounds_(bounds), keeps_to_corners_(keeps_to_corners) {}
+        : plane_(nearness),
+          bounds_(bounds, nearness.gradient),
+          nearest_(bounds.nearest),
+          farthest_(bounds.farthest),
+          keeps_to_corners_(keeps_to_corners) {}
 
     /// The lawful interval at a pixel, in double.
     DepthBound at(int x, int y) const;
@@ -32,7 +36,8 @@ class TriangleDepth {
 
   private:
     TriangleNearness plane_;
-    TriangleBounds bounds_;
+    BoundsOnPlane bounds_;
+    double nearest_, farthest_;  ///< camera depths
     bool keeps_to_corners_;
 };
 
