@@ -91,15 +91,6 @@ DepthBound TriangleDepth::at(int x, int y) const {
     return with_rounding(range, truth, local);
 }
 
-bool TriangleDepth::certainly_holds(const DepthBound& bound, float depth) const {
-    const double z = depth;
-    if (plane_.edge_on) return bound.low <= z && z <= bound.high;
-    const double relative = plane_.perspective ? plane_.own_error * z : 0,
-                 absolute = plane_.perspective ? 0 : plane_.own_error;
-    const double margin = 2 * relative * z + absolute + 8 * unit_roundoff_float64 * z;
-    return bound.low + margin <= z && z <= bound.high - margin;
-}
-
 TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds) {
     return {triangle.nearness, bounds.of(triangle.extent), bounds.keeps_to_corners()};
 }
@@ -128,13 +119,6 @@ bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWo
     } catch (const UndecidedSign&) {
         return decide(Rational());
     }
-}
-
-double error_over_bound(const DepthBound& bound, float depth) {
-    const double error = std::abs(depth - bound.truth);
-    if (error == 0) return 0;
-    const double room = depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth;
-    return std::isinf(room) ? 0 : error / room;
 }
 
 }  // namespace zproof
