@@ -35,8 +35,10 @@ template <class Number>
 bool within(const Number& nearness, const LocalBounds& local, double shift, float depth, bool perspective) {
     const Number r(local.depth_relative), a(local.depth_absolute), z{double(depth)}, s(shift), one(1);
     if (!perspective) {
-        const Number low = -nearness - s, high = -nearness + s;
-        return sign((z + a) - low * (one - r)) >= 0 && sign(high * (one + r) - (z - a)) >= 0;
+        const Number low = -nearness - s, high = -nearness + s;  // either may be negative
+        const Number lowest = low * (sign(low) < 0 ? one + r : one - r);
+        const Number highest = high * (sign(high) < 0 ? one - r : one + r);
+        return sign((z + a) - lowest) >= 0 && sign(highest - (z - a)) >= 0;
     }
     const Number nearer = nearness + s, farther = nearness - s;
     if (sign(nearer) <= 0) return false;
@@ -86,10 +88,10 @@ DepthBound TriangleDepth::at(int x, int y) const {
 }
 
 bool TriangleDepth::certainly_holds(const DepthBound& bound, float depth) const {
-    const double z = depth;
+    const double z = depth, size = std::abs(z);
     if (edge_on_) return bound.low <= z && z <= bound.high;
-    const double relative = perspective_ ? own_error_ * z : 0, absolute = perspective_ ? 0 : own_error_;
-    const double margin = 2 * relative * z + absolute + 8 * unit_roundoff_float64 * z;
+    const double relative = perspective_ ? own_error_ * size : 0, absolute = perspective_ ? 0 : own_error_;
+    const double margin = 2 * relative * size + absolute + 8 * unit_roundoff_float64 * size;
     return bound.low + margin <= z && z <= bound.high - margin;
 }
 
