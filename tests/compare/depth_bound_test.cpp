@@ -21,8 +21,10 @@ bool lawful_in_rationals(const Surroundings& s, const ViewBounds& bounds, const 
     const Rational z{double(depth)}, r(n.bounds.depth_relative), a(n.bounds.depth_absolute), one(1);
     if (!image) return true;
     const Rational shift(n.bounds.depth_eps_px * n.gradient), w = image->nearness.c;
-    if (s.view.camera.projection == Projection::parallel)
-        return z + a >= (-w - shift) * (one - r) && z - a <= (-w + shift) * (one + r);
+    if (s.view.camera.projection == Projection::parallel) {
+        const Rational low = -w - shift, high = -w + shift;
+        return z + a >= low - abs(low) * r && z - a <= high + abs(high) * r;
+    }
     if (w + shift <= 0) return false;
     return z + a >= (one - r) / (w + shift) && (w - shift <= 0 || z - a <= (one + r) / (w - shift));
 }
@@ -33,17 +35,21 @@ std::vector<float> depths_around(const DepthBound& bound) {
         const auto z = float(end);
         constexpr float most = std::numeric_limits<float>::max();
         for (const float depth : {std::nextafter(z, 0.f), z, std::nextafter(z, most)})
-            if (std::isfinite(depth) && depth >= 0) depths.push_back(depth);  // others are no answers
+            if (std::isfinite(depth)) depths.push_back(depth);
     }
     return depths;
 }
 
-/// Elsewhere no depth is lawful, and the interval means nothing.
+/// Elsewhere no depth is lawful, and the interval means nothing. Nor is it asked where a clip plane cuts:
+/// there the interval is clamped to the plane, which the exact question is not.
 bool reaches_its_pixel(const Surroundings& s, const ViewBounds& bounds, std::uint32_t triangle) {
     const double own = own_eps_px(s.scene, s.view, bounds, s.x, s.y, PrimitiveId(triangle));
     const Site site{s.x, s.y, own, {triangle}};
     const Neighbourhood around = neighbourhood_of(s.scene, s.view, bounds, site, own);
-    return AdmissibleSet<Rational>(around).reaches(0);
+    const Neighbour& n = around.neighbours[0];
+    const Camera& camera = s.view.camera;
+    const bool is_cut = n.nearest == camera.near_depth || n.farthest == camera.far_depth;
+    return !is_cut && AdmissibleSet<Rational>(around).reaches(0);
 }
 
 TEST(DepthBound, CertainlyHoldsOnlyWhatIsLawfulAtTheEndsAndTheirNeighbours) {
