@@ -71,6 +71,14 @@ TEST_P(Judge, NothingShowsThroughASharedEdge) {
     EXPECT_EQ(t.class_at(1, 1), PixelClass::hole);
 }
 
+TEST_P(Judge, ATriangleNeverHidesItsNeighbourAcrossTheirEdge) {
+    const Triangle left = wall_left_of(1.5, 4), right = {{{1.5, -64, 4}, {512, 8, 900}, {1.5, 64, 4}}};
+    // the third covers just the right half of the square; the left half is left's own
+    Trial t = agreed_trial({left, right, wall_right_of(1.5, 2)});
+    answer(t.candidate, 1, 1, 1, 4);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::edge);
+}
+
 /// A slope that reaches the near depth (1/4) at x = 1.5 and is cut off to its left.
 Triangle slope_through_near(Projection projection) {
     const bool perspective = projection == Projection::perspective;
