@@ -1,6 +1,8 @@
 #include "compare/admissible.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "compare/coplanar.h"
@@ -83,7 +85,8 @@ Region<Number> AdmissibleSet<Number>::square() {
 }
 
 /// The half-plane on the lawful side of the near or far plane. `admit` moves the plane outwards by its slack,
-/// `require` inwards. None where the plane cannot cut.
+/// `require` inwards. None where the plane cannot cut; no point at all where the slack leaves no depth
+/// required.
 template <class Number>
 auto AdmissibleSet<Number>::plane(Side side, const Affine<Number>& nearness, const Neighbour& n, Slack slack)
     -> std::optional<LinePointer> {
@@ -92,7 +95,9 @@ auto AdmissibleSet<Number>::plane(Side side, const Affine<Number>& nearness, con
     const double outwards = (slack == Slack::admit ? 1 : -1) * (near ? -n.near_slack : n.far_slack);
     const double depth = (near ? c.near_depth : c.far_depth) + outwards;
     const bool perspective = c.projection == Projection::perspective;
-    if (!std::isfinite(depth) || (perspective && depth <= 0)) return std::nullopt;
+    const bool is_beyond = near ? std::isinf(depth) : depth <= (perspective ? 0 : -HUGE_VAL);
+    if (slack == Slack::require && is_beyond) return new_line(constant<Number>(-1));
+    if (std::isinf(depth) || (perspective && depth <= 0)) return std::nullopt;
     const Affine<Number> limit = constant<Number>(perspective ? 1 / depth : -depth);
     return new_line(near ? limit - nearness : nearness - limit);
 }
@@ -175,40 +180,30 @@ bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule 
     const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen];
     if (front.least_nearness > back.greatest_nearness) return true;
     if (rule == DepthRule::bounded || front.greatest_nearness < back.least_nearness) return false;
-    if (!drawn(seen).image) return false;
+    if (!drawn(seen).image || !drawn(occluder).image) return false;
     if (coplanar(front.p_world, back.p_world)) return true;
     return sign(drawn(occluder).image->nearness.c - drawn(seen).image->nearness.c) >= 0;
-}
-
-template <class Number>
-std::vector<size_t> AdmissibleSet<Number>::in_front_of(size_t seen, DepthRule rule) {
-    std::vector<size_t> occluders;
-    for (const size_t i : nearest_first_)
-        if (i != seen && drawn(i).image && is_in_front(i, seen, rule)) occluders.push_back(i);
-    return occluders;
 }
 
 template <class Number>
 void AdmissibleSet<Number>::push_planes(HalfPlanes<Number>& half_planes, size_t occluder) {
     const Neighbour& n = around_.neighbours[occluder];
     if (!may_be_clipped(around_.view.camera, n)) return;
-    if (!std::isfinite(n.near_slack) || !std::isfinite(n.far_slack))
-        half_planes.push_back(new_line(constant<Number>(-1)));  // certain of no place
     for (const Side side : {Side::near, Side::far})
         if (auto line = plane(side, drawn(occluder).image->nearness, n, Slack::require))
             half_planes.push_back(*line);
 }
 
-/// The part of the image that an occluder covers for certain. An edge that it shares with what is seen, both
-/// on one side of it, moves with that and bounds nothing.
+/// The part of the image that an occluder covers for certain; edges that do not stay are moved inwards. An
+/// edge that it shares with what is seen, both on one side of it, moves with that and bounds nothing.
 template <class Number>
-HalfPlanes<Number> AdmissibleSet<Number>::cover(size_t occluder, const std::vector<size_t>& occluders,
-                                                EdgeRule rule, std::optional<size_t> seen) {
+template <class Stays>
+HalfPlanes<Number> AdmissibleSet<Number>::cover(size_t occluder, std::optional<size_t> seen,
+                                                const Stays& stays) {
     HalfPlanes<Number> half_planes;
     for (const LinePointer edge : drawn(occluder).edge) {
         if (seen && are_on_one_side(edge, *seen).value_or(false)) continue;
-        const bool stays = rule == EdgeRule::watertight || continues(edge, occluders);
-        half_planes.push_back(stays ? edge : moved_inwards(edge));
+        half_planes.push_back(stays(edge) ? edge : moved_inwards(edge));
     }
     push_planes(half_planes, occluder);
     return half_planes;
@@ -221,29 +216,42 @@ bool AdmissibleSet<Number>::stands_apart(size_t occluder, size_t seen) {
                                [&](LinePointer edge) { return !are_on_one_side(edge, seen).value_or(true); });
 }
 
+/// Nearest first: most squares are covered by the first.
 template <class Number>
-bool AdmissibleSet<Number>::leaves_square_bare(const std::vector<size_t>& occluders, EdgeRule rule,
-                                               std::optional<size_t> seen) {
+template <class Occludes, class Stays>
+bool AdmissibleSet<Number>::leaves_bare(std::optional<size_t> seen, const Occludes& occludes,
+                                        const Stays& stays) {
     std::vector<Region<Number>> left{square()};
-    for (const size_t o : occluders) {
-        if (seen && stands_apart(o, *seen)) continue;
-        left = without(left, cover(o, occluders, rule, seen));
+    for (const size_t o : nearest_first_) {
+        if (!occludes(o) || (seen && stands_apart(o, *seen))) continue;
+        left = without(left, cover(o, seen, stays));
         if (left.empty()) return false;
     }
     return true;
 }
 
 template <class Number>
+template <class Occludes>
+bool AdmissibleSet<Number>::leaves_bare_by(EdgeRule rule, std::optional<size_t> seen,
+                                           const Occludes& occludes) {
+    if (rule == EdgeRule::watertight) return leaves_bare(seen, occludes, [](LinePointer) { return true; });
+    // covered with every edge moved inwards: then all the more where some of them stay
+    if (!leaves_bare(seen, occludes, [](LinePointer) { return false; })) return false;
+    std::vector<size_t> occluders;
+    std::ranges::copy_if(nearest_first_, std::back_inserter(occluders), occludes);
+    return leaves_bare(seen, occludes, [&](LinePointer edge) { return continues(edge, occluders); });
+}
+
+template <class Number>
 bool AdmissibleSet<Number>::holds(size_t index, Rules rules) {
-    return reaches(index) && leaves_square_bare(in_front_of(index, rules.depth), rules.edges, index);
+    return reaches(index) && leaves_bare_by(rules.edges, index, [&](size_t o) {
+               return o != index && is_in_front(o, index, rules.depth) && drawn(o).image;
+           });
 }
 
 template <class Number>
 bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
-    std::vector<size_t> covering;
-    for (const size_t i : nearest_first_)
-        if (drawn(i).image) covering.push_back(i);
-    return leaves_square_bare(covering, edges, std::nullopt);
+    return leaves_bare_by(edges, std::nullopt, [&](size_t o) { return drawn(o).image.has_value(); });
 }
 
 /// Where the occluder's true image is not behind what is seen; nothing where it is behind all over the
