@@ -28,20 +28,21 @@ double unit_of(Arithmetic arithmetic) {
     return arithmetic == Arithmetic::float32 ? unit_roundoff_float32 : unit_roundoff_float64;
 }
 
-/// Coordinates and translations of the probe views are at most this large, px or scene units per depth.
-constexpr double extent_px = 128;
+/// Of corners in the probe views: |p| + |eye|, in pixels and as a multiple of the depth, and the distance
+/// from the window's centre.
+constexpr double from_origin_px = 128, from_origin_depth = 1.25, reach_px = 64;
 
 Allowed allowed_by(const RasterPrecision& p) {
     const double u = unit_of(p.transform);
-    const double transform =
-        2 * gamma(p.transform == Arithmetic::float64 ? 13 : 5, u);  // |p| + |eye| <= 2 depth
+    const double transform = gamma(p.transform == Arithmetic::float64 ? 13 : 5, u);  // the axes are exact
+    const double corner_depth = transform * from_origin_depth;
     const double interpolation =
         gamma(p.depth_roundings, unit_roundoff_float32) + gamma(8, unit_of(p.interpolation));
     return {.subpixel_bits = p.subpixel_bits,
             .snap = p.snap,
-            .eps_px = (transform + gamma(8, u)) * extent_px,
-            .depth_relative = transform + interpolation,
-            .limit_relative = transform + gamma(8, u)};
+            .eps_px = transform * from_origin_px + gamma(8, u) * reach_px,
+            .depth_relative = corner_depth + interpolation,
+            .limit_relative = corner_depth + gamma(8, u) * from_origin_depth};
 }
 
 Allowed allowed_by(const RayPrecision&) { return {}; }

@@ -86,7 +86,7 @@ std::string verdict(const std::string& renderer, std::span<const Finding> findin
 }  // namespace
 
 std::string measurement_table(const std::string& renderer, std::span<const Finding> findings) {
-    std::vector<Row> rows{{"", "measured", "declared", ""}};
+    std::vector<Row> rows{{"finding", "measured", "declared", "standing"}};
     for (const Finding& f : findings)
         rows.push_back({f.title, one_line(measured(f)), f.declared, std::string{in_words(f.standing)}});
     return table_of(rows) + "\n" + verdict(renderer, findings);
