@@ -19,7 +19,7 @@ class Pair {
     /// How much nearer than a triangle at z = start another must be, to be seen before it.
     Flip threshold(float start) {
         const Probe probe{.low = start,
-                          .high = start + float(depth_ / 256),
+                          .high = start + float(depth_ / 8),
                           .draw = [&](Scene& scene, float z) { draw(scene, start, z); },
                           .answer = [&](const Frame& frame) { return !is_nearer(frame); }};
         return bisect(renderer_, view_, {probe}).front();

@@ -10,7 +10,7 @@
 namespace zproof::measure {
 
 /// Where pixels are sampled, by Axis: from the upper left corner of the pixel, px. Needs an image 4096 px
-/// long; found within 1/2048 px, for samples between -1 and 1.
+/// long; the bracket is 1/2047 px wide, for samples between -1 and 1.
 std::array<Bracket, 2> pixel_centre(const Renderer& renderer);
 
 /// A sample position that is taken to be exact, px from the pixel's upper left corner.
