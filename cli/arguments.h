@@ -65,6 +65,10 @@ struct RenderArguments {
     RenderSettings settings;
 };
 
+struct SelftestArguments {
+    int threads = available_threads();
+};
+
 struct ListArguments {};
 
 struct GenerateArguments {
@@ -77,8 +81,8 @@ struct Answered {
     std::string text;
 };
 
-using Command =
-    std::variant<RunArguments, ExplainArguments, RenderArguments, ListArguments, GenerateArguments, Answered>;
+using Command = std::variant<RunArguments, ExplainArguments, RenderArguments, SelftestArguments,
+                             ListArguments, GenerateArguments, Answered>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

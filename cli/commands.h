@@ -19,6 +19,10 @@ ExitCode execute(const ExplainArguments& arguments);
 /// Writes the rasterizer's frame of every view, without judging it: VIEW.exr, VIEW-id.png, VIEW-depth.png.
 ExitCode execute(const RenderArguments& arguments);
 
+/// Injects every known fault into good frames and prints what the gate says of each: proven where it catches
+/// all of them and passes the good frames.
+ExitCode execute(const SelftestArguments& arguments);
+
 /// Prints the suite: each scene with its reason and the classes that it must show.
 ExitCode execute(const ListArguments& arguments);
 
