@@ -24,7 +24,7 @@ OIIO::ImageSpec frame_spec(Resolution size) {
     OIIO::ImageSpec spec(size.width, size.height, 2, OIIO::TypeFloat);
     spec.channelnames = {"id", "Z"};
     spec.channelformats = {OIIO::TypeUInt32, OIIO::TypeFloat};
-    spec.attribute("compression", "zip");
+    spec.attribute("compression", "zip:1");
     return spec;
 }
 
