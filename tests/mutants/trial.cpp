@@ -1,0 +1,171 @@
+// Puts this build's rasterizer on trial, for tests/mutants/score: a line of JSON per view, or per fault of
+// the selftest's catalogue.
+//
+//     mutant_trial suite WIDTH HEIGHT FOLDER gate|all    every suite scene; gate: end at the first defect
+//     mutant_trial faults FOLDER                         the catalogue of zproof selftest
+//
+// FOLDER keeps the references from one call to the next. `all` and `faults` write the pictures that idiff is
+// given and say what rivals say.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "cli/selftest/theatre.h"
+#include "frame/exr.h"
+#include "oracle/embree.h"
+#include "rasterizer/rasterizer.h"
+#include "scenes/suite.h"
+#include "tests/mutants/rivals.h"
+
+namespace {
+
+using namespace zproof;
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+enum class Depth { gate_until_defect, all };
+
+/// Cheap scenes first: most mutants are found by the first.
+std::vector<std::string> scenes_in_order_of_cost() {
+    std::vector<std::string> names;
+    for (const SuiteEntry& entry : suite_manifest()) names.push_back(entry.name);
+    const auto is_cheap = [](const std::string& name) {
+        return name != "million_triangles" && name != "deep_overdraw" && name != "closed_surfaces" &&
+               name != "degenerate" && name != "slivers" && name != "coplanar";
+    };
+    std::ranges::stable_partition(names, is_cheap);
+    return names;
+}
+
+/// Embree's frames of one scene, traced once and then kept as files.
+class References {
+  public:
+    References(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder) {}
+
+    Frame of(const View& view) {
+        const fs::path file = stem_of(view).string() + ".exr";
+        if (fs::exists(file)) return read_exr(file);
+        if (!embree_) embree_.emplace(scene_);
+        const Frame frame = embree_->trace(view);
+        write_for_idiff(stem_of(view), frame);
+        write_exr(file.string() + ".part", frame);
+        fs::rename(file.string() + ".part", file);
+        return frame;
+    }
+    fs::path stem_of(const View& view) const {
+        return folder_ / (scene_.name + "-" + view.name + "-" + std::to_string(view.width));
+    }
+
+  private:
+    const Scene& scene_;
+    fs::path folder_;
+    std::optional<oracle::Embree> embree_;
+};
+
+ordered_json counts_of(const Verdict& verdict) {
+    ordered_json counts = ordered_json::object();
+    for (int c = int(PixelClass::reference_wrong); c < pixel_class_count; ++c)
+        if (const auto count = verdict.counts[std::size_t(c)])
+            counts[std::string(name_of(PixelClass(c)))] = count;
+    return counts;
+}
+
+void add_gate(ordered_json& line, const Verdict& verdict) {
+    line["defects"] = defect_count(verdict);
+    line["counts"] = counts_of(verdict);
+    line["max_error_over_bound"] = verdict.candidate_depth.max_error_over_bound;
+}
+
+void add_rivals(ordered_json& line, const Frame& candidate, const Frame& reference) {
+    line["pytorch3d"] = !passes_pytorch3d(candidate, reference);
+    line["fuzzy"] = !passes_fuzzy_window(candidate, reference);
+}
+
+class SuiteTrial {
+  public:
+    SuiteTrial(Resolution size, const fs::path& folder, Depth depth)
+        : size_(size), folder_(folder), depth_(depth) {}
+
+    void run() {
+        for (const std::string& name : scenes_in_order_of_cost()) {
+            const Loaded loaded = generate_suite_scene(name, size_.width, size_.height);
+            References references(loaded.scene, folder_ / "reference");
+            for (const View& view : loaded.views) {
+                judge_view(loaded.scene, view, references);
+                if (found_ && depth_ == Depth::gate_until_defect) return;
+            }
+        }
+    }
+
+  private:
+    void judge_view(const Scene& scene, const View& view, References& references) {
+        const Frame candidate = rasterizer::render(scene, view);
+        const Frame reference = references.of(view);
+        ordered_json line{{"name", scene.name + "/" + view.name}};
+        if (!found_) {
+            const Verdict verdict = judge(scene, view, {candidate, rasterizer::precision()},
+                                          {reference, oracle::embree_precision()});
+            add_gate(line, verdict);
+            found_ = defect_count(verdict) > 0;
+        }
+        if (depth_ == Depth::all) {
+            add_rivals(line, candidate, reference);
+            const fs::path stem = folder_ / references.stem_of(view).filename();
+            write_for_idiff(stem, candidate);
+            line["candidate"] = stem.string();
+            line["reference"] = references.stem_of(view).string();
+        }
+        std::cout << line << std::endl;
+    }
+
+    Resolution size_;
+    fs::path folder_;
+    Depth depth_;
+    bool found_ = false;
+};
+
+void try_fault(const selftest::Fault& fault, const selftest::Stage& stage, const fs::path& folder) {
+    const selftest::Trial trial = selftest::try_fault(fault, stage);
+    ordered_json line{{"name", fault.name},
+                      {"sentence", fault.sentence},
+                      {"control", is_control(fault)},
+                      {"as_expected", trial.as_expected},
+                      {"said", in_words(trial)}};
+    if (trial.verdict) add_gate(line, *trial.verdict);
+    const Frame faulty = fault.inject(stage);
+    const bool of_reference = fault.target == selftest::Target::reference;
+    add_rivals(line, of_reference ? stage.good : faulty, of_reference ? faulty : stage.reference);
+    write_for_idiff(folder / fault.name, faulty);
+    const std::string size = std::to_string(stage.view.width);
+    write_for_idiff(folder / ("good-" + size), stage.good);
+    write_for_idiff(folder / ("reference-" + size), stage.reference);
+    line["candidate"] = (folder / (of_reference ? "good-" + size : fault.name)).string();
+    line["reference"] = (folder / (of_reference ? fault.name : "reference-" + size)).string();
+    std::cout << line << std::endl;
+}
+
+void try_faults(const fs::path& folder) {
+    const selftest::Theatre large(selftest::StageSize::large), small(selftest::StageSize::small);
+    for (const selftest::Fault& fault : selftest::catalogue())
+        try_fault(fault, (fault.stage_size == selftest::StageSize::large ? large : small).stage(), folder);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.size() == 5 && words[0] == "suite") {
+        fs::create_directories(fs::path(words[3]) / "reference");
+        const Resolution size{.width = std::stoi(words[1]), .height = std::stoi(words[2])};
+        SuiteTrial(size, words[3], words[4] == "all" ? Depth::all : Depth::gate_until_defect).run();
+        return 0;
+    }
+    if (words.size() == 2 && words[0] == "faults") {
+        fs::create_directories(words[1]);
+        try_faults(words[1]);
+        return 0;
+    }
+    std::cerr << "usage: see the head of tests/mutants/trial.cpp\n";
+    return 2;
+}
