@@ -1,5 +1,7 @@
 #include "tests/mutants/rivals.h"
 
+#include <OpenImageIO/imagebufalgo.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -20,15 +22,28 @@ double share(const Plane<T>& a, const Plane<T>& b, Agree agree) {
     return double(agreeing) / double(a.pixels().size());
 }
 
-bool has_nearby(const Frame& reference, int x, int y, PrimitiveId id, float depth) {
+template <class T>
+bool passes(const IdiffOptions& options, const OIIO::ImageSpec& spec, const Plane<T>& a, const Plane<T>& b) {
+    // ImageBuf takes memory to write to, and only reads it.
+    Plane<T> mine = a, theirs = b;
+    const OIIO::ImageBuf one(spec, mine.pixels().data()), other(spec, theirs.pixels().data());
+    const auto result = OIIO::ImageBufAlgo::compare(one, other, options.fail, options.fail);
+    return double(result.nfail) <= options.fail_percent / 100 * double(a.size().pixel_count());
+}
+
+/// Is the id among the 3 x 3 pixels around, and the depth between the least and the greatest there, give or
+/// take 0.1 %?
+bool is_found_nearby(const Frame& reference, int x, int y, PrimitiveId id, float depth) {
     const Resolution size = reference.size();
+    bool has_id = false;
+    float least = background_depth, greatest = 0;
     for (int v = std::max(0, y - 1); v <= std::min(size.height - 1, y + 1); ++v)
         for (int u = std::max(0, x - 1); u <= std::min(size.width - 1, x + 1); ++u) {
-            const float theirs = reference.camera_depth.at(u, v);
-            if (reference.primitive.at(u, v) != id) continue;
-            if (theirs == depth || std::abs(theirs - depth) <= 0.001f * std::abs(theirs)) return true;
+            has_id = has_id || reference.primitive.at(u, v) == id;
+            least = std::min(least, reference.camera_depth.at(u, v));
+            greatest = std::max(greatest, reference.camera_depth.at(u, v));
         }
-    return false;
+    return has_id && depth >= 0.999f * least && depth <= 1.001f * greatest;
 }
 
 }  // namespace
@@ -46,9 +61,19 @@ bool passes_fuzzy_window(const Frame& candidate, const Frame& reference) {
     if (size != reference.size()) return false;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
-            if (!has_nearby(reference, x, y, candidate.primitive.at(x, y), candidate.camera_depth.at(x, y)))
+            if (!is_found_nearby(reference, x, y, candidate.primitive.at(x, y),
+                                 candidate.camera_depth.at(x, y)))
                 return false;
     return true;
+}
+
+bool passes_idiff(const IdiffOptions& options, const Frame& candidate, const Frame& reference) {
+    const auto [width, height] = candidate.size();
+    if (candidate.size() != reference.size()) return false;
+    return passes(options, {width, height, 3, OIIO::TypeDesc::UINT8}, picture_of_ids(candidate.primitive),
+                  picture_of_ids(reference.primitive)) &&
+           passes(options, {width, height, 1, OIIO::TypeDesc::FLOAT}, candidate.camera_depth,
+                  reference.camera_depth);
 }
 
 void write_for_idiff(const std::filesystem::path& stem, const Frame& frame) {

@@ -4,8 +4,8 @@
 //     mutant_trial suite WIDTH HEIGHT FOLDER gate|all    every suite scene; gate: end at the first defect
 //     mutant_trial faults FOLDER                         the catalogue of zproof selftest
 //
-// FOLDER keeps the references from one call to the next. `all` and `faults` write the pictures that idiff is
-// given and say what rivals say.
+// FOLDER keeps the references from one call to the next. `all` and `faults` also say what rivals say;
+// `faults` writes the pictures that the program idiff is given.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -44,17 +44,14 @@ class References {
     References(const Scene& scene, const fs::path& folder) : scene_(scene), folder_(folder) {}
 
     Frame of(const View& view) {
-        const fs::path file = stem_of(view).string() + ".exr";
+        const fs::path file =
+            folder_ / (scene_.name + "-" + view.name + "-" + std::to_string(view.width) + ".exr");
         if (fs::exists(file)) return read_exr(file);
         if (!embree_) embree_.emplace(scene_);
         const Frame frame = embree_->trace(view);
-        write_for_idiff(stem_of(view), frame);
         write_exr(file.string() + ".part", frame);
         fs::rename(file.string() + ".part", file);
         return frame;
-    }
-    fs::path stem_of(const View& view) const {
-        return folder_ / (scene_.name + "-" + view.name + "-" + std::to_string(view.width));
     }
 
   private:
@@ -80,6 +77,8 @@ void add_gate(ordered_json& line, const Verdict& verdict) {
 void add_rivals(ordered_json& line, const Frame& candidate, const Frame& reference) {
     line["pytorch3d"] = !passes_pytorch3d(candidate, reference);
     line["fuzzy"] = !passes_fuzzy_window(candidate, reference);
+    line["idiff"] = !passes_idiff({}, candidate, reference);
+    line["idiff_blender"] = !passes_idiff(blenders_idiff, candidate, reference);
 }
 
 class SuiteTrial {
@@ -90,7 +89,7 @@ class SuiteTrial {
     void run() {
         for (const std::string& name : scenes_in_order_of_cost()) {
             const Loaded loaded = generate_suite_scene(name, size_.width, size_.height);
-            References references(loaded.scene, folder_ / "reference");
+            References references(loaded.scene, folder_);
             for (const View& view : loaded.views) {
                 judge_view(loaded.scene, view, references);
                 if (found_ && depth_ == Depth::gate_until_defect) return;
@@ -109,13 +108,7 @@ class SuiteTrial {
             add_gate(line, verdict);
             found_ = defect_count(verdict) > 0;
         }
-        if (depth_ == Depth::all) {
-            add_rivals(line, candidate, reference);
-            const fs::path stem = folder_ / references.stem_of(view).filename();
-            write_for_idiff(stem, candidate);
-            line["candidate"] = stem.string();
-            line["reference"] = references.stem_of(view).string();
-        }
+        if (depth_ == Depth::all) add_rivals(line, candidate, reference);
         std::cout << line << std::endl;
     }
 
@@ -156,7 +149,7 @@ void try_faults(const fs::path& folder) {
 int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + 1, argv + argc);
     if (words.size() == 5 && words[0] == "suite") {
-        fs::create_directories(fs::path(words[3]) / "reference");
+        fs::create_directories(words[3]);
         const Resolution size{.width = std::stoi(words[1]), .height = std::stoi(words[2])};
         SuiteTrial(size, words[3], words[4] == "all" ? Depth::all : Depth::gate_until_defect).run();
         return 0;
