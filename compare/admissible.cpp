@@ -83,7 +83,8 @@ Region<Number> AdmissibleSet<Number>::square() {
 }
 
 /// The half-plane on the lawful side of the near or far plane. `admit` moves the plane outwards by its slack,
-/// `require` inwards. None where the plane cannot cut.
+/// `require` inwards. None where the plane cannot cut; no point at all where the slack leaves no depth
+/// required.
 template <class Number>
 auto AdmissibleSet<Number>::plane(Side side, const Affine<Number>& nearness, const Neighbour& n, Slack slack)
     -> std::optional<LinePointer> {
@@ -92,7 +93,9 @@ auto AdmissibleSet<Number>::plane(Side side, const Affine<Number>& nearness, con
     const double outwards = (slack == Slack::admit ? 1 : -1) * (near ? -n.near_slack : n.far_slack);
     const double depth = (near ? c.near_depth : c.far_depth) + outwards;
     const bool perspective = c.projection == Projection::perspective;
-    if (!std::isfinite(depth) || (perspective && depth <= 0)) return std::nullopt;
+    const bool is_beyond = near ? std::isinf(depth) : depth <= (perspective ? 0 : -HUGE_VAL);
+    if (slack == Slack::require && is_beyond) return new_line(constant<Number>(-1));
+    if (std::isinf(depth) || (perspective && depth <= 0)) return std::nullopt;
     const Affine<Number> limit = constant<Number>(perspective ? 1 / depth : -depth);
     return new_line(near ? limit - nearness : nearness - limit);
 }
@@ -192,8 +195,6 @@ template <class Number>
 void AdmissibleSet<Number>::push_planes(HalfPlanes<Number>& half_planes, size_t occluder) {
     const Neighbour& n = around_.neighbours[occluder];
     if (!may_be_clipped(around_.view.camera, n)) return;
-    if (!std::isfinite(n.near_slack) || !std::isfinite(n.far_slack))
-        half_planes.push_back(new_line(constant<Number>(-1)));  // certain of no place
     for (const Side side : {Side::near, Side::far})
         if (auto line = plane(side, drawn(occluder).image->nearness, n, Slack::require))
             half_planes.push_back(*line);

@@ -36,6 +36,11 @@ double largest_defect(const Camera& camera) {
 
 }  // namespace
 
+double PlaneSize::nearness_error(double largest_nearness) const {
+    const double u = gamma(16, unit_roundoff_float64), condition = volume_abs / volume;
+    return u * condition < 0.5 ? 2 * u * (numerator_abs / volume + largest_nearness * condition) : unlimited;
+}
+
 double TriangleExtent::largest_depth() const {
     return std::max({std::abs(depth[0]), std::abs(depth[1]), std::abs(depth[2])});
 }
@@ -185,8 +190,11 @@ TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPre
     // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and the
     // product
     const PlaneSize& size = extent.plane_size;
-    const double volume_factor = gamma(8, u) * size.volume_abs / size.volume;
-    const double numerator_error = gamma(8, u) * size.numerator_abs / size.volume;
+    const auto over_volume = [&](double sum_abs) {  // unlimited where the plane holds the origin of sight
+        return size.volume > 0 ? gamma(8, u) * sum_abs / size.volume : unlimited;
+    };
+    const double volume_factor = over_volume(size.volume_abs);
+    const double numerator_error = over_volume(size.numerator_abs);
     bounds.depth_factor = gamma(4, u) + aim_depth_relative_ + volume_factor;
     bounds.depth_absolute = u * extent.from_eye.z + aim_depth_absolute_;
     if (perspective_)
@@ -194,8 +202,8 @@ TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPre
     else
         bounds.depth_absolute += numerator_error * (1 + compounded(volume_factor));
     const auto slack = [&](double plane_depth) {
-        return plane_depth * compounded(u + bounds.depth_factor + bounds.plane_offset * plane_depth) +
-               bounds.depth_absolute;
+        const double share = compounded(u + bounds.depth_factor + bounds.plane_offset * plane_depth);
+        return std::isinf(share) ? share : plane_depth * share + bounds.depth_absolute;
     };
     const Camera& c = view_.camera;
     bounds.near_slack = slack(c.near_depth);

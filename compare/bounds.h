@@ -3,12 +3,16 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "frame/precision.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
 namespace zproof {
+
+/// A bound where nothing is known.
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 using CornersWorld = std::array<glm::vec3, 3>;
 
@@ -24,6 +28,10 @@ struct LocalBounds {
 /// Parallel projections: depth = (normal . corner) / facing, in the same places.
 struct PlaneSize {
     double volume = 0, volume_abs = 0, numerator_abs = 0;
+
+    /// Forward error of the judge's own nearness, computed in double by image_of, where |nearness| is at most
+    /// this: absolute sums of both products, 16 roundings at most in each.
+    double nearness_error(double largest_nearness) const;
 };
 
 /// A triangle's size as the error analysis sees it, the same for every renderer of a view: sums of absolute

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "math/interval.h"
 #include "math/rational.h"
@@ -11,8 +10,6 @@
 namespace zproof {
 
 namespace {
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// The depths that lie within `shift` of the nearness, before rounding: [low, high].
 struct DepthRange {
@@ -36,19 +33,34 @@ Number magnitude(const Number& n) {
     return sign(n) < 0 ? Number(-n) : n;
 }
 
-/// depth + a >= low - |low| r and depth - a <= high + |high| r, without division by nearness.
+/// depth + a >= low - |low| r at the nearness closest to the viewer, without division by nearness.
 template <class Number>
-bool within(const Number& nearness, const LocalBounds& local, double shift, float depth, bool perspective) {
-    const Number r(local.depth_relative), a(local.depth_absolute), z{double(depth)}, s(shift), one(1);
-    if (!perspective) {
-        const Number low = -nearness - s, high = -nearness + s;
-        return sign((z + a) - (low - magnitude(low) * r)) >= 0 &&
-               sign(high + magnitude(high) * r - (z - a)) >= 0;
-    }
-    const Number nearer = nearness + s, farther = nearness - s;
-    if (sign(nearer) <= 0) return false;
-    const bool not_too_near = sign((z + a) * nearer - (one - r)) >= 0;
-    return not_too_near && (sign(farther) <= 0 || sign((one + r) - (z - a) * farther) >= 0);
+bool is_not_too_near(const Number& nearness, const LocalBounds& local, float depth, bool perspective) {
+    const Number r(local.depth_relative), a(local.depth_absolute), z{double(depth)}, one(1);
+    if (!perspective) return sign((z + a) - (-nearness - magnitude(nearness) * r)) >= 0;
+    return sign(nearness) > 0 && sign((z + a) * nearness - (one - r)) >= 0;
+}
+
+/// depth - a <= high + |high| r at the nearness farthest from the viewer.
+template <class Number>
+bool is_not_too_far(const Number& nearness, const LocalBounds& local, float depth, bool perspective) {
+    const Number r(local.depth_relative), a(local.depth_absolute), z{double(depth)}, one(1);
+    if (!perspective) return sign(-nearness + magnitude(nearness) * r - (z - a)) >= 0;
+    return sign(nearness) <= 0 || sign((one + r) - (z - a) * nearness) >= 0;
+}
+
+/// Where a renderer keeps to the corners' depths, the lawful interval is clamped to them.
+struct CornerLimits {
+    bool is_beyond = false;                              ///< the depth is none that such a renderer gives
+    bool is_at_farthest = false, is_at_nearest = false;  ///< lawful whatever the plane says on that side
+};
+
+CornerLimits corner_limits(const Neighbour& n, double z) {
+    const double r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
+    return {.is_beyond = !(z >= n.nearest - std::abs(n.nearest) * r - a &&
+                           z <= n.farthest + std::abs(n.farthest) * r + a),
+            .is_at_farthest = z >= n.farthest - std::abs(n.farthest) * r - a,
+            .is_at_nearest = z <= n.nearest + std::abs(n.nearest) * r + a};
 }
 
 }  // namespace
@@ -61,14 +73,8 @@ TriangleNearness::TriangleNearness(const View& view, const TriangleExtent& exten
     if (edge_on) return;
     nearness = image->nearness;
     gradient = std::abs(nearness.a) + std::abs(nearness.b);
-    // nearness = (normal . direction) / volume: absolute sums of both, 16 roundings at most in each
-    const PlaneSize& size = extent.plane_size;
-    const double u = gamma(16, unit_roundoff_float64);
-    const double largest =
-        std::abs(nearness.c) + std::abs(nearness.a) * view.width + std::abs(nearness.b) * view.height;
-    const double condition = size.volume_abs / size.volume;
-    own_error =
-        u * condition < 0.5 ? 2 * u * (size.numerator_abs / size.volume + largest * condition) : unlimited;
+    own_error = extent.plane_size.nearness_error(std::abs(nearness.c) + std::abs(nearness.a) * view.width +
+                                                 std::abs(nearness.b) * view.height);
 }
 
 DepthBound TriangleDepth::at(int x, int y) const {
@@ -106,13 +112,18 @@ bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWo
     const double z = depth, r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
     if (!std::isfinite(z)) return false;
     if (!std::isfinite(r) || !std::isfinite(a)) return true;
+    const CornerLimits limits = bounds.keeps_to_corners() ? corner_limits(n, z) : CornerLimits{};
+    if (limits.is_beyond) return false;
+    if (!n.is_plane_known) return true;  // the corners alone say
+    const double shift = n.bounds.depth_eps_px * n.gradient;
     const auto decide = [&]<class Number>(Number) {
         const auto image = image_of(Sight<Number>(view, x, y), corners<Number>(p_world));
-        if (!image) return true;  // edge-on: its corners alone say
-        return within(image->nearness.c, n.bounds, n.bounds.depth_eps_px * n.gradient, depth, perspective);
+        if (!image) return true;
+        const Number nearness = image->nearness.c, s(shift);
+        return (limits.is_at_farthest ||
+                is_not_too_near<Number>(nearness + s, n.bounds, depth, perspective)) &&
+               (limits.is_at_nearest || is_not_too_far<Number>(nearness - s, n.bounds, depth, perspective));
     };
-    if (bounds.keeps_to_corners() && !(z >= n.nearest * (1 - r) - a && z <= n.farthest * (1 + r) + a))
-        return false;
     try {
         return decide(Interval());
     } catch (const UndecidedSign&) {

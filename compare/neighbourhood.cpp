@@ -2,31 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace zproof {
 
 namespace {
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 double steepness(const Affine<double>& f) { return std::abs(f.a) + std::abs(f.b); }
 
 /// [least, greatest] from the plane's slope over eps, kept to the corners where the renderer keeps to them,
 /// then rounded. An estimate in double of numbers that are bounds themselves.
 void set_nearness_range(Neighbour& n, const std::optional<TriangleImage<double>>& image,
-                        Projection projection, bool keeps_to_corners) {
+                        const PlaneSize& size, Projection projection, bool keeps_to_corners) {
     const bool perspective = projection == Projection::perspective;
     double least = perspective ? 1 / n.farthest : -n.farthest,
            greatest = perspective ? 1 / n.nearest : -n.nearest;
     if (image) {
-        const double shift = n.bounds.depth_eps_px * n.gradient;
+        const double error = size.nearness_error(std::abs(image->nearness.c) + n.gradient);
+        n.is_plane_known = std::isfinite(error);
+        const double shift = n.bounds.depth_eps_px * (n.gradient + error) + error;
         const double low = image->nearness.c - shift, high = image->nearness.c + shift;
         least = keeps_to_corners ? std::clamp(low, least, greatest) : low;
         greatest = keeps_to_corners ? std::clamp(high, least, greatest) : high;
     }
     const double r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
-    if (!std::isfinite(r) || !std::isfinite(a)) {
+    if (!std::isfinite(r) || !std::isfinite(a) || (!n.is_plane_known && !keeps_to_corners)) {
         n.least_nearness = -unlimited;
         n.greatest_nearness = unlimited;
     } else if (perspective) {
@@ -56,7 +55,8 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world) {
     Neighbour n;
     n.p_world = p_world;
-    const TriangleBounds of_triangle = bounds.of(p_world);
+    const TriangleExtent extent = bounds.extent_of(p_world);
+    const TriangleBounds of_triangle = bounds.of(extent);
     const auto image = image_of(sight, corners<double>(p_world));
     const double highest = of_triangle.nearest > 0 ? 1 / of_triangle.nearest : 0;
     if (image) n.gradient = steepness(image->nearness);
@@ -65,7 +65,7 @@ Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, con
     n.far_slack = of_triangle.far_slack;
     n.nearest = of_triangle.nearest;
     n.farthest = of_triangle.farthest;
-    set_nearness_range(n, image, sight.projection, bounds.keeps_to_corners());
+    set_nearness_range(n, image, extent.plane_size, sight.projection, bounds.keeps_to_corners());
     return n;
 }
 

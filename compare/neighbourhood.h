@@ -24,6 +24,7 @@ struct Neighbour {
     double near_slack = 0, far_slack = 0;  ///< see TriangleBounds
     double nearest = 0, farthest = 0;      ///< see TriangleBounds
     double gradient = 0;                   ///< |d/dx| + |d/dy| of nearness, per px; 0 for an edge-on triangle
+    bool is_plane_known = false;           ///< or does double precision not tell it from edge-on?
     /// What a faultless renderer may hold for its nearness at the pixel, all bounds included.
     double least_nearness = 0, greatest_nearness = 0;
 };

@@ -1,13 +1,13 @@
 /// Exact rational numbers: the last word on a sign.
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/multiprecision/gmp.hpp>
 
 namespace zproof {
 
 /// Every finite double converts without loss.
-using Rational = boost::multiprecision::number<boost::multiprecision::cpp_rational::backend_type,
-                                               boost::multiprecision::et_off>;
+using Rational =
+    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 /// -1, 0 or +1; never undecided.
 inline int sign(const Rational& a) { return a.sign(); }

@@ -1,0 +1,94 @@
+#include "compare/depth_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "math/rational.h"
+#include "random_surroundings.h"
+
+namespace zproof {
+namespace {
+
+/// Lawful by the formula of docs/bounds.md, all in rationals: within the plane's depths over the
+/// displacement, and (rasterizers) within the corners' depths, each with its rounding.
+bool lawful_in_rationals(const Surroundings& s, const ViewBounds& bounds, const CornersWorld& p,
+                         float depth) {
+    const Neighbour n = neighbour_of(Sight<double>(s.view, s.x, s.y), bounds, p);
+    const auto image = image_of(Sight<Rational>(s.view, s.x, s.y), corners<Rational>(p));
+    const Rational z{double(depth)}, r(n.bounds.depth_relative), a(n.bounds.depth_absolute), one(1);
+    if (!image) return true;
+    const Rational shift(n.bounds.depth_eps_px * n.gradient), w = image->nearness.c;
+    if (s.view.camera.projection == Projection::parallel)
+        return z + a >= -w - shift - abs(w + shift) * r && z - a <= shift - w + abs(shift - w) * r;
+    if (w + shift <= 0) return false;
+    return z + a >= (one - r) / (w + shift) && (w - shift <= 0 || z - a <= (one + r) / (w - shift));
+}
+
+std::vector<float> depths_around(const DepthBound& bound) {
+    std::vector<float> depths;
+    for (const double end : {bound.low, bound.truth, bound.high}) {
+        const auto z = float(end);
+        constexpr float most = std::numeric_limits<float>::max();
+        for (const float depth : {std::nextafter(z, 0.f), z, std::nextafter(z, most)})
+            if (std::isfinite(depth)) depths.push_back(depth);
+    }
+    return depths;
+}
+
+TEST(DepthBound, CertainlyHoldsOnlyWhatIsLawfulAtTheEndsAndTheirNeighbours) {
+    int certain = 0, lawful = 0, asked = 0;
+    for (std::uint32_t seed = 0; seed < 600; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const ViewBounds bounds(s.view, seed % 2 ? Precision(RayPrecision{}) : Precision(RasterPrecision{}));
+        for (const Neighbour& n : s.around.neighbours) {
+            const TriangleDepth depth = depth_of(TriangleInView(s.view, bounds, n.p_world), bounds);
+            const DepthBound bound = depth.at(s.x, s.y);
+            for (const float z : depths_around(bound)) {
+                const bool is_lawful = is_lawful_depth(s.view, bounds, n.p_world, s.x, s.y, z);
+                ASSERT_TRUE(is_lawful || !depth.certainly_holds(bound, z)) << z;
+                ++asked, lawful += is_lawful, certain += depth.certainly_holds(bound, z);
+            }
+        }
+    }
+    EXPECT_GT(certain, asked / 10);
+    EXPECT_GT(lawful, certain);
+    EXPECT_LT(lawful, 9 * asked / 10);
+}
+
+TEST(DepthBound, IsDecidedAsRationalsDecide) {
+    int lawful = 0, asked = 0;
+    for (std::uint32_t seed = 0; seed < 500; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const ViewBounds bounds(s.view, RayPrecision{});
+        for (const Neighbour& n : s.around.neighbours) {
+            if (!std::isfinite(n.bounds.depth_relative + n.bounds.depth_absolute)) continue;
+            const LocalBounds local = neighbour_of(Sight<double>(s.view, s.x, s.y), bounds, n.p_world).bounds;
+            if (!std::isfinite(local.depth_relative + local.depth_absolute)) continue;
+            for (const float z :
+                 depths_around(depth_of(TriangleInView(s.view, bounds, n.p_world), bounds).at(s.x, s.y))) {
+                const bool truth = lawful_in_rationals(s, bounds, n.p_world, z);
+                ASSERT_EQ(is_lawful_depth(s.view, bounds, n.p_world, s.x, s.y, z), truth) << z;
+                ++asked, lawful += truth;
+            }
+        }
+    }
+    EXPECT_GT(lawful, asked / 10);
+    EXPECT_LT(lawful, 9 * asked / 10);
+}
+
+TEST(ErrorOverBound, TakesTheBoundOnTheDepthsOwnSide) {
+    const DepthBound bound{3, 4, 6};
+    EXPECT_EQ(error_over_bound(bound, 4), 0);
+    EXPECT_EQ(error_over_bound(bound, 3.5f), 0.5);
+    EXPECT_EQ(error_over_bound(bound, 5), 0.5);
+    EXPECT_EQ(error_over_bound(bound, 8), 2);
+    EXPECT_EQ(error_over_bound(bound, 2), 2);
+    EXPECT_EQ(error_over_bound({4, 4, 4}, 4), 0) << "an exact hit needs no bound";
+}
+
+}  // namespace
+}  // namespace zproof

@@ -1,0 +1,111 @@
+#include "compare/explain.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "stage.h"
+
+namespace zproof {
+namespace {
+
+PixelStory story_of(const Trial& t, int x, int y) {
+    return explain(t.scene, t.view, {t.candidate, t.candidate_precision},
+                   {t.reference, t.reference_precision}, x, y);
+}
+
+/// A left and a right wall that meet half of eps beyond the centre of pixel (1, 1), before a third.
+Trial meeting_walls() {
+    Trial t(Projection::parallel, 4, 4,
+            {wall_left_of(1.5 + 1.0 / 1024, 4), wall_right_of(1.5 + 1.0 / 1024, 4), wall(8)});
+    answer_everywhere(t.reference, 0, 4);
+    answer_everywhere(t.candidate, 0, 4);
+    answer(t.candidate, 1, 1, 1, 4);
+    return t;
+}
+
+TEST(Explain, TellsEveryTriangleWithinEpsNearestFirst) {
+    const PixelStory story = story_of(meeting_walls(), 1, 1);
+    EXPECT_EQ(story.finding.verdict, PixelClass::edge);
+    ASSERT_EQ(story.candidates.size(), 3u);
+    EXPECT_EQ(story.candidates[0].primitive, PrimitiveId(0));
+    EXPECT_EQ(story.candidates[2].primitive, PrimitiveId(2));
+    EXPECT_EQ(story.candidates[0].depth.truth, 4);
+    EXPECT_EQ(story.candidates[1].decision.standing, Standing::visible);
+    EXPECT_EQ(story.candidates[2].decision.standing, Standing::hidden);
+    EXPECT_EQ(story.candidate.standing, Standing::visible);
+    EXPECT_EQ(story.reference.standing, Standing::visible);
+    EXPECT_EQ(story.background.standing, Standing::hole);
+}
+
+TEST(Explain, EdgeDistancesAreIn256thsOfAPixelPositiveInside) {
+    const PixelStory story = story_of(meeting_walls(), 1, 1);
+    // edge 2 of the left wall and edge 1 of the right wall is the one in which they meet
+    EXPECT_DOUBLE_EQ(story.candidates[0].edge_distance[2], 0.25);
+    EXPECT_DOUBLE_EQ(story.candidates[1].edge_distance[1], -0.25);
+    EXPECT_GT(story.candidates[0].edge_distance[0], 256);
+}
+
+TEST(Explain, ATriangleSeenEdgeOnHasNoDistances) {
+    Trial t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
+    answer(t.candidate, 1, 1, 0, 4);
+    const PixelStory story = story_of(t, 1, 1);
+    ASSERT_EQ(story.candidates.size(), 1u);
+    for (const double distance : story.candidates[0].edge_distance) EXPECT_TRUE(std::isnan(distance));
+}
+
+TEST(Explain, SaysTheVerdictOfTheJudgeAtEveryPixel) {
+    Trial t = meeting_walls();
+    answer(t.candidate, 0, 1, 2, 8);
+    answer(t.candidate, 2, 2, 1, 4.5);
+    answer(t.candidate, 3, 3, 0, -1);
+    answer_background(t.candidate, 0, 3);
+    const Verdict verdict = t.verdict();
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x)
+            EXPECT_EQ(story_of(t, x, y).finding.verdict, verdict.classes.at(x, y)) << x << ' ' << y;
+}
+
+TEST(Explain, APixelOutsideTheViewIsRefused) {
+    const Trial t = meeting_walls();
+    EXPECT_THROW(story_of(t, 4, 0), std::out_of_range);
+    EXPECT_THROW(story_of(t, 0, -1), std::out_of_range);
+}
+
+bool says(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+TEST(Words, EveryClassHasItsReason) {
+    const std::array<const char*, pixel_class_count> reasons{
+        "same id",           "they meet at an edge",    "depths tie",       "through a crack",
+        "near or far plane", "the reference is not",    "the depth is not", "is covered for certain",
+        "does not come",     "is occluded for certain", "that is no answer"};
+    const Scene scene;
+    Finding f;
+    f.candidate = {PrimitiveId(3), 2};
+    for (int c = 0; c < pixel_class_count; ++c) {
+        f.verdict = PixelClass(c);
+        EXPECT_TRUE(says(in_words(scene, f), reasons[std::size_t(c)])) << in_words(scene, f);
+        EXPECT_TRUE(says(in_words(scene, f), "candidate says triangle 3, reference background: "));
+    }
+}
+
+TEST(Words, NameTheNodeAndTheMesh) {
+    Trial t = meeting_walls();
+    t.scene.parts = {{"Wheel", "Spokes", 0, 0, 1, 0}, {"", "", 0, 1, 2, 0}};
+    const std::string text = in_words(t.scene, story_of(t, 1, 1));
+    EXPECT_TRUE(says(text, "pixel (1, 1): edge, pass\n")) << text;
+    EXPECT_TRUE(says(text, "triangle 0 (node Wheel, mesh Spokes)"));
+    EXPECT_TRUE(says(text, "triangle 1 (node unnamed, mesh unnamed)"));
+    EXPECT_TRUE(says(text, "not lawful: occluded for certain"));
+    EXPECT_TRUE(says(text, "background: not lawful: covered for certain\n"));
+}
+
+TEST(Words, ADefectFails) {
+    Trial t = meeting_walls();
+    answer(t.candidate, 1, 1, 2, 8);
+    EXPECT_TRUE(says(in_words(t.scene, story_of(t, 1, 1)), "pixel (1, 1): hidden, FAIL\n"));
+}
+
+}  // namespace
+}  // namespace zproof

@@ -1,0 +1,151 @@
+/// The word for every kind of pixel, in both projections. The pixel asked is (1, 1), its centre (1.5, 1.5).
+#include <gtest/gtest.h>
+
+#include "stage.h"
+
+namespace zproof {
+namespace {
+
+constexpr double near_the_centre = 1.5 + 1.0 / 1024;  // half of what 8 sub-pixel bits may move
+
+class Judge : public testing::TestWithParam<Projection> {
+  protected:
+    Trial trial(const std::vector<Triangle>& triangles) const { return {GetParam(), 4, 4, triangles}; }
+    /// Both renderers see the first triangle's depth everywhere.
+    Trial agreed_trial(const std::vector<Triangle>& triangles) const {
+        Trial t = trial(triangles);
+        answer_everywhere(t.candidate, 0, triangles[0][0].depth);
+        answer_everywhere(t.reference, 0, triangles[0][0].depth);
+        return t;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Projections, Judge, testing::Values(Projection::perspective, Projection::parallel),
+                         [](const auto& p) {
+                             return p.param == Projection::parallel ? "parallel" : "perspective";
+                         });
+
+TEST_P(Judge, FramesThatSayTheTruthAgree) {
+    const Verdict verdict = agreed_trial({wall(4), wall(8)}).verdict();
+    EXPECT_EQ(verdict.counts[std::size_t(PixelClass::agree)], 16u);
+    EXPECT_TRUE(verdict.findings.empty());
+}
+
+TEST_P(Judge, BareImagesAgree) { EXPECT_EQ(trial({}).verdict().counts[std::size_t(PixelClass::agree)], 16u); }
+
+TEST_P(Judge, NeighboursAcrossAnEdgeWithinEpsAreBothLawful) {
+    Trial t = agreed_trial({wall_left_of(near_the_centre, 4), wall_right_of(near_the_centre, 4)});
+    answer(t.candidate, 1, 1, 1, 4);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::edge);
+}
+
+TEST_P(Judge, BackgroundBesideASilhouetteWithinEpsIsLawful) {
+    Trial t = agreed_trial({wall_left_of(near_the_centre, 4)});
+    answer_background(t.candidate, 1, 1);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::edge);
+}
+
+TEST_P(Judge, CoplanarTrianglesTie) {
+    Trial t = agreed_trial({wall(4), wall_left_of(9, 4)});
+    answer(t.candidate, 1, 1, 1, 4);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::depth_tie);
+}
+
+TEST_P(Judge, ACrackBetweenEdgesThatOccludersDoNotShareIsTheScenesDefect) {
+    Trial t = agreed_trial({wall_left_of(1.5, 4, -64, 64), wall_right_of(1.5, 4, -32, 96), wall(8)});
+    answer(t.candidate, 1, 1, 2, 8);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::abutting_edges);
+}
+
+TEST_P(Judge, BackgroundSeenThroughACrackIsTheScenesDefect) {
+    Trial t = agreed_trial({wall_left_of(1.5, 4, -64, 64), wall_right_of(1.5, 4, -32, 96)});
+    answer_background(t.candidate, 1, 1);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::abutting_edges);
+}
+
+TEST_P(Judge, NothingShowsThroughASharedEdge) {
+    Trial t = agreed_trial({wall_left_of(1.5, 4), wall_right_of(1.5, 4), wall(8)});
+    answer(t.candidate, 1, 1, 2, 8);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::hidden);
+    answer_background(t.candidate, 1, 1);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::hole);
+}
+
+/// A slope that reaches the near depth (1/4) at x = 1.5 and is cut off to its left.
+Triangle slope_through_near(Projection projection) {
+    const bool perspective = projection == Projection::perspective;
+    const double left = perspective ? 1 / 5.0 : 0, right = perspective ? 1 / 2.0 : 0.75;
+    return {{{-30.5, -64, left}, {65.5, -64, right}, {-30.5, 256, left}}};
+}
+
+TEST_P(Judge, BackgroundWhereTheNearPlaneCutsIsLawful) {
+    Trial t = trial({slope_through_near(GetParam())});
+    answer(t.reference, 1, 1, 0, 0.25);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::clip);
+}
+
+TEST_P(Judge, ATriangleBehindTheNearPlaneReachesNoPixel) {
+    Trial t = trial({slope_through_near(GetParam())});
+    answer(t.candidate, 0, 1, 0, 0.25);
+    EXPECT_EQ(t.class_at(0, 1), PixelClass::outside);
+}
+
+TEST_P(Judge, TheRightTriangleAtTheWrongDepthIsWrong) {
+    Trial t = agreed_trial({wall(4)});
+    answer(t.candidate, 1, 1, 0, 4.01);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::wrong_depth);
+}
+
+TEST_P(Judge, ALawfulNeighbourAtTheWrongDepthIsWrong) {
+    Trial t = agreed_trial({wall_left_of(near_the_centre, 4), wall_right_of(near_the_centre, 4)});
+    answer(t.candidate, 1, 1, 1, 4.01);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::wrong_depth);
+}
+
+TEST_P(Judge, BackgroundOnACoveredPixelIsAHole) {
+    Trial t = agreed_trial({wall(4)});
+    answer_background(t.candidate, 1, 1);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::hole);
+}
+
+TEST_P(Judge, ATriangleThatEndsBeforeThePixelIsOutside) {
+    Trial t = trial({wall_left_of(1, 4)});
+    answer(t.candidate, 1, 1, 0, 4);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::outside);
+}
+
+TEST_P(Judge, ATriangleBehindAWallIsHidden) {
+    Trial t = agreed_trial({wall(4), wall(8)});
+    answer(t.candidate, 1, 1, 1, 8);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::hidden);
+}
+
+TEST_P(Judge, AHiddenTriangleIsHiddenWhateverDepthItClaims) {
+    Trial t = agreed_trial({wall(4), wall(8)});
+    answer(t.candidate, 1, 1, 1, 4);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::hidden);
+}
+
+TEST_P(Judge, AnUnlawfulReferenceIsTheReferencesDefect) {
+    Trial t = agreed_trial({wall(4), wall(8)});
+    answer_background(t.reference, 0, 0);
+    answer(t.reference, 1, 1, 1, 8);
+    answer(t.reference, 2, 2, 0, 4.01);
+    answer(t.reference, 3, 3, 7, 4);
+    const Verdict verdict = t.verdict();
+    for (const int i : {0, 1, 2, 3}) EXPECT_EQ(verdict.classes.at(i, i), PixelClass::reference_wrong) << i;
+    EXPECT_EQ(verdict.reference_defects, 4u);
+    EXPECT_EQ(defect_count(verdict), 0u);
+}
+
+TEST_P(Judge, WhereBothAreWrongTheCandidatesDefectIsTheWord) {
+    Trial t = agreed_trial({wall(4), wall(8), wall(16)});
+    answer(t.candidate, 1, 1, 1, 8);
+    answer(t.reference, 1, 1, 2, 16);
+    const Verdict verdict = t.verdict();
+    EXPECT_EQ(verdict.classes.at(1, 1), PixelClass::hidden);
+    EXPECT_EQ(verdict.reference_defects, 1u);
+}
+
+}  // namespace
+}  // namespace zproof

@@ -1,0 +1,73 @@
+/// The search may find too many triangles, never too few.
+#include "compare/nearby_triangles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "brute_force.h"
+#include "math/rational.h"
+#include "random_surroundings.h"
+#include "stage.h"
+
+namespace zproof {
+namespace {
+
+/// Does the image of the triangle (in front of near) come within `reach_px` of the centre, in exact numbers?
+bool comes_near(Neighbourhood around, double reach_px) {
+    around.eps_px = reach_px;
+    for (Neighbour& n : around.neighbours) n.near_slack = n.far_slack = 0;
+    return brute_force::Picture(around).reaches(0);
+}
+
+TEST(NearbyTriangles, NoneThatComesWithinReachIsMissing) {
+    int near_ones = 0, found_ones = 0, asked = 0;
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        Dice dice(seed);
+        std::vector<Site> sites;
+        for (int i = 0; i < 4; ++i)
+            sites.push_back({i ? dice.below(16) : s.x, i ? dice.below(16) : s.y, dice.below(2) * 0x1p-9, {}});
+        find_nearby_triangles(s.scene, s.view, sites);
+        const ViewBounds bounds(s.view, RasterPrecision{});
+        for (const Site& site : sites) {
+            ASSERT_TRUE(std::ranges::is_sorted(site.triangles));
+            for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
+                const Sight<Rational> sight(s.view, site.x, site.y);
+                if (!image_of(sight, corners<Rational>(corners_of(s.scene, t)))) continue;  // edge-on: below
+                const Site only{site.x, site.y, site.reach_px, {t}};
+                const Neighbourhood around = neighbourhood_of(s.scene, s.view, bounds, only, site.reach_px);
+                const bool found = std::ranges::count(site.triangles, t) == 1;
+                const bool near = comes_near(around, site.reach_px);
+                ASSERT_TRUE(found || !near) << "triangle " << t << " at " << site.x << ' ' << site.y;
+                ++asked, near_ones += near, found_ones += found;
+            }
+        }
+    }
+    EXPECT_GT(near_ones, asked / 20);
+    EXPECT_LT(found_ones, asked * 3 / 4) << "the search rules triangles out";
+}
+
+TEST(NearbyTriangles, EdgeOnTrianglesAreFound) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        const View view = pixel_view(projection, 4, 4);
+        const Scene scene = scene_of(view, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
+        std::vector<Site> sites{{1, 1, 0, {}}, {3, 3, 0x1p-9, {}}};
+        find_nearby_triangles(scene, view, sites);
+        EXPECT_EQ(sites[0].triangles, std::vector<std::uint32_t>{0});
+        EXPECT_TRUE(sites[1].triangles.empty());
+    }
+}
+
+TEST(NearbyTriangles, ManyChunksComeInOrder) {
+    const View view = pixel_view(Projection::parallel, 4, 4);
+    const Scene scene = scene_of(view, std::vector<Triangle>(10'000, wall(4)));
+    std::vector<Site> sites{{2, 3, 0, {7, 7}}};
+    find_nearby_triangles(scene, view, sites);
+    ASSERT_EQ(sites[0].triangles.size(), 10'000u);
+    EXPECT_TRUE(std::ranges::is_sorted(sites[0].triangles));
+}
+
+}  // namespace
+}  // namespace zproof

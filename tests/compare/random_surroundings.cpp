@@ -1,0 +1,155 @@
+#include "random_surroundings.h"
+
+#include <cmath>
+
+namespace zproof {
+
+namespace {
+
+using Corners3 = std::array<glm::dvec3, 3>;  ///< raster x, y in px from the pixel's centre, and depth
+
+glm::dmat3 turned(double yaw, double pitch) {
+    const glm::dvec3 back{std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), back));
+    return {right, glm::cross(back, right), back};
+}
+
+/// World position of what is seen at an offset from the pixel's centre, at a depth.
+glm::vec3 position(const View& view, int x, int y, const glm::dvec3& seen) {
+    const Sight<double> sight(view, x, y);
+    const auto across = seen.x * sight.step_x + seen.y * sight.step_y;
+    const bool perspective = view.camera.projection == Projection::perspective;
+    const auto origin = perspective ? sight.origin : sight.origin + across;
+    const auto direction = perspective ? sight.direction + across : sight.direction;
+    const auto p = origin + seen.z * direction;
+    return {float(p.x), float(p.y), float(p.z)};
+}
+
+/// The offsets that matter: the centre itself, within the square, or far away.
+double random_offset(Dice& dice) {
+    switch (dice.below(5)) {
+        case 0:
+            return 0;
+        case 1:
+            return dice.between(-1, 1) * 0x1p-8;
+        case 2:
+            return dice.between(-1, 1) * 0x1p-10;
+        default:
+            return dice.between(-6, 6);
+    }
+}
+
+double random_depth(Dice& dice) {
+    constexpr std::array depths{2.0, 4.0, 4.0, 4.0 + 0x1p-20, 8.0};
+    return dice.below(3) ? depths[std::size_t(dice.below(5))] : dice.between(0.5, 12);
+}
+
+Corners3 random_corners(Dice& dice) {
+    Corners3 corners;
+    const double flat = random_depth(dice);
+    const bool is_flat = dice.below(2) == 0;
+    for (glm::dvec3& c : corners)
+        c = {random_offset(dice), random_offset(dice), is_flat ? flat : random_depth(dice)};
+    if (dice.below(3) == 0) {  // around the centre for certain, far out
+        const double size = std::exp2(dice.between(-9, 4));
+        for (std::size_t i = 0; i < 3; ++i) {
+            corners[i].x = size * std::array{-3, 3, -3}[i];
+            corners[i].y = size * std::array{-3, -3, 3}[i];
+        }
+    }
+    return corners;
+}
+
+void make_sliver(Corners3& c, Dice& dice) {
+    c[2] = glm::mix(c[0], c[1], dice.between(-1, 2));
+    c[2].y += dice.between(-1, 1) * std::exp2(dice.between(-24, -4));
+}
+
+/// Takes corners of an earlier triangle: one, two (a shared edge), or a point of its plane.
+void join(CornersWorld& p, const Scene& scene, Dice& dice) {
+    const auto& all = scene.vertices.position_world;
+    const auto first = std::size_t(3 * dice.below(int(all.size() / 3)));
+    const auto turn = std::size_t(dice.below(3));
+    switch (dice.below(4)) {
+        case 0:
+            p[0] = all[first + turn];
+            break;
+        case 1:
+            p[2] = all[first] + all[first + 1] - all[first + 2];  // often exactly in its plane
+            [[fallthrough]];
+        case 2:
+            p[0] = all[first + turn];
+            p[1] = all[first + (turn + 1) % 3];
+            break;
+        default:
+            for (std::size_t i = 0; i < 3; ++i) p[i] = 0.5f * (all[first + i] + all[first + (i + 1) % 3]);
+    }
+}
+
+void push(Scene& scene, const CornersWorld& p) {
+    const auto first = std::uint32_t(scene.vertices.position_world.size());
+    for (const glm::vec3& corner : p) scene.vertices.position_world.push_back(corner);
+    scene.triangles.emplace_back(first, first + 1, first + 2);
+}
+
+}  // namespace
+
+View random_view(Dice& dice) {
+    View view{.name = "random", .camera = {}, .width = 16, .height = 16};
+    Camera& c = view.camera;
+    const bool plain = dice.below(2) == 0;
+    if (dice.below(2)) c.projection = Projection::parallel;
+    c.window = {.left = 0, .right = 16, .bottom = -16, .top = 0};
+    c.near_depth = std::array{0.25, 2.0, 4.0}[std::size_t(dice.below(3))];
+    c.far_depth = std::array{8.0, 100.0, 5.0}[std::size_t(dice.below(3))];
+    if (plain) return view;
+    const glm::dmat3 axes = turned(dice.between(-3, 3), dice.between(-1.4, 1.4));
+    c.right = axes[0], c.up = axes[1], c.back = axes[2];
+    c.eye_world = glm::vec3(dice.between(-9, 9), dice.between(-9, 9), dice.between(-9, 9));
+    c.window = {.left = -0.9, .right = 0.7, .bottom = -0.8, .top = 0.6};
+    if (c.projection == Projection::parallel)
+        c.shear = {dice.between(-0.5, 0.5), 0.25 * dice.below(2)};
+    else if (dice.below(3) == 0)
+        c.far_depth = std::numeric_limits<double>::infinity();
+    return view;
+}
+
+Scene random_crowd(Dice& dice, const View& view, int x, int y) {
+    Scene scene;
+    const int count = 1 + dice.below(5);
+    for (int i = 0; i < count; ++i) {
+        Corners3 seen = random_corners(dice);
+        const int kind = dice.below(12);
+        if (kind == 0) make_sliver(seen, dice);
+        if (kind == 1) seen[std::size_t(dice.below(3))].z = dice.between(-3, 1);
+        if (kind == 2) seen[0].z = seen[1].z = 0;
+        CornersWorld p;
+        for (std::size_t k = 0; k < 3; ++k) p[k] = position(view, x, y, seen[k]);
+        if (kind == 3) p[std::size_t(dice.below(3))] *= std::exp2(float(dice.between(-60, 60)));
+        if (kind >= 6 && i > 0) join(p, scene, dice);
+        push(scene, p);
+    }
+    return scene;
+}
+
+Neighbourhood surroundings(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
+                           double least_eps_px) {
+    Site site{x, y, least_eps_px, {}};
+    for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) site.triangles.push_back(t);
+    return neighbourhood_of(scene, view, bounds, site, least_eps_px);
+}
+
+Surroundings random_surroundings(std::uint32_t seed) {
+    Dice dice(seed);
+    Surroundings s{random_view(dice), {}, dice.below(16), dice.below(16), {}};
+    s.scene = random_crowd(dice, s.view, s.x, s.y);
+    const bool raster = dice.below(2) == 0;
+    RasterPrecision with_bits;
+    with_bits.transform = dice.below(2) ? Arithmetic::float32 : Arithmetic::float64;
+    const Precision precision = raster ? Precision(with_bits) : Precision(RayPrecision{});
+    const ViewBounds bounds(s.view, precision);
+    s.around = surroundings(s.scene, s.view, bounds, s.x, s.y, dice.below(4) ? 0x1p-9 : 0);
+    return s;
+}
+
+}  // namespace zproof

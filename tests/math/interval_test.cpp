@@ -1,0 +1,141 @@
+#include "math/interval.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "doubles.h"
+#include "math/rational.h"
+
+namespace zproof {
+namespace {
+
+/// Infinite and NaN ends exclude nothing.
+bool holds(const Interval& i, const Rational& exact) {
+    const bool above = !std::isfinite(i.low()) || Rational(i.low()) <= exact;
+    return above && (!std::isfinite(i.high()) || exact <= Rational(i.high()));
+}
+
+std::optional<int> sign_or_undecided(const Interval& i) {
+    try {
+        return sign(i);
+    } catch (const UndecidedSign&) {
+        return std::nullopt;
+    }
+}
+
+/// The results at the ends are the extremes of + - * / over two intervals.
+template <class Operation>
+void expect_enclosed(const Interval& a, const Interval& b, const Operation& operation) {
+    const Interval result = operation(a, b);
+    const std::optional<int> claimed = sign_or_undecided(result);
+    for (const double x : {a.low(), a.high()})
+        for (const double y : {b.low(), b.high()}) {
+            const Rational exact = operation(Rational(x), Rational(y));
+            ASSERT_TRUE(holds(result, exact)) << std::hexfloat << x << ' ' << y;
+            ASSERT_EQ(claimed.value_or(exact.sign()), exact.sign()) << std::hexfloat << x << ' ' << y;
+        }
+}
+
+bool holds_zero(const Interval& i) { return i.low() <= 0 && i.high() >= 0; }
+
+void expect_all_enclosed(const Interval& a, const Interval& b) {
+    expect_enclosed(a, b, [](const auto& x, const auto& y) { return x + y; });
+    expect_enclosed(a, b, [](const auto& x, const auto& y) { return x - y; });
+    expect_enclosed(a, b, [](const auto& x, const auto& y) { return x * y; });
+    expect_enclosed(a, b, [](const auto& x, const auto&) { return -x; });
+    if (!holds_zero(b)) expect_enclosed(a, b, [](const auto& x, const auto& y) { return x / y; });
+}
+
+Interval between(double a, double b) { return {std::min(a, b), std::max(a, b)}; }
+
+TEST(Interval, EncloseEveryExactResultOfHardDoubles) {
+    for (const double a : hard_doubles())
+        for (const double b : hard_doubles()) expect_all_enclosed(a, b);
+}
+
+TEST(Interval, EncloseEveryExactResultOfRandomDoubles) {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 3000; ++i) {
+        SCOPED_TRACE(i);
+        expect_all_enclosed(random_double(random), random_double(random));
+        expect_all_enclosed(random_double(random, -3, 3), random_double(random, -3, 3));
+    }
+}
+
+TEST(Interval, EncloseEveryExactResultOfRandomIntervals) {
+    std::mt19937_64 random(2);
+    for (int i = 0; i < 2000; ++i) {
+        SCOPED_TRACE(i);
+        const double a = random_double(random, -4, 4), b = random_double(random, -4, 4);
+        const double c = random_double(random, -4, 4), d = random_double(random, -4, 4);
+        expect_all_enclosed(between(a, b), between(c, d));
+        expect_all_enclosed(between(random_double(random), a), between(random_double(random), c));
+    }
+}
+
+TEST(Interval, ChainsOfOperationsStillEnclose) {
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 500; ++i) {
+        SCOPED_TRACE(i);
+        Interval rounded = random_double(random, -5, 5);
+        Rational exact(rounded.low());
+        for (int step = 0; step < 8; ++step) {
+            const double next = random_double(random, -5, 5);
+            switch (random() % 4) {
+                case 0:
+                    rounded = rounded + next, exact = exact + Rational(next);
+                    break;
+                case 1:
+                    rounded = rounded - next, exact = exact - Rational(next);
+                    break;
+                case 2:
+                    rounded = rounded * next, exact = exact * Rational(next);
+                    break;
+                default:
+                    rounded = rounded / next, exact = exact / Rational(next);
+            }
+            ASSERT_TRUE(holds(rounded, exact));
+        }
+    }
+}
+
+TEST(Interval, OfExactNumbersIsAFewUlpsWide) {
+    std::mt19937_64 random(4);
+    for (int i = 0; i < 3000; ++i) {
+        const Interval a = random_double(random, -9, 9), b = random_double(random, -9, 9);
+        for (const Interval& r : {a * b, a / b, a + Interval(2) * a})
+            EXPECT_LE(r.high() - r.low(), 0x1p-48 * std::abs(r.high()));
+    }
+}
+
+TEST(Interval, OverflowDecidesNothing) {
+    const Interval huge = 1e300, many = huge * huge;
+    for (const Interval& i : {many, -many, many - many, many + many, many * Interval(-1),
+                              many * Interval(-1, 1), -many * Interval(0, 1)})
+        EXPECT_FALSE(sign_or_undecided(i)) << i.low() << ' ' << i.high();
+}
+
+TEST(Interval, DivisionByWhatMayBeZeroIsUndecided) {
+    for (const Interval& zero :
+         {Interval(0), Interval(-1, 1), Interval(0, 1), Interval(-1, 0), Interval(-0.0)})
+        EXPECT_THROW(Interval(1) / zero, UndecidedSign);
+}
+
+TEST(Interval, SignIsUndecidedExactlyWhereZeroIsOneOfSeveralValues) {
+    for (const double a : hard_doubles())
+        for (const double b : hard_doubles()) {
+            const Interval i = between(a, b);
+            const std::optional<int> claimed = sign_or_undecided(i);
+            const bool undecided = holds_zero(i) && i.low() != i.high();
+            ASSERT_EQ(claimed.has_value(), !undecided) << a << ' ' << b;
+            ASSERT_EQ(claimed.value_or(0), undecided ? 0 : (a > 0) - (a < 0));
+        }
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(sign_or_undecided(Interval(nan)));
+    EXPECT_FALSE(sign_or_undecided(Interval(-1, nan)));
+    EXPECT_FALSE(sign_or_undecided(Interval(nan, 1)));
+}
+
+}  // namespace
+}  // namespace zproof
