@@ -6,7 +6,7 @@
 #include "cli/interrupt.h"
 #include "cli/stopwatch.h"
 #include "cli/view_result.h"
-#include "compare/judge.h"
+#include "compare/diagnosis.h"
 #include "oracle/embree.h"
 #include "oracle/oracle_error.h"
 #include "rasterizer/rasterizer.h"
@@ -33,9 +33,10 @@ std::optional<ViewResult> run_view(const Docket& docket, const oracle::Embree& e
     if (interrupted()) return std::nullopt;
 
     desk.progress.begin_stage("judge " + view.name);
-    const Verdict verdict =
-        judge(scene, view, {candidate, rasterizer::precision()}, {reference, oracle::embree_precision()});
+    const Testimony ours{candidate, rasterizer::precision()}, theirs{reference, oracle::embree_precision()};
+    const Verdict verdict = judge(scene, view, ours, theirs);
     ViewResult result = to_view_result(docket, verdict);
+    result.diagnosis = diagnose(scene, view, ours, theirs, verdict);
     times.judge = watch.lap();
 
     desk.progress.begin_stage("write " + view.name);

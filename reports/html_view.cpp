@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "reports/class_style.h"
+#include "reports/diagnosis_words.h"
 #include "reports/html_parts.h"
 #include "reports/wording.h"
 
@@ -68,6 +69,27 @@ std::string class_table(const ViewResult& v) {
            "<p class=\"fine\">" + grouped(v.adjudicated) + " needed the admissible set, " + grouped(v.exact) +
            " of them exact rationals; " + counted(v.reference_defects, "pixel") +
            " where the reference's own answer is impossible.</p></div>\n";
+}
+
+std::string explanation_row(const Explanation& e, const Diagnosis& d) {
+    const std::string broken = e.contradicted > 0
+                                   ? "; but " + grouped(e.contradicted) + " of " + grouped(e.checked) +
+                                         " pixels that agree would be wrong"
+                                   : "";
+    return "<li><strong>" + escaped(e.name) + "</strong>: " + extent_of(e, d) + broken +
+           ". <span class=\"fine\">" + escaped(e.description) + "</span></li>\n";
+}
+
+std::string diagnosis(const ViewResult& v) {
+    if (!v.diagnosis) return "";
+    const Diagnosis& d = *v.diagnosis;
+    const std::string cause = d.cause ? "<ul>" + explanation_row(*d.cause, d) + "</ul>\n"
+                                      : "<p>No hypothesis explains more than half of the defects.</p>\n";
+    std::string rest;
+    for (const Explanation& e : d.runners_up) rest += explanation_row(e, d);
+    if (!rest.empty())
+        rest = "<p class=\"fine\">Also tested, and explaining some:</p>\n<ul>" + rest + "</ul>\n";
+    return "<h3>" + std::string(d.cause ? "Likely cause" : "No single cause") + "</h3>\n" + cause + rest;
 }
 
 std::string histogram(std::string_view whose, const std::string& renderer, const DepthRecord& record) {
@@ -139,7 +161,7 @@ std::string row(std::string_view kind, const std::string& content) {
 std::string judgement(const PageView& page) {
     const ViewResult& v = *page.view;
     if (!was_judged(v)) return "";
-    return row("map", figures(page, 0, 1) + class_table(v)) +
+    return row("diagnosis", diagnosis(v)) + row("map", figures(page, 0, 1) + class_table(v)) +
            row("figures", figures(page, 1, page.pictures.size())) +
            row("panels", histogram("candidate", v.candidate, v.candidate_depth) +
                              histogram("reference", v.reference, v.reference_depth)) +

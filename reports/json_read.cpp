@@ -97,6 +97,25 @@ StageTimes stage_times(const Json& json) {
             .write = number(json.at("write"))};
 }
 
+Explanation explanation(const Json& json) {
+    return {.name = json.at("name"),
+            .description = json.at("description"),
+            .explained = count(json.at("explained")),
+            .asked = count(json.at("asked")),
+            .contradicted = count(json.at("contradicted")),
+            .checked = count(json.at("checked"))};
+}
+
+/// Since 1.1; null or absent: none was made.
+std::optional<Diagnosis> diagnosis(const Json& view) {
+    const auto found = view.find("diagnosis");
+    if (found == view.end() || found->is_null()) return std::nullopt;
+    Diagnosis d{.defects = count(found->at("defects")), .cause = std::nullopt, .runners_up = {}};
+    if (const Json& cause = found->at("cause"); !cause.is_null()) d.cause = explanation(cause);
+    for (const Json& one : found->at("runners_up")) d.runners_up.push_back(explanation(one));
+    return d;
+}
+
 ViewResult view(const Json& json) {
     ViewResult v{.scene = json.at("scene"),
                  .source = json.at("source"),
@@ -115,6 +134,7 @@ ViewResult view(const Json& json) {
                  .reference_defects = count(json.at("reference_defects")),
                  .adjudicated = count(json.at("adjudicated")),
                  .exact = count(json.at("exact")),
+                 .diagnosis = diagnosis(json),
                  .worst = {},
                  .notes = json.at("notes"),
                  .times = stage_times(json.at("times")),

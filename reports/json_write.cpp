@@ -75,6 +75,20 @@ Json stage_times(const StageTimes& t) {
             {"write", number(t.write)}};
 }
 
+Json explanation(const Explanation& e) {
+    return {{"name", e.name},   {"description", e.description},   {"explained", e.explained},
+            {"asked", e.asked}, {"contradicted", e.contradicted}, {"checked", e.checked}};
+}
+
+Json diagnosis(const std::optional<Diagnosis>& d) {
+    if (!d) return nullptr;
+    Json runners_up = Json::array();
+    for (const Explanation& e : d->runners_up) runners_up.push_back(explanation(e));
+    return {{"defects", d->defects},
+            {"cause", d->cause ? explanation(*d->cause) : Json(nullptr)},
+            {"runners_up", runners_up}};
+}
+
 Json view_object(const ViewResult& v) {
     return {{"scene", v.scene},
             {"source", v.source},
@@ -94,6 +108,7 @@ Json view_object(const ViewResult& v) {
             {"reference_defects", v.reference_defects},
             {"adjudicated", v.adjudicated},
             {"exact", v.exact},
+            {"diagnosis", diagnosis(v.diagnosis)},
             {"worst", reported(v.worst)},
             {"notes", v.notes},
             {"folder", v.folder},

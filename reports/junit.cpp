@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reports/diagnosis_words.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -67,7 +68,7 @@ std::string headline(const ViewResult& v) {
 }
 
 std::string story(const ViewResult& v) {
-    std::string text;
+    std::string text = v.diagnosis ? one_line(in_words(*v.diagnosis)) + "\n" : "";
     for (std::size_t i = 0; i < std::min<std::size_t>(10, v.worst.size()); ++i)
         text += one_line(v.worst[i].explanation) + "\n    " + one_line(v.worst[i].command) + "\n";
     return text;

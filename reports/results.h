@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "compare/diagnosis.h"
 #include "compare/verdict.h"
 
 namespace zproof {
@@ -46,6 +48,7 @@ struct ViewResult {
     ClassCounts counts{};
     DepthRecord candidate_depth, reference_depth;
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
+    std::optional<Diagnosis> diagnosis;  ///< of the defects; nothing where there are none
     std::vector<ReportedFinding> worst;  ///< defects first, then by error/bound; at most 200
     std::vector<std::string> notes;      ///< of the scene
     StageTimes times;
@@ -63,7 +66,7 @@ double seconds(const StageTimes& times);
 
 /// A whole run.
 struct Results {
-    static constexpr const char* schema_version = "1.0";
+    static constexpr const char* schema_version = "1.1";
     std::string version;  ///< zproof's
     std::string command;  ///< as typed
     std::string compiler, embree;

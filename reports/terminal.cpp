@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "reports/diagnosis_words.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -159,6 +160,7 @@ std::string story(const ViewResult& v, Colour colour) {
     if (!v.reference.empty()) text += "  against " + one_line(v.reference);
     text += "\n";
     if (!tally(v).empty()) text += "    " + tally(v) + "\n";
+    if (v.diagnosis) text += "    " + one_line(in_words(*v.diagnosis)) + "\n";
     if (!v.message.empty()) text += "    " + one_line(v.message) + "\n";
     if (v.worst.empty()) return text;
     const ReportedFinding& first = v.worst.front();

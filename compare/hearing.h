@@ -1,0 +1,52 @@
+/// Answers heard together: each is decided by the admissible set, in the surroundings that the scene gives
+/// it.
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "compare/nearby_triangles.h"
+#include "compare/standing.h"
+
+namespace zproof {
+
+/// What an answer earned.
+struct Ruled {
+    Decision decision;
+    double eps_px = 0;  ///< half-side of the square that it was judged in
+};
+
+/// Changes what stands around an answer before it is decided: another rule of drawing than the law.
+using Amendment = std::function<void(Neighbourhood& around, PrimitiveId answer)>;
+
+/// Hearings take a pass over the scene whatever their number: put many answers into one.
+class Hearing {
+  public:
+    Hearing(const Scene& scene, const View& view, Amendment amendment = nullptr)
+        : scene_(scene), view_(view), amendment_(std::move(amendment)) {}
+
+    /// `answer` is a triangle of the scene, or none. `bounds` must outlive the hearing.
+    void add(const ViewBounds& bounds, PrimitiveId answer, int x, int y);
+
+    /// Decides every answer, in the order in which they were added, on all threads.
+    std::vector<Ruled> hear();
+
+  private:
+    struct Plea {
+        const ViewBounds* bounds = nullptr;
+        PrimitiveId answer = PrimitiveId::none;
+        double own_eps_px = 0;
+        std::size_t number = 0;
+    };
+
+    double try_to_hear(std::size_t i, Ruled& ruled) const;
+    void keep_lacking(std::span<const double> lacking);
+
+    const Scene& scene_;
+    const View& view_;
+    Amendment amendment_;
+    std::vector<Plea> pleas_;
+    std::vector<Site> sites_;
+};
+
+}  // namespace zproof

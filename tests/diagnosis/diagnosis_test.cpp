@@ -1,0 +1,117 @@
+/// Every known fault is called by its name.
+#include "compare/diagnosis.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "oracle/embree.h"
+#include "rasterizer/rasterizer.h"
+#include "scenes/suite.h"
+#include "tests/diagnosis/frame_faults.h"
+#include "tests/support/planted_rules.h"
+
+namespace zproof {
+namespace {
+
+/// One view of a suite scene before the judge.
+class Courtroom {
+  public:
+    Courtroom(const std::string& scene, std::size_t view)
+        : loaded_(generate_suite_scene(scene, 480, 270)),
+          view_(loaded_.views.at(view)),
+          reference_(oracle::Embree(loaded_.scene).trace(view_)) {}
+
+    const Scene& scene() const { return loaded_.scene; }
+    const View& view() const { return view_; }
+    Frame drawn_by(const rasterizer::Rules& rules) const {
+        return rasterizer::render_by(rules, loaded_.scene, view_);
+    }
+    std::optional<Diagnosis> diagnosis_of(const Frame& frame) const {
+        const Testimony ours{frame, rasterizer::precision()}, theirs{reference_, oracle::embree_precision()};
+        return diagnose(scene(), view_, ours, theirs, judge(scene(), view_, ours, theirs));
+    }
+
+  private:
+    Loaded loaded_;
+    View view_;
+    Frame reference_;
+};
+
+std::string told(const Explanation& e) {
+    return e.name + ": " + std::to_string(e.explained) + "/" + std::to_string(e.asked) +
+           ", contradicted by " + std::to_string(e.contradicted) + "/" + std::to_string(e.checked) + "\n";
+}
+
+std::string told(const std::optional<Diagnosis>& d) {
+    if (!d) return "no defects";
+    std::string text = d->cause ? told(*d->cause) : "no single cause\n";
+    for (const Explanation& e : d->runners_up) text += "  " + told(e);
+    return text;
+}
+
+void expect_cause(const std::optional<Diagnosis>& diagnosis, const std::string& cause) {
+    ASSERT_TRUE(diagnosis);
+    EXPECT_EQ(diagnosis->cause ? diagnosis->cause->name : "", cause) << told(diagnosis);
+}
+
+struct Planted {
+    std::string name, scene;
+    std::size_t view;
+    rasterizer::Rules rules;
+    std::string cause;
+};
+
+void PrintTo(const Planted& planted, std::ostream* out) { *out << planted.name << " in " << planted.scene; }
+
+class PlantedRule : public testing::TestWithParam<Planted> {};
+
+TEST_P(PlantedRule, IsNamed) {
+    const Planted& planted = GetParam();
+    const Courtroom court(planted.scene, planted.view);
+    expect_cause(court.diagnosis_of(court.drawn_by(planted.rules)), planted.cause);
+}
+
+Planted planted(const std::string& name, const std::string& scene, std::size_t view,
+                const std::string& cause) {
+    const auto& all = rasterizer::planted_rules;
+    return {name, scene, view, std::ranges::find(all, name, &rasterizer::PlantedRules::name)->rules, cause};
+}
+
+/// Fewer bits of either kind, so that "how many" is put to the test.
+Planted with_bits(int bits, const std::string& cause) {
+    return {"bits_" + std::to_string(bits), "room", 0, {.subpixel_bits = bits}, cause};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rasterizer, PlantedRule,
+    testing::Values(planted("half_pixel_shift", "room", 0, "the image is shifted by (+1/2, +1/2) px"),
+                    planted("affine_depth", "room", 0, "depth is affine instead of perspective-correct"),
+                    planted("exclusive_fill", "fan_at_pixel_centre", 0, "the top-left rule is missing"),
+                    planted("y_flipped", "room", 0, "the image is flipped in y"),
+                    planted("no_near_clip", "near_plane", 0, "the near clip is missing"),
+                    planted("depth_test_reversed", "room", 0, "the depth test is reversed"),
+                    planted("four_subpixel_bits", "room", 0, "only 4 sub-pixel bits"),
+                    with_bits(7, "only 7 sub-pixel bits"), with_bits(2, "only 2 sub-pixel bits")),
+    [](const auto& test) { return test.param.name; });
+
+class InjectedFault : public testing::TestWithParam<FrameFault> {};
+
+TEST_P(InjectedFault, IsNamed) {
+    static const Courtroom court("textured_ground", 0);
+    const Frame good = court.drawn_by(rasterizer::lawful_rules);
+    expect_cause(court.diagnosis_of(GetParam().inject(court.scene(), court.view(), good)), GetParam().cause);
+}
+
+INSTANTIATE_TEST_SUITE_P(Frame, InjectedFault, testing::ValuesIn(frame_faults()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(Diagnosis, OfAFaultlessFrameIsNone) {
+    const Courtroom court("room", 0);
+    EXPECT_FALSE(court.diagnosis_of(court.drawn_by(rasterizer::lawful_rules)));
+}
+
+}  // namespace
+}  // namespace zproof

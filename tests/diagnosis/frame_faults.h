@@ -1,0 +1,21 @@
+/// Faults put into a good frame, each with the name that the diagnosis must give it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "frame/frame.h"
+#include "scenes/loaded.h"
+
+namespace zproof {
+
+struct FrameFault {
+    std::string name;   ///< letters, digits and '_'
+    std::string cause;  ///< as compare/hypotheses/ calls it; empty: no single cause
+    std::function<Frame(const Scene&, const View&, const Frame& good)> inject;
+};
+
+const std::vector<FrameFault>& frame_faults();
+
+}  // namespace zproof
