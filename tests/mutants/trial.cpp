@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/selftest/theatre.h"
+#include "compare/diagnosis.h"
 #include "frame/exr.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
@@ -68,6 +69,19 @@ ordered_json counts_of(const Verdict& verdict) {
     return counts;
 }
 
+struct Case {
+    const Scene& scene;
+    const View& view;
+    Testimony candidate, reference;
+};
+
+void add_cause(ordered_json& line, const Case& c, const Verdict& verdict) {
+    const auto diagnosis = diagnose(c.scene, c.view, c.candidate, c.reference, verdict);
+    if (!diagnosis || !diagnosis->cause) return;
+    line["cause"] = diagnosis->cause->name;
+    line["share"] = explained_share(*diagnosis->cause);
+}
+
 void add_gate(ordered_json& line, const Verdict& verdict) {
     line["defects"] = defect_count(verdict);
     line["counts"] = counts_of(verdict);
@@ -103,10 +117,12 @@ class SuiteTrial {
         const Frame reference = references.of(view);
         ordered_json line{{"name", scene.name + "/" + view.name}};
         if (!found_) {
-            const Verdict verdict = judge(scene, view, {candidate, rasterizer::precision()},
-                                          {reference, oracle::embree_precision()});
+            const Case c{
+                scene, view, {candidate, rasterizer::precision()}, {reference, oracle::embree_precision()}};
+            const Verdict verdict = judge(scene, view, c.candidate, c.reference);
             add_gate(line, verdict);
             found_ = defect_count(verdict) > 0;
+            if (depth_ == Depth::all) add_cause(line, c, verdict);
         }
         if (depth_ == Depth::all) add_rivals(line, candidate, reference);
         std::cout << line << std::endl;
@@ -120,15 +136,21 @@ class SuiteTrial {
 
 void try_fault(const selftest::Fault& fault, const selftest::Stage& stage, const fs::path& folder) {
     const selftest::Trial trial = selftest::try_fault(fault, stage);
-    ordered_json line{{"name", fault.name},
-                      {"sentence", fault.sentence},
-                      {"control", is_control(fault)},
-                      {"as_expected", trial.as_expected},
-                      {"said", in_words(trial)}};
-    if (trial.verdict) add_gate(line, *trial.verdict);
+    ordered_json line{
+        {"name", fault.name},        {"sentence", fault.sentence},       {"control", is_control(fault)},
+        {"width", stage.view.width}, {"as_expected", trial.as_expected}, {"said", in_words(trial)}};
     const Frame faulty = fault.inject(stage);
     const bool of_reference = fault.target == selftest::Target::reference;
-    add_rivals(line, of_reference ? stage.good : faulty, of_reference ? faulty : stage.reference);
+    const Frame& candidate = of_reference ? stage.good : faulty;
+    const Frame& reference = of_reference ? faulty : stage.reference;
+    if (trial.verdict) {
+        add_gate(line, *trial.verdict);
+        add_cause(
+            line,
+            {stage.scene, stage.view, {candidate, stage.precision}, {reference, stage.reference_precision}},
+            *trial.verdict);
+    }
+    add_rivals(line, candidate, reference);
     write_for_idiff(folder / fault.name, faulty);
     const std::string size = std::to_string(stage.view.width);
     write_for_idiff(folder / ("good-" + size), stage.good);
