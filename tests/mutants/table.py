@@ -90,10 +90,10 @@ def fault_row(line):
 
 def mutant_row(row):
     line, mutant = row["line"], row["mutant"]
-    caught = "yes" if line or row["ending"] else "**NO**"
+    caught = "yes" if line else "**NO**"
     if line and row["size"][0] != 480:
         caught += f", at {row['size'][0]}"
-    what = dominant_class(line) if line else row["ending"] or "-"
+    what = line.get("ending") or dominant_class(line) if line else "-"
     return (f"| `{mutant.name}`: {mutant.sentence} | {caught} | {what} | {cause_cell(mutant.name, line)} | "
             f"{marks(row['alarms'])} |")
 
@@ -105,7 +105,7 @@ def share(part, whole):
 def summary(rows, faults, false_alarms):
     views = false_alarms[(480, 270)]
     caught_faults = sum(line["as_expected"] for line in faults)
-    caught_rows = sum(bool(row["line"] or row["ending"]) for row in rows)
+    caught_rows = sum(row["line"] is not None for row in rows)
     lines = [f"| **zproof** | {share(caught_faults, len(faults))} | {share(caught_rows, len(rows))} | "
              f"{share(0, len(views))} |"]
     for rival, name in RIVALS.items():

@@ -9,7 +9,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "cli/selftest/theatre.h"
 #include "compare/diagnosis.h"
@@ -24,8 +29,6 @@ namespace {
 using namespace zproof;
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-enum class Depth { gate_until_defect, all };
 
 /// Cheap scenes first: most mutants are found by the first.
 std::vector<std::string> scenes_in_order_of_cost() {
@@ -95,43 +98,54 @@ void add_rivals(ordered_json& line, const Frame& candidate, const Frame& referen
     line["idiff_blender"] = !passes_idiff(blenders_idiff, candidate, reference);
 }
 
+enum class Task {
+    gate,    ///< judge, and end at the first view that fails
+    cause,   ///< the same, and say what the diagnosis says of it
+    rivals,  ///< say what rivals say, of every view that is named
+};
+
 class SuiteTrial {
   public:
-    SuiteTrial(Resolution size, const fs::path& folder, Depth depth)
-        : size_(size), folder_(folder), depth_(depth) {}
+    SuiteTrial(Resolution size, const fs::path& folder, Task task)
+        : size_(size), folder_(folder), task_(task) {}
 
-    void run() {
+    /// No view named: every view.
+    void run(const std::set<std::string>& named) {
         for (const std::string& name : scenes_in_order_of_cost()) {
+            const auto is_of_scene = [&](const std::string& view) { return view.starts_with(name + "/"); };
+            if (!named.empty() && std::ranges::none_of(named, is_of_scene)) continue;
             const Loaded loaded = generate_suite_scene(name, size_.width, size_.height);
             References references(loaded.scene, folder_);
             for (const View& view : loaded.views) {
-                judge_view(loaded.scene, view, references);
-                if (found_ && depth_ == Depth::gate_until_defect) return;
+                if (!named.empty() && !named.contains(name + "/" + view.name)) continue;
+                if (finds_defect(loaded.scene, view, references)) return;
             }
         }
     }
 
   private:
-    void judge_view(const Scene& scene, const View& view, References& references) {
+    bool finds_defect(const Scene& scene, const View& view, References& references) const {
         const Frame candidate = rasterizer::render(scene, view);
         const Frame reference = references.of(view);
         ordered_json line{{"name", scene.name + "/" + view.name}};
-        if (!found_) {
+        bool found = false;
+        if (task_ == Task::rivals) {
+            add_rivals(line, candidate, reference);
+        } else {
             const Case c{
                 scene, view, {candidate, rasterizer::precision()}, {reference, oracle::embree_precision()}};
             const Verdict verdict = judge(scene, view, c.candidate, c.reference);
             add_gate(line, verdict);
-            found_ = defect_count(verdict) > 0;
-            if (depth_ == Depth::all) add_cause(line, c, verdict);
+            found = defect_count(verdict) > 0;
+            if (found && task_ == Task::cause) add_cause(line, c, verdict);
         }
-        if (depth_ == Depth::all) add_rivals(line, candidate, reference);
         std::cout << line << std::endl;
+        return found;
     }
 
     Resolution size_;
     fs::path folder_;
-    Depth depth_;
-    bool found_ = false;
+    Task task_;
 };
 
 void try_fault(const selftest::Fault& fault, const selftest::Stage& stage, const fs::path& folder) {
@@ -168,12 +182,19 @@ void try_faults(const fs::path& folder) {
 
 }  // namespace
 
+namespace {
+
+const std::map<std::string, Task> tasks{
+    {"gate", Task::gate}, {"cause", Task::cause}, {"rivals", Task::rivals}};
+
+}  // namespace
+
 int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + 1, argv + argc);
-    if (words.size() == 5 && words[0] == "suite") {
+    if (words.size() >= 5 && words[0] == "suite" && tasks.contains(words[4])) {
         fs::create_directories(words[3]);
         const Resolution size{.width = std::stoi(words[1]), .height = std::stoi(words[2])};
-        SuiteTrial(size, words[3], words[4] == "all" ? Depth::all : Depth::gate_until_defect).run();
+        SuiteTrial(size, words[3], tasks.at(words[4])).run({words.begin() + 5, words.end()});
         return 0;
     }
     if (words.size() == 2 && words[0] == "faults") {
