@@ -12,10 +12,6 @@ namespace {
 
 constexpr double guard_band_px = 32768;  ///< clipped vertices lie within it (D3D11.3 15.16: 16.8 coordinates)
 
-/// What factors and divisors whose relative errors add up to `sum` may come to: 1 / (1 - sum) - 1 (Higham
-/// 2002, Lemma 3.1); unlimited from 1 up.
-double compounded(double sum) { return sum < 1 ? sum / (1 - sum) : std::numeric_limits<double>::infinity(); }
-
 double unit_of(Arithmetic arithmetic) {
     return arithmetic == Arithmetic::float32 ? unit_roundoff_float32 : unit_roundoff_float64;
 }
@@ -139,7 +135,9 @@ TriangleBounds ViewBounds::raster_bounds(const TriangleExtent& extent,
     // + 4 (matrix times point) roundings. float32: entries rounded once, then 4.
     const double transform =
         (precision.transform == Arithmetic::float64 ? gamma(13, u) : gamma(5, u)) + orthonormality_;
-    const double viewport = gamma(8, u) * guard_band_px;  // division, scale, offset; clipping's interpolation
+    // division, scale, offset; clipping's interpolation. In float64 the whole guard band costs 3e-11 px
+    const bool is_coarse = precision.transform == Arithmetic::float32;
+    const double viewport = gamma(8, u) * (is_coarse ? reach_px(extent) : guard_band_px);
     const double snap = background_eps_px_;
     const double lateral = transform * lateral_px(extent.from_origin);
 
@@ -153,6 +151,23 @@ TriangleBounds ViewBounds::raster_bounds(const TriangleExtent& extent,
     bounds.depth_absolute = transform * extent.from_origin.z;
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gamma(8, u) * extent.largest_depth();
     return bounds;
+}
+
+double ViewBounds::reach_px(const TriangleExtent& extent) const {
+    const Camera& c = view_.camera;
+    const Window& w = c.window;
+    const double u_window = std::max(std::abs(w.left), std::abs(w.right));
+    const double v_window = std::max(std::abs(w.bottom), std::abs(w.top));
+    double reach = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double depth = extent.depth[i];
+        if (!(depth >= c.near_depth)) return guard_band_px;
+        const double x = glm::dot(c.right, extent.v_world[i]), y = glm::dot(c.up, extent.v_world[i]);
+        const double u = perspective_ ? x / depth : x - c.shear.x * depth;
+        const double v = perspective_ ? y / depth : y - c.shear.y * depth;
+        reach = std::max({reach, px_per_u_ * (std::abs(u) + u_window), px_per_v_ * (std::abs(v) + v_window)});
+    }
+    return std::min(reach, guard_band_px);
 }
 
 double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const {
@@ -200,9 +215,10 @@ TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPre
     if (perspective_)
         bounds.plane_offset = numerator_error;
     else
-        bounds.depth_absolute += numerator_error * (1 + compounded(volume_factor));
+        bounds.depth_absolute += numerator_error * (1 + BoundsOnPlane::compounded(volume_factor));
     const auto slack = [&](double plane_depth) {
-        const double share = compounded(u + bounds.depth_factor + bounds.plane_offset * plane_depth);
+        const double share =
+            BoundsOnPlane::compounded(u + bounds.depth_factor + bounds.plane_offset * plane_depth);
         return std::isinf(share) ? share : plane_depth * share + bounds.depth_absolute;
     };
     const Camera& c = view_.camera;
@@ -212,21 +228,22 @@ TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPre
 }
 
 LocalBounds TriangleBounds::at(double nearness, double gradient) const {
-    // perspective: eps = base + per (nearness + gradient eps), solved for eps; never beyond the nearest
-    // corner's
-    const double highest = nearest > 0 ? 1 / nearest : 0;
-    const double here =
-        std::clamp(nearness, farthest > 0 && std::isfinite(farthest) ? 1 / farthest : 0, highest);
-    const auto solve = [&](double base, double per) {
-        if (per == 0) return base;
-        const double loop = per * gradient;
-        const double most = base + per * highest;
-        return loop < 1 ? std::min(most, (base + per * here) / (1 - loop)) : most;
-    };
-    return {.eps_px = solve(eps_base_px, eps_per_nearness),
-            .depth_eps_px = solve(depth_eps_base_px, depth_eps_per_nearness),
-            .depth_relative = compounded(depth_factor + (plane_offset > 0 ? plane_offset / here : 0)),
-            .depth_absolute = depth_absolute};
+    return BoundsOnPlane(*this, gradient).at(nearness);
+}
+
+BoundsOnPlane::BoundsOnPlane(const TriangleBounds& b, double gradient)
+    : least_(b.farthest > 0 && std::isfinite(b.farthest) ? 1 / b.farthest : 0),
+      highest_(b.nearest > 0 ? 1 / b.nearest : 0),
+      eps_px_(displacement(b.eps_base_px, b.eps_per_nearness, gradient)),
+      depth_eps_px_(displacement(b.depth_eps_base_px, b.depth_eps_per_nearness, gradient)),
+      depth_factor_(b.depth_factor),
+      plane_offset_(b.plane_offset),
+      depth_relative_(compounded(b.depth_factor)),
+      depth_absolute_(b.depth_absolute) {}
+
+BoundsOnPlane::Displacement BoundsOnPlane::displacement(double base, double per, double gradient) const {
+    const double loop = per * gradient;
+    return {base, per, base + per * highest_, loop < 1 ? 1 / (1 - loop) : unlimited};
 }
 
 }  // namespace zproof

@@ -2,6 +2,7 @@
 /// how far its depth may be off. Every term is derived in docs/bounds.md under the name it has here.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -60,6 +61,39 @@ struct TriangleBounds {
     LocalBounds at(double nearness, double gradient) const;
 };
 
+/// The same for many places of one triangle: what does not change from pixel to pixel is worked out once.
+class BoundsOnPlane {
+  public:
+    BoundsOnPlane(const TriangleBounds& bounds, double gradient);
+
+    LocalBounds at(double nearness) const {
+        const double here = std::clamp(nearness, least_, highest_);
+        return {.eps_px = eps_px_.at(here),
+                .depth_eps_px = depth_eps_px_.at(here),
+                .depth_relative =
+                    plane_offset_ > 0 ? compounded(depth_factor_ + plane_offset_ / here) : depth_relative_,
+                .depth_absolute = depth_absolute_};
+    }
+
+    /// What factors and divisors whose relative errors add up to `sum` may come to: 1 / (1 - sum) - 1 (Higham
+    /// 2002, Lemma 3.1); unlimited from 1 up.
+    static double compounded(double sum) { return sum < 1 ? sum / (1 - sum) : unlimited; }
+
+  private:
+    /// eps = base + per (nearness + gradient eps), solved for eps; never beyond the nearest corner's.
+    struct Displacement {
+        double base, per, most, amplification;
+        double at(double nearness) const {
+            return per == 0 ? base : std::min(most, (base + per * nearness) * amplification);
+        }
+    };
+    Displacement displacement(double base, double per, double gradient) const;
+
+    double least_, highest_;  ///< nearness of the farthest and the nearest corner
+    Displacement eps_px_, depth_eps_px_;
+    double depth_factor_, plane_offset_, depth_relative_, depth_absolute_;
+};
+
 /// What a renderer's precision means for one view.
 class ViewBounds {
   public:
@@ -79,6 +113,9 @@ class ViewBounds {
     TriangleBounds ray_bounds(const TriangleExtent& extent, const RayPrecision& precision) const;
     /// Largest displacement in the image, px times depth, of errors of camera_abs along the camera's axes.
     double lateral_px(const glm::dvec3& camera_abs) const;
+    /// The farthest that a corner lies from the image's origin or the window's centre, px; that of the guard
+    /// band where near may cut the triangle.
+    double reach_px(const TriangleExtent& extent) const;
     double edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const;
     void set_aim(double unit);
 

@@ -79,26 +79,16 @@ TriangleNearness::TriangleNearness(const View& view, const TriangleExtent& exten
 
 DepthBound TriangleDepth::at(int x, int y) const {
     const double nearness = plane_.nearness.at(x, y);
-    const LocalBounds local = bounds_.at(nearness, plane_.gradient);
+    const LocalBounds local = bounds_.at(nearness);
     if (plane_.edge_on || !std::isfinite(plane_.own_error))
-        return with_rounding({bounds_.nearest, bounds_.farthest}, bounds_.nearest, local);
+        return with_rounding({nearest_, farthest_}, nearest_, local);
     DepthRange range = shifted(nearness, local.depth_eps_px * plane_.gradient, plane_.perspective);
     double truth = !plane_.perspective ? -nearness : nearness > 0 ? 1 / nearness : unlimited;
     if (keeps_to_corners_) {
-        range = {std::clamp(range.low, bounds_.nearest, bounds_.farthest),
-                 std::clamp(range.high, bounds_.nearest, bounds_.farthest)};
+        range = {std::clamp(range.low, nearest_, farthest_), std::clamp(range.high, nearest_, farthest_)};
         truth = std::clamp(truth, range.low, range.high);
     }
     return with_rounding(range, truth, local);
-}
-
-bool TriangleDepth::certainly_holds(const DepthBound& bound, float depth) const {
-    const double z = depth;
-    if (plane_.edge_on) return bound.low <= z && z <= bound.high;
-    const double relative = plane_.perspective ? plane_.own_error * z : 0,
-                 absolute = plane_.perspective ? 0 : plane_.own_error;
-    const double margin = 2 * relative * z + absolute + 8 * unit_roundoff_float64 * z;
-    return bound.low + margin <= z && z <= bound.high - margin;
 }
 
 TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds) {
@@ -129,13 +119,6 @@ bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWo
     } catch (const UndecidedSign&) {
         return decide(Rational());
     }
-}
-
-double error_over_bound(const DepthBound& bound, float depth) {
-    const double error = std::abs(depth - bound.truth);
-    if (error == 0) return 0;
-    const double room = depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth;
-    return std::isinf(room) ? 0 : error / room;
 }
 
 }  // namespace zproof

@@ -2,8 +2,11 @@
 /// (docs/bounds.md).
 #pragma once
 
+#include <cmath>
+
 #include "compare/neighbourhood.h"
 #include "compare/verdict.h"
+#include "math/rounding.h"
 
 namespace zproof {
 
@@ -23,16 +26,28 @@ struct TriangleNearness {
 class TriangleDepth {
   public:
     TriangleDepth(const TriangleNearness& nearness, const TriangleBounds& bounds, bool keeps_to_corners)
-        : plane_(nearness), bounds_(bounds), keeps_to_corners_(keeps_to_corners) {}
+        : plane_(nearness),
+          bounds_(bounds, nearness.gradient),
+          nearest_(bounds.nearest),
+          farthest_(bounds.farthest),
+          keeps_to_corners_(keeps_to_corners) {}
 
     /// The lawful interval at a pixel, in double.
     DepthBound at(int x, int y) const;
     /// Does the interval hold this depth by more than our own rounding? If not, ask is_lawful_depth.
-    bool certainly_holds(const DepthBound& bound, float depth) const;
+    bool certainly_holds(const DepthBound& bound, float depth) const {
+        const double z = depth;
+        const double margin = plane_.edge_on       ? 0
+                              : plane_.perspective ? 2 * plane_.own_error * z * z
+                                                   : plane_.own_error;
+        return z >= 0 && bound.low + margin + 8 * unit_roundoff_float64 * z <= z &&
+               z <= bound.high - margin - 8 * unit_roundoff_float64 * z;
+    }
 
   private:
     TriangleNearness plane_;
-    TriangleBounds bounds_;
+    BoundsOnPlane bounds_;
+    double nearest_, farthest_;  ///< camera depths
     bool keeps_to_corners_;
 };
 
@@ -52,6 +67,11 @@ bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWo
                      float depth);
 
 /// |depth - truth| over the bound on that side; 0 for an exact hit.
-double error_over_bound(const DepthBound& bound, float depth);
+inline double error_over_bound(const DepthBound& bound, float depth) {
+    const double error = std::abs(depth - bound.truth);
+    if (error == 0) return 0;
+    const double room = depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth;
+    return std::isinf(room) ? 0 : error / room;
+}
 
 }  // namespace zproof

@@ -13,7 +13,7 @@
 namespace zproof {
 namespace {
 
-constexpr std::uint32_t seeds = 200;
+constexpr std::uint32_t seeds = 120;
 constexpr std::uint32_t far_corner = 1346;  ///< a corner at 1e10: its plane in double is off by 50 times
 constexpr std::array all_rules{Rules{DepthRule::strict, EdgeRule::watertight},
                                Rules{DepthRule::bounded, EdgeRule::watertight},

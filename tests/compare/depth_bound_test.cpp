@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/admissible.h"
 #include "math/rational.h"
 #include "random_surroundings.h"
 
@@ -32,7 +33,7 @@ std::vector<float> depths_around(const DepthBound& bound) {
         const auto z = float(end);
         constexpr float most = std::numeric_limits<float>::max();
         for (const float depth : {std::nextafter(z, 0.f), z, std::nextafter(z, most)})
-            if (std::isfinite(depth)) depths.push_back(depth);
+            if (std::isfinite(depth) && depth >= 0) depths.push_back(depth);  // others are no answers
     }
     return depths;
 }
@@ -60,7 +61,7 @@ TEST(DepthBound, CertainlyHoldsOnlyWhatIsLawfulAtTheEndsAndTheirNeighbours) {
 
 TEST(DepthBound, IsDecidedAsRationalsDecide) {
     int lawful = 0, asked = 0;
-    for (std::uint32_t seed = 0; seed < 500; ++seed) {
+    for (std::uint32_t seed = 0; seed < 250; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
         const ViewBounds bounds(s.view, RayPrecision{});

@@ -14,7 +14,10 @@ namespace zproof {
 namespace {
 
 /// Does the image of the triangle (in front of near) come within `reach_px` of the centre, in exact numbers?
+/// Triangles seen edge-on have a test of their own.
 bool comes_near(Neighbourhood around, double reach_px) {
+    const Sight<Rational> sight(around.view, around.x, around.y);
+    if (!image_of(sight, corners<Rational>(around.neighbours[0].p_world))) return false;
     around.eps_px = reach_px;
     for (Neighbour& n : around.neighbours) n.near_slack = n.far_slack = 0;
     return brute_force::Picture(around).reaches(0);
