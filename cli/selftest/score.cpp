@@ -1,6 +1,7 @@
 #include "cli/selftest/score.h"
 
 #include <iomanip>
+#include <map>
 #include <ostream>
 
 #include "cli/selftest/theatre.h"
@@ -27,10 +28,10 @@ void count(Score& score, const Fault& fault, const Trial& trial) {
 }  // namespace
 
 Score try_all(const std::vector<Fault>& faults, std::ostream& out) {
-    const Theatre large(StageSize::large), small(StageSize::small);
+    std::map<StageSize, Theatre> theatres;  // made when first needed
     Score score;
     for (const Fault& fault : faults) {
-        const Theatre& theatre = fault.stage_size == StageSize::large ? large : small;
+        const Theatre& theatre = theatres.try_emplace(fault.stage_size, fault.stage_size).first->second;
         const Trial trial = try_fault(fault, theatre.stage());
         tell(out, fault, trial);
         count(score, fault, trial);
