@@ -1,6 +1,8 @@
 #include "compare/admissible.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "compare/coplanar.h"
@@ -178,17 +180,9 @@ bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule 
     const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen];
     if (front.least_nearness > back.greatest_nearness) return true;
     if (rule == DepthRule::bounded || front.greatest_nearness < back.least_nearness) return false;
-    if (!drawn(seen).image) return false;
+    if (!drawn(seen).image || !drawn(occluder).image) return false;
     if (coplanar(front.p_world, back.p_world)) return true;
     return sign(drawn(occluder).image->nearness.c - drawn(seen).image->nearness.c) >= 0;
-}
-
-template <class Number>
-std::vector<size_t> AdmissibleSet<Number>::in_front_of(size_t seen, DepthRule rule) {
-    std::vector<size_t> occluders;
-    for (const size_t i : nearest_first_)
-        if (i != seen && drawn(i).image && is_in_front(i, seen, rule)) occluders.push_back(i);
-    return occluders;
 }
 
 template <class Number>
@@ -200,16 +194,16 @@ void AdmissibleSet<Number>::push_planes(HalfPlanes<Number>& half_planes, size_t 
             half_planes.push_back(*line);
 }
 
-/// The part of the image that an occluder covers for certain. An edge that it shares with what is seen, both
-/// on one side of it, moves with that and bounds nothing.
+/// The part of the image that an occluder covers for certain; edges that do not stay are moved inwards. An
+/// edge that it shares with what is seen, both on one side of it, moves with that and bounds nothing.
 template <class Number>
-HalfPlanes<Number> AdmissibleSet<Number>::cover(size_t occluder, const std::vector<size_t>& occluders,
-                                                EdgeRule rule, std::optional<size_t> seen) {
+template <class Stays>
+HalfPlanes<Number> AdmissibleSet<Number>::cover(size_t occluder, std::optional<size_t> seen,
+                                                const Stays& stays) {
     HalfPlanes<Number> half_planes;
     for (const LinePointer edge : drawn(occluder).edge) {
         if (seen && are_on_one_side(edge, *seen).value_or(false)) continue;
-        const bool stays = rule == EdgeRule::watertight || continues(edge, occluders);
-        half_planes.push_back(stays ? edge : moved_inwards(edge));
+        half_planes.push_back(stays(edge) ? edge : moved_inwards(edge));
     }
     push_planes(half_planes, occluder);
     return half_planes;
@@ -222,29 +216,42 @@ bool AdmissibleSet<Number>::stands_apart(size_t occluder, size_t seen) {
                                [&](LinePointer edge) { return !are_on_one_side(edge, seen).value_or(true); });
 }
 
+/// Nearest first: most squares are covered by the first.
 template <class Number>
-bool AdmissibleSet<Number>::leaves_square_bare(const std::vector<size_t>& occluders, EdgeRule rule,
-                                               std::optional<size_t> seen) {
+template <class Occludes, class Stays>
+bool AdmissibleSet<Number>::leaves_bare(std::optional<size_t> seen, const Occludes& occludes,
+                                        const Stays& stays) {
     std::vector<Region<Number>> left{square()};
-    for (const size_t o : occluders) {
-        if (seen && stands_apart(o, *seen)) continue;
-        left = without(left, cover(o, occluders, rule, seen));
+    for (const size_t o : nearest_first_) {
+        if (!occludes(o) || (seen && stands_apart(o, *seen))) continue;
+        left = without(left, cover(o, seen, stays));
         if (left.empty()) return false;
     }
     return true;
 }
 
 template <class Number>
+template <class Occludes>
+bool AdmissibleSet<Number>::leaves_bare_by(EdgeRule rule, std::optional<size_t> seen,
+                                           const Occludes& occludes) {
+    if (rule == EdgeRule::watertight) return leaves_bare(seen, occludes, [](LinePointer) { return true; });
+    // covered with every edge moved inwards: then all the more where some of them stay
+    if (!leaves_bare(seen, occludes, [](LinePointer) { return false; })) return false;
+    std::vector<size_t> occluders;
+    std::ranges::copy_if(nearest_first_, std::back_inserter(occluders), occludes);
+    return leaves_bare(seen, occludes, [&](LinePointer edge) { return continues(edge, occluders); });
+}
+
+template <class Number>
 bool AdmissibleSet<Number>::holds(size_t index, Rules rules) {
-    return reaches(index) && leaves_square_bare(in_front_of(index, rules.depth), rules.edges, index);
+    return reaches(index) && leaves_bare_by(rules.edges, index, [&](size_t o) {
+               return o != index && is_in_front(o, index, rules.depth) && drawn(o).image;
+           });
 }
 
 template <class Number>
 bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
-    std::vector<size_t> covering;
-    for (const size_t i : nearest_first_)
-        if (drawn(i).image) covering.push_back(i);
-    return leaves_square_bare(covering, edges, std::nullopt);
+    return leaves_bare_by(edges, std::nullopt, [&](size_t o) { return drawn(o).image.has_value(); });
 }
 
 /// Where the occluder's true image is not behind what is seen; nothing where it is behind all over the

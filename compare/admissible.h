@@ -81,12 +81,14 @@ class AdmissibleSet {
     bool stands_apart(size_t occluder, size_t seen);
 
     bool is_in_front(size_t occluder, size_t seen, DepthRule rule);
-    std::vector<size_t> in_front_of(size_t seen, DepthRule rule);
     void push_planes(HalfPlanes<Number>& half_planes, size_t occluder);
     std::optional<HalfPlanes<Number>> true_cover(size_t occluder, const Piece& seen);
-    HalfPlanes<Number> cover(size_t occluder, const std::vector<size_t>& occluders, EdgeRule rule,
-                             std::optional<size_t> seen);
-    bool leaves_square_bare(const std::vector<size_t>& occluders, EdgeRule rule, std::optional<size_t> seen);
+    template <class Stays>
+    HalfPlanes<Number> cover(size_t occluder, std::optional<size_t> seen, const Stays& stays);
+    template <class Occludes, class Stays>
+    bool leaves_bare(std::optional<size_t> seen, const Occludes& occludes, const Stays& stays);
+    template <class Occludes>
+    bool leaves_bare_by(EdgeRule rule, std::optional<size_t> seen, const Occludes& occludes);
 
     const Neighbourhood& around_;
     Sight<Number> sight_;

@@ -28,12 +28,13 @@ std::uint32_t scrambled(std::uint32_t h) {
     return h ^ (h >> 16);
 }
 
-std::uint8_t channel(double value) { return std::uint8_t(std::lround(255 * std::clamp(value, 0.0, 1.0))); }
+/// Rounded to nearest; not by std::lround, which costs more than the rest of a picture.
+std::uint8_t channel(double value) { return std::uint8_t(255 * std::clamp(value, 0.0, 1.0) + 0.5); }
 
-/// Hue in turns, saturation and value in [0, 1] (Smith 1978).
+/// Hue in turns, [0, 1); saturation and value in [0, 1] (Smith 1978).
 Rgb8 from_hsv(double hue, double saturation, double value) {
     const auto one = [&](double shift) {
-        const double k = std::fmod(shift + 6 * hue, 6.0);
+        const double turned = shift + 6 * hue, k = turned < 6 ? turned : turned - 6;
         return channel(value * (1 - saturation * std::clamp(std::min(k, 4 - k), 0.0, 1.0)));
     };
     return {one(5), one(3), one(1)};
