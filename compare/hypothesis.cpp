@@ -9,7 +9,8 @@ namespace zproof {
 Hypothesis as_declared(const CaseFile& file, std::string name, std::string description) {
     return {.name = std::move(name),
             .description = std::move(description),
-            .scope = Scope::frame,
+            .kind = Kind::firm,
+            .cell = {file.view.width, file.view.height},
             .view = file.view,
             .precision = file.candidate.precision,
             .restate = nullptr,

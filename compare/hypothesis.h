@@ -31,15 +31,21 @@ struct ReportedDepth {
     double low = 0, high = 0;
 };
 
-enum class Scope {
-    frame,    ///< the whole frame was drawn so: pixels that agree must be lawful under it, too
-    defects,  ///< something befell some pixels: those that agree have no say
+/// How much a hypothesis commits itself. Where one of an earlier kind explains most of the defects, none of a
+/// later kind is named.
+enum class Kind {
+    firm,     ///< it holds answers unlawful that were lawful, and others lawful that were not
+    lenient,  ///< it only widens bounds: wide enough ones explain anything, so the narrowest are named
+    fitted,   ///< it learns from the two frames what it then explains
 };
 
 struct Hypothesis {
     std::string name;         ///< what is wrong, as a clause: "the image is flipped in y"
     std::string description;  ///< one line: what is supposed of the defective pixels, or of the frame
-    Scope scope = Scope::frame;
+    Kind kind = Kind::firm;
+    /// A grid of such cells, px: what is supposed befell those cells that hold a defect, whole. Pixels that
+    /// agree in them must be lawful under the hypothesis, too.
+    Resolution cell;
     View view;            ///< what was drawn; its depths are told apart by `report`
     Precision precision;  ///< and how precisely
     /// The claim as it was meant; nothing where the hypothesis cannot account for it. Absent: as it stands.

@@ -1,6 +1,7 @@
 #include "compare/retrial.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "compare/witness.h"
@@ -34,12 +35,18 @@ class Reading {
         if (!holds({hypothesis_.view.width, hypothesis_.view.height}, claim)) return false;
         const PrimitiveId id = claim.answer.primitive;
         if (id == PrimitiveId::none) return claim.answer.camera_depth == background_depth;
-        return std::size_t(id) < scene_.triangles.size() && has_lawful_depth(claim);
+        return is_triangle(id) && has_lawful_depth(claim);
+    }
+
+    bool is_triangle(PrimitiveId id) const { return std::size_t(id) < scene_.triangles.size(); }
+
+    CornersWorld corners_at(const Claim& claim) const {
+        return corners_of(scene_, std::uint32_t(claim.answer.primitive));
     }
 
     bool has_lawful_depth(const Claim& claim) const {
         const float depth = claim.answer.camera_depth;
-        const CornersWorld p_world = corners_of(scene_, std::uint32_t(claim.answer.primitive));
+        const CornersWorld p_world = corners_at(claim);
         const TriangleDepth triangle = depth_of({hypothesis_.view, bounds_, p_world}, bounds_);
         const DepthBound bound = triangle.at(claim.x, claim.y);
         if (hypothesis_.report) {
@@ -164,6 +171,26 @@ std::vector<std::uint64_t> count_lawful(const CaseFile& file, std::span<const Qu
     std::vector<std::uint64_t> counts;
     for (const Reading& reading : readings) counts.push_back(count_lawful(file, district, reading));
     return counts;
+}
+
+double leniency_of(const CaseFile& file, const Question& question) {
+    const Hypothesis& supposed = *question.hypothesis;
+    const ViewBounds declared(file.view, file.candidate.precision),
+        widened(supposed.view, supposed.precision);
+    double sum = 0, count = 0;
+    for (const Claim& claim : question.claims) {
+        if (std::size_t(claim.answer.primitive) >= file.scene.triangles.size()) continue;
+        const CornersWorld p_world = corners_of(file.scene, std::uint32_t(claim.answer.primitive));
+        const DepthBound law = depth_of({file.view, declared, p_world}, declared).at(claim.x, claim.y);
+        const DepthBound bound = depth_of({supposed.view, widened, p_world}, widened).at(claim.x, claim.y);
+        const ReportedDepth reported =
+            supposed.report ? supposed.report(bound, claim) : ReportedDepth{bound.low, bound.high};
+        const double wider = std::log((reported.high - reported.low) / (law.high - law.low));
+        if (!std::isfinite(wider)) continue;
+        sum += wider;
+        ++count;
+    }
+    return count > 0 ? sum / count : 0;
 }
 
 }  // namespace zproof

@@ -18,4 +18,7 @@ struct Question {
 /// one pass over the scene. Runs on all threads; the counts do not depend on their number.
 std::vector<std::uint64_t> count_lawful(const CaseFile& file, std::span<const Question> questions);
 
+/// How much wider the hypothesis makes the bounds of the depths claimed: the mean logarithm.
+double leniency_of(const CaseFile& file, const Question& question);
+
 }  // namespace zproof

@@ -79,16 +79,17 @@ std::string factor_text(double factor) {
     return factor > 1 ? std::to_string(int(factor)) : "1/" + std::to_string(int(std::round(1 / factor)));
 }
 
-/// Depths lie elsewhere than the ids that they belong to.
+/// Depths lie elsewhere than the ids that they belong to; at the outline, where there is none to be had, they
+/// stay.
 Hypothesis apart_from_ids(const CaseFile& file, int dx, int dy, const std::string& where) {
     Hypothesis h = as_declared(file, "depths lie one pixel " + where + " of their ids",
                                "The depth of a pixel belongs to its neighbour's id.");
     h.restate = [dx, dy, &frame = file.candidate.frame](Claim claim) -> std::optional<Claim> {
-        claim.x -= dx;
-        claim.y -= dy;
-        if (!holds(frame.size(), claim)) return std::nullopt;
-        claim.answer.primitive = frame.primitive.at(claim.x, claim.y);
-        return claim;
+        const Claim moved{claim.x - dx, claim.y - dy, claim.answer};
+        if (!holds(frame.size(), moved)) return std::nullopt;
+        const PrimitiveId id = frame.primitive.at(moved.x, moved.y);
+        const bool outline = id == PrimitiveId::none && claim.answer.camera_depth != background_depth;
+        return outline ? claim : Claim{moved.x, moved.y, {id, claim.answer.camera_depth}};
     };
     return h;
 }

@@ -141,12 +141,15 @@ std::unordered_set<std::uint32_t> never_drawn(const CaseFile& file) {
 }
 
 Hypothesis lost_triangles(const CaseFile& file) {
-    return with_rule(file, "some triangles are not drawn",
-                     "Triangles that the reference sees, and this renderer nowhere, are taken for absent.",
-                     [missing = never_drawn(file)](Neighbourhood& around, PrimitiveId) {
-                         std::erase_if(around.neighbours,
-                                       [&](const Neighbour& n) { return missing.contains(n.triangle); });
-                     });
+    Hypothesis h =
+        with_rule(file, "some triangles are not drawn",
+                  "Triangles that the reference sees, and this renderer nowhere, are taken for absent.",
+                  [missing = never_drawn(file)](Neighbourhood& around, PrimitiveId) {
+                      std::erase_if(around.neighbours,
+                                    [&](const Neighbour& n) { return missing.contains(n.triangle); });
+                  });
+    h.kind = Kind::fitted;
+    return h;
 }
 
 }  // namespace

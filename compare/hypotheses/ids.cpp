@@ -114,46 +114,53 @@ Hypothesis of_vertices(const CaseFile& file) {
         [&](std::uint32_t id) { return std::min(triangles[id].x, std::uint32_t(triangles.size()) - 1); });
 }
 
-/// Ids lie elsewhere than the depths that belong to them.
+/// Ids lie elsewhere than the depths that belong to them; at the outline, where there is none to be had,
+/// they stay.
 Hypothesis apart_from_depths(const CaseFile& file, int dx, int dy, const std::string& where) {
     Hypothesis h = as_declared(file, "ids lie one pixel " + where + " of their depths",
                                "The id of a pixel belongs to its neighbour's depth.");
     h.restate = [dx, dy, &frame = file.candidate.frame](Claim claim) -> std::optional<Claim> {
-        claim.x -= dx;
-        claim.y -= dy;
-        if (!holds(frame.size(), claim)) return std::nullopt;
-        claim.answer.camera_depth = frame.camera_depth.at(claim.x, claim.y);
-        return claim;
+        const Claim moved{claim.x - dx, claim.y - dy, claim.answer};
+        if (!holds(frame.size(), moved)) return std::nullopt;
+        const float depth = frame.camera_depth.at(moved.x, moved.y);
+        const bool outline = depth == background_depth && claim.answer.primitive != PrimitiveId::none;
+        return outline ? claim : Claim{moved.x, moved.y, {claim.answer.primitive, depth}};
     };
     return h;
 }
 
-/// For each id of the candidate, the triangle that the reference sees most often in its place.
-std::unordered_map<std::uint32_t, std::uint32_t> most_often_meant(const CaseFile& file) {
+using Ids = std::unordered_map<std::uint32_t, std::uint32_t>;
+
+/// For each id, the other that most pixels have together with it; of equals the least.
+Ids most_often_with(std::span<const PrimitiveId> ids, std::span<const PrimitiveId> others) {
     std::unordered_map<std::uint64_t, std::uint32_t> together;
-    const auto ours = file.candidate.frame.primitive.pixels(),
-               theirs = file.reference.frame.primitive.pixels();
-    for (std::size_t i = 0; i < ours.size(); ++i)
-        if (ours[i] != PrimitiveId::none && theirs[i] != PrimitiveId::none)
-            ++together[std::uint64_t(ours[i]) << 32 | std::uint64_t(theirs[i])];
-    std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> best;  // times, triangle
-    for (const auto& [pair, times] : together) {
-        auto& held = best[std::uint32_t(pair >> 32)];
-        const auto triangle = std::uint32_t(pair);
-        if (times > held.first || (times == held.first && triangle < held.second)) held = {times, triangle};
+    for (std::size_t i = 0; i < ids.size(); ++i)
+        if (ids[i] != PrimitiveId::none && others[i] != PrimitiveId::none)
+            ++together[std::uint64_t(ids[i]) << 32 | std::uint64_t(others[i])];
+    Ids most, times;
+    for (const auto& [pair, count] : together) {
+        const auto id = std::uint32_t(pair >> 32), other = std::uint32_t(pair);
+        if (count < times[id] || (count == times[id] && other > most[id])) continue;
+        times[id] = count;
+        most[id] = other;
     }
-    std::unordered_map<std::uint32_t, std::uint32_t> meant;
-    for (const auto& [id, held] : best) meant[id] = held.second;
-    return meant;
+    return most;
 }
 
 Hypothesis exchanged(const CaseFile& file) {
-    return with_ids(file, "ids are exchanged",
-                    "An id stands for one other triangle, the same wherever it occurs.",
-                    [meant = most_often_meant(file)](std::uint32_t id) {
-                        const auto found = meant.find(id);
-                        return found == meant.end() ? id : found->second;
-                    });
+    const auto ours = file.candidate.frame.primitive.pixels(),
+               theirs = file.reference.frame.primitive.pixels();
+    const auto meant = [there = most_often_with(ours, theirs),
+                        back = most_often_with(theirs, ours)](std::uint32_t id) {
+        const auto triangle = there.find(id);
+        if (triangle == there.end()) return id;
+        return back.at(triangle->second) == id ? triangle->second : id;
+    };
+    Hypothesis h = with_ids(
+        file, "ids are exchanged",
+        "An id stands for one other triangle, and that for no other id, wherever they occur.", meant);
+    h.kind = Kind::fitted;
+    return h;
 }
 
 }  // namespace
@@ -163,8 +170,8 @@ std::vector<Hypothesis> hypotheses_of_ids(const CaseFile& file) {
     std::vector<Hypothesis> all{
         with_ids(file, "ids are too large by one", "An id is the triangle's index plus 1.",
                  [](std::uint32_t id) { return id - 1; }),
-        with_ids(file, "ids are too small by one", "An id is the triangle's index minus 1.",
-                 [](std::uint32_t id) { return id + 1; }),
+        with_ids_told_as(file, "ids are too small by one", "An id is the triangle's index minus 1, 0 for 0.",
+                         [](std::uint32_t id) { return id == 0 ? 0 : id - 1; }),
         with_ids(file, "even and odd ids change places",
                  "Of two triangles in a row, each bears the other's id.",
                  [](std::uint32_t id) { return id ^ 1; }),

@@ -34,40 +34,51 @@ Hypothesis blank(const CaseFile& file, const std::string& name, const std::strin
                          {x * cell.width, y * cell.height, std::min(size.width, (x + 1) * cell.width),
                           std::min(size.height, (y + 1) * cell.height)});
     Hypothesis h = as_declared(file, name, description);
-    h.scope = Scope::defects;
+    h.cell = cell;
     h.amend = [is_missing, cell](Neighbourhood& around, PrimitiveId) {
         if (is_missing.at(around.x / cell.width, around.y / cell.height)) around.neighbours.clear();
     };
     return h;
 }
 
-Hypothesis moved(const CaseFile& file, const std::string& name, const std::string& description, int dx,
-                 int dy) {
+struct Step {
+    int dx, dy;
+};
+
+/// Cells that hold a defect hold what belongs a step back.
+Hypothesis moved(const CaseFile& file, const std::string& name, const std::string& description,
+                 Resolution cell, Step step) {
     Hypothesis h = as_declared(file, name, description);
-    h.scope = Scope::defects;
+    h.cell = cell;
     h.restate = [=](Claim claim) -> std::optional<Claim> {
-        claim.x -= dx;
-        claim.y -= dy;
+        claim.x -= step.dx;
+        claim.y -= step.dy;
         return claim;
     };
     return h;
 }
 
-std::vector<Hypothesis> moved_parts(const CaseFile& file) {
-    const auto step = [&](int dx, int dy, const std::string& from) {
-        return moved(file, "part of the image shows the pixel " + from,
-                     "Only the defective pixels hold what belongs to the pixel " + from + ".", dx, dy);
+std::vector<Hypothesis> moved_rows(const CaseFile& file) {
+    const auto rows = [&](const std::string& from, Step step) {
+        return moved(file, "some rows show the pixel " + from,
+                     "Rows that hold a defect hold what belongs to the pixel " + from + ".",
+                     {file.view.width, 1}, step);
     };
-    std::vector<Hypothesis> all{step(1, 0, "to the left"), step(-1, 0, "to the right"), step(0, 1, "above"),
-                                step(0, -1, "below")};
+    return {rows("to the left", {1, 0}), rows("to the right", {-1, 0}), rows("above", {0, 1}),
+            rows("below", {0, -1})};
+}
+
+std::vector<Hypothesis> moved_tiles(const CaseFile& file) {
+    std::vector<Hypothesis> all;
     for (const int side : tile_sides) {
         const std::string px = std::to_string(side);
-        const auto tile = [&](int dx, int dy, const std::string& which) {
+        const auto tile = [&](const std::string& which, Step step) {
             return moved(file, "a tile of " + px + " px shows the one " + which,
-                         "Defective pixels hold what belongs " + px + " px away.", dx * side, dy * side);
+                         "Tiles that hold a defect hold what belongs " + px + " px away.", {side, side},
+                         step);
         };
-        for (Hypothesis& h : std::vector{tile(1, 0, "to its left"), tile(-1, 0, "to its right"),
-                                         tile(0, 1, "above it"), tile(0, -1, "below it")})
+        for (Hypothesis& h : std::vector{tile("to its left", {side, 0}), tile("to its right", {-side, 0}),
+                                         tile("above it", {0, side}), tile("below it", {0, -side})})
             all.push_back(std::move(h));
     }
     return all;
@@ -84,7 +95,8 @@ std::vector<Hypothesis> hypotheses_of_parts(const CaseFile& file) {
     for (const int side : tile_sides)
         all.push_back(blank(file, "tiles of " + std::to_string(side) + " px are missing",
                             "Whole squares of the grid are background.", {side, side}));
-    for (Hypothesis& h : moved_parts(file)) all.push_back(std::move(h));
+    for (const auto& more : {moved_rows(file), moved_tiles(file)})
+        all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 

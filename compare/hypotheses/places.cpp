@@ -71,6 +71,11 @@ std::vector<Hypothesis> hypotheses_of_place(const CaseFile& file) {
                    [](int x, int y) {
                        return Place{y, x};
                    })};
+    all.push_back(rearranged(file, "the image is transposed and stretched",
+                             "Pixel (x, y) holds what belongs to (y W / H, x H / W).",
+                             [w = right + 1, h = lowest + 1](int x, int y) {
+                                 return Place{y * w / h, x * h / w};
+                             }));
     for (const double size : {1.0, 0.5})
         for (const int dy : {0, -1, 1})
             for (const int dx : {0, -1, 1})

@@ -12,9 +12,17 @@ std::string bits_text(int bits) {
     return std::to_string(bits) + (bits == 1 ? " sub-pixel bit" : " sub-pixel bits");
 }
 
+/// Pixels that agree stay lawful under wider bounds: none need be asked.
+Hypothesis widening(const CaseFile& file, const std::string& name, const std::string& description) {
+    Hypothesis h = as_declared(file, name, description);
+    h.kind = Kind::lenient;
+    h.cell = {1, 1};
+    return h;
+}
+
 Hypothesis as_precise_as(const CaseFile& file, const std::string& name, const std::string& description,
                          const RasterPrecision& precision) {
-    Hypothesis h = as_declared(file, name, description);
+    Hypothesis h = widening(file, name, description);
     h.precision = precision;
     return h;
 }
@@ -25,6 +33,7 @@ Hypothesis truncating(const CaseFile& file, const RasterPrecision& declared, dou
     Hypothesis h = as_declared(file, "vertices are snapped " + how,
                                "Vertices go to the grid point " + how + " instead of the nearest one.");
     const double half_step = std::ldexp(0.5, -declared.subpixel_bits);
+    h.kind = Kind::lenient;
     h.view = shifted_view(file.view, glm::dvec2(direction * half_step));
     return h;
 }
@@ -82,8 +91,8 @@ struct FixedPoint {
 Hypothesis stored_in(const CaseFile& file, int bits) {
     const FixedPoint format(file.view, bits);
     Hypothesis h =
-        as_declared(file, "depth has " + std::to_string(bits) + " bits, fixed point",
-                    "Depth went through a buffer of " + std::to_string(bits) + " bits between near and far.");
+        widening(file, "depth has " + std::to_string(bits) + " bits, fixed point",
+                 "Depth went through a buffer of " + std::to_string(bits) + " bits between near and far.");
     h.report = format;
     h.amend = [step = format.step](Neighbourhood& around, PrimitiveId) {
         for (Neighbour& n : around.neighbours) n.least_nearness -= step, n.greatest_nearness += step;
@@ -93,8 +102,8 @@ Hypothesis stored_in(const CaseFile& file, int bits) {
 
 /// Depth as a float of fewer significant bits, rounded either way.
 Hypothesis stored_as_float(const CaseFile& file, int bits) {
-    Hypothesis h = as_declared(file, "depth is a float of " + std::to_string(bits) + " bits",
-                               "Depth was rounded to " + std::to_string(bits) + " significant bits.");
+    Hypothesis h = widening(file, "depth is a float of " + std::to_string(bits) + " bits",
+                            "Depth was rounded to " + std::to_string(bits) + " significant bits.");
     const double r = std::ldexp(1.0, 1 - bits);
     h.report = [r](const DepthBound& bound, const Claim&) {
         return ReportedDepth{bound.low - r * std::abs(bound.low), bound.high + r * std::abs(bound.high)};

@@ -6,6 +6,8 @@ namespace zproof {
 
 namespace {
 
+constexpr Resolution single_pixel{1, 1};
+
 bool is_background(const Claim& claim) { return claim.answer.primitive == PrimitiveId::none; }
 
 /// Whatever depth is told will do.
@@ -18,7 +20,7 @@ template <class IsWrong>
 Hypothesis no_depth(const CaseFile& file, const std::string& name, const std::string& description,
                     IsWrong is_wrong) {
     Hypothesis h = as_declared(file, name, description);
-    h.scope = Scope::defects;
+    h.cell = single_pixel;
     h.restate = [is_wrong](Claim claim) -> std::optional<Claim> {
         if (is_background(claim) || !is_wrong(claim.answer.camera_depth)) return std::nullopt;
         claim.answer.camera_depth = 0;
@@ -41,7 +43,7 @@ Hypothesis negated(const CaseFile& file) {
 Hypothesis background_with_depth(const CaseFile& file) {
     Hypothesis h = as_declared(file, "background has a depth",
                                "Where nothing is seen, the id says so and the depth is not +infinity.");
-    h.scope = Scope::defects;
+    h.cell = single_pixel;
     h.restate = [](Claim claim) -> std::optional<Claim> {
         if (!is_background(claim)) return std::nullopt;
         claim.answer.camera_depth = background_depth;
@@ -53,7 +55,7 @@ Hypothesis background_with_depth(const CaseFile& file) {
 Hypothesis background_with_id(const CaseFile& file) {
     Hypothesis h = as_declared(file, "background has an id",
                                "Where nothing is seen, the depth is +infinity and the id is not 0xFFFFFFFF.");
-    h.scope = Scope::defects;
+    h.cell = single_pixel;
     h.restate = [](Claim claim) -> std::optional<Claim> {
         if (claim.answer.camera_depth != background_depth) return std::nullopt;
         claim.answer.primitive = PrimitiveId::none;

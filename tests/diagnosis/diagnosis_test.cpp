@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
 class InjectedFault : public testing::TestWithParam<FrameFault> {};
 
 TEST_P(InjectedFault, IsNamed) {
-    static const Courtroom court("textured_ground", 0);
+    const Courtroom court(GetParam().scene, 0);
     const Frame good = court.drawn_by(rasterizer::lawful_rules);
     expect_cause(court.diagnosis_of(GetParam().inject(court.scene(), court.view(), good)), GetParam().cause);
 }

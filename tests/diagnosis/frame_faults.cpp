@@ -213,10 +213,10 @@ std::vector<FrameFault> faults_of_place() {
          taken_from([](Resolution s, Place p) { return p.x == s.width / 2 ? nowhere : p; })},
         {"tile_lost", "tiles of 16 px are missing",
          taken_from([](Resolution, Place p) { return in_tile(p) ? nowhere : p; })},
-        {"row_moved", "part of the image shows the pixel to the left", taken_from([=](Resolution s, Place p) {
+        {"row_moved", "some rows show the pixel to the left", taken_from([=](Resolution s, Place p) {
              return row(s, p) ? Place{p.x - 1, p.y} : p;
          })},
-        {"rows_doubled", "part of the image shows the pixel above", taken_from([](Resolution, Place p) {
+        {"rows_doubled", "some rows show the pixel above", taken_from([](Resolution, Place p) {
              return Place{p.x, p.y & ~1};
          })},
         {"tile_of_the_neighbour", "a tile of 16 px shows the one to its left",
@@ -245,7 +245,7 @@ std::vector<FrameFault> faults_of_ids() {
          })},
         {"ids_apart", "ids lie one pixel right of their depths", with_ids_one_pixel_right},
         {"ids_swapped", "ids are exchanged", with_two_swapped},
-        {"background_0", "background has an id", with_background_0},
+        {"background_0", "background has an id", with_background_0, "textured_ground"},
     };
 }
 
@@ -275,7 +275,7 @@ std::vector<FrameFault> faults_of_depth() {
         {"some_infinite", "depth is infinite", each_depth([](const Seen& s) {
              return (s.x + s.y) % 7 == 0 ? std::numeric_limits<double>::infinity() : s.depth;
          })},
-        {"background_at_far", "background has a depth", with_background_at_far},
+        {"background_at_far", "background has a depth", with_background_at_far, "textured_ground"},
     };
 }
 

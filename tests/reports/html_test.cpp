@@ -79,6 +79,19 @@ TEST(Html, TellsTheWorstPixels) {
     EXPECT_EQ(occurrences(page, "3 lines were skipped."), 1u);
 }
 
+TEST(Html, TellsTheLikelyCauseAndWhatElseWasTested) {
+    const std::string page = page_without_pictures();
+    EXPECT_EQ(occurrences(page, "<h3>Likely cause</h3>"), 1u);
+    EXPECT_EQ(occurrences(page, "<strong>a row is &lt;lost&gt;</strong>: 100% of 2 defects. "), 1u);
+    EXPECT_EQ(occurrences(page,
+                          "<strong>only 4 sub-pixel bits</strong>: 50.0% of 2 defects; but 3 of 1,000 "
+                          "pixels that agree would be wrong. "),
+              1u);
+    Results results = sample_results();
+    results.views[1].diagnosis->cause.reset();
+    EXPECT_EQ(occurrences(to_html(results, "/nowhere"), "<h3>No single cause</h3>"), 1u);
+}
+
 TEST(Html, EveryClassIsInTheLegend) {
     const std::string page = page_without_pictures();
     for (int i = 0; i < pixel_class_count; ++i)

@@ -74,6 +74,9 @@ TEST(Json, KeepsEveryBitOfHardNumbers) {
     EXPECT_TRUE(std::isinf(room.candidate_depth.max_error_over_bound));
     EXPECT_EQ(room.counts, original.views[1].counts);
     EXPECT_EQ(room.candidate_depth.histogram, original.views[1].candidate_depth.histogram);
+    EXPECT_EQ(room.diagnosis->cause->name, "a row is <lost>");
+    EXPECT_EQ(room.diagnosis->runners_up.at(0).checked, 1000u);
+    EXPECT_FALSE(back.views[0].diagnosis);
     EXPECT_EQ(back.views[2].scene, hostile_name);
     EXPECT_EQ(back.views[3].outcome, Outcome::not_judged);
 }
@@ -109,6 +112,14 @@ TEST(Json, RunsDifferInRunAndTimesOnly) {
         for (Json& view : (*document)["views"]) view.erase("times");
     }
     EXPECT_EQ(a, b);
+}
+
+TEST(Json, ReadsResultsFromBeforeDiagnosis) {
+    Json document = Json::parse(to_json(sample_results()));
+    document["schema_version"] = "1.0";
+    for (Json& view : document["views"]) view.erase("diagnosis");
+    EXPECT_FALSE(results_from_json(document.dump()).views.at(1).diagnosis);
+    EXPECT_EQ(objections(document), "");
 }
 
 TEST(Json, PassesOverUnknownKeys) {

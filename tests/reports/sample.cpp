@@ -63,6 +63,10 @@ ViewResult room() {
                 "zproof explain room 1 2"}};
     v.worst[1].finding.reference.camera_depth = -std::numeric_limits<float>::quiet_NaN();
     v.worst[1].finding.eps_px = std::nextafter(0.1, 1.0);
+    v.diagnosis =
+        Diagnosis{.defects = 2,
+                  .cause = Explanation{"a row is <lost>", "Whole rows are & stay background.", 2, 2, 0, 90},
+                  .runners_up = {{"only 4 sub-pixel bits", "Declared: 8.", 1, 2, 3, 1000}}};
     v.notes = {"3 lines were skipped."};
     v.folder = "scenes/room-corner";
     return v;

@@ -42,6 +42,18 @@ TEST(Terminal, TellsEachFailureWithItsCommand) {
     EXPECT_NE(text.find("\n    the scene holds no triangles\n"), std::string::npos);
 }
 
+TEST(Terminal, TellsTheLikelyCause) {
+    Results results = sample_results();
+    EXPECT_NE(summary_table(results, Colour::plain)
+                  .find("    2 hole\n    likely cause: a row is <lost> (explains 100% of 2 defects)\n"),
+              std::string::npos);
+    results.views[1].diagnosis->cause.reset();
+    EXPECT_NE(
+        summary_table(results, Colour::plain)
+            .find("    no single cause; at best, only 4 sub-pixel bits (would explain 50.0% of 2 defects)\n"),
+        std::string::npos);
+}
+
 TEST(Terminal, EndsWithTheTotals) {
     const std::vector<std::string> lines = lines_of(summary_table(sample_results(), Colour::plain));
     EXPECT_EQ(lines[lines.size() - 2], "4 views:  ✓ 1 proven  ✗ 1 defective  ! 1 unreadable  ? 1 not judged");
