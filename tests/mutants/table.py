@@ -71,7 +71,8 @@ def is_named(name, line):
 
 
 def marks(alarms):
-    return " | ".join("x" if rival in alarms else "" for rival in RIVALS)
+    """`?` where the rivals were not asked."""
+    return " | ".join("?" if alarms is None else "x" if rival in alarms else "" for rival in RIVALS)
 
 
 def table(head, rows):
@@ -102,6 +103,11 @@ def share(part, whole):
     return f"{part} of {whole}"
 
 
+def caught_by(rival, rows):
+    asked = [row["alarms"] for row in rows if row["alarms"] is not None]
+    return share(sum(rival in alarms for alarms in asked), len(asked))
+
+
 def summary(rows, faults, false_alarms):
     views = false_alarms[(480, 270)]
     caught_faults = sum(line["as_expected"] for line in faults)
@@ -109,9 +115,8 @@ def summary(rows, faults, false_alarms):
     lines = [f"| **zproof** | {share(caught_faults, len(faults))} | {share(caught_rows, len(rows))} | "
              f"{share(0, len(views))} |"]
     for rival, name in RIVALS.items():
-        lines.append(f"| {name} | {share(sum(rival in line['alarms'] for line in faults), len(faults))} | "
-                     f"{share(sum(rival in row['alarms'] for row in rows), len(rows))} | "
-                     f"{share(sum(rival in alarms for alarms in views.values()), len(views))} |")
+        alarms = sum(rival in alarms for alarms in views.values())
+        lines.append(f"| {name} | {caught_by(rival, faults)} | {caught_by(rival, rows)} | {share(alarms, len(views))} |")
     return table(["", "injected faults caught", "planted defects caught", "false alarms on the clean suite, views"], lines)
 
 
