@@ -157,7 +157,7 @@ template <class Number>
 std::optional<bool> AdmissibleSet<Number>::are_on_one_side(LinePointer edge, size_t other) {
     const LinePointer same = edge_of(other, edge->id);
     if (!same) return std::nullopt;
-    return sign(edge->f.a * same->f.a + edge->f.b * same->f.b) > 0;
+    return sign(edge->f.a * same->f.a + edge->f.b * same->f.b + edge->f.c * same->f.c) > 0;
 }
 
 /// Does another occluder lie beyond this edge, so that no displacement can open it?

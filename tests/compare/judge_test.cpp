@@ -71,6 +71,26 @@ TEST_P(Judge, NothingShowsThroughASharedEdge) {
     EXPECT_EQ(t.class_at(1, 1), PixelClass::hole);
 }
 
+TEST_P(Judge, ATriangleNeverHidesItsNeighbourAcrossTheirEdge) {
+    const Triangle left = wall_left_of(1.5, 4), right = {{{1.5, -64, 4}, {512, 8, 900}, {1.5, 64, 4}}};
+    // the third covers just the right half of the square; the left half is left's own
+    Trial t = agreed_trial({left, right, wall_right_of(1.5, 2)});
+    answer(t.candidate, 1, 1, 1, 4);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::edge);
+}
+
+/// Such an edge has no line in the image: all of it lies on the side of both triangles.
+TEST(JudgeInPerspective, TrianglesThatShareAnEdgeBesideTheEyeHideEachOther) {
+    Trial t(Projection::perspective, 4, 4, {});
+    const glm::vec3 a{-8, -1, 0}, b{8, -1, 0}, near_tip{0, 0, -4}, far_tip{0, 0, -8};
+    t.scene.vertices.position_world = {a, b, near_tip, far_tip};
+    t.scene.triangles = {{0, 1, 2}, {0, 1, 3}};
+    // the ray (1.5, -1.5, -1) t meets the nearer one at t = 1 / 1.75, the other at 1 / 1.625
+    answer(t.reference, 1, 1, 0, 1 / 1.75);
+    answer(t.candidate, 1, 1, 1, 1 / 1.625);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::hidden);
+}
+
 /// A slope that reaches the near depth (1/4) at x = 1.5 and is cut off to its left.
 Triangle slope_through_near(Projection projection) {
     const bool perspective = projection == Projection::perspective;
