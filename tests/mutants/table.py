@@ -128,10 +128,16 @@ def diagnosis_line(rows, faults):
             f"({100 * named / max(1, len(covered)):.0f} %).\n")
 
 
-def page(rows, lines, false_alarms):
+def page(rows, lines, false_alarms, catalogue_size):
     faults = [line for line in lines if not line["control"]]
     controls = [line for line in lines if line["control"]]
-    text = HEAD + summary(rows, faults, false_alarms) + diagnosis_line(rows, faults)
+    text = HEAD
+    if len(rows) < catalogue_size:
+        text += (f"**Not complete:** {len(rows)} of the {catalogue_size} planted defects were judged for this page; nothing "
+                 "is said of the others.\n\n")
+    if not any("cause" in line for line in lines):
+        text += "**Not complete:** the diagnosis was not asked.\n\n"
+    text += summary(rows, faults, false_alarms) + diagnosis_line(rows, faults)
     text += (f"\nOf {len(controls)} good frames among the injected faults (`cli/selftest/clean_frames.cpp`) the gate passes "
              f"{sum(line['as_expected'] for line in controls)}.\n")
     text += METHOD + "\n## Planted defects\n\n`x`: this rival catches it, too.\n"
