@@ -31,7 +31,7 @@ Hypothesis as_precise_as(const CaseFile& file, const std::string& name, const st
 Hypothesis truncating(const CaseFile& file, const RasterPrecision& declared, double direction,
                       const std::string& how) {
     Hypothesis h = as_declared(file, "vertices are snapped " + how,
-                               "Vertices go to the grid point " + how + " instead of the nearest one.");
+                               "Vertices go to the next grid point " + how + " instead of the nearest.");
     const double half_step = std::ldexp(0.5, -declared.subpixel_bits);
     h.kind = Kind::lenient;
     h.view = shifted_view(file.view, glm::dvec2(direction * half_step));
@@ -119,8 +119,8 @@ std::vector<Hypothesis> hypotheses_of_precision(const CaseFile& file) {
     const auto* declared = std::get_if<RasterPrecision>(&file.candidate.precision);
     if (!declared) return all;
     if (declared->snap == Snap::nearest) {
-        all.push_back(truncating(file, *declared, -1, "up and left of them"));
-        all.push_back(truncating(file, *declared, 1, "down and right of them"));
+        all.push_back(truncating(file, *declared, -1, "up and left"));
+        all.push_back(truncating(file, *declared, 1, "down and right"));
     }
     for (Hypothesis& h : of_coordinates(file, *declared)) all.push_back(std::move(h));
     return all;

@@ -113,5 +113,58 @@ TEST(Diagnosis, OfAFaultlessFrameIsNone) {
     EXPECT_FALSE(court.diagnosis_of(court.drawn_by(rasterizer::lawful_rules)));
 }
 
+const FrameFault& fault_named(const std::string& name) {
+    return *std::ranges::find(frame_faults(), name, &FrameFault::name);
+}
+
+Frame faulty(const Courtroom& court, const std::string& fault) {
+    const Frame good = court.drawn_by(rasterizer::lawful_rules);
+    return fault_named(fault).inject(court.scene(), court.view(), good);
+}
+
+/// Rounding down displaces the whole picture by half a grid step, which 7 bits would explain as well.
+TEST(Diagnosis, TellsTruncationFromFewerBits) {
+    const Courtroom court("room", 0);
+    View view = court.view();
+    Window& w = view.camera.window;
+    const double du = (w.right - w.left) / view.width / 512, dv = (w.top - w.bottom) / view.height / 512;
+    w = {w.left + du, w.right + du, w.bottom - dv, w.top - dv};
+    expect_cause(court.diagnosis_of(rasterizer::render(court.scene(), view)),
+                 "vertices are snapped up and left");
+}
+
+TEST(Diagnosis, CountsWhatWasAsked) {
+    const Courtroom court("room", 0);
+    const auto few = court.diagnosis_of(faulty(court, "row_lost"));
+    ASSERT_TRUE(few && few->cause);
+    EXPECT_EQ(few->defects, 480u);
+    EXPECT_EQ(few->cause->asked, 480u);
+    EXPECT_EQ(few->cause->explained, 480u);
+    const auto many = court.diagnosis_of(faulty(court, "shifted_up"));
+    ASSERT_TRUE(many && many->cause);
+    EXPECT_GT(many->defects, 100'000u);
+    EXPECT_EQ(many->cause->asked, 1000u);
+    EXPECT_GT(explained_share(*many->cause), 0.98) << "the lowest row has come from nowhere";
+    EXPECT_LT(explained_share(*many->cause), 1);
+}
+
+TEST(Diagnosis, OneWrongPixelProvesNoRule) {
+    const Courtroom court("room", 0);
+    Frame frame = court.drawn_by(rasterizer::lawful_rules);
+    frame.camera_depth.at(240, 135) *= 1.001f;
+    const auto diagnosis = court.diagnosis_of(frame);
+    expect_cause(diagnosis, "");
+    EXPECT_EQ(diagnosis->defects, 1u);
+}
+
+TEST(Diagnosis, DoesNotDependOnThreads) {
+    const Courtroom court("room", 0);
+    const Frame frame = court.drawn_by({.subpixel_bits = 5});
+    std::string one, three;
+    tbb::task_arena(1).execute([&] { one = told(court.diagnosis_of(frame)); });
+    tbb::task_arena(3).execute([&] { three = told(court.diagnosis_of(frame)); });
+    EXPECT_EQ(one, three);
+}
+
 }  // namespace
 }  // namespace zproof
