@@ -18,6 +18,7 @@ constexpr const char* examples = R"(Proves a z-buffer rasterizer right, pixel by
   zproof run models/ -o out             judge every .gltf, .glb and .view.json below models/
   zproof explain model.glb 812 344      tell the whole story of one pixel
   zproof measure zproof                 measure what a renderer really does
+  zproof selftest                       see the gate fail: inject known faults into good frames
 
 Exit status: 0 proven, 1 a defect, 2 usage, 3 unreadable input, 4 nothing judged, 70 internal error,
 130 interrupted.)";
@@ -41,6 +42,12 @@ void add_choice(CLI::App& app, const std::string& option, T& value, const std::m
         ->default_str("auto");
 }
 
+void add_threads(CLI::App& app, int& threads) {
+    app.add_option("--threads", threads, "the verdict is the same for any number")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+}
+
 void add_render_settings(CLI::App& app, RenderSettings& settings) {
     app.add_option("--width", settings.resolution.width, "pixels; view files state their own")
         ->check(CLI::Range(1, 32768))
@@ -48,9 +55,7 @@ void add_render_settings(CLI::App& app, RenderSettings& settings) {
     app.add_option("--height", settings.resolution.height, "pixels; view files state their own")
         ->check(CLI::Range(1, 32768))
         ->capture_default_str();
-    app.add_option("--threads", settings.threads, "the verdict is the same for any number")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+    add_threads(app, settings.threads);
 }
 
 void add_run(CLI::App& app, RunArguments& run) {
@@ -132,6 +137,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     ExplainArguments explain;
     RenderArguments render;
     MeasureArguments measure;
+    SelftestArguments selftest;
     GenerateArguments generate;
 
     CLI::App& run_app = *app.add_subcommand("run", "render, ask the reference, judge, write the reports");
@@ -139,6 +145,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     CLI::App& render_app = *app.add_subcommand("render", "write the rasterizer's frames as EXR and PNG");
     CLI::App& measure_app = *app.add_subcommand(
         "measure", "what a renderer really does: sub-pixel grid, fill side, depth steps, watertightness");
+    CLI::App& selftest_app =
+        *app.add_subcommand("selftest", "see the gate fail: inject known faults into good frames");
     CLI::App& list_app = *app.add_subcommand("list", "the built-in suite: each scene with its reason");
     CLI::App& scenes_app = *app.add_subcommand("scenes", "the built-in suite as files");
     CLI::App& generate_app =
@@ -148,6 +156,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_explain(explain_app, explain);
     add_render(render_app, render);
     add_measure(measure_app, measure);
+    add_threads(selftest_app, selftest.threads);
     add_generate(generate_app, generate);
 
     try {
@@ -159,6 +168,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (explain_app.parsed()) return explain;
     if (render_app.parsed()) return render;
     if (measure_app.parsed()) return measure;
+    if (selftest_app.parsed()) return selftest;
     if (list_app.parsed()) return ListArguments{};
     if (generate_app.parsed()) return generate;
     if (scenes_app.parsed()) throw UsageError{"scenes: 'generate' expected (see: zproof scenes --help)"};

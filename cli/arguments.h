@@ -75,6 +75,10 @@ struct MeasureArguments {
     MeasurementFormat format = MeasurementFormat::table;
 };
 
+struct SelftestArguments {
+    int threads = available_threads();
+};
+
 struct ListArguments {};
 
 struct GenerateArguments {
@@ -87,8 +91,8 @@ struct Answered {
     std::string text;
 };
 
-using Command = std::variant<RunArguments, ExplainArguments, RenderArguments, MeasureArguments, ListArguments,
-                             GenerateArguments, Answered>;
+using Command = std::variant<RunArguments, ExplainArguments, RenderArguments, MeasureArguments,
+                             SelftestArguments, ListArguments, GenerateArguments, Answered>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

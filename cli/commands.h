@@ -23,6 +23,10 @@ ExitCode execute(const RenderArguments& arguments);
 /// UsageError where there is no such renderer.
 ExitCode execute(const MeasureArguments& arguments);
 
+/// Injects every known fault into good frames and prints what the gate says of each: proven where it catches
+/// all of them and passes the good frames.
+ExitCode execute(const SelftestArguments& arguments);
+
 /// Prints the suite: each scene with its reason and the classes that it must show.
 ExitCode execute(const ListArguments& arguments);
 

@@ -1,0 +1,149 @@
+"""The page docs/detection.md, from what tests/mutants/score measured."""
+import collections
+import pathlib
+
+RIVALS = {"idiff": "`idiff`", "idiff_blender": "`idiff`, Blender's settings", "fuzzy": "fuzzy 3 x 3",
+          "pytorch3d": "PyTorch3D's rule"}
+
+HEAD = """# Detection
+
+What the gate catches, measured: faults injected into a good frame (`zproof selftest`, shipped), and defects planted into
+the rasterizer's own sources (`tests/mutants/catalogue.txt`), one at a time. This page is written by
+
+    tests/mutants/score --table docs/detection.md
+
+The planted defects are also a test of their own (`./dev test --full`): one that survives fails it.
+
+"""
+
+METHOD = """
+## How it was measured
+
+A planted defect is a text of `rasterizer/` replaced by another. The renderer is compiled with it and judged on the whole
+suite at 480 x 270, and where nothing is found at 1920 x 1080. *Class* and *cause* are those of the first view that fails;
+the class is the one that most of its pixels got, the cause what the diagnosis says (a dash: "no single cause"). An
+injected fault must get exactly the class, and where it is one pixel the count, that `cli/selftest/` states for it.
+
+`tests/mutants/causes.txt` says which defects a hypothesis describes, and what it should be called; it was written before
+the diagnosis was asked.
+
+The rivals are given the same two frames as the gate, the candidate's and Embree's:
+
+- `idiff` of OpenImageIO, at its defaults and with Blender's `-fail 0.016 -failpercent 1`, on an 8-bit picture with a
+  colour per id and on the depths as float32; an alarm is a failure of either. For planted defects its comparison
+  (`ImageBufAlgo::compare`) is called directly; for injected faults the program runs as well and both must agree.
+- the fuzzy compare: each pixel's id must be found among the 3 x 3 pixels around it in the reference, its depth between the
+  least and the greatest there, give or take 0.1 %. No pixel may fail.
+- PyTorch3D's rule: 99.99 % of the ids equal, 99.9 % of the depths within 0.001.
+
+A rival *catches* a defect where it raises an alarm at a view whose clean frame raises none. An alarm that the clean frame
+raises as well tells nobody anything. Where all views raise one, as they do for `idiff` at its defaults, nothing is left
+to catch with; that is the price of comparing two renderers that are both right but not equal.
+
+What a frame cannot show is not in the list: a fill rule that gives edges to the other neighbour, a fused multiply-add, or
+twice drawn samples on an edge leave a lawful picture. `zproof measure` and the rasterizer's own tests look at those.
+"""
+
+
+def read_causes():
+    lines = (pathlib.Path(__file__).parent / "causes.txt").read_text().splitlines()
+    return dict(line.split(": ", 1) for line in lines if line and not line.startswith("#"))
+
+
+CAUSES = read_causes()
+
+
+def dominant_class(line):
+    failing = {c: n for c, n in line.get("counts", {}).items() if c != "reference_wrong"}
+    return max(failing, key=failing.get) if failing else "-"
+
+
+def cause_cell(name, line):
+    cause = (line or {}).get("cause", "-")
+    share = f" ({100 * line['share']:.0f} %)" if cause != "-" else ""
+    if name not in CAUSES:
+        return cause + share
+    return cause + share + ("" if cause.startswith(CAUSES[name]) else f" **instead of** {CAUSES[name]}")
+
+
+def is_named(name, line):
+    return (line or {}).get("cause", "-").startswith(CAUSES[name])
+
+
+def marks(alarms):
+    """`?` where the rivals were not asked."""
+    return " | ".join("?" if alarms is None else "x" if rival in alarms else "" for rival in RIVALS)
+
+
+def table(head, rows):
+    return "\n".join(["| " + " | ".join(head) + " |", "|" + "---|" * len(head), *rows]) + "\n"
+
+
+COLUMNS = ["defect", "caught", "class", "diagnosed cause (share explained)", *RIVALS.values()]
+
+
+def fault_row(line):
+    refused = line["said"] == "refused"
+    return (f"| `{line['name']}`: {line['sentence']} | {'yes' if line['as_expected'] else '**NO**'} | "
+            f"{'refused' if refused else dominant_class(line)} | {cause_cell(line['name'], line)} | "
+            f"{marks(line['alarms'])} |")
+
+
+def mutant_row(row):
+    line, mutant = row["line"], row["mutant"]
+    caught = "yes" if line else "**NO**"
+    if line and row["size"][0] != 480:
+        caught += f", at {row['size'][0]}"
+    what = line.get("ending") or dominant_class(line) if line else "-"
+    return (f"| `{mutant.name}`: {mutant.sentence} | {caught} | {what} | {cause_cell(mutant.name, line)} | "
+            f"{marks(row['alarms'])} |")
+
+
+def share(part, whole):
+    return f"{part} of {whole}"
+
+
+def caught_by(rival, rows):
+    asked = [row["alarms"] for row in rows if row["alarms"] is not None]
+    return share(sum(rival in alarms for alarms in asked), len(asked))
+
+
+def summary(rows, faults, false_alarms):
+    views = false_alarms[(480, 270)]
+    caught_faults = sum(line["as_expected"] for line in faults)
+    caught_rows = sum(row["line"] is not None for row in rows)
+    lines = [f"| **zproof** | {share(caught_faults, len(faults))} | {share(caught_rows, len(rows))} | "
+             f"{share(0, len(views))} |"]
+    for rival, name in RIVALS.items():
+        alarms = sum(rival in alarms for alarms in views.values())
+        lines.append(f"| {name} | {caught_by(rival, faults)} | {caught_by(rival, rows)} | {share(alarms, len(views))} |")
+    return table(["", "injected faults caught", "planted defects caught", "false alarms on the clean suite, views"], lines)
+
+
+def diagnosis_line(rows, faults):
+    asked = [(line["name"], line) for line in faults] + [(row["mutant"].name, row["line"]) for row in rows]
+    covered = [(name, line) for name, line in asked if name in CAUSES]
+    named = sum(is_named(name, line) for name, line in covered)
+    return (f"\nOf {len(covered)} defects that one of the diagnosis's hypotheses describes, it names {named} "
+            f"({100 * named / max(1, len(covered)):.0f} %).\n")
+
+
+def page(rows, lines, false_alarms, catalogue_size):
+    faults = [line for line in lines if not line["control"]]
+    controls = [line for line in lines if line["control"]]
+    text = HEAD
+    if len(rows) < catalogue_size:
+        text += (f"**Not complete:** {len(rows)} of the {catalogue_size} planted defects were judged for this page; nothing "
+                 "is said of the others.\n\n")
+    if not any("cause" in line for line in lines):
+        text += "**Not complete:** the diagnosis was not asked.\n\n"
+    text += summary(rows, faults, false_alarms) + diagnosis_line(rows, faults)
+    text += (f"\nOf {len(controls)} good frames among the injected faults (`cli/selftest/clean_frames.cpp`) the gate passes "
+             f"{sum(line['as_expected'] for line in controls)}.\n")
+    text += METHOD + "\n## Planted defects\n\n`x`: this rival catches it, too.\n"
+    areas = collections.OrderedDict()
+    for row in rows:
+        areas.setdefault(row["mutant"].area, []).append(mutant_row(row))
+    for area, area_rows in areas.items():
+        text += f"\n### {area.capitalize()}\n\n" + table(COLUMNS, area_rows)
+    return text + "\n## Injected faults\n\n" + table(COLUMNS, [fault_row(line) for line in faults])
