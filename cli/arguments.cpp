@@ -17,6 +17,7 @@ constexpr const char* examples = R"(Proves a z-buffer rasterizer right, pixel by
   zproof run                            judge the built-in suite, write zproof-out/
   zproof run models/ -o out             judge every .gltf, .glb and .view.json below models/
   zproof explain model.glb 812 344      tell the whole story of one pixel
+  zproof measure zproof                 measure what a renderer really does
 
 Exit status: 0 proven, 1 a defect, 2 usage, 3 unreadable input, 4 nothing judged, 70 internal error,
 130 interrupted.)";
@@ -85,6 +86,19 @@ void add_render(CLI::App& app, RenderArguments& render) {
     add_render_settings(app, render.settings);
 }
 
+constexpr const char* measure_examples = R"(
+  zproof measure zproof                 a table: measured, declared, and whether it is kept
+  zproof measure zproof --json          the same for programs
+
+Exit status: 0 everything as declared, 1 worse than declared, 2 no such renderer.)";
+
+void add_measure(CLI::App& app, MeasureArguments& measure) {
+    app.add_option("RENDERER", measure.renderer, "'zproof', its own rasterizer")->required();
+    app.add_flag_callback(
+        "--json", [&measure] { measure.format = MeasurementFormat::json; }, "print JSON instead of a table");
+    app.footer(measure_examples);
+}
+
 void add_generate(CLI::App& app, GenerateArguments& generate) {
     app.add_option("NAME", generate.names, "suite scenes (zproof list); none: all");
     app.add_option("-o,--out", generate.out, "folder for the files")->capture_default_str();
@@ -117,11 +131,14 @@ Command parse_command_line(int argc, const char* const* argv) {
     run.typed = as_typed(argc, argv);
     ExplainArguments explain;
     RenderArguments render;
+    MeasureArguments measure;
     GenerateArguments generate;
 
     CLI::App& run_app = *app.add_subcommand("run", "render, ask the reference, judge, write the reports");
     CLI::App& explain_app = *app.add_subcommand("explain", "tell the whole story of one pixel");
     CLI::App& render_app = *app.add_subcommand("render", "write the rasterizer's frames as EXR and PNG");
+    CLI::App& measure_app = *app.add_subcommand(
+        "measure", "what a renderer really does: sub-pixel grid, fill side, depth steps, watertightness");
     CLI::App& list_app = *app.add_subcommand("list", "the built-in suite: each scene with its reason");
     CLI::App& scenes_app = *app.add_subcommand("scenes", "the built-in suite as files");
     CLI::App& generate_app =
@@ -130,6 +147,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_run(run_app, run);
     add_explain(explain_app, explain);
     add_render(render_app, render);
+    add_measure(measure_app, measure);
     add_generate(generate_app, generate);
 
     try {
@@ -140,6 +158,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (run_app.parsed()) return run;
     if (explain_app.parsed()) return explain;
     if (render_app.parsed()) return render;
+    if (measure_app.parsed()) return measure;
     if (list_app.parsed()) return ListArguments{};
     if (generate_app.parsed()) return generate;
     if (scenes_app.parsed()) throw UsageError{"scenes: 'generate' expected (see: zproof scenes --help)"};

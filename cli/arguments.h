@@ -16,6 +16,11 @@ enum class ColourWish {
     never,
 };
 
+enum class MeasurementFormat {
+    table,  ///< for people
+    json,   ///< for programs: docs/measure.md
+};
+
 enum class ProgressStyle {
     automatic,  ///< a bar on a terminal, lines elsewhere
     bar,        ///< one line that is redrawn
@@ -65,6 +70,11 @@ struct RenderArguments {
     RenderSettings settings;
 };
 
+struct MeasureArguments {
+    std::string renderer;
+    MeasurementFormat format = MeasurementFormat::table;
+};
+
 struct ListArguments {};
 
 struct GenerateArguments {
@@ -77,8 +87,8 @@ struct Answered {
     std::string text;
 };
 
-using Command =
-    std::variant<RunArguments, ExplainArguments, RenderArguments, ListArguments, GenerateArguments, Answered>;
+using Command = std::variant<RunArguments, ExplainArguments, RenderArguments, MeasureArguments, ListArguments,
+                             GenerateArguments, Answered>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

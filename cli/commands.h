@@ -19,6 +19,10 @@ ExitCode execute(const ExplainArguments& arguments);
 /// Writes the rasterizer's frame of every view, without judging it: VIEW.exr, VIEW-id.png, VIEW-depth.png.
 ExitCode execute(const RenderArguments& arguments);
 
+/// Measures a renderer and prints what it does beside what it declares; a defect where it is worse.
+/// UsageError where there is no such renderer.
+ExitCode execute(const MeasureArguments& arguments);
+
 /// Prints the suite: each scene with its reason and the classes that it must show.
 ExitCode execute(const ListArguments& arguments);
 

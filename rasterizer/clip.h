@@ -16,8 +16,11 @@ namespace zproof::rasterizer {
 /// Raster coordinates of drawn vertices lie within +-guard_band_px, which holds the largest image (32768 px).
 /// On the 24.8 grid that is 2^24 steps; differences are <= 2^25, products of two <= 2^50, and every edge
 /// function value and doubled area, a sum of two such products, <= 2^51. So they fit int64, and a double
-/// exactly (< 2^53).
-inline constexpr double guard_band_px = 65536;
+/// exactly (< 2^53). A finer grid keeps those ranges in a narrower band, 2^24 steps wide on either side: with
+/// 12 bits 4096 px, and no larger image.
+constexpr double guard_band_px(int subpixel_bits) {
+    return subpixel_bits <= 8 ? 65536 : double(1 << (24 - subpixel_bits));
+}
 
 /// What may be drawn: near <= depth <= far, |x| <= guard_x w, |y| <= guard_y w. near and far are camera
 /// depths, exact facts of the camera, not z_ndc.

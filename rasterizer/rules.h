@@ -6,6 +6,8 @@
 /// per pixel.
 #pragma once
 
+#include "frame/precision.h"
+
 namespace zproof::rasterizer {
 
 /// Who owns a sample that lies exactly on an edge.
@@ -35,7 +37,8 @@ enum class NearClip {
 enum class RasterY { down, up };
 
 struct Rules {
-    int subpixel_bits = 8;          ///< vertices snap to 2^-subpixel_bits px; 1 to 8
+    int subpixel_bits = 8;          ///< vertices snap to 2^-subpixel_bits px; 1 to 12 (see guard_band_px)
+    Snap snap = Snap::nearest;      ///< onto that grid; truncation is towards 0
     double sample_offset_px = 0.5;  ///< from a pixel's upper left corner to its sample, in x and in y
     FillRule fill = FillRule::top_left;
     DepthInterpolation depth_interpolation = DepthInterpolation::perspective_correct;

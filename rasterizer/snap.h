@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "frame/precision.h"
+
 namespace zproof::rasterizer {
 
 /// A point on the sub-pixel grid, in grid steps.
@@ -23,12 +25,15 @@ constexpr double round_half_even(double value) {
 struct SubpixelGrid {
     int bits = 8;                      ///< grid step is 2^-bits px
     std::int32_t sample_offset = 128;  ///< from a pixel's upper left corner to its sample, grid steps
+    Snap snapping = Snap::nearest;
 
     constexpr std::int32_t steps_per_pixel() const { return std::int32_t{1} << bits; }
 
-    /// Coordinate within +-(guard_band_px + 1), px. Scaling by a power of two is exact; only the snap rounds.
+    /// Coordinate within +-(guard_band_px(bits) + 1), px. Scaling by a power of two is exact; only the snap
+    /// rounds.
     constexpr std::int32_t snap(double coordinate_px) const {
-        return static_cast<std::int32_t>(round_half_even(coordinate_px * steps_per_pixel()));
+        const double steps = coordinate_px * steps_per_pixel();
+        return static_cast<std::int32_t>(snapping == Snap::nearest ? round_half_even(steps) : steps);
     }
     /// Where a pixel of this column or row is sampled.
     constexpr std::int32_t sample(int pixel) const { return pixel * steps_per_pixel() + sample_offset; }

@@ -53,7 +53,8 @@ Tile::Tile(const PixelRect& pixels, const ViewSetup& setup) noexcept : pixels_(p
     for (auto& row : primitive_) row.fill(PrimitiveId::none);
 }
 
-void Tile::draw(const SnappedTriangle& triangle) noexcept {
+template <class Row>
+void Tile::for_each_row(const SnappedTriangle& triangle, Row row) const noexcept {
     const PixelRect box = pixels_within(triangle, setup_);
     const int x0 = std::max(box.x0, pixels_.x0), x1 = std::min(box.x1, pixels_.x1);
     const int y0 = std::max(box.y0, pixels_.y0), y1 = std::min(box.y1, pixels_.y1);
@@ -73,9 +74,21 @@ void Tile::draw(const SnappedTriangle& triangle) noexcept {
     }
     for (int y = y0; y < y1; ++y) {
         const Span span = covered(scan, row_start);
-        if (span.first < span.end) draw_row(scan, row_start, span, y - pixels_.y0);
+        if (span.first < span.end) row(scan, row_start, span, y);
         for (std::size_t k = 0; k < 3; ++k) row_start[k] += scan.edges[k].b;
     }
+}
+
+void Tile::draw(const SnappedTriangle& triangle) noexcept {
+    for_each_row(triangle, [this](const Scan& scan, const EdgeValues& row_start, Span span, int y) {
+        draw_row(scan, row_start, span, y - pixels_.y0);
+    });
+}
+
+void Tile::count(const SnappedTriangle& triangle, Plane<std::uint32_t>& fragments) const noexcept {
+    for_each_row(triangle, [&](const Scan& scan, const EdgeValues&, Span span, int y) {
+        for (int i = span.first; i < span.end; ++i) ++fragments.at(pixels_.x0 + scan.column0 + i, y);
+    });
 }
 
 /// Without a branch, so that compilers vectorize it. The doubles e hold integers below 2^53: nothing is

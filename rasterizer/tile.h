@@ -22,6 +22,9 @@ class Tile {
 
     void draw(const SnappedTriangle& triangle) noexcept;
 
+    /// Instead of drawing: one more at each pixel of this tile that draw() would visit, hidden or not.
+    void count(const SnappedTriangle& triangle, Plane<std::uint32_t>& fragments) const noexcept;
+
     /// Writes ids and camera depths of this tile's pixels.
     void resolve(Frame& frame) const noexcept;
 
@@ -33,6 +36,10 @@ class Tile {
         int first, end;
     };
 
+    /// The scan that draw() and count() share: row(scan, row_start, span, y) of each row with covered
+    /// samples.
+    template <class Row>
+    void for_each_row(const SnappedTriangle& triangle, Row row) const noexcept;
     static Span covered(const Scan& scan, const EdgeValues& row_start) noexcept;
     void draw_row(const Scan& scan, const EdgeValues& row_start, Span span, int row) noexcept;
 

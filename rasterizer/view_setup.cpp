@@ -15,36 +15,41 @@ double depth_before_the_eye(Projection projection) {
     return projection == Projection::perspective ? 0x1p-64 : -std::numeric_limits<double>::infinity();
 }
 
-/// x_raster = (x_ndc + 1) W / 2 stays within the guard band for |x_ndc| <= 2 guard_band_px / W - 1.
-double guard_in_ndc(int pixels) {
-    assert(pixels >= 1 && pixels <= 32768);
-    return 2 * guard_band_px / pixels - 1;
+/// x_raster = (x_ndc + 1) W / 2 stays within the guard band for |x_ndc| <= 2 guard_px / W - 1.
+double guard_in_ndc(double guard_px, int pixels) {
+    assert(pixels >= 1 && pixels <= 32768 && pixels <= guard_px);
+    return 2 * guard_px / pixels - 1;
 }
 
 ClipVolume volume_of(const View& view, const Rules& rules) {
     const Camera& camera = view.camera;
+    const double guard_px = guard_band_px(rules.subpixel_bits);
     const bool at_near_plane = rules.near_clip == NearClip::at_near_plane;
     return {.near_depth = at_near_plane ? camera.near_depth : depth_before_the_eye(camera.projection),
             .far_depth = camera.far_depth,
-            .guard_x = guard_in_ndc(view.width),
-            .guard_y = guard_in_ndc(view.height),
+            .guard_x = guard_in_ndc(guard_px, view.width),
+            .guard_y = guard_in_ndc(guard_px, view.height),
             .projection = camera.projection};
 }
 
 SubpixelGrid grid_of(const Rules& rules) {
-    SubpixelGrid grid{.bits = rules.subpixel_bits};
+    assert(rules.subpixel_bits >= 1 && rules.subpixel_bits <= 12);
+    SubpixelGrid grid{.bits = rules.subpixel_bits, .snapping = rules.snap};
     grid.sample_offset = grid.snap(rules.sample_offset_px);
     return grid;
 }
 
 /// Rounding may put a vertex of the guard band's border a hair outside.
-bool is_in_guard_band(double coordinate_px) { return std::abs(coordinate_px) <= guard_band_px + 1; }
+bool is_in_guard_band(double coordinate_px, double guard_px) {
+    return std::abs(coordinate_px) <= guard_px + 1;
+}
 
 }  // namespace
 
 ViewSetup::ViewSetup(const View& view, const Rules& rules)
     : size{view.width, view.height},
       clip_from_world(view.camera),
+      guard_px(guard_band_px(rules.subpixel_bits)),
       volume(volume_of(view, rules)),
       grid(grid_of(rules)),
       depth(depth_functional(view.camera.projection, rules)),
@@ -56,7 +61,7 @@ std::optional<SnappedVertex> ViewSetup::snap(const ClipVertex& v) const noexcept
     const double y_ndc = v.y / v.w;
     const double x_raster = (x_ndc + 1) * (0.5 * size.width);
     const double y_raster = (raster_y == RasterY::down ? 1 - y_ndc : 1 + y_ndc) * (0.5 * size.height);
-    if (!is_in_guard_band(x_raster) || !is_in_guard_band(y_raster)) return std::nullopt;
+    if (!is_in_guard_band(x_raster, guard_px) || !is_in_guard_band(y_raster, guard_px)) return std::nullopt;
     return SnappedVertex{{grid.snap(x_raster), grid.snap(y_raster)}, depth.of_depth(v.depth)};
 }
 

@@ -25,6 +25,7 @@ struct SnappedVertex {
 struct ViewSetup {
     Resolution size;
     ClipTransform clip_from_world;
+    double guard_px;  ///< half-width of the guard band
     ClipVolume volume;
     SubpixelGrid grid;
     DepthFunctional depth;

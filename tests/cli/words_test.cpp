@@ -41,6 +41,14 @@ TEST(CommandLine, OfExplainIsUnderstood) {
     EXPECT_THROW(parsed({"explain", "s.glb", "-1", "0"}), UsageError);
 }
 
+TEST(CommandLine, OfMeasureIsUnderstood) {
+    const auto table = std::get<MeasureArguments>(parsed({"measure", "zproof"}));
+    EXPECT_EQ(table.renderer, "zproof");
+    EXPECT_EQ(table.format, MeasurementFormat::table);
+    EXPECT_EQ(std::get<MeasureArguments>(parsed({"measure", "zproof", "--json"})).format,
+              MeasurementFormat::json);
+}
+
 TEST(ShellQuoted, SurvivesTheShell) {
     EXPECT_EQ(shell_quoted("models/box.glb"), "models/box.glb");
     EXPECT_EQ(shell_quoted("a b"), "'a b'");

@@ -23,8 +23,16 @@ TEST(Snap, RoundsToTheNearestGridPointTiesToEven) {
     EXPECT_EQ(grid.snap(-2.5 / 256), -2);
     EXPECT_EQ(grid.snap(std::nextafter(0.5 / 256, 1.0)), 1);
     EXPECT_EQ(grid.snap(std::nextafter(1.5 / 256, 0.0)), 1);
-    EXPECT_EQ(grid.snap(guard_band_px), 1 << 24);
-    EXPECT_EQ(grid.snap(-guard_band_px), -(1 << 24));
+    EXPECT_EQ(grid.snap(guard_band_px(8)), 1 << 24);
+    EXPECT_EQ(grid.snap(-guard_band_px(8)), -(1 << 24));
+}
+
+TEST(Snap, TruncatesTowardsZeroWhereTheRuleSaysSo) {
+    const SubpixelGrid grid{.snapping = Snap::truncate};
+    EXPECT_EQ(grid.snap(std::nextafter(1.0, 0.0)), 255);
+    EXPECT_EQ(grid.snap(1), 256);
+    EXPECT_EQ(grid.snap(std::nextafter(-1.0, 0.0)), -255);
+    EXPECT_EQ(grid.snap(-1), -256);
 }
 
 TEST(Snap, NeverMovesAPointByMoreThanHalfAGridStep) {
@@ -54,6 +62,14 @@ TEST(Snap, CornersOfTheImageSnapToItsCorners) {
     ASSERT_TRUE(upper_left && lower_right);
     EXPECT_EQ(upper_left->p, (SnappedPoint{0, 0}));
     EXPECT_EQ(lower_right->p, (SnappedPoint{640 * 256, 480 * 256}));
+}
+
+TEST(Snap, EveryGridKeepsItsStepsWithinTheGuardBand) {
+    for (int bits = 1; bits <= 12; ++bits) {
+        const SubpixelGrid grid{.bits = bits};
+        EXPECT_LE(grid.snap(guard_band_px(bits)), 1 << 24) << bits;
+        EXPECT_GE(guard_band_px(bits), 4096) << bits;
+    }
 }
 
 // The corners of the guard band are the worst case that guard_band_px promises to fit.

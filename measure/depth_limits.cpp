@@ -1,0 +1,52 @@
+#include "measure/flat.h"
+#include "measure/instruments.h"
+#include "measure/probe.h"
+
+namespace zproof::measure {
+namespace {
+
+constexpr Bracket near_and_far{0.75, 96};
+
+bool is_drawn(const Frame& frame) { return frame.primitive.at(0, 0) != PrimitiveId::none; }
+
+bool is_drawn_at(const Renderer& renderer, const View& view, float z) {
+    Scene scene;
+    add_flat(scene, view, Half::left, z);
+    return is_drawn(renderer.render(scene, view));
+}
+
+/// The eye stands `depth` from z = 0, where the plane is. Outwards is towards the eye for near, away from it
+/// for far.
+DepthLimit depth_limit(const Renderer& renderer, Projection projection, LimitPlane plane) {
+    const double depth = plane == LimitPlane::near ? near_and_far.low : near_and_far.high;
+    const double outwards = plane == LimitPlane::near ? 1 : -1;
+    const View view = flat_view(projection, depth, near_and_far);
+    const auto z_of = [&](float out) { return float(outwards) * out; };
+    const float reach = float(depth / 4);
+    DepthLimit limit{.projection = projection,
+                     .plane = plane,
+                     .depth = depth,
+                     .offset = {},
+                     .keeps_plane = is_drawn_at(renderer, view, 0)};
+    if (is_drawn_at(renderer, view, z_of(reach))) return limit;
+    const Probe probe{.low = -reach,
+                      .high = reach,
+                      .draw = [&](Scene& scene, float out) { add_flat(scene, view, Half::left, z_of(out)); },
+                      .answer = is_drawn};
+    const Flip flip = bisect(renderer, view, {probe}).front();
+    limit.offset = Bracket{flip.low, flip.high};
+    return limit;
+}
+
+}  // namespace
+
+std::vector<DepthLimit> depth_limits(const Renderer& renderer) {
+    std::vector<DepthLimit> limits;
+    for (const Projection projection : both_projections) {
+        for (const LimitPlane plane : {LimitPlane::near, LimitPlane::far})
+            limits.push_back(depth_limit(renderer, projection, plane));
+    }
+    return limits;
+}
+
+}  // namespace zproof::measure

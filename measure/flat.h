@@ -1,0 +1,20 @@
+/// Triangles that face the camera at one depth, for both projections.
+#pragma once
+
+#include "measure/probe.h"
+#include "measure/renderer.h"
+
+namespace zproof::measure {
+
+/// 2 x 2 px around the origin, the eye on the z axis at eye_depth: the plane z = t has camera depth
+/// eye_depth - t, and near t = 0 float32 coordinates are finer than any depth buffer.
+View flat_view(Projection projection, double eye_depth, const Bracket& near_and_far);
+
+enum class Half { left, right };
+
+/// Covers the samples of one column of that view's pixels, and none of the other's.
+void add_flat(Scene& scene, const View& view, Half half, float z);
+
+inline constexpr std::array both_projections{Projection::parallel, Projection::perspective};
+
+}  // namespace zproof::measure

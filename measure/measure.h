@@ -1,0 +1,41 @@
+/// Measures a renderer, and holds what it does against what it declares.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "measure/measurement.h"
+#include "measure/renderer.h"
+
+namespace zproof::measure {
+
+/// Draws the probe scenes, some 700 pictures of at most 16384 pixels, and reads them. What they do not tell
+/// stands in Measurement::unmeasured; what the renderer throws is passed on.
+Measurement measure(const Renderer& renderer);
+
+enum class Standing {
+    as_declared,  ///< as good as declared, or better
+    worse,        ///< for certain: the whole bracket lies outside of what is declared
+    undeclared,   ///< nothing was promised
+};
+
+/// One measured thing, ready to be shown.
+struct Finding {
+    std::string name;              ///< lower case, '_': "subpixel_bits_x"
+    std::string title;             ///< for people: "sub-pixel bits, x"
+    std::optional<Bracket> value;  ///< where it is a number
+    std::string unit;              ///< of the value; may be empty
+    std::string words;             ///< what was measured, where a number does not say it all
+    std::string declared;          ///< empty where nothing was promised
+    Standing standing = Standing::undeclared;
+};
+
+/// Every measured thing in a fixed order, judged by docs/bounds.md. What could not be measured is worse than
+/// declared.
+std::vector<Finding> findings(const Measurement& measurement, const Precision& declared);
+
+bool is_worse(std::span<const Finding> findings);  ///< in any of them
+
+}  // namespace zproof::measure

@@ -1,0 +1,111 @@
+#include "reports/measurement_report.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "reports/wording.h"
+
+namespace zproof {
+namespace {
+
+using measure::Bracket;
+using measure::Finding;
+using measure::Standing;
+
+std::string with_digits(double value, int digits) {
+    std::array<char, 64> buffer{};
+    const auto end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits)
+            .ptr;
+    return {buffer.data(), end};
+}
+
+/// "8.0 +- 1.2e-06 bits"
+std::string number_of(const Bracket& bracket, const std::string& unit) {
+    std::string text = unit == "bits" ? fixed(bracket.middle(), 1) : with_digits(bracket.middle(), 6);
+    if (const double half_width = (bracket.high - bracket.low) / 2; half_width > 0)
+        text += " +- " + with_digits(half_width, 2);
+    return unit.empty() ? text : text + " " + unit;
+}
+
+std::string measured(const Finding& finding) {
+    if (!finding.value) return finding.words;
+    const std::string number = number_of(*finding.value, finding.unit);
+    return finding.words.empty() ? number : number + " (" + finding.words + ")";
+}
+
+std::string_view in_words(Standing standing) {
+    switch (standing) {
+        case Standing::as_declared:
+            return "as declared";
+        case Standing::worse:
+            return "WORSE";
+        case Standing::undeclared:
+            return "-";
+    }
+    return "-";
+}
+
+std::string_view key_of(Standing standing) {
+    switch (standing) {
+        case Standing::as_declared:
+            return "as_declared";
+        case Standing::worse:
+            return "worse";
+        case Standing::undeclared:
+            return "undeclared";
+    }
+    return "undeclared";
+}
+
+using Row = std::array<std::string, 4>;
+
+std::string table_of(const std::vector<Row>& rows) {
+    std::array<std::size_t, 4> width{};
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
+    }
+    std::string text;
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i + 1 < row.size(); ++i)
+            text += row[i] + std::string(width[i] - row[i].size() + 2, ' ');
+        text += row.back() + "\n";
+    }
+    return text;
+}
+
+std::string verdict(const std::string& renderer, std::span<const Finding> findings) {
+    const auto worse = std::ranges::count(findings, Standing::worse, &Finding::standing);
+    if (worse == 0) return renderer + ": as declared\n";
+    return renderer + ": worse than declared in " + std::to_string(worse) + " of " +
+           std::to_string(findings.size()) + "\n";
+}
+
+}  // namespace
+
+std::string measurement_table(const std::string& renderer, std::span<const Finding> findings) {
+    std::vector<Row> rows{{"finding", "measured", "declared", "standing"}};
+    for (const Finding& f : findings)
+        rows.push_back({f.title, one_line(measured(f)), f.declared, std::string{in_words(f.standing)}});
+    return table_of(rows) + "\n" + verdict(renderer, findings);
+}
+
+std::string measurement_json(const std::string& renderer, std::span<const Finding> findings) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Finding& f : findings) {
+        nlohmann::ordered_json one{{"name", f.name}, {"title", f.title}};
+        if (f.value) one["value"] = {{"low", f.value->low}, {"high", f.value->high}};
+        if (!f.unit.empty()) one["unit"] = f.unit;
+        if (!f.words.empty()) one["words"] = f.words;
+        if (!f.declared.empty()) one["declared"] = f.declared;
+        one["standing"] = key_of(f.standing);
+        all.push_back(std::move(one));
+    }
+    const nlohmann::ordered_json whole{
+        {"renderer", renderer}, {"worse", measure::is_worse(findings)}, {"findings", all}};
+    return whole.dump(2) + "\n";
+}
+
+}  // namespace zproof

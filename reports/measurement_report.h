@@ -1,0 +1,19 @@
+/// What `zproof measure` found, for people and for programs.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "measure/measure.h"
+
+namespace zproof {
+
+/// A line per finding: measured, declared, and whether it is kept; then a verdict. A number is given as the
+/// middle of its bracket and half the bracket's width. Ends in a newline.
+std::string measurement_table(const std::string& renderer, std::span<const measure::Finding> findings);
+
+/// The same as JSON, UTF-8, ending in a newline; its shape is told in docs/measure.md. Brackets keep every
+/// bit.
+std::string measurement_json(const std::string& renderer, std::span<const measure::Finding> findings);
+
+}  // namespace zproof
