@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,11 @@ struct FrameFault {
     std::function<Frame(const Scene&, const View&, const Frame& good)> inject;
     std::string scene = "room";  ///< of the suite
 };
+
+/// Names the fault in the test's parameter line; found by gtest in this namespace.
+inline void PrintTo(const FrameFault& fault, std::ostream* out) {
+    *out << fault.name << " in " << fault.scene;
+}
 
 const std::vector<FrameFault>& frame_faults();
 
