@@ -28,7 +28,7 @@ Interval magnitude(const Interval& n) {
     return {0, std::max(-n.low(), n.high())};
 }
 
-/// Can the near or far plane cut the triangle at all? Corners are clamped to both planes.
+/// May the near or far plane cut the triangle? Corners are clamped to both planes.
 bool may_be_clipped(const Camera& camera, const Neighbour& n) {
     return n.nearest <= camera.near_depth + n.near_slack || n.farthest >= camera.far_depth - n.far_slack;
 }
@@ -284,13 +284,16 @@ bool AdmissibleSet<Number>::is_visible(size_t index) {
 
 template <class Number>
 bool AdmissibleSet<Number>::is_clipped(size_t index) {
-    if (!may_be_clipped(around_.view.camera, around_.neighbours[index]) || !drawn(index).image) return false;
+    const Neighbour& n = around_.neighbours[index];
+    const Camera& c = around_.view.camera;
+    // a depth may be uncertain enough for any plane; only one that the corners reach is a plane's doing
+    if ((n.nearest > c.near_depth && n.farthest < c.far_depth) || !drawn(index).image) return false;
     std::optional<Region<Number>> region = square();
     for (const LinePointer edge : drawn(index).edge)
         if (region) region = region->inside(*edge);
     if (!region) return false;
     for (const Side side : {Side::near, Side::far})
-        if (auto line = plane(side, drawn(index).image->nearness, around_.neighbours[index], Slack::require))
+        if (auto line = plane(side, drawn(index).image->nearness, n, Slack::require))
             if (region->outside(**line)) return true;
     return false;
 }

@@ -40,7 +40,7 @@ Frame render_by(const Rules& rules, const Scene& scene, const View& view) {
 
 Plane<std::uint32_t> count_fragments(const Rules& rules, const Scene& scene, const View& view) {
     const ViewSetup setup(view, rules);
-    Plane<std::uint32_t> fragments(setup.size);
+    zproof::Plane<std::uint32_t> fragments(setup.size);
     const TileBins bins(scene, project(scene.vertices, setup), setup);
     for_each_tile(bins, setup, [&](const Tile& tile, const auto& triangles) {
         for (const SnappedTriangle* triangle : triangles) tile.count(*triangle, fragments);

@@ -21,6 +21,7 @@ struct Generator {
 constexpr std::array generators{
     Generator{"near_plane", suite::near_plane},
     Generator{"clip_blades", suite::clip_blades},
+    Generator{"guard_band", suite::guard_band},
     Generator{"million_triangles", suite::million_triangles},
     Generator{"deep_overdraw", suite::deep_overdraw},
     Generator{"slivers", suite::slivers},

@@ -1,6 +1,7 @@
 #include "scenes/suite/mesh_builder.h"
 #include "scenes/suite/random.h"
 #include "scenes/suite/scenes.h"
+#include "scenes/suite/unit_circle.h"
 
 namespace zproof::suite {
 
@@ -53,6 +54,15 @@ void add_blade(MeshBuilder& mesh, Random& random) {
         {tip, tip + stretch * (middle - half_cut - tip), tip + stretch * (middle + half_cut - tip)});
 }
 
+/// A wedge with its tip and its base 4e5 units off to either side of p_world, almost in the plane of constant
+/// depth there: it stays between near and far, and its corners lie millions of pixels beside the image.
+void add_wedge(MeshBuilder& mesh, Random& random, const glm::dvec3& p_world) {
+    const glm::dvec2 direction = unit_circle(random.uniform(0, 1));
+    const glm::dvec3 along{4e5 * direction, random.uniform(-0.2, 0.2)};
+    const glm::dvec3 across{random.uniform(0.2, 2) * glm::dvec2(-direction.y, direction.x), 0};
+    mesh.lone_triangle({p_world - along, p_world + along - across, p_world + along + across});
+}
+
 }  // namespace
 
 Loaded near_plane(ImageSize size) {
@@ -78,6 +88,26 @@ Loaded near_plane(ImageSize size) {
         {perspective_view("ahead", size, {}, {.half_height = 0.5, .near_depth = 1, .far_depth = 2000}),
          perspective_view("aside", size, {.target_world = {1, 0.1, -0.2}},
                           {.half_height = 1, .near_depth = 0.5, .far_depth = 1500})});
+}
+
+Loaded guard_band(ImageSize size) {
+    MeshBuilder mesh("guard_band");
+    Random random(22);
+    mesh.begin_part("beyond the guard band", {0.7, 0.6, 0.2});
+    for (int i = 0; i < 120; ++i) {
+        const double depth = 16 * random.uniform(1, 1.02);
+        add_wedge(mesh, random, {random.uniform(-12, 12), random.uniform(-7, 7), -depth});
+    }
+    mesh.begin_part("in the near plane", {0.3, 0.5, 0.8});
+    constexpr double half = 0.15,
+                     lean = 3e-6;  // of depth 1: seven float32 steps leave it by a hundred pixels
+    mesh.lone_quad({{{-half, -half, -1 + lean},
+                     {half, -half, -1 - lean},
+                     {half, half, -1 - lean},
+                     {-half, half, -1 + lean}}});
+    return mesh.finish(
+        {perspective_view("ahead", size, {}, {.half_height = 0.5, .near_depth = 1, .far_depth = 100}),
+         parallel_view("parallel", size, {}, {.half_height = 8, .near_depth = 1, .far_depth = 100})});
 }
 
 Loaded clip_blades(ImageSize size) {

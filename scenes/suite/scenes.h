@@ -10,6 +10,7 @@ namespace zproof::suite {
 // near_plane.cpp
 Loaded near_plane(ImageSize size);
 Loaded clip_blades(ImageSize size);
+Loaded guard_band(ImageSize size);
 
 // density.cpp
 Loaded million_triangles(ImageSize size);

@@ -87,6 +87,9 @@ bool Picture::reaches(std::size_t index) const { return !is_empty(outline(index)
 
 bool Picture::is_clipped(std::size_t index) const {
     const Triangle& t = triangles_[index];
+    const Neighbour& n = around_.neighbours[index];
+    const Camera& camera = around_.view.camera;
+    if (n.nearest > camera.near_depth && n.farthest < camera.far_depth) return false;
     Set inside = square();
     inside.insert(inside.end(), t.edge.begin(), t.edge.end());
     return !is_covered(inside, {clip_planes(index, t.nearness, Plane::as_near_as_it_may_be)});
