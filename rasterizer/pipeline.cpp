@@ -38,7 +38,7 @@ Frame render_by(const Rules& rules, const Scene& scene, const View& view) {
     return frame;
 }
 
-Plane<std::uint32_t> count_fragments(const Rules& rules, const Scene& scene, const View& view) {
+zproof::Plane<std::uint32_t> count_fragments(const Rules& rules, const Scene& scene, const View& view) {
     const ViewSetup setup(view, rules);
     zproof::Plane<std::uint32_t> fragments(setup.size);
     const TileBins bins(scene, project(scene.vertices, setup), setup);
