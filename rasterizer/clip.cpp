@@ -6,25 +6,25 @@
 namespace zproof::rasterizer {
 namespace {
 
-enum class Plane { near, far, left, right, bottom, top };
+enum class ClipPlane { near, far, left, right, bottom, top };
 
-constexpr std::array all_planes{Plane::near,  Plane::far,    Plane::left,
-                                Plane::right, Plane::bottom, Plane::top};
+constexpr std::array all_planes{ClipPlane::near,  ClipPlane::far,    ClipPlane::left,
+                                ClipPlane::right, ClipPlane::bottom, ClipPlane::top};
 
 /// Positive inside; +inf for a plane at infinity.
-double distance(Plane plane, const ClipVertex& v, const ClipVolume& volume) {
+double distance(ClipPlane plane, const ClipVertex& v, const ClipVolume& volume) {
     switch (plane) {
-        case Plane::near:
+        case ClipPlane::near:
             return v.depth - volume.near_depth;
-        case Plane::far:
+        case ClipPlane::far:
             return volume.far_depth - v.depth;
-        case Plane::left:
+        case ClipPlane::left:
             return v.x + volume.guard_x * v.w;
-        case Plane::right:
+        case ClipPlane::right:
             return volume.guard_x * v.w - v.x;
-        case Plane::bottom:
+        case ClipPlane::bottom:
             return v.y + volume.guard_y * v.w;
-        case Plane::top:
+        case ClipPlane::top:
             return volume.guard_y * v.w - v.y;
     }
     return 0;
@@ -47,29 +47,29 @@ ClipVertex weighted_sum(const ClipVertex& a, double weight_a, const ClipVertex& 
 
 /// Puts the coordinate that the plane fixes exactly where the plane is, however long the edge was that it
 /// came from.
-void put_on(Plane plane, ClipVertex& v, const ClipVolume& volume) {
+void put_on(ClipPlane plane, ClipVertex& v, const ClipVolume& volume) {
     switch (plane) {
-        case Plane::near:
+        case ClipPlane::near:
             return set_depth(v, volume.near_depth, volume.projection);
-        case Plane::far:
+        case ClipPlane::far:
             return set_depth(v, volume.far_depth, volume.projection);
-        case Plane::left:
+        case ClipPlane::left:
             v.x = -volume.guard_x * v.w;
             return;
-        case Plane::right:
+        case ClipPlane::right:
             v.x = volume.guard_x * v.w;
             return;
-        case Plane::bottom:
+        case ClipPlane::bottom:
             v.y = -volume.guard_y * v.w;
             return;
-        case Plane::top:
+        case ClipPlane::top:
             v.y = volume.guard_y * v.w;
             return;
     }
 }
 
 /// Where the edge leaves the volume.
-ClipVertex intersection(const ClipVertex& inside, const ClipVertex& outside, Plane plane,
+ClipVertex intersection(const ClipVertex& inside, const ClipVertex& outside, ClipPlane plane,
                         const ClipVolume& volume) {
     const double d_inside = distance(plane, inside, volume);
     const double d_outside = distance(plane, outside, volume);
@@ -79,12 +79,12 @@ ClipVertex intersection(const ClipVertex& inside, const ClipVertex& outside, Pla
     return v;
 }
 
-bool is_cut_by(Plane plane, const ClipPolygon& polygon, const ClipVolume& volume) {
+bool is_cut_by(ClipPlane plane, const ClipPolygon& polygon, const ClipVolume& volume) {
     return std::ranges::any_of(polygon.span(),
                                [&](const ClipVertex& v) { return distance(plane, v, volume) < 0; });
 }
 
-ClipPolygon clip_by(Plane plane, const ClipPolygon& polygon, const ClipVolume& volume) {
+ClipPolygon clip_by(ClipPlane plane, const ClipPolygon& polygon, const ClipVolume& volume) {
     ClipPolygon kept;
     for (int i = 0; i < polygon.size; ++i) {
         const ClipVertex& from = polygon.vertices[std::size_t(i)];
@@ -123,7 +123,7 @@ std::uint8_t outcode_of(const ClipVertex& v, const ClipVolume& volume) noexcept 
 ClipPolygon clip(const std::array<ClipVertex, 3>& triangle, const ClipVolume& volume) noexcept {
     ClipPolygon polygon;
     for (const ClipVertex& v : triangle) polygon.push(v);
-    for (const Plane plane : all_planes) {
+    for (const ClipPlane plane : all_planes) {
         if (is_cut_by(plane, polygon, volume)) polygon = clip_by(plane, polygon, volume);
     }
     return polygon;

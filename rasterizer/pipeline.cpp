@@ -38,9 +38,9 @@ Frame render_by(const Rules& rules, const Scene& scene, const View& view) {
     return frame;
 }
 
-zproof::Plane<std::uint32_t> count_fragments(const Rules& rules, const Scene& scene, const View& view) {
+Plane<std::uint32_t> count_fragments(const Rules& rules, const Scene& scene, const View& view) {
     const ViewSetup setup(view, rules);
-    zproof::Plane<std::uint32_t> fragments(setup.size);
+    Plane<std::uint32_t> fragments(setup.size);
     const TileBins bins(scene, project(scene.vertices, setup), setup);
     for_each_tile(bins, setup, [&](const Tile& tile, const auto& triangles) {
         for (const SnappedTriangle* triangle : triangles) tile.count(*triangle, fragments);
