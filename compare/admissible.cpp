@@ -18,16 +18,6 @@ Affine<Number> constant(double value) {
     return {Number(0), Number(0), Number(value)};
 }
 
-template <class Number>
-Number magnitude(const Number& n) {
-    return sign(n) < 0 ? Number(-n) : n;
-}
-Interval magnitude(const Interval& n) {
-    if (n.low() >= 0) return n;
-    if (n.high() <= 0) return -n;
-    return {0, std::max(-n.low(), n.high())};
-}
-
 /// May the near or far plane cut the triangle? Corners are clamped to both planes.
 bool may_be_clipped(const Camera& camera, const Neighbour& n) {
     return n.nearest <= camera.near_depth + n.near_slack || n.farthest >= camera.far_depth - n.far_slack;

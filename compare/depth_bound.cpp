@@ -28,11 +28,6 @@ DepthBound with_rounding(DepthRange range, double truth, const LocalBounds& loca
     return {range.low - std::abs(range.low) * r - a, truth, range.high + std::abs(range.high) * r + a};
 }
 
-template <class Number>
-Number magnitude(const Number& n) {
-    return sign(n) < 0 ? Number(-n) : n;
-}
-
 /// depth + a >= low - |low| r at the nearness closest to the viewer, without division by nearness.
 template <class Number>
 bool is_not_too_near(const Number& nearness, const LocalBounds& local, float depth, bool perspective) {

@@ -53,4 +53,11 @@ inline int sign(Interval a) {
     throw UndecidedSign{};
 }
 
+/// Of every number that the interval holds; never undecided.
+inline Interval magnitude(const Interval& a) {
+    if (a.low() >= 0) return a;
+    if (a.high() <= 0) return -a;
+    return {0, std::max(-a.low(), a.high())};
+}
+
 }  // namespace zproof

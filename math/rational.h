@@ -12,4 +12,6 @@ using Rational =
 /// -1, 0 or +1; never undecided.
 inline int sign(const Rational& a) { return a.sign(); }
 
+inline Rational magnitude(const Rational& a) { return a.sign() < 0 ? Rational(-a) : a; }
+
 }  // namespace zproof
