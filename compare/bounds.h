@@ -109,8 +109,13 @@ class ViewBounds {
 
   private:
     PlaneSize plane_size_of(const TriangleExtent& extent, const CornersWorld& p_world) const;
-    TriangleBounds raster_bounds(const TriangleExtent& extent, const RasterPrecision& precision) const;
-    TriangleBounds ray_bounds(const TriangleExtent& extent, const RayPrecision& precision) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
+    /// How far a point that a ray met may seem to lie from where it is on its triangle, scene units.
+    double plane_test_error(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
+    /// The largest sum of coordinates of a point or origin that the arithmetic of a ray caster meets.
+    double ray_reach(const TriangleExtent& extent) const;
     /// Largest displacement in the image, px times depth, of errors of camera_abs along the camera's axes.
     double lateral_px(const glm::dvec3& camera_abs) const;
     /// The farthest that a corner lies from the image's origin or the window's centre, px; that of the guard
