@@ -67,10 +67,10 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
     else if (const auto* ray = std::get_if<RayPrecision>(&precision))
         set_aim(unit_of(ray->arithmetic));
     else
-        set_aim(gamma(24, unit_roundoff_float64));
+        set_aim(gamma(24, unit_roundoff_float64), std::get<PlaneRayPrecision>(precision).aim_offset_px);
 }
 
-void ViewBounds::set_aim(double unit) {
+void ViewBounds::set_aim(double unit, double offset_px) {
     const Camera& c = view_.camera;
     const std::array axes{c.right, c.up, c.back};
     const glm::dvec3 origin_world = glm::abs(glm::dvec3(c.eye_world)) + origin_abs_;
@@ -79,7 +79,7 @@ void ViewBounds::set_aim(double unit) {
         direction_error[i] = unit * glm::dot(glm::abs(axes[size_t(i)]), direction_abs_);
         origin_error[i] = perspective_ ? 0 : unit * glm::dot(glm::abs(axes[size_t(i)]), origin_world);
     }
-    aim_px_ = lateral_px(perspective_ ? direction_error : origin_error);
+    aim_px_ = offset_px + lateral_px(perspective_ ? direction_error : origin_error);
     aim_px_per_depth_ = perspective_ ? 0 : lateral_px(direction_error);
     aim_depth_relative_ = direction_error.z;
     aim_depth_absolute_ = origin_error.z;

@@ -122,7 +122,7 @@ class ViewBounds {
     /// band where near may cut the triangle.
     double reach_px(const TriangleExtent& extent) const;
     double edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const;
-    void set_aim(double unit);
+    void set_aim(double unit, double offset_px = 0);
 
     View view_;
     Precision precision_;

@@ -37,6 +37,7 @@ struct RayPrecision {
 /// then asks whether the point lies inside, in the two axes that are farthest from the normal. Corners are
 /// rounded once when the eye is subtracted.
 struct PlaneRayPrecision {
+    double aim_offset_px = 0;  ///< rays may pass this far beside the pixel's centre, in x and in y
     double least_corner_sine =
         0x1p-26;  ///< triangles with a smaller sine at their second corner are not drawn
     double least_grazing_sine = 1e-10;  ///< a ray does not meet a plane at a smaller sine

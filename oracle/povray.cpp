@@ -88,6 +88,7 @@ Picture PovRay::picture(const View& view, const Light& light) const {
 
 Precision povray_precision() {
     return PlaneRayPrecision{
+        .aim_offset_px = 0x1p-28,
         .least_corner_sine = 0x1p-26,
         .least_grazing_sine = 1e-10,
         .depth_relative = 0x1.0001p-23,  // half a step of the code, and float32's rounding
