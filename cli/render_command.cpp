@@ -2,11 +2,11 @@
 
 #include "cli/commands.h"
 #include "cli/folder_names.h"
+#include "cli/renderers/roster.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
 #include "frame/exr.h"
 #include "frame/png.h"
-#include "rasterizer/rasterizer.h"
 #include "reports/output_folder.h"
 #include "reports/pictures.h"
 
@@ -25,8 +25,9 @@ ExitCode execute(const RenderArguments& arguments) {
     const Loaded loaded = load(select_scene(arguments.scene), arguments.settings.resolution);
     OutputFolder out{arguments.out};
     on_threads(arguments.settings.threads, [&] {
+        const Renderer renderer = open(arguments.renderer, loaded.scene);
         for (const View& view : loaded.views)
-            write_frame(out.working() / safe_name(view.name), rasterizer::render(loaded.scene, view));
+            write_frame(out.working() / safe_name(view.name), renderer.render(view));
     });
     out.publish();
     for (const View& view : loaded.views)

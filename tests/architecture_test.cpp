@@ -38,7 +38,7 @@ const std::map<std::string, Names> spoken_to_in{
     {"embree3/", {"oracle"}},
     {"OpenImageIO/", {"frame"}},
     {"tiny_gltf.h", {"scenes"}},
-    {"nlohmann/", {"scenes", "reports"}},
+    {"nlohmann/", {"frame", "scenes", "reports"}},
     {"CLI/", {"cli"}},
     {"iostream", {"cli"}},
     {"cstdio", {}},
