@@ -1,7 +1,6 @@
 #include <array>
 #include <iostream>
 #include <optional>
-#include <sstream>
 
 #include "cli/commands.h"
 #include "cli/renderers/roster.h"

@@ -94,6 +94,7 @@ StageTimes stage_times(const Json& json) {
             .reference_build = number(json.at("reference_build")),
             .reference = number(json.at("reference")),
             .judge = number(json.at("judge")),
+            .witnesses = json.contains("witnesses") ? number(json.at("witnesses")) : 0,  // since 1.2
             .write = number(json.at("write"))};
 }
 
@@ -116,6 +117,22 @@ std::optional<Diagnosis> diagnosis(const Json& view) {
     return d;
 }
 
+WitnessResult witness(const Json& json) {
+    WitnessResult w{.name = json.at("name"), .absent = json.at("absent"), .worst = {}};
+    if (!w.absent.empty()) return w;
+    w.counts = counts_by_name(json.at("counts"));
+    w.depth = depth_record(json.at("depth"));
+    for (const Json& finding : json.at("worst")) w.worst.push_back(reported(finding));
+    return w;
+}
+
+/// Since 1.2; absent: none was asked.
+void read_witnesses(const Json& json, ViewResult& v) {
+    if (!json.contains("witnesses")) return;
+    for (const Json& one : json.at("witnesses")) v.witnesses.push_back(witness(one));
+    v.accord = {.same = json.at("accord").at("same"), .unanimous = count(json.at("accord").at("unanimous"))};
+}
+
 ViewResult view(const Json& json) {
     ViewResult v{.scene = json.at("scene"),
                  .source = json.at("source"),
@@ -135,11 +152,14 @@ ViewResult view(const Json& json) {
                  .adjudicated = count(json.at("adjudicated")),
                  .exact = count(json.at("exact")),
                  .diagnosis = diagnosis(json),
+                 .witnesses = {},
+                 .accord = {},
                  .worst = {},
                  .notes = json.at("notes"),
                  .times = stage_times(json.at("times")),
                  .folder = json.at("folder")};
     for (const Json& finding : json.at("worst")) v.worst.push_back(reported(finding));
+    read_witnesses(json, v);
     return v;
 }
 
