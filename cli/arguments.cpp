@@ -96,7 +96,8 @@ The frames' own resolution is taken. Exit status as for run.)";
 
 void add_compare(CLI::App& app, CompareArguments& compare, PartyWords& words) {
     app.add_option("CANDIDATE", words.candidate, "frame to be judged (.exr with id and Z)")->required();
-    auto* other = app.add_option("SCENE", compare.scene, std::string{scene_words} + "; with --scene: a frame");
+    auto* other =
+        app.add_option("SCENE", compare.scene, std::string{scene_words} + "; with --scene: a frame");
     other->required();
     app.add_option_function<std::string>(
         "--scene",
@@ -208,7 +209,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     CLI::App& run_app = *app.add_subcommand("run", "render, ask the reference, judge, write the reports");
     CLI::App& compare_app = *app.add_subcommand("compare", "judge frames that were rendered elsewhere");
     CLI::App& explain_app = *app.add_subcommand("explain", "tell the whole story of one pixel");
-    CLI::App& render_app = *app.add_subcommand("render", "write a renderer's frames as EXR and PNG, not judged");
+    CLI::App& render_app =
+        *app.add_subcommand("render", "write a renderer's frames as EXR and PNG, not judged");
     CLI::App& measure_app = *app.add_subcommand(
         "measure", "what a renderer really does: sub-pixel grid, fill side, depth steps, watertightness");
     CLI::App& contract_app = *app.add_subcommand(

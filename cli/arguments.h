@@ -113,7 +113,8 @@ struct Answered {
     std::string text;
 };
 
-using Command = std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
+using Command =
+    std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
                  ContractCheckArguments, SelftestArguments, ListArguments, GenerateArguments, Answered>;
 
 /// Throws UsageError.

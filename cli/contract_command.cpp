@@ -1,5 +1,6 @@
 #include <array>
 #include <iostream>
+#include <map>
 #include <optional>
 
 #include "cli/commands.h"
@@ -16,14 +17,15 @@ namespace zproof {
 namespace {
 
 /// A perspective view from inside with a triangle at every pixel, windows that are not centred, and a
-/// projection whose lines of sight do not run along the view axis: together they tell apart what a renderer can
-/// mistake in the contract. The picture is not square, so that width and height cannot be exchanged.
+/// projection whose lines of sight do not run along the view axis: together they tell apart what a renderer
+/// can mistake in the contract. The picture is not square, so that width and height cannot be exchanged.
 constexpr std::array conversation{"room", "off_axis", "oblique"};
-constexpr Resolution picture_size{.width = 320, .height = 200};
+constexpr Resolution picture_size{.width = 160, .height = 100};
 
 /// What came of the conversation so far; the worst of it is the exit status.
 struct Minutes {
     int pictures = 0, wrong = 0, missing = 0;
+    std::map<std::string, int> causes;  ///< of how many wrong pictures each is the likely one
 };
 
 std::string in_words(const Scene& scene, const Verdict& verdict, const std::optional<Diagnosis>& diagnosis) {
@@ -43,8 +45,10 @@ void talk_about(const Scene& scene, const View& view, const Renderer& renderer, 
         std::cout << "kept\n";
         return;
     }
+    const std::optional<Diagnosis> diagnosis = diagnose(scene, view, ours, theirs, verdict);
     ++minutes.wrong;
-    std::cout << in_words(scene, verdict, diagnose(scene, view, ours, theirs, verdict)) << "\n";
+    if (diagnosis && diagnosis->cause) ++minutes.causes[diagnosis->cause->name];
+    std::cout << in_words(scene, verdict, diagnosis) << "\n";
 }
 
 void talk_about(const std::string& name, const RendererChoice& choice, Minutes& minutes) {
@@ -63,13 +67,18 @@ void talk_about(const std::string& name, const RendererChoice& choice, Minutes& 
 }
 
 ExitCode conclusion(const Minutes& minutes) {
-    std::cout << "\n" << counted(std::uint64_t(minutes.pictures), "picture") << ": " << minutes.wrong << " wrong, "
+    std::cout << "\n";
+    for (const auto& [cause, count] : minutes.causes)
+        std::cout << "likely cause: " << cause << " (" << counted(std::uint64_t(count), "picture") << ")\n";
+    std::cout << "\n"
+              << counted(std::uint64_t(minutes.pictures), "picture") << ": " << minutes.wrong << " wrong, "
               << minutes.missing << " missing. ";
     if (minutes.missing > 0) {
         std::cout << "The contract is not kept; docs/renderer-contract.md says what a program must do.\n";
         return ExitCode::cannot_judge;
     }
-    std::cout << (minutes.wrong == 0 ? "The contract is kept.\n" : "The program answers, and not what it sees.\n");
+    std::cout << (minutes.wrong == 0 ? "The contract is kept.\n"
+                                     : "The program answers, and not what it sees.\n");
     return minutes.wrong == 0 ? ExitCode::proven : ExitCode::defect;
 }
 

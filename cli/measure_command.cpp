@@ -11,10 +11,10 @@ namespace {
 
 /// The renderer as an instrument reads it: any scene, any view.
 measure::Renderer subject(const RendererChoice& choice) {
-    return {.name = name_of(choice),
-            .render = [choice](const Scene& scene,
-                               const View& view) { return open(choice, scene).render(view); },
-            .declared = declared_precision(choice)};
+    return {
+        .name = name_of(choice),
+        .render = [choice](const Scene& scene, const View& view) { return open(choice, scene).render(view); },
+        .declared = declared_precision(choice)};
 }
 
 }  // namespace

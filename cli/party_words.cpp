@@ -59,7 +59,8 @@ WitnessChoice witness(const std::string& name, const PartyWords& words) {
 void add_precision_options(CLI::App& app, PartyWords& words) {
     app.add_option("--precision", words.precision,
                    "what the renderer promises: a JSON file, or e.g. raster,subpixel_bits=4");
-    app.add_option("--time-limit", words.time_limit_s, "seconds for a picture of a renderer that is a program")
+    app.add_option("--time-limit", words.time_limit_s,
+                   "seconds for a picture of a renderer that is a program")
         ->check(CLI::Range(1, 86400))
         ->capture_default_str();
 }
@@ -98,7 +99,8 @@ RendererChoice candidate_of(const PartyWords& words) {
 
 Parties parties_of(const PartyWords& words) {
     Parties parties{.candidate = candidate_of(words), .witnesses = {}};
-    if (!words.reference.empty()) parties.reference = stored_frame(words.reference, words.reference_precision);
+    if (!words.reference.empty())
+        parties.reference = stored_frame(words.reference, words.reference_precision);
     for (const std::string& name : witness_names(words))
         if (name != name_of(parties.candidate) && name != name_of(parties.reference))
             parties.witnesses.push_back(witness(name, words));

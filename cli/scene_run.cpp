@@ -30,10 +30,12 @@ struct Trial {
 };
 
 /// Asks the witnesses, and counts where everybody names the same triangle.
-void hear_witnesses(const Trial& trial, const Frame& candidate, const Testimony& reference, ViewResult& result) {
+void hear_witnesses(const Trial& trial, const Frame& candidate, const Testimony& reference,
+                    ViewResult& result) {
     std::vector<Statement> statements;
     for (const SummonedWitness& witness : trial.court.witnesses) {
-        trial.desk.progress.begin_stage("ask " + name_of(witness.choice.renderer) + " " + trial.docket.view.name);
+        trial.desk.progress.begin_stage("ask " + name_of(witness.choice.renderer) + " " +
+                                        trial.docket.view.name);
         statements.push_back(hear(witness, trial.docket, reference));
     }
     std::vector<const Frame*> frames{&candidate, &reference.frame};
@@ -83,6 +85,19 @@ std::optional<ViewResult> run_view(const Trial& trial) {
     return result;
 }
 
+/// The same; a view about which candidate or reference gave no answer is a result, and the run goes on.
+std::optional<ViewResult> run_view_or_say_why_not(const Trial& trial) {
+    try {
+        return run_view(trial);
+    } catch (const OracleError& e) {
+        ViewResult result = unjudged(trial.docket.source, Outcome::unreadable, e.what());
+        result.view = trial.docket.view.name;
+        result.candidate = trial.court.candidate.name;
+        result.reference = trial.court.reference.name;
+        return result;
+    }
+}
+
 std::string names_of(const std::vector<View>& views) {
     std::string names;
     for (const View& view : views) names += (names.empty() ? "" : ", ") + view.name;
@@ -95,7 +110,8 @@ std::vector<View> wanted_views(const Loaded& loaded, const std::string& only_vie
     std::vector<View> views = loaded.views;
     std::erase_if(views, [&](const View& view) { return view.name != only_view; });
     if (!views.empty()) return views;
-    throw UsageError{"--view " + only_view + ": " + loaded.scene.name + " has the views " + names_of(loaded.views)};
+    throw UsageError{"--view " + only_view + ": " + loaded.scene.name + " has the views " +
+                     names_of(loaded.views)};
 }
 
 ViewResult without_triangles(const SceneSource& source, const Scene& scene) {
@@ -124,7 +140,7 @@ Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewRe
     for (const View& view : wanted_views(loaded, desk.only_view)) {
         if (interrupted()) return Ending::interrupted;
         const Docket docket{source, loaded.scene, view, desk.parties};
-        std::optional<ViewResult> result = run_view({docket, court, desk});
+        std::optional<ViewResult> result = run_view_or_say_why_not({docket, court, desk});
         if (!result) return Ending::interrupted;
         if (results.empty()) {
             result->times.load = load_time;

@@ -34,8 +34,8 @@ struct SceneReport {
 };
 
 /// Judges the scene's views one by one; frames are dropped after each. Uses the surrounding tbb::task_arena.
-/// Throws FrameError or ReportError where evidence cannot be written or a stored frame does not fit, UsageError
-/// where there is no such view.
+/// Throws FrameError or ReportError where evidence cannot be written or a stored frame does not fit,
+/// UsageError where there is no such view.
 SceneReport run_scene(const SceneSource& source, const Desk& desk);
 
 }  // namespace zproof

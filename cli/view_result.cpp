@@ -75,7 +75,8 @@ ViewResult to_view_result(const Docket& docket, const Verdict& verdict) {
     result.adjudicated = verdict.adjudicated;
     result.exact = verdict.exact;
     result.notes = docket.scene.notes;
-    result.worst = stories(docket, docket.parties.candidate, worst_of(verdict.findings, most_reported_findings));
+    result.worst =
+        stories(docket, docket.parties.candidate, worst_of(verdict.findings, most_reported_findings));
     return result;
 }
 

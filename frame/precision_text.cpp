@@ -64,8 +64,7 @@ class Declaration {
     }
 
     void refuse_what_is_left(const std::string& allowed) const {
-        if (!object_.empty())
-            refuse(object_.begin().key(), "unknown key; allowed here: kind, " + allowed);
+        if (!object_.empty()) refuse(object_.begin().key(), "unknown key; allowed here: kind, " + allowed);
     }
 
     [[noreturn]] void refuse(const std::string& key, const std::string& why) const {
@@ -151,7 +150,9 @@ Precision precision_from_word(const std::string& word) {
         return declared(object_from_word(word), "precision '" + word + "'");
     std::ifstream file(word, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file) throw FrameError(word + ": cannot be read; expected a JSON file, or a word such as raster,subpixel_bits=8");
+    if (!file)
+        throw FrameError(word +
+                         ": cannot be read; expected a JSON file, or a word such as raster,subpixel_bits=8");
     return precision_from_json(text, word);
 }
 

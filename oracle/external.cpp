@@ -50,7 +50,15 @@ void write_text(const fs::path& file, const std::string& text) {
 /// What the program said last, as the end of a sentence.
 std::string last_words(const Outcome& outcome) {
     const std::string& said = outcome.complaints.empty() ? outcome.output : outcome.complaints;
-    return said.empty() ? "; it wrote nothing to standard error" : "; it said:\n" + said;
+    return said.empty() ? "" : "; it said: " + said;
+}
+
+/// The complaint with the command's own word for the file that it is about.
+std::string about_out(std::string complaint, const fs::path& out) {
+    const std::string path = out.string();
+    for (std::size_t at; (at = complaint.find(path)) != std::string::npos;)
+        complaint.replace(at, path.size(), "{out}");
+    return complaint;
 }
 
 Frame read_answer(const fs::path& file, const View& view) {
@@ -82,19 +90,20 @@ Frame External::render(const View& view) const {
     write_text(camera, camera_document(view));
     std::error_code ignored;
     fs::remove(out, ignored);  // the last view's: a program that writes nothing must not pass with it
-    const std::string line = filled_in(command_, std::array<Meaning, 5>{{
-                                                     {"{scene}", quoted((folder_->path() / "scene.glb").string())},
-                                                     {"{camera}", quoted(camera.string())},
-                                                     {"{width}", std::to_string(view.width)},
-                                                     {"{height}", std::to_string(view.height)},
-                                                     {"{out}", quoted(out.string())}}});
+    const std::string line = filled_in(
+        command_, std::array<Meaning, 5>{{{"{scene}", quoted((folder_->path() / "scene.glb").string())},
+                                          {"{camera}", quoted(camera.string())},
+                                          {"{width}", std::to_string(view.width)},
+                                          {"{height}", std::to_string(view.height)},
+                                          {"{out}", quoted(out.string())}}});
     const Outcome outcome = run({.arguments = shell_line(line), .time_limit = time_limit_});
     if (!outcome.succeeded())
-        throw OracleError{"renderer '" + command_ + "': " + in_words(outcome, time_limit_) + last_words(outcome)};
+        throw OracleError{"renderer '" + command_ + "': " + in_words(outcome, time_limit_) +
+                          last_words(outcome)};
     try {
         return read_answer(out, view);
     } catch (const FrameError& e) {
-        throw OracleError{"renderer '" + command_ + "': " + e.what() + last_words(outcome)};
+        throw OracleError{"renderer '" + command_ + "': " + about_out(e.what(), out) + last_words(outcome)};
     }
 }
 

@@ -20,7 +20,7 @@ namespace zproof {
 void write_view_evidence(const std::filesystem::path& folder, const Frame& candidate, const Frame& reference,
                          const Verdict& verdict);
 
-/// WITNESS.exr beside them; what a file name cannot hold in the witness's name becomes '_'.
+/// WITNESS.exr beside them; the name is one that zproof knows, so a file can have it.
 void write_witness_frame(const std::filesystem::path& folder, const std::string& witness, const Frame& frame);
 
 /// The findings as CSV with a heading, in raster order. Numbers read back to the same bits; ids of background

@@ -9,7 +9,7 @@ namespace zproof {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(const std::string& why) { throw ReportError("results.json: " + why); }
 
@@ -182,7 +182,13 @@ Results results_from_json(const std::string& text) try {
                     .compiler = run.at("compiler"),
                     .embree = run.at("embree"),
                     .threads = run.at("threads"),
+                    .renderers = {},
                     .views = {}};
+    if (run.contains("renderers"))  // since 1.2
+        for (const Json& one : run.at("renderers"))
+            results.renderers.push_back({.name = one.at("name"),
+                                         .version = one.at("version"),
+                                         .precision = one.at("precision").dump()});
     for (const Json& one : root.at("views")) results.views.push_back(view(one));
     return results;
 } catch (const Json::exception& e) {

@@ -142,12 +142,8 @@ Json renderers(const std::vector<RendererFacts>& all) {
 }
 
 Json run_object(const Results& r) {
-    return {{"version", r.version},
-            {"command", r.command},
-            {"compiler", r.compiler},
-            {"embree", r.embree},
-            {"threads", r.threads},
-            {"renderers", renderers(r.renderers)}};
+    return {{"version", r.version}, {"command", r.command}, {"compiler", r.compiler},
+            {"embree", r.embree},   {"threads", r.threads}, {"renderers", renderers(r.renderers)}};
 }
 
 Json summary_object(const Results& results) {

@@ -47,8 +47,8 @@ struct WitnessResult {
     std::string name;
     std::string absent;  ///< why it was not heard; empty: it was
     ClassCounts counts{};
-    DepthRecord depth;
-    std::vector<ReportedFinding> worst;  ///< its defects, at most 20
+    DepthRecord depth{};
+    std::vector<ReportedFinding> worst{};  ///< its defects, at most 20
 };
 
 /// One view of one scene, judged.
@@ -86,7 +86,7 @@ double seconds(const StageTimes& times);
 
 /// A whole run.
 struct Results {
-    static constexpr const char* schema_version = "1.1";
+    static constexpr const char* schema_version = "1.2";
     std::string version;  ///< zproof's
     std::string command;  ///< as typed
     std::string compiler, embree;

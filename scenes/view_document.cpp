@@ -73,7 +73,8 @@ std::array<double, 4> perspective_z(const Camera& camera) {
     const auto [near_z, far_z] = range_of(camera.ndc_depth);
     const double near = camera.near_depth, far = camera.far_depth;
     if (std::isinf(far)) return {0, 0, -far_z, (near_z - far_z) * near};
-    return {0, 0, -(far_z * far - near_z * near) / (far - near), (near_z - far_z) * near * far / (far - near)};
+    return {0, 0, -(far_z * far - near_z * near) / (far - near),
+            (near_z - far_z) * near * far / (far - near)};
 }
 
 /// z_ndc = near_z + (far_z - near_z) (depth - near) / (far - near).
@@ -91,8 +92,9 @@ Rows clip_from_camera(const Camera& camera) {
     if (camera.projection == Projection::perspective)
         return {std::array{x, 0.0, x_centre, 0.0}, std::array{0.0, y, y_centre, 0.0}, perspective_z(camera),
                 std::array{0.0, 0.0, -1.0, 0.0}};
-    return {std::array{x, 0.0, x * camera.shear.x, -x_centre}, std::array{0.0, y, y * camera.shear.y, -y_centre},
-            parallel_z(camera), std::array{0.0, 0.0, 0.0, 1.0}};
+    return {std::array{x, 0.0, x * camera.shear.x, -x_centre},
+            std::array{0.0, y, y * camera.shear.y, -y_centre}, parallel_z(camera),
+            std::array{0.0, 0.0, 0.0, 1.0}};
 }
 
 /// x_raster and y_raster of (x_ndc, y_ndc, z_ndc, 1): y runs down, the origin is the upper left corner.

@@ -30,7 +30,7 @@ struct StoredFrame {
 
 struct RendererChoice {
     std::variant<BuiltIn, Program, StoredFrame> who;
-    std::string precision_word;             ///< as typed after --precision; empty: its own promise
+    std::string precision_word;            ///< as typed after --precision; empty: its own promise
     std::chrono::seconds time_limit{600};  ///< for one picture, of those that run as programs
 };
 
