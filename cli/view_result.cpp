@@ -51,6 +51,8 @@ ViewResult to_view_result(const Docket& docket, const Verdict& verdict) {
     result.counts = verdict.counts;
     result.candidate_depth = verdict.candidate_depth;
     result.reference_depth = verdict.reference_depth;
+    result.candidate_edges = verdict.candidate_edges;
+    result.reference_edges = verdict.reference_edges;
     result.reference_defects = verdict.reference_defects;
     result.adjudicated = verdict.adjudicated;
     result.exact = verdict.exact;

@@ -46,7 +46,8 @@ struct ViewResult {
     std::uint64_t triangles = 0;
     std::string candidate, reference;  ///< renderer names
     ClassCounts counts{};
-    DepthRecord candidate_depth, reference_depth;
+    BoundRecord candidate_depth, reference_depth;
+    BoundRecord candidate_edges, reference_edges;  ///< displacement over eps
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
     std::optional<Diagnosis> diagnosis;  ///< of the defects; nothing where there are none
     std::vector<ReportedFinding> worst;  ///< defects first, then by error/bound; at most 200
@@ -66,7 +67,7 @@ double seconds(const StageTimes& times);
 
 /// A whole run.
 struct Results {
-    static constexpr const char* schema_version = "1.1";
+    static constexpr const char* schema_version = "1.2";
     std::string version;  ///< zproof's
     std::string command;  ///< as typed
     std::string compiler, embree;
