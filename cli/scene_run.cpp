@@ -164,7 +164,7 @@ SceneReport run_scene(const SceneSource& source, const Desk& desk) {
         report.ending = run_views(source, desk, report.views);
         if (report.ending == Ending::interrupted)
             report.views.push_back(left_by_interrupt(source));
-        else if (desk.resolution == default_resolution)
+        else if (desk.resolution == default_resolution && are_the_usual(desk.parties))
             hold_to_expectations(source, report.views);
     } catch (const SceneError& e) {
         report.views.push_back(unjudged(source, Outcome::unreadable, e.what()));

@@ -71,6 +71,8 @@ ViewResult to_view_result(const Docket& docket, const Verdict& verdict) {
     result.counts = verdict.counts;
     result.candidate_depth = verdict.candidate_depth;
     result.reference_depth = verdict.reference_depth;
+    result.candidate_edges = verdict.candidate_edges;
+    result.reference_edges = verdict.reference_edges;
     result.reference_defects = verdict.reference_defects;
     result.adjudicated = verdict.adjudicated;
     result.exact = verdict.exact;
@@ -87,6 +89,7 @@ WitnessResult to_witness_result(const Docket& docket, const RendererChoice& witn
             .absent = "",
             .counts = verdict.counts,
             .depth = verdict.candidate_depth,
+            .edges = verdict.candidate_edges,
             .worst = stories(docket, witness, worst_of(std::move(defects), most_reported_of_witness))};
 }
 

@@ -47,7 +47,8 @@ std::string class_badge(PixelClass c);
 /// Glyph and word of an outcome.
 std::string outcome_badge(Outcome outcome);
 
-/// Depth error / bound as bars over a logarithmic count; the bound is the line at 1.
-std::string histogram_svg(const DepthRecord& record);
+/// Error / bound as bars over a logarithmic count; the bound is the line at 1. `what` names it for those who
+/// hear the page.
+std::string histogram_svg(std::string_view what, const BoundRecord& record);
 
 }  // namespace zproof

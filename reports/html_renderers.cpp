@@ -27,7 +27,7 @@ std::string record_row(const Results& results, const RendererRecord& r) {
     return "<tr><td><strong>" + escaped(one_line(r.name)) + "</strong><br>" + r.role + "</td>" +
            number_cell(heard(r)) + number_cell(grouped(r.pixels)) + "<td class=\"n defects" +
            (r.defects == 0 ? " zero" : "") + "\">" + grouped(r.defects) + "</td>" +
-           number_cell(rounded(r.max_error_over_bound)) +
+           number_cell(rounded(r.depth_error_over_bound)) + number_cell(rounded(r.edge_error_over_bound)) +
            number_cell(grouped(r.pixels - r.same_as_candidate)) + "<td class=\"words\">" +
            facts_of(results, r) + absent + "</td></tr>\n";
 }
@@ -73,7 +73,9 @@ std::string statement(const WitnessResult& w) {
     const std::string name = "<strong>" + escaped(w.name) + "</strong>: ";
     if (!w.absent.empty()) return "<li>" + name + escaped(one_line(w.absent)) + "</li>\n";
     std::string text = "<li>" + name + counted(defect_count(w.counts), "defect") + " (" + tally(w.counts) +
-                       "), depth error at most " + rounded(w.depth.max_error_over_bound) + " times its bound";
+                       "), depth error at most " + rounded(w.depth.max_error_over_bound) +
+                       " times its bound, edges at most " + rounded(w.edges.max_error_over_bound) +
+                       " times eps";
     for (const ReportedFinding& f : w.worst)
         text += "<br><span class=\"fine\">" + escaped(f.explanation) + "</span> <code>" + escaped(f.command) +
                 "</code>";

@@ -79,13 +79,18 @@ ClassCounts counts_by_name(const Json& json) {
     return counts;
 }
 
-DepthRecord depth_record(const Json& json) {
-    DepthRecord record{.max_error_over_bound = number(json.at("max_error_over_bound"))};
+BoundRecord bound_record(const Json& json) {
+    BoundRecord record{.max_error_over_bound = number(json.at("max_error_over_bound"))};
     const Json& bins = json.at("histogram");
     if (bins.size() != record.histogram.size())
         refuse("expected a histogram of " + std::to_string(record.histogram.size()) + " bins");
     for (std::size_t i = 0; i < record.histogram.size(); ++i) record.histogram[i] = count(bins.at(i));
     return record;
+}
+
+/// Since 1.2.
+BoundRecord edges(const Json& view, const char* whose) {
+    return view.contains(whose) ? bound_record(view.at(whose)) : BoundRecord{};
 }
 
 StageTimes stage_times(const Json& json) {
@@ -121,7 +126,8 @@ WitnessResult witness(const Json& json) {
     WitnessResult w{.name = json.at("name"), .absent = json.at("absent"), .worst = {}};
     if (!w.absent.empty()) return w;
     w.counts = counts_by_name(json.at("counts"));
-    w.depth = depth_record(json.at("depth"));
+    w.depth = bound_record(json.at("depth"));
+    w.edges = bound_record(json.at("edges"));
     for (const Json& finding : json.at("worst")) w.worst.push_back(reported(finding));
     return w;
 }
@@ -146,8 +152,10 @@ ViewResult view(const Json& json) {
                  .candidate = json.at("candidate"),
                  .reference = json.at("reference"),
                  .counts = counts_by_name(json.at("counts")),
-                 .candidate_depth = depth_record(json.at("candidate_depth")),
-                 .reference_depth = depth_record(json.at("reference_depth")),
+                 .candidate_depth = bound_record(json.at("candidate_depth")),
+                 .reference_depth = bound_record(json.at("reference_depth")),
+                 .candidate_edges = edges(json, "candidate_edges"),
+                 .reference_edges = edges(json, "reference_edges"),
                  .reference_defects = count(json.at("reference_defects")),
                  .adjudicated = count(json.at("adjudicated")),
                  .exact = count(json.at("exact")),

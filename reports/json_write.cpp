@@ -62,7 +62,7 @@ Json counts_by_name(const ClassCounts& counts) {
     return object;
 }
 
-Json depth_record(const DepthRecord& record) {
+Json bound_record(const BoundRecord& record) {
     return {{"max_error_over_bound", number(record.max_error_over_bound)}, {"histogram", record.histogram}};
 }
 
@@ -95,7 +95,8 @@ Json witness(const WitnessResult& w) {
     if (!w.absent.empty()) return object;
     object.update({{"defects", defect_count(w.counts)},
                    {"counts", counts_by_name(w.counts)},
-                   {"depth", depth_record(w.depth)},
+                   {"depth", bound_record(w.depth)},
+                   {"edges", bound_record(w.edges)},
                    {"worst", reported(w.worst)}});
     return object;
 }
@@ -120,8 +121,10 @@ Json view_object(const ViewResult& v) {
             {"reference", v.reference},
             {"defects", defect_count(v)},
             {"counts", counts_by_name(v.counts)},
-            {"candidate_depth", depth_record(v.candidate_depth)},
-            {"reference_depth", depth_record(v.reference_depth)},
+            {"candidate_depth", bound_record(v.candidate_depth)},
+            {"reference_depth", bound_record(v.reference_depth)},
+            {"candidate_edges", bound_record(v.candidate_edges)},
+            {"reference_edges", bound_record(v.reference_edges)},
             {"reference_defects", v.reference_defects},
             {"adjudicated", v.adjudicated},
             {"exact", v.exact},

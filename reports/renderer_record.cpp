@@ -29,7 +29,7 @@ class Records {
 /// What one view adds to a renderer's record.
 struct Share {
     std::uint64_t defects;
-    double error_over_bound;
+    double depth_error_over_bound, edge_error_over_bound;
     std::uint64_t same_as_candidate;
 };
 
@@ -37,7 +37,8 @@ void add(RendererRecord& record, const ViewResult& v, const Share& share) {
     ++record.views;
     record.pixels += pixels_of(v);
     record.defects += share.defects;
-    record.max_error_over_bound = std::max(record.max_error_over_bound, share.error_over_bound);
+    record.depth_error_over_bound = std::max(record.depth_error_over_bound, share.depth_error_over_bound);
+    record.edge_error_over_bound = std::max(record.edge_error_over_bound, share.edge_error_over_bound);
     record.same_as_candidate += share.same_as_candidate;
 }
 
@@ -53,7 +54,9 @@ void add_witnesses(Records& records, const ViewResult& v) {
         if (!w.absent.empty())
             add_unheard(record, w.absent);
         else
-            add(record, v, {defect_count(w.counts), w.depth.max_error_over_bound, v.accord.same[0][place++]});
+            add(record, v,
+                {defect_count(w.counts), w.depth.max_error_over_bound, w.edges.max_error_over_bound,
+                 v.accord.same[0][place++]});
     }
 }
 
@@ -64,9 +67,11 @@ std::vector<RendererRecord> renderer_records(const Results& results) {
     for (const ViewResult& v : results.views) {
         if (!has_accord(v)) continue;
         add(records.of(v.candidate, "candidate"), v,
-            {defect_count(v), v.candidate_depth.max_error_over_bound, pixels_of(v)});
+            {defect_count(v), v.candidate_depth.max_error_over_bound, v.candidate_edges.max_error_over_bound,
+             pixels_of(v)});
         add(records.of(v.reference, "reference"), v,
-            {v.reference_defects, v.reference_depth.max_error_over_bound, v.accord.same[0][1]});
+            {v.reference_defects, v.reference_depth.max_error_over_bound,
+             v.reference_edges.max_error_over_bound, v.accord.same[0][1]});
         add_witnesses(records, v);
     }
     return records.take();

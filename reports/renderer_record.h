@@ -13,7 +13,7 @@ struct RendererRecord {
     std::string name;
     std::string role;  ///< "candidate", "reference" or "witness"
     std::uint64_t views = 0, pixels = 0, defects = 0;
-    double max_error_over_bound = 0;      ///< of depth
+    double depth_error_over_bound = 0, edge_error_over_bound = 0;  ///< the largest
     std::uint64_t same_as_candidate = 0;  ///< pixels at which it names the candidate's triangle
     std::uint64_t unheard = 0;            ///< views about which it was not heard
     std::string absent;                   ///< why, the first time

@@ -47,7 +47,7 @@ struct WitnessResult {
     std::string name;
     std::string absent;  ///< why it was not heard; empty: it was
     ClassCounts counts{};
-    DepthRecord depth{};
+    BoundRecord depth{}, edges{};          ///< depth error / bound; displacement / eps
     std::vector<ReportedFinding> worst{};  ///< its defects, at most 20
 };
 
@@ -63,7 +63,8 @@ struct ViewResult {
     std::uint64_t triangles = 0;
     std::string candidate, reference;  ///< renderer names
     ClassCounts counts{};
-    DepthRecord candidate_depth, reference_depth;
+    BoundRecord candidate_depth, reference_depth;
+    BoundRecord candidate_edges, reference_edges;  ///< displacement over eps
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
     std::optional<Diagnosis> diagnosis;  ///< of the defects; nothing where there are none
     std::vector<WitnessResult> witnesses;

@@ -190,7 +190,7 @@ std::string witness_lines(const Results& results) {
         text += one_line(r.name) + ": ";
         if (r.views > 0)
             text += counted(r.views, "view") + ", " + counted(r.defects, "defect") + ", err/bound " +
-                    rounded(r.max_error_over_bound) + (r.unheard > 0 ? "; " : "");
+                    rounded(r.depth_error_over_bound) + (r.unheard > 0 ? "; " : "");
         if (r.unheard > 0)
             text += "not heard about " + counted(r.unheard, "view") + ": " + one_line(r.absent);
         text += "\n";

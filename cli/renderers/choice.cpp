@@ -35,6 +35,14 @@ RendererChoice renderer_from_word(const std::string& word) {
                      ", or a command that writes its frame to {out} (docs/renderer-contract.md)"};
 }
 
+bool are_the_usual(const Parties& parties) {
+    const Parties usual{.witnesses = {}};
+    const auto same = [](const RendererChoice& a, const RendererChoice& b) {
+        return name_of(a) == name_of(b) && a.precision_word == b.precision_word;
+    };
+    return same(parties.candidate, usual.candidate) && same(parties.reference, usual.reference);
+}
+
 std::string name_of(const RendererChoice& choice) {
     if (const auto* built_in = std::get_if<BuiltIn>(&choice.who)) return built_in->name;
     if (const auto* program = std::get_if<Program>(&choice.who)) return program->command;

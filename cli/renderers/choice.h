@@ -57,6 +57,10 @@ struct Parties {
 /// A word after --renderer: a name that zproof knows, or a command with {out} in it. Throws UsageError.
 RendererChoice renderer_from_word(const std::string& word);
 
+/// zproof's own rasterizer against Embree, both as they declare themselves? Only of these does the suite's
+/// manifest know which classes must occur.
+bool are_the_usual(const Parties& parties);
+
 /// The same in words: "povray", the command, the file.
 std::string name_of(const RendererChoice& choice);
 

@@ -44,6 +44,10 @@ ViewResult meadow() {
     v.counts[std::size_t(PixelClass::edge)] = 7;
     v.candidate_depth.max_error_over_bound = 0.93;
     v.candidate_depth.histogram[0] = 1'234'567;
+    v.candidate_edges.max_error_over_bound = 0.875;
+    v.candidate_edges.histogram[17] = 1;
+    v.reference_edges.max_error_over_bound = 0.25;
+    v.reference_edges.histogram[5] = 2;
     v.folder = "scenes/meadow-dawn";
     v.times = {.load = 0.25, .render = 0.125, .reference_build = 0.5, .reference = 1, .judge = 2, .write = 4};
     return v;
