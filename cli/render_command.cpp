@@ -7,6 +7,7 @@
 #include "cli/threads.h"
 #include "frame/exr.h"
 #include "frame/png.h"
+#include "rasterizer/shading.h"
 #include "reports/output_folder.h"
 #include "reports/pictures.h"
 
@@ -19,6 +20,11 @@ void write_frame(const std::filesystem::path& stem, const Frame& frame) {
     write_png(stem.string() + "-depth.png", picture_of_depths(frame.camera_depth));
 }
 
+void write_colours(const std::filesystem::path& stem, const Picture& picture) {
+    write_exr(stem.string() + "-colour.exr", picture);
+    write_png(stem.string() + "-colour.png", picture_of_light(picture));
+}
+
 }  // namespace
 
 ExitCode execute(const RenderArguments& arguments) {
@@ -26,8 +32,12 @@ ExitCode execute(const RenderArguments& arguments) {
     OutputFolder out{arguments.out};
     on_threads(arguments.settings.threads, [&] {
         const Renderer renderer = open(arguments.renderer, loaded.scene);
-        for (const View& view : loaded.views)
-            write_frame(out.working() / safe_name(view.name), renderer.render(view));
+        for (const View& view : loaded.views) {
+            const std::filesystem::path stem = out.working() / safe_name(view.name);
+            const Frame frame = renderer.render(view);
+            write_frame(stem, frame);
+            write_colours(stem, rasterizer::shade(loaded.scene, view, frame, Light{}));
+        }
     });
     out.publish();
     for (const View& view : loaded.views)

@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(rooms math frame scenes rasterizer oracle compare)
+set(rooms math frame scenes texture rasterizer oracle compare)
 set(zproof_targets zproof_strict)
 foreach(room IN LISTS rooms)
     list(APPEND zproof_targets zproof_${room})
