@@ -66,6 +66,9 @@ void add_report(CLI::App& app, ReportArguments& report) {
     app.add_option("-o,--out", report.out, "folder for the reports")->capture_default_str();
     add_choice(app, "--color", report.colour, colour_wishes);
     add_choice(app, "--progress", report.progress, progress_styles);
+    app.add_flag_callback(
+        "--pictures", [&report] { report.pictures = PictureWish::shaded; },
+        "shaded colour pictures, beside those of witnesses that can paint");
     auto* quiet = app.add_flag_callback(
         "-q,--quiet",
         [&report] {

@@ -48,12 +48,18 @@ struct RenderSettings {
     int threads = available_threads();
 };
 
+enum class PictureWish {
+    none,
+    shaded,  ///< colour pictures of every view, also from witnesses that can paint
+};
+
 /// Where the reports go and what the terminal shows.
 struct ReportArguments {
     std::filesystem::path out = "zproof-out";
     ColourWish colour = ColourWish::automatic;
     ProgressStyle progress = ProgressStyle::automatic;
     Detail detail = Detail::table;
+    PictureWish pictures = PictureWish::none;
     std::string typed;  ///< the command line, quoted for a shell
 };
 

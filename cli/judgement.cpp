@@ -104,7 +104,8 @@ ExitCode judge_and_report(const Assignment& assignment) {
     Ending ending = Ending::complete;
     {
         Progress progress{std::cerr, resolve(report.progress), sources.size()};
-        const Desk desk{settings.resolution, out.working(), names, progress, parties, only_view};
+        const Desk desk{settings.resolution, out.working(), names, progress, parties,
+                        report.pictures,     only_view};
         on_threads(settings.threads, [&] { ending = judge_all(sources, desk, results.views); });
     }
     const ExitCode code = exit_code_of(results, ending);

@@ -4,6 +4,7 @@
 
 #include "cli/expectations.h"
 #include "cli/interrupt.h"
+#include "cli/shaded_pictures.h"
 #include "cli/stopwatch.h"
 #include "cli/usage_error.h"
 #include "cli/view_result.h"
@@ -29,8 +30,14 @@ struct Trial {
     const Desk& desk;
 };
 
+/// What the candidate answered, and what it was judged to be.
+struct JudgedFrame {
+    const Frame& frame;
+    const Plane<PixelClass>& classes;
+};
+
 /// Asks the witnesses, and counts where everybody names the same triangle.
-void hear_witnesses(const Trial& trial, const Frame& candidate, const Testimony& reference,
+void hear_witnesses(const Trial& trial, const JudgedFrame& candidate, const Testimony& reference,
                     ViewResult& result) {
     std::vector<Statement> statements;
     for (const SummonedWitness& witness : trial.court.witnesses) {
@@ -38,12 +45,15 @@ void hear_witnesses(const Trial& trial, const Frame& candidate, const Testimony&
                                         trial.docket.view.name);
         statements.push_back(hear(witness, trial.docket, reference));
     }
-    std::vector<const Frame*> frames{&candidate, &reference.frame};
+    const std::filesystem::path folder = trial.desk.run_folder / result.folder;
+    if (trial.desk.pictures == PictureWish::shaded)
+        paint({trial.docket, candidate.frame, candidate.classes, folder}, trial.court.witnesses, statements);
+    std::vector<const Frame*> frames{&candidate.frame, &reference.frame};
     for (const Statement& statement : statements) {
         result.witnesses.push_back(statement.result);
         if (!statement.frame) continue;
         frames.push_back(statement.frame.get());
-        write_witness_frame(trial.desk.run_folder / result.folder, statement.result.name, *statement.frame);
+        write_witness_frame(folder, statement.result.name, *statement.frame);
     }
     result.accord = accord_of(frames);
     const std::string missing = missing_witness(trial.court.witnesses, result.witnesses);
@@ -79,7 +89,7 @@ std::optional<ViewResult> run_view(const Trial& trial) {
     write_view_evidence(desk.run_folder / result.folder, candidate, reference, verdict);
     times.write = watch.lap();
 
-    hear_witnesses(trial, candidate, theirs, result);
+    hear_witnesses(trial, {candidate, verdict.classes}, theirs, result);
     times.witnesses = watch.lap();
     result.times = times;
     return result;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/arguments.h"
 #include "cli/folder_names.h"
 #include "cli/outcome_code.h"
 #include "cli/progress.h"
@@ -21,6 +22,7 @@ struct Desk {
     FolderNames& names;
     Progress& progress;
     const Parties& parties;
+    PictureWish pictures;
     std::string only_view = "";  ///< empty: all views
 };
 

@@ -24,7 +24,9 @@ SummonedWitness summon(const WitnessChoice& choice, const Scene& scene) {
 }
 
 Statement silent(const SummonedWitness& witness, const std::string& why) {
-    return {.result = {.name = name_of(witness.choice.renderer), .absent = why, .worst = {}}, .frame = {}};
+    return {.result = {.name = name_of(witness.choice.renderer), .absent = why, .worst = {}},
+            .frame = {},
+            .classes = {}};
 }
 
 }  // namespace
@@ -41,7 +43,8 @@ Statement hear(const SummonedWitness& witness, const Docket& docket, const Testi
         auto frame = std::make_unique<const Frame>(witness.renderer.render(docket.view));
         const Verdict verdict =
             judge(docket.scene, docket.view, {*frame, witness.renderer.precision}, reference);
-        return {to_witness_result(docket, witness.choice.renderer, verdict), std::move(frame)};
+        return {to_witness_result(docket, witness.choice.renderer, verdict), std::move(frame),
+                verdict.classes};
     } catch (const OracleError& e) {
         return silent(witness, e.what());
     }

@@ -19,10 +19,11 @@ struct SummonedWitness {
 
 std::vector<SummonedWitness> summon(const std::vector<WitnessChoice>& choices, const Scene& scene);
 
-/// What a witness said, and its frame; none where it was not heard.
+/// What a witness said, with its frame and what it was judged to be; none where it was not heard.
 struct Statement {
     WitnessResult result;
     std::unique_ptr<const Frame> frame;
+    Plane<PixelClass> classes;  ///< of its frame
 };
 
 /// Asks for the view and judges the answer against the reference. A refusal is the statement's `absent`.

@@ -69,6 +69,16 @@ std::string tally(const ClassCounts& counts) {
     return text.empty() ? "no difference" : text;
 }
 
+/// Class by class, how far two pictures lie apart.
+std::string picture_words(const PictureDifferences& differences) {
+    std::string text = "; colours in linear light:";
+    for (std::size_t i = 0; i < differences.size(); ++i)
+        if (const PictureDifference& d = differences[i]; d.pixels > 0)
+            text += " " + std::string(name_of(PixelClass(i))) + " RMS " + rounded(d.rms) + ", largest " +
+                    rounded(d.largest) + " (" + counted(d.pixels, "pixel") + ")";
+    return text;
+}
+
 std::string statement(const WitnessResult& w) {
     const std::string name = "<strong>" + escaped(w.name) + "</strong>: ";
     if (!w.absent.empty()) return "<li>" + name + escaped(one_line(w.absent)) + "</li>\n";
@@ -76,6 +86,8 @@ std::string statement(const WitnessResult& w) {
                        "), depth error at most " + rounded(w.depth.max_error_over_bound) +
                        " times its bound, edges at most " + rounded(w.edges.max_error_over_bound) +
                        " times eps";
+    if (w.picture) text += picture_words(*w.picture);
+    if (!w.no_picture.empty()) text += "; no picture: " + escaped(one_line(w.no_picture));
     for (const ReportedFinding& f : w.worst)
         text += "<br><span class=\"fine\">" + escaped(f.explanation) + "</span> <code>" + escaped(f.command) +
                 "</code>";

@@ -122,6 +122,16 @@ std::optional<Diagnosis> diagnosis(const Json& view) {
     return d;
 }
 
+PictureDifferences picture(const Json& json) {
+    PictureDifferences differences{};
+    for (const auto& [name, d] : json.items())
+        differences[std::size_t(class_named(name))] = {.pixels = count(d.at("pixels")),
+                                                       .rms = number(d.at("rms")),
+                                                       .mean = number(d.at("mean")),
+                                                       .largest = number(d.at("largest"))};
+    return differences;
+}
+
 WitnessResult witness(const Json& json) {
     WitnessResult w{.name = json.at("name"), .absent = json.at("absent"), .worst = {}};
     if (!w.absent.empty()) return w;
@@ -129,6 +139,8 @@ WitnessResult witness(const Json& json) {
     w.depth = bound_record(json.at("depth"));
     w.edges = bound_record(json.at("edges"));
     for (const Json& finding : json.at("worst")) w.worst.push_back(reported(finding));
+    if (json.contains("picture")) w.picture = picture(json.at("picture"));
+    if (json.contains("no_picture")) w.no_picture = json.at("no_picture");
     return w;
 }
 

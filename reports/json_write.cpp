@@ -90,6 +90,18 @@ Json diagnosis(const std::optional<Diagnosis>& d) {
             {"runners_up", runners_up}};
 }
 
+/// Classes without a pixel are left out.
+Json picture(const PictureDifferences& differences) {
+    Json object = Json::object();
+    for (std::size_t i = 0; i < differences.size(); ++i)
+        if (const PictureDifference& d = differences[i]; d.pixels > 0)
+            object[std::string(name_of(PixelClass(i)))] = {{"pixels", d.pixels},
+                                                           {"rms", number(d.rms)},
+                                                           {"mean", number(d.mean)},
+                                                           {"largest", number(d.largest)}};
+    return object;
+}
+
 Json witness(const WitnessResult& w) {
     Json object = {{"name", w.name}, {"absent", w.absent}};
     if (!w.absent.empty()) return object;
@@ -98,6 +110,8 @@ Json witness(const WitnessResult& w) {
                    {"depth", bound_record(w.depth)},
                    {"edges", bound_record(w.edges)},
                    {"worst", reported(w.worst)}});
+    if (w.picture) object["picture"] = picture(*w.picture);
+    if (!w.no_picture.empty()) object["no_picture"] = w.no_picture;
     return object;
 }
 

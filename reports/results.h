@@ -9,6 +9,7 @@
 
 #include "compare/accord.h"
 #include "compare/diagnosis.h"
+#include "compare/picture_difference.h"
 #include "compare/verdict.h"
 
 namespace zproof {
@@ -49,6 +50,9 @@ struct WitnessResult {
     ClassCounts counts{};
     BoundRecord depth{}, edges{};          ///< depth error / bound; displacement / eps
     std::vector<ReportedFinding> worst{};  ///< its defects, at most 20
+    std::optional<PictureDifferences>
+        picture{};             ///< of its colours from the candidate's, where both were painted
+    std::string no_picture{};  ///< why it could not paint; empty: it could, or was not asked
 };
 
 /// One view of one scene, judged.

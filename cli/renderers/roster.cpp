@@ -104,7 +104,7 @@ RendererFacts facts_of(const RendererChoice& choice) {
 Renderer open(const RendererChoice& choice, const Scene& scene) {
     if (const std::string absent = absence_of(choice); !absent.empty())
         throw OracleError{name_of(choice) + ": " + absent};
-    return {name_of(choice), declared_precision(choice), render_on(choice, scene)};
+    return {name_of(choice), declared_precision(choice), render_on(choice, scene), {}};
 }
 
 }  // namespace zproof

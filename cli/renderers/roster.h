@@ -7,8 +7,10 @@
 
 #include "cli/renderers/choice.h"
 #include "frame/frame.h"
+#include "frame/picture.h"
 #include "frame/precision.h"
 #include "reports/results.h"
+#include "scenes/light.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
@@ -17,8 +19,9 @@ namespace zproof {
 /// A renderer that has been handed a scene.
 struct Renderer {
     std::string name;
-    Precision precision;                       ///< what it is judged by
-    std::function<Frame(const View&)> render;  ///< OracleError or FrameError where it cannot
+    Precision precision;                                      ///< what it is judged by
+    std::function<Frame(const View&)> render;                 ///< OracleError or FrameError where it cannot
+    std::function<Picture(const View&, const Light&)> paint;  ///< empty: has no colours of its own
 };
 
 /// The names that zproof knows, its own rasterizer first.

@@ -77,6 +77,9 @@ ViewResult room() {
     v.witnesses[0].worst[0].explanation = "The <witness> is wrong.";
     v.witnesses[0].worst[0].command = "zproof explain room 812 344 --renderer povray";
     v.witnesses[0].counts[std::size_t(PixelClass::hole)] = 5;
+    v.witnesses[0].picture.emplace();
+    v.witnesses[0].picture->at(0) = {.pixels = 7, .rms = 0.5, .mean = 0.25, .largest = 1};
+    v.witnesses[0].no_picture = "no <canvas>";
     v.witnesses[0].depth.max_error_over_bound = 0.125;
     v.accord = {.same = {{9, 8, 7}, {8, 9, 6}, {7, 6, 9}}, .unanimous = 5};
     v.folder = "scenes/room-corner";
