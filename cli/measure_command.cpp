@@ -1,10 +1,11 @@
-#include <algorithm>
 #include <iostream>
+#include <map>
 
 #include "cli/commands.h"
 #include "cli/threads.h"
 #include "cli/usage_error.h"
 #include "measure/measure.h"
+#include "oracle/opengl.h"
 #include "rasterizer/rasterizer.h"
 #include "reports/measurement_report.h"
 
@@ -13,16 +14,31 @@ namespace {
 
 using measure::Renderer;
 
-/// Every renderer that can be measured. A new one is a line here: a name, a function and a promise.
-std::vector<Renderer> renderers() {
-    return {{.name = "zproof", .render = rasterizer::render, .declared = rasterizer::precision()}};
+/// A scene is handed to the driver anew for every probe, so that scenes need not be told apart.
+Renderer opengl_renderer() {
+    const auto render = [](const Scene& scene, const View& view) {
+        return oracle::OpenGl(scene).render(view);
+    };
+    return {.name = "opengl", .render = render, .declared = oracle::opengl_precision()};
+}
+
+/// Every renderer that can be measured, by name. A new one is a line here.
+const std::map<std::string, Renderer (*)()>& renderers() {
+    static const std::map<std::string, Renderer (*)()> all{
+        {"zproof",
+         [] {
+             return Renderer{
+                 .name = "zproof", .render = rasterizer::render, .declared = rasterizer::precision()};
+         }},
+        {"opengl", opengl_renderer}};
+    return all;
 }
 
 Renderer renderer_called(const std::string& name) {
     std::string known;
-    for (Renderer& renderer : renderers()) {
-        if (renderer.name == name) return std::move(renderer);
-        known += (known.empty() ? "'" : ", '") + renderer.name + "'";
+    for (const auto& [known_name, made] : renderers()) {
+        if (known_name == name) return made();
+        known += (known.empty() ? "'" : ", '") + known_name + "'";
     }
     throw UsageError{"measure: no renderer '" + name + "'; there is " + known +
                      " (see: zproof measure --help)"};
