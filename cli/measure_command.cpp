@@ -1,5 +1,5 @@
+#include <array>
 #include <iostream>
-#include <map>
 
 #include "cli/commands.h"
 #include "cli/threads.h"
@@ -14,31 +14,30 @@ namespace {
 
 using measure::Renderer;
 
-/// A scene is handed to the driver anew for every probe, so that scenes need not be told apart.
-Renderer opengl_renderer() {
-    const auto render = [](const Scene& scene, const View& view) {
-        return oracle::OpenGl(scene).render(view);
-    };
-    return {.name = "opengl", .render = render, .declared = oracle::opengl_precision()};
+Renderer zproof_renderer() {
+    return {.name = "zproof", .render = rasterizer::render, .declared = rasterizer::precision()};
 }
 
-/// Every renderer that can be measured, by name. A new one is a line here.
-const std::map<std::string, Renderer (*)()>& renderers() {
-    static const std::map<std::string, Renderer (*)()> all{
-        {"zproof",
-         [] {
-             return Renderer{
-                 .name = "zproof", .render = rasterizer::render, .declared = rasterizer::precision()};
-         }},
-        {"opengl", opengl_renderer}};
-    return all;
+Renderer opengl_renderer() {
+    const oracle::OpenGlDriver driver;
+    const auto render = [driver](const Scene& scene, const View& view) { return driver.render(scene, view); };
+    return {.name = "opengl", .render = render, .declared = driver.precision()};
 }
+
+/// A renderer is opened only where it is asked for: its driver may be missing.
+struct Known {
+    const char* name;
+    Renderer (*open)();
+};
+
+/// Every renderer that can be measured. A new one is a line here: a name, a function and a promise.
+constexpr std::array<Known, 2> renderers{Known{"zproof", zproof_renderer}, Known{"opengl", opengl_renderer}};
 
 Renderer renderer_called(const std::string& name) {
     std::string known;
-    for (const auto& [known_name, made] : renderers()) {
-        if (known_name == name) return made();
-        known += (known.empty() ? "'" : ", '") + known_name + "'";
+    for (const Known& renderer : renderers) {
+        if (renderer.name == name) return renderer.open();
+        known += (known.empty() ? "'" : ", '") + std::string(renderer.name) + "'";
     }
     throw UsageError{"measure: no renderer '" + name + "'; there is " + known +
                      " (see: zproof measure --help)"};

@@ -18,13 +18,32 @@
 
 namespace zproof::oracle {
 
-/// A scene in the driver's memory, copied there. One view is drawn at a time; render may be called from any
-/// thread. The driver keeps threads of its own, as many as it likes.
+/// A driver at work, for scenes that are drawn once. Copies share it; one view is drawn at a time, and any
+/// thread may ask. The driver keeps threads of its own, as many as it likes.
+class OpenGlDriver {
+  public:
+    /// Throws OracleError where opengl_is_missing gives a reason.
+    OpenGlDriver();
+
+    /// As OpenGl::render.
+    Frame render(const Scene& scene, const View& view) const;
+    /// What OpenGL promises (docs/bounds.md), with the sub-pixel bits that the driver gives for
+    /// GL_SUBPIXEL_BITS.
+    Precision precision() const;
+    /// The driver's vendor, renderer and version strings in one line, for the report.
+    std::string version() const;
+
+  private:
+    friend class OpenGl;
+    struct State;
+    std::shared_ptr<const State> state_;
+};
+
+/// A scene in the driver's memory, copied there. Threads as with the driver.
 class OpenGl {
   public:
-    /// Throws OracleError where opengl_is_missing gives a reason, or in the driver's words where it refuses
-    /// the scene.
-    explicit OpenGl(const Scene& scene);
+    /// Throws OracleError where there is no driver, or in the driver's words where it refuses the scene.
+    explicit OpenGl(const Scene& scene, const OpenGlDriver& driver = {});
     ~OpenGl();
     OpenGl(OpenGl&&) noexcept;
     OpenGl& operator=(OpenGl&&) noexcept;
@@ -34,19 +53,15 @@ class OpenGl {
     Frame render(const View& view) const;
 
   private:
-    struct Device;
-    std::unique_ptr<Device> device_;
+    struct Model;
+    std::unique_ptr<Model> model_;
 };
 
 /// Why there is no OpenGL, in one line ("OpenGL: not built in", or what EGL said); nothing where there is.
 std::optional<std::string> opengl_is_missing();
 
-/// What OpenGL promises (docs/bounds.md), with the sub-pixel bits that the driver gives for GL_SUBPIXEL_BITS.
-/// Throws OracleError where opengl_is_missing gives a reason.
+/// Of a driver opened for the question. Throw OracleError where opengl_is_missing gives a reason.
 Precision opengl_precision();
-
-/// The driver's vendor, renderer and version strings in one line, for the report. Throws OracleError
-/// likewise.
 std::string opengl_version();
 
 }  // namespace zproof::oracle

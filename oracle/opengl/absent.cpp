@@ -10,9 +10,16 @@ constexpr const char* not_built_in =
 
 }  // namespace
 
-struct OpenGl::Device {};
+struct OpenGlDriver::State {};
+struct OpenGl::Model {};
 
-OpenGl::OpenGl(const Scene&) { throw OracleError(not_built_in); }
+OpenGlDriver::OpenGlDriver() { throw OracleError(not_built_in); }
+
+Frame OpenGlDriver::render(const Scene&, const View&) const { throw OracleError(not_built_in); }
+Precision OpenGlDriver::precision() const { throw OracleError(not_built_in); }
+std::string OpenGlDriver::version() const { throw OracleError(not_built_in); }
+
+OpenGl::OpenGl(const Scene&, const OpenGlDriver&) { throw OracleError(not_built_in); }
 OpenGl::~OpenGl() = default;
 OpenGl::OpenGl(OpenGl&&) noexcept = default;
 OpenGl& OpenGl::operator=(OpenGl&&) noexcept = default;

@@ -42,56 +42,43 @@ Frame to_frame(const Pixels& pixels, const Camera& camera) {
 
 }  // namespace
 
-struct OpenGl::Device {
-    /// Lives while the context is current.
-    struct Objects {
-        explicit Objects(const Scene& scene) : program(opengl::id_program()), mesh(scene) {}
-        opengl::Program program;
-        opengl::Mesh mesh;
-    };
-
-    explicit Device(const Scene& scene) {
+struct OpenGlDriver::State {
+    State() {
         const Context::Current current(context);
-        objects.emplace(scene);
+        program.emplace(opengl::id_program());
     }
-    ~Device() {
+    ~State() {
         const Context::Current current(context);
-        objects.reset();
+        program.reset();
     }
 
-    Pixels draw(const View& view) const {
-        const Context::Current current(context);
+    /// The context must be current.
+    Pixels draw(const opengl::Mesh& mesh, const View& view) const {
         const opengl::Target target({view.width, view.height});
         target.start();
-        opengl::draw(objects->program, objects->mesh, opengl::clip_rows(view.camera));
+        opengl::draw(*program, mesh, opengl::clip_rows(view.camera));
         Pixels pixels{target.ids(), target.depths()};
         opengl::raise_gl_error("reads the view '" + view.name + "' back");
         return pixels;
     }
 
     Context context;
-    std::optional<Objects> objects;
+    std::optional<opengl::Program> program;  ///< lives and dies while the context is current
 };
 
-OpenGl::OpenGl(const Scene& scene) : device_(std::make_unique<Device>(scene)) {}
-OpenGl::~OpenGl() = default;
-OpenGl::OpenGl(OpenGl&&) noexcept = default;
-OpenGl& OpenGl::operator=(OpenGl&&) noexcept = default;
+OpenGlDriver::OpenGlDriver() : state_(std::make_shared<State>()) {}
 
-Frame OpenGl::render(const View& view) const { return to_frame(device_->draw(view), view.camera); }
-
-std::optional<std::string> opengl_is_missing() {
-    try {
-        const Context context;
-        return std::nullopt;
-    } catch (const OracleError& e) {
-        return e.what();
-    }
+/// Threads join in only when the context is free again.
+Frame OpenGlDriver::render(const Scene& scene, const View& view) const {
+    const auto draw = [&] {
+        const Context::Current current(state_->context);
+        return state_->draw(opengl::Mesh(scene), view);
+    };
+    return to_frame(draw(), view.camera);
 }
 
-Precision opengl_precision() {
-    const Context context;
-    const Context::Current current(context);
+Precision OpenGlDriver::precision() const {
+    const Context::Current current(state_->context);
     GLint bits = 0;
     glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
     return RasterPrecision{.origin = Origin::eye,
@@ -101,10 +88,48 @@ Precision opengl_precision() {
                            .depth_roundings = 1};
 }
 
-std::string opengl_version() {
-    const Context context;
-    const Context::Current current(context);
+std::string OpenGlDriver::version() const {
+    const Context::Current current(state_->context);
     return words_of(GL_VENDOR) + ", " + words_of(GL_RENDERER) + ", OpenGL " + words_of(GL_VERSION);
 }
+
+struct OpenGl::Model {
+    Model(const Scene& scene, const OpenGlDriver& of) : driver(of) {
+        const Context::Current current(driver.state_->context);
+        mesh.emplace(scene);
+    }
+    ~Model() {
+        const Context::Current current(driver.state_->context);
+        mesh.reset();
+    }
+    Pixels draw(const View& view) const {
+        const Context::Current current(driver.state_->context);
+        return driver.state_->draw(*mesh, view);
+    }
+
+    OpenGlDriver driver;
+    std::optional<opengl::Mesh> mesh;
+};
+
+OpenGl::OpenGl(const Scene& scene, const OpenGlDriver& driver)
+    : model_(std::make_unique<Model>(scene, driver)) {}
+OpenGl::~OpenGl() = default;
+OpenGl::OpenGl(OpenGl&&) noexcept = default;
+OpenGl& OpenGl::operator=(OpenGl&&) noexcept = default;
+
+Frame OpenGl::render(const View& view) const { return to_frame(model_->draw(view), view.camera); }
+
+std::optional<std::string> opengl_is_missing() {
+    try {
+        const OpenGlDriver driver;
+        return std::nullopt;
+    } catch (const OracleError& e) {
+        return e.what();
+    }
+}
+
+Precision opengl_precision() { return OpenGlDriver().precision(); }
+
+std::string opengl_version() { return OpenGlDriver().version(); }
 
 }  // namespace zproof::oracle

@@ -54,6 +54,7 @@ const std::vector<Case> cases{
     {"Proven", {"run", "one.gltf"}, 0, "proven"},
     {"Measure", {"measure", "zproof"}, 0, "zproof: as declared"},
     {"MeasureForPrograms", {"measure", "zproof", "--json"}, 0, "\"subpixel_bits_x\""},
+    {"MeasureOpenGl", {"measure", "opengl"}, 0, "opengl: as declared"},
     {"HelpOfMeasure", {"measure", "--help"}, 0, "zproof measure zproof"},
     {"PointsAmongTriangles", {"run", "mixed"}, 0, "no triangles"},
     {"NoCommand", {}, 2, "--help"},
