@@ -8,6 +8,7 @@ find_dependency(nlohmann_json)
 find_dependency(Boost)
 find_dependency(glm)
 find_dependency(ZLIB)
+find_package(OpenGL QUIET COMPONENTS OpenGL EGL)  # where zproof was built with it
 # Debian's OpenImageIO names OpenCV's include folder, which need not be there.
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "/usr/include"
                       INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "")

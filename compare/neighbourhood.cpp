@@ -19,13 +19,13 @@ void set_nearness_range(Neighbour& n, const std::optional<TriangleImage<double>>
     if (image) {
         const double error = size.nearness_error(std::abs(image->nearness.c) + n.gradient);
         n.is_plane_known = std::isfinite(error);
-        const double shift = n.bounds.depth_eps_px * (n.gradient + error) + error;
+        const double shift = n.bounds.depth_eps_px * (n.gradient + error) + error + n.bounds.nearness_error;
         const double low = image->nearness.c - shift, high = image->nearness.c + shift;
         least = keeps_to_corners ? std::clamp(low, least, greatest) : low;
         greatest = keeps_to_corners ? std::clamp(high, least, greatest) : high;
     }
     const double r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
-    if (!std::isfinite(r) || !std::isfinite(a) || (!n.is_plane_known && !keeps_to_corners)) {
+    if (!std::isfinite(r + a + n.bounds.nearness_error) || (!n.is_plane_known && !keeps_to_corners)) {
         n.least_nearness = -unlimited;
         n.greatest_nearness = unlimited;
     } else if (perspective) {

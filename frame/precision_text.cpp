@@ -20,6 +20,11 @@ template <class T>
 using Words = std::array<std::pair<std::string_view, T>, 2>;
 
 constexpr Words<Arithmetic> arithmetics{{{"float32", Arithmetic::float32}, {"float64", Arithmetic::float64}}};
+constexpr Words<Origin> origins{{{"world", Origin::world}, {"eye", Origin::eye}}};
+constexpr Words<Clipping> clippings{
+    {{"guard_band", Clipping::guard_band}, {"view_volume", Clipping::view_volume}}};
+constexpr Words<DepthBuffer> depth_buffers{
+    {{"camera_depth", DepthBuffer::camera_depth}, {"reversed_z", DepthBuffer::reversed_z}}};
 constexpr Words<Snap> snaps{{{"nearest", Snap::nearest}, {"truncate", Snap::truncate}}};
 
 template <class T>
@@ -79,11 +84,15 @@ class Declaration {
 RasterPrecision raster(Declaration& declaration) {
     RasterPrecision p;
     declaration.take("transform", arithmetics, p.transform);
+    declaration.take("origin", origins, p.origin);
     declaration.take("subpixel_bits", 0, 16, p.subpixel_bits);
     declaration.take("snap", snaps, p.snap);
+    declaration.take("clipping", clippings, p.clipping);
+    declaration.take("depth_buffer", depth_buffers, p.depth_buffer);
     declaration.take("interpolation", arithmetics, p.interpolation);
     declaration.take("depth_roundings", 0, 1000, p.depth_roundings);
-    declaration.refuse_what_is_left("transform, subpixel_bits, snap, interpolation, depth_roundings");
+    declaration.refuse_what_is_left(
+        "transform, origin, subpixel_bits, snap, clipping, depth_buffer, interpolation, depth_roundings");
     return p;
 }
 
@@ -97,8 +106,11 @@ RayPrecision ray(Declaration& declaration) {
 Json object_of(const RasterPrecision& p) {
     return {{"kind", "raster"},
             {"transform", word_for(arithmetics, p.transform)},
+            {"origin", word_for(origins, p.origin)},
             {"subpixel_bits", p.subpixel_bits},
             {"snap", word_for(snaps, p.snap)},
+            {"clipping", word_for(clippings, p.clipping)},
+            {"depth_buffer", word_for(depth_buffers, p.depth_buffer)},
             {"interpolation", word_for(arithmetics, p.interpolation)},
             {"depth_roundings", p.depth_roundings}};
 }

@@ -10,6 +10,7 @@
 #include "frame/precision_text.h"
 #include "oracle/embree.h"
 #include "oracle/external.h"
+#include "oracle/opengl.h"
 #include "oracle/oracle_error.h"
 #include "rasterizer/rasterizer.h"
 
@@ -40,9 +41,27 @@ Render embree_on(const Scene& scene, std::chrono::seconds) {
     return [embree](const View& view) { return embree->trace(view); };
 }
 
+std::string opengl_absence() { return oracle::opengl_is_missing().value_or(""); }
+
+/// Opened when first asked for, and once: a driver takes longer to start than a picture to draw.
+const oracle::OpenGlDriver& opengl_driver() {
+    static const oracle::OpenGlDriver driver;
+    return driver;
+}
+
+std::string opengl_version() { return opengl_driver().version(); }
+
+Precision opengl_precision() { return opengl_driver().precision(); }
+
+Render opengl_on(const Scene& scene, std::chrono::seconds) {
+    const auto opengl = std::make_shared<const oracle::OpenGl>(scene, opengl_driver());
+    return [opengl](const View& view) { return opengl->render(view); };
+}
+
 constexpr std::array known{
     Known{"zproof", never_absent, version_number, rasterizer_precision, rasterizer_on},
     Known{"embree", never_absent, oracle::embree_version, oracle::embree_precision, embree_on},
+    Known{"opengl", opengl_absence, opengl_version, opengl_precision, opengl_on},
 };
 
 const Known& known_as(const BuiltIn& built_in) {

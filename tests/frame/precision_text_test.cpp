@@ -21,8 +21,11 @@ std::string refusal(const std::string& word) {
 
 TEST(PrecisionText, ComesBackKeyForKey) {
     const RasterPrecision unusual{.transform = Arithmetic::float64,
+                                  .origin = Origin::eye,
                                   .subpixel_bits = 4,
                                   .snap = Snap::truncate,
+                                  .clipping = Clipping::view_volume,
+                                  .depth_buffer = DepthBuffer::reversed_z,
                                   .interpolation = Arithmetic::float64,
                                   .depth_roundings = 1};
     for (const Precision& precision :
@@ -35,6 +38,9 @@ TEST(PrecisionText, ComesBackKeyForKey) {
     EXPECT_EQ(back.transform, unusual.transform);
     EXPECT_EQ(back.subpixel_bits, unusual.subpixel_bits);
     EXPECT_EQ(back.snap, unusual.snap);
+    EXPECT_EQ(back.origin, unusual.origin);
+    EXPECT_EQ(back.clipping, unusual.clipping);
+    EXPECT_EQ(back.depth_buffer, unusual.depth_buffer);
     EXPECT_EQ(back.interpolation, unusual.interpolation);
     EXPECT_EQ(back.depth_roundings, unusual.depth_roundings);
 }
