@@ -13,11 +13,18 @@ std::string heard(const RendererRecord& r) {
     return grouped(r.views) + (r.unheard > 0 ? " of " + grouped(r.views + r.unheard) : "");
 }
 
+/// JSON with a blank after every comma, so that a narrow column can break it.
+std::string breakable(const std::string& json) {
+    std::string text;
+    for (const char c : json) text += c == ',' ? std::string{", "} : std::string{c};
+    return text;
+}
+
 std::string facts_of(const Results& results, const RendererRecord& r) {
     for (const RendererFacts& facts : results.renderers)
         if (facts.name == r.name)
             return escaped(facts.version) + (facts.version.empty() ? "" : "<br>") + "<code>" +
-                   escaped(facts.precision) + "</code>";
+                   escaped(breakable(facts.precision)) + "</code>";
     return "";
 }
 
@@ -102,14 +109,12 @@ std::string html_renderers(const Results& results) {
     std::string rows;
     for (const RendererRecord& r : records) rows += record_row(results, r);
     const Unanimity all = unanimity(results);
-    return "<section>\n<h2>Renderers</h2>\n<div class=\"wide\"><table "
-           "class=\"summary\"><thead><tr><th>renderer</th>"
-           "<th class=\"n\">views</th><th class=\"n\">pixels</th><th class=\"n\">defects</th><th "
-           "class=\"n\">error / "
-           "bound,<br>depth</th><th class=\"n\">pixels unlike<br>the candidate</th><th>who it says it is, "
-           "what it "
-           "declares</th></tr></thead><tbody>\n" +
-           rows +
+    std::string heads = "<th>renderer</th>";
+    for (const std::string_view head : {"views", "pixels", "defects", "error / bound,<br>depth",
+                                        "error / bound,<br>edges", "pixels unlike<br>the candidate"})
+        heads += "<th class=\"n\">" + std::string(head) + "</th>";
+    return "<section>\n<h2>Renderers</h2>\n<div class=\"wide\"><table class=\"summary\"><thead><tr>" + heads +
+           "<th>who it says it is, what it declares</th></tr></thead><tbody>\n" + rows +
            "</tbody></table></div>\n<p class=\"fine\">Each is judged by what it declares, against the "
            "reference. All that were heard name the same triangle at " +
            grouped(all.unanimous) + " of " + grouped(all.pixels) + " pixels.</p>\n</section>\n";
