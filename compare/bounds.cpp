@@ -172,11 +172,12 @@ TriangleBounds ViewBounds::raster_bounds(const TriangleExtent& extent,
 void ViewBounds::set_reversed_z(TriangleBounds& bounds, const TriangleExtent& extent) const {
     const Camera& c = view_.camera;
     const double snap = background_eps_px_;
-    double nearest = unlimited;
-    for (const double depth : extent.depth) nearest = std::min(nearest, std::max(depth, c.near_depth));
+    const std::vector<WindowCorner> polygon = window_polygon(view_, extent);
+    double highest = 0;  // nearness; only perspectives ask for it
+    for (const WindowCorner& corner : polygon) highest = std::max(highest, corner.z / z_per_nearness(c));
     const double drift_base = bounds.eps_base_px - snap, drift_per = bounds.eps_per_nearness;
-    const CornerShift shift{.snap_px = snap, .drift_px = drift_base + drift_per / nearest};
-    const auto [z_error, spread] = plane_equation_bounds(window_polygon(view_, extent), shift, view_);
+    const CornerShift shift{.snap_px = snap, .drift_px = drift_base + drift_per * highest};
+    const auto [z_error, spread] = plane_equation_bounds(polygon, shift, view_);
     bounds.nearness_error = z_error / z_per_nearness(c);
     bounds.depth_eps_base_px = snap + spread * drift_base;
     bounds.depth_eps_per_nearness = spread * drift_per;

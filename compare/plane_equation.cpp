@@ -113,13 +113,14 @@ class PlaneEquation {
         double most, terms;
     };
     Gradient gradient(double e1, double e2, double a1, double a2, double area) const {
-        const double rises = std::abs(rise1_) + std::abs(rise2_);
-        return {(std::abs(rise1_ * e2 - rise2_ * e1) + 2 * shift_.drift_px * rises) / area,
-                (std::abs(rise1_) * a2 + std::abs(rise2_) * a1) / area};
+        const double rise1 = std::abs(rise1_) + 2 * corner(), rise2 = std::abs(rise2_) + 2 * corner();
+        const double moved = 2 * shift_.drift_px * (rise1 + rise2) + 2 * corner() * (a1 + a2);
+        return {(std::abs(rise1_ * e2 - rise2_ * e1) + moved) / area, (rise1 * a2 + rise2 * a1) / area};
     }
+    /// Of a corner's z: division and viewport.
+    double corner() const { return gamma(4, u) * z_max_; }
 
     double z_error(const View& view, const Shape& s) const {
-        const double corner = gamma(4, u) * z_max_;
         const double span = std::max({std::abs(rise1_), std::abs(rise2_), std::abs(rise1_ + rise2_)});
         const double sixfold = gamma(6, u) * (1 + s.lost);
         const Gradient dx = gradient(e1_.y, e2_.y, s.a1.y, s.a2.y, s.area);
@@ -128,7 +129,7 @@ class PlaneEquation {
         const double across = s.a1.x + s.a2.x + reach, down = s.a1.y + s.a2.y + reach;
         const double slope_x = (1 + s.lost) * dx.most + sixfold * dx.terms;
         const double slope_y = (1 + s.lost) * dy.most + sixfold * dy.terms;
-        return s.spread * (corner + s.lost * span) + sixfold * (dx.terms * across + dy.terms * down) +
+        return s.spread * (corner() + s.lost * span) + sixfold * (dx.terms * across + dy.terms * down) +
                gamma(8, u) * (z_max_ + slope_x * (x_max_ + view.width) + slope_y * (y_max_ + view.height)) +
                underflow;
     }
@@ -162,12 +163,17 @@ PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon,
                                           const View& view) {
     if (polygon.size() < 3) return unknown;
     PlaneEquationBounds worst;
+    const auto consider = [&](const WindowCorner& p0, const WindowCorner& p1, const WindowCorner& p2) {
+        const PlaneEquationBounds one = PlaneEquation(p0, p1, p2, shift).bounds(view);
+        worst.z_error = std::max(worst.z_error, one.z_error);
+        worst.spread = std::max(worst.spread, one.spread);
+    };
     for (std::size_t i = 0; i < polygon.size(); ++i)
         for (std::size_t j = i + 1; j < polygon.size(); ++j)
             for (std::size_t k = j + 1; k < polygon.size(); ++k) {
-                const auto one = PlaneEquation(polygon[i], polygon[j], polygon[k], shift).bounds(view);
-                worst.z_error = std::max(worst.z_error, one.z_error);
-                worst.spread = std::max(worst.spread, one.spread);
+                consider(polygon[i], polygon[j], polygon[k]);
+                consider(polygon[j], polygon[k], polygon[i]);
+                consider(polygon[k], polygon[i], polygon[j]);
             }
     return worst;
 }

@@ -94,7 +94,8 @@ TEST(OpenGlTest, AnEyeFarFromTheOriginCostsNothing) {
     view.camera.eye_world = {1e6f, -1e6f, 1e6f};
     Corners far_away = wall(4);
     for (glm::vec3& corner : far_away) corner += view.camera.eye_world;
-    for (const float depth : drawn(far_away, view).camera_depth.pixels()) EXPECT_FLOAT_EQ(depth, 4);
+    const Frame frame = drawn(far_away, view);
+    for (const float depth : frame.camera_depth.pixels()) EXPECT_FLOAT_EQ(depth, 4);
 }
 
 TEST(OpenGlTest, AnImageLargerThanTheDriverAllowsIsRefusedBySize) {
