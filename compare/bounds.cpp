@@ -276,6 +276,8 @@ TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPre
     const Camera& c = view_.camera;
     bounds.near_slack = slack(c.near_depth);
     bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
+    // frames hold float32: a wider depth is rounded once more on its way there
+    if (precision.arithmetic == Arithmetic::float64) bounds.depth_factor += unit_roundoff_float32;
     return bounds;
 }
 

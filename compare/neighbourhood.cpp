@@ -46,6 +46,12 @@ bool comes_within(const TriangleImage<double>& image, double eps_px) {
 
 }  // namespace
 
+std::optional<std::size_t> Neighbourhood::index_of(PrimitiveId triangle) const {
+    const auto found = std::ranges::find(neighbours, std::uint32_t(triangle), &Neighbour::triangle);
+    if (found == neighbours.end()) return std::nullopt;
+    return std::size_t(found - neighbours.begin());
+}
+
 CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
     const glm::uvec3 index = scene.triangles[triangle];
     const auto& p = scene.vertices.position_world;
