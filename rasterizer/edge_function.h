@@ -21,12 +21,20 @@ struct EdgeFunction {
 /// Top-left rule: a left edge runs up, a top edge is level and runs right.
 constexpr bool is_top_left(std::int64_t dx, std::int64_t dy) { return dy < 0 || (dy == 0 && dx > 0); }
 
+enum class EdgeKind { top_left, other };
+
+/// The least E that an edge's triangle covers: 0 where the edge owns the samples on it, else 1.
+constexpr std::int32_t least_covered(FillRule rule, EdgeKind kind) {
+    const bool owns_its_samples =
+        rule == FillRule::inclusive || (rule == FillRule::top_left && kind == EdgeKind::top_left);
+    return owns_its_samples ? 0 : 1;
+}
+
 constexpr EdgeFunction edge_between(SnappedPoint from, SnappedPoint to, FillRule rule = FillRule::top_left) {
     const std::int64_t dx = std::int64_t{to.x} - from.x;
     const std::int64_t dy = std::int64_t{to.y} - from.y;
-    const bool owns_its_samples =
-        rule == FillRule::inclusive || (rule == FillRule::top_left && is_top_left(dx, dy));
-    return {.a = -dy, .b = dx, .c = dy * from.x - dx * from.y, .least = owns_its_samples ? 0 : 1};
+    const EdgeKind kind = is_top_left(dx, dy) ? EdgeKind::top_left : EdgeKind::other;
+    return {.a = -dy, .b = dx, .c = dy * from.x - dx * from.y, .least = least_covered(rule, kind)};
 }
 
 }  // namespace zproof::rasterizer

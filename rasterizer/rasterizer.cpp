@@ -12,6 +12,15 @@ Precision precision() {
                            .depth_roundings = 2};
 }
 
+Renderer::Renderer() : pipeline_(std::make_unique<Pipeline>(lawful_rules)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+const Frame& Renderer::render(const Scene& scene, const View& view) { return pipeline_->render(scene, view); }
+
+std::string instruction_set() { return widest_kernel().name; }
+
 Frame render(const Scene& scene, const View& view) { return render_by(lawful_rules, scene, view); }
 
 }  // namespace zproof::rasterizer

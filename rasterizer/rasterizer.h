@@ -3,6 +3,9 @@
 /// threads.
 #pragma once
 
+#include <memory>
+#include <string>
+
 #include "frame/frame.h"
 #include "frame/precision.h"
 #include "scenes/scene.h"
@@ -18,5 +21,23 @@ Precision precision();
 /// The view must be 1 to 32768 px a side; for perspective, depths of 2^-126 to 2^126 scene units keep
 /// float32's relative precision, because the z-buffer holds 1 / depth.
 Frame render(const Scene& scene, const View& view);
+
+/// render() for frame after frame: memory is kept, and nothing is allocated once it has seen the like.
+class Renderer {
+  public:
+    Renderer();
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    /// Valid until the next call.
+    const Frame& render(const Scene& scene, const View& view);
+
+  private:
+    std::unique_ptr<class Pipeline> pipeline_;
+};
+
+/// The instruction set that the kernels use on this machine: "scalar", "AVX2" or "AVX-512".
+std::string instruction_set();
 
 }  // namespace zproof::rasterizer

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace zproof::rasterizer {
 namespace {
@@ -27,82 +28,88 @@ PixelRect TileGrid::pixels(std::size_t tile, Resolution size) const {
     return {x0, y0, std::min(x0 + tile_size, size.width), std::min(y0 + tile_size, size.height)};
 }
 
-/// What one run of triangles puts into the bins.
-struct TileBins::Run {
-    struct Entry {
-        std::uint32_t tile, triangle;  ///< the triangle's place within the run
-    };
-    std::vector<Entry> entries;  ///< in triangle order
-    std::vector<std::uint32_t> count_by_tile;
-
-    void add(std::size_t tile, std::size_t triangle) {
-        entries.push_back({std::uint32_t(tile), std::uint32_t(triangle)});
-        ++count_by_tile[tile];
+void BinnedRun::fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup,
+                     std::size_t begin, std::size_t end) {
+    tiles_ = TileGrid(setup.size);
+    pieces_.clear();
+    entries_.clear();
+    first_.assign(tiles_.count() + 1, 0);
+    run_ = {projected.snapped.data(), scene.triangles.data() + begin, nullptr, std::uint32_t(begin),
+            std::uint32_t(end - begin)};
+    for (std::size_t i = begin; i < end; ++i) {
+        const glm::uvec3 index = scene.triangles[i];
+        const Remains remains = remains_of(index, projected);
+        const auto& v = projected.snapped;
+        if (remains == Remains::whole)
+            add({v[index.x].p, v[index.y].p, v[index.z].p}, std::uint32_t(i - begin), setup);
+        if (remains != Remains::cut) continue;
+        const std::size_t first = pieces_.size();
+        append_pieces(pieces_, scene, setup, std::uint32_t(i));
+        add_pieces(first, setup);
     }
-    void add_to_tiles(const SnappedTriangle& triangle, std::size_t place, const TileGrid& tiles,
-                      const ViewSetup& setup);
-};
+    run_.pieces = pieces_.data();
+    sort();
+}
 
-void TileBins::Run::add_to_tiles(const SnappedTriangle& triangle, std::size_t place, const TileGrid& tiles,
-                                 const ViewSetup& setup) {
-    const PixelRect box = pixels_within(triangle, setup);
+void BinnedRun::add_pieces(std::size_t first, const ViewSetup& setup) {
+    for (std::size_t i = first; i < pieces_.size(); ++i) {
+        const auto& [v, id] = pieces_[i];
+        add({v[0].p, v[1].p, v[2].p}, run_.length + std::uint32_t(i), setup);
+    }
+}
+
+void BinnedRun::add(const Corners& corners, std::uint32_t place, const ViewSetup& setup) {
+    if (const auto triangle = placed(corners, setup))
+        add_to_tiles(*triangle, triangle->was_counter ? place | turned : place, setup);
+}
+
+void BinnedRun::add_to_tile(std::size_t tile, std::uint32_t place) {
+    entries_.push_back({std::uint32_t(tile), place});
+    ++first_[tile];
+}
+
+void BinnedRun::add_to_tiles(const Placed& triangle, std::uint32_t place, const ViewSetup& setup) {
+    const PixelRect& box = triangle.pixels;
     const int column0 = box.x0 / tile_size, column1 = (box.x1 - 1) / tile_size;
     const int row0 = box.y0 / tile_size, row1 = (box.y1 - 1) / tile_size;
     const auto tile_at = [&](int column, int row) {
-        return std::size_t(row) * std::size_t(tiles.columns) + std::size_t(column);
+        return std::size_t(row) * std::size_t(tiles_.columns) + std::size_t(column);
     };
-    if (column0 == column1 && row0 == row1) return add(tile_at(column0, row0), place);
-    const auto edges = edges_of(triangle, setup.fill);
+    if (column0 == column1 && row0 == row1) return add_to_tile(tile_at(column0, row0), place);
+    const auto edges = edges_of(triangle.corners, setup.fill);
     for (int row = row0; row <= row1; ++row) {
         for (int column = column0; column <= column1; ++column) {
             const std::size_t tile = tile_at(column, row);
-            const PixelRect pixels = tiles.pixels(tile, setup.size);
+            const PixelRect pixels = tiles_.pixels(tile, setup.size);
             const auto reaches_tile = [&](const EdgeFunction& e) { return reaches(e, pixels, setup.grid); };
-            if (std::ranges::all_of(edges, reaches_tile)) add(tile, place);
+            if (std::ranges::all_of(edges, reaches_tile)) add_to_tile(tile, place);
         }
     }
 }
 
-TileBins::TileBins(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup)
-    : tiles_(setup.size) {
+/// By tile; within a tile the order stays.
+void BinnedRun::sort() {
+    std::uint32_t total = 0;
+    for (std::uint32_t& count : first_) total += std::exchange(count, total);
+    next_ = first_;
+    places_.resize(total);
+    for (const auto& [tile, place] : entries_) places_[next_[tile]++] = place;
+}
+
+void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup) {
     const std::size_t count = scene.triangles.size();
     const std::size_t length = run_length(count);
-    std::vector<Run> runs((count + length - 1) / length);
-    triangles_.resize(runs.size());
-    tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t r) {
+    tiles_ = TileGrid(setup.size);
+    used_ = (count + length - 1) / length;
+    if (runs_.size() < used_) runs_.resize(used_);
+    tbb::parallel_for(std::size_t{0}, used_, [&](std::size_t r) {
         const std::size_t begin = r * length, end = std::min(count, begin + length);
-        auto& triangles = triangles_[r];
-        triangles.reserve(end - begin);
-        for (std::size_t i = begin; i < end; ++i) {
-            append_snapped(triangles, scene, projected, setup, std::uint32_t(i));
-        }
-        runs[r].entries.reserve(triangles.size() + triangles.size() / 4);
-        runs[r].count_by_tile.assign(tiles_.count(), 0);
-        for (std::size_t i = 0; i < triangles.size(); ++i)
-            runs[r].add_to_tiles(triangles[i], i, tiles_, setup);
+        runs_[r].fill(scene, projected, setup, begin, end);
     });
-    join(runs);
 }
 
-void TileBins::join(const std::vector<Run>& runs) {
-    // next[r][tile]: where run r puts its next triangle of that tile.
-    std::vector<std::vector<std::size_t>> next(runs.size(), std::vector<std::size_t>(tiles_.count()));
-    first_.resize(tiles_.count() + 1);
-    std::size_t total = 0;
-    for (std::size_t tile = 0; tile < tiles_.count(); ++tile) {
-        first_[tile] = total;
-        for (std::size_t r = 0; r < runs.size(); ++r) {
-            next[r][tile] = total;
-            total += runs[r].count_by_tile[tile];
-        }
-    }
-    first_.back() = total;
-    members_.resize(total);
-    tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t r) {
-        for (const auto [tile, triangle] : runs[r].entries) {
-            members_[next[r][tile]++] = &triangles_[r][triangle];
-        }
-    });
+bool TileBins::is_empty(std::size_t tile) const {
+    return std::ranges::all_of(runs(), [&](const BinnedRun& run) { return run.places_in(tile).empty(); });
 }
 
 }  // namespace zproof::rasterizer

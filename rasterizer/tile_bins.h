@@ -10,12 +10,10 @@
 
 namespace zproof::rasterizer {
 
-inline constexpr int tile_size =
-    64;  ///< pixels; a tile's z-buffer and ids are 32 KiB, the usual first-level cache
-
 struct TileGrid {
     int columns = 0, rows = 0;
 
+    TileGrid() = default;
     explicit TileGrid(Resolution size)
         : columns((size.width + tile_size - 1) / tile_size),
           rows((size.height + tile_size - 1) / tile_size) {}
@@ -24,31 +22,52 @@ struct TileGrid {
     PixelRect pixels(std::size_t tile, Resolution size) const;
 };
 
+/// A run of the scene's triangles, sorted into tiles.
+class BinnedRun {
+  public:
+    /// The triangles [begin, end) of the scene. Memory is kept from the time before.
+    void fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup,
+              std::size_t begin, std::size_t end);
+
+    /// Valid while what the run was filled from is.
+    TriangleRun triangles() const { return run_; }
+    /// Of the triangles that may cover samples of a tile, in scene order.
+    std::span<const std::uint32_t> places_in(std::size_t tile) const {
+        return std::span(places_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
+    }
+
+  private:
+    struct Entry {
+        std::uint32_t tile, place;
+    };
+    void add(const Corners& corners, std::uint32_t place, const ViewSetup& setup);
+    void add_to_tiles(const Placed& triangle, std::uint32_t place, const ViewSetup& setup);
+    void add_to_tile(std::size_t tile, std::uint32_t place);
+    void add_pieces(std::size_t first, const ViewSetup& setup);
+    void sort();
+
+    TriangleRun run_;
+    TileGrid tiles_;
+    std::vector<SnappedPiece> pieces_;
+    std::vector<Entry> entries_;  ///< in scene order
+    std::vector<std::uint32_t> places_, first_, next_;
+};
+
 /// The triangles of a view by tile.
 class TileBins {
   public:
-    /// Sets up every triangle of the scene in fixed runs of triangles, on the threads of the surrounding
-    /// tbb::task_arena, then joins the runs in order: the bins do not depend on the number of threads.
-    TileBins(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup);
+    /// Sorts every triangle of the scene, in fixed runs of triangles, on the threads of the surrounding
+    /// tbb::task_arena: the bins do not depend on the number of threads.
+    void fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup);
 
-    TileBins(const TileBins&) = delete;  // members_ points into triangles_
-    TileBins& operator=(const TileBins&) = delete;
-
-    /// The triangles that may cover samples of a tile, in scene order.
-    std::span<const SnappedTriangle* const> in_tile(std::size_t tile) const {
-        return std::span(members_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
-    }
+    std::span<const BinnedRun> runs() const { return std::span(runs_).first(used_); }
     const TileGrid& tiles() const { return tiles_; }
+    bool is_empty(std::size_t tile) const;
 
   private:
-    struct Run;
-
-    void join(const std::vector<Run>& runs);
-
     TileGrid tiles_;
-    std::vector<std::vector<SnappedTriangle>> triangles_;  ///< by run
-    std::vector<std::size_t> first_;  ///< of each tile, into members_; one more at the end
-    std::vector<const SnappedTriangle*> members_;
+    std::vector<BinnedRun> runs_;  ///< those in use first
+    std::size_t used_ = 0;
 };
 
 }  // namespace zproof::rasterizer

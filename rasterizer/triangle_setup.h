@@ -1,24 +1,21 @@
-/// Triangles of the scene to triangles on the sub-pixel grid.
+/// Triangles on the sub-pixel grid.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
-#include "frame/frame.h"
 #include "rasterizer/edge_function.h"
+#include "rasterizer/kernel.h"
 #include "rasterizer/view_setup.h"
 
 namespace zproof::rasterizer {
 
-/// A triangle ready to be scanned: clockwise on the screen (y down), area not 0, all of it drawable.
-struct SnappedTriangle {
-    std::array<SnappedVertex, 3> vertex;
-    PrimitiveId id = PrimitiveId::none;
-};
+using Corners = std::array<SnappedPoint, 3>;
 
-/// Edge i lies opposite vertex i, so that E_i(p) / (E_0 + E_1 + E_2) is the barycentric weight of vertex i at
-/// p.
-std::array<EdgeFunction, 3> edges_of(const SnappedTriangle& triangle, FillRule rule) noexcept;
+/// Of a triangle that is clockwise on the screen (y down). Edge i lies opposite corner i, so that E_i(p) /
+/// (E_0 + E_1 + E_2) is the barycentric weight of corner i at p.
+std::array<EdgeFunction, 3> edges_of(const Corners& corners, FillRule rule) noexcept;
 
 /// Pixels [x0, x1) x [y0, y1).
 struct PixelRect {
@@ -26,13 +23,25 @@ struct PixelRect {
     bool is_empty() const { return x0 >= x1 || y0 >= y1; }
 };
 
-/// The pixels of the image whose samples lie in the triangle's bounding box.
-PixelRect pixels_within(const SnappedTriangle& triangle, const ViewSetup& setup) noexcept;
+/// A triangle that may cover samples.
+struct Placed {
+    Corners corners;           ///< clockwise
+    PixelRect pixels;          ///< of the image, those whose samples lie in the triangle's bounding box
+    bool was_counter = false;  ///< it was counter-clockwise; its last two corners have changed places
+};
 
-/// Appends what is left of one triangle of the scene: nothing, itself, or the fan of its clipped polygon.
-/// Both windings are drawn; a triangle whose snapped area is 0 covers no sample and is left out, as is one
-/// with a vertex that is not finite. All pieces carry the triangle's id.
-void append_snapped(std::vector<SnappedTriangle>& out, const Scene& scene, const ProjectedVertices& projected,
-                    const ViewSetup& setup, std::uint32_t triangle);
+/// Both windings are drawn. Nothing where the snapped area is 0 or no sample of the image is in the bounding
+/// box: such a triangle covers no sample.
+std::optional<Placed> placed(const Corners& corners, const ViewSetup& setup) noexcept;
+
+/// What is left of a triangle, by the outcodes of its vertices.
+enum class Remains { nothing, whole, cut };
+
+/// Nothing, too, of a triangle with a vertex that is not finite.
+Remains remains_of(const glm::uvec3& corners, const ProjectedVertices& projected) noexcept;
+
+/// Appends the fan of what clipping leaves of one triangle of the scene. All pieces carry the triangle's id.
+void append_pieces(std::vector<SnappedPiece>& out, const Scene& scene, const ViewSetup& setup,
+                   std::uint32_t triangle);
 
 }  // namespace zproof::rasterizer

@@ -65,24 +65,24 @@ std::optional<SnappedVertex> ViewSetup::snap(const ClipVertex& v) const noexcept
     return SnappedVertex{{grid.snap(x_raster), grid.snap(y_raster)}, depth.of_depth(v.depth)};
 }
 
-ProjectedVertices project(const Vertices& vertices, const ViewSetup& setup) {
+void ProjectedVertices::fill(const Vertices& vertices, const ViewSetup& setup) {
     const std::size_t count = vertices.position_world.size();
-    ProjectedVertices projected{std::vector<SnappedVertex>(count), std::vector<std::uint8_t>(count)};
+    snapped.resize(count);
+    outcode.resize(count);
     const auto project_one = [&](std::size_t i) {
         const ClipVertex v = setup.clip_from_world(vertices.position_world[i]);
         std::uint8_t code = outcode_of(v, setup.volume);
         if ((code & (outcode::needs_clip | outcode::not_finite)) == 0) {
-            if (const auto snapped = setup.snap(v))
-                projected.snapped[i] = *snapped;
+            if (const auto vertex = setup.snap(v))
+                snapped[i] = *vertex;
             else
                 code = outcode::not_finite;
         }
-        projected.outcode[i] = code;
+        outcode[i] = code;
     };
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) project_one(i);
     });
-    return projected;
 }
 
 }  // namespace zproof::rasterizer

@@ -8,6 +8,7 @@
 #include "frame/plane.h"
 #include "rasterizer/clip.h"
 #include "rasterizer/depth_functional.h"
+#include "rasterizer/kernel.h"
 #include "rasterizer/projection.h"
 #include "rasterizer/rules.h"
 #include "rasterizer/snap.h"
@@ -15,12 +16,6 @@
 #include "scenes/view.h"
 
 namespace zproof::rasterizer {
-
-/// A vertex after divide, viewport and snap.
-struct SnappedVertex {
-    SnappedPoint p;
-    double nearness = 0;  ///< of the vertex before it was snapped (DepthFunctional)
-};
 
 struct ViewSetup {
     Resolution size;
@@ -44,9 +39,10 @@ struct ProjectedVertices {
     std::vector<SnappedVertex>
         snapped;  ///< meaningful where the outcode has no needs_clip and no not_finite bit
     std::vector<std::uint8_t> outcode;
-};
 
-/// Transforms every vertex once, on the threads of the surrounding tbb::task_arena.
-ProjectedVertices project(const Vertices& vertices, const ViewSetup& setup);
+    /// Transforms every vertex once, on the threads of the surrounding tbb::task_arena. Memory is kept from
+    /// the time before.
+    void fill(const Vertices& vertices, const ViewSetup& setup);
+};
 
 }  // namespace zproof::rasterizer
