@@ -1,5 +1,8 @@
-// Times the rasterizer at 1920 x 1080 on the process's own number of threads; prints the best and the median
-// of 21 runs per scene. A figure for people: nothing depends on it.
+// Times the rasterizer at 1920 x 1080 on the process's own number of threads, frame after frame, and OpenGL
+// in turn with it where a driver is there: medians of 21 frames each, their spread and their ratio per scene.
+// OpenGL's frame is read back, as ours is in memory. Figures for people: nothing depends on them.
+//
+//     rasterizer_bench [THREADS [SCENE]]     SCENE: room, ripples or soup; not drawn by OpenGL when named
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -7,9 +10,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
+#include <random>
 #include <string_view>
 #include <vector>
 
+#include "oracle/opengl.h"
 #include "rasterizer/rasterizer.h"
 
 namespace {
@@ -72,24 +78,65 @@ Scene ripples() {
     return scene;
 }
 
-void time_scene(const char* name, const Scene& scene) {
-    View view;
-    view.camera.eye_world = {0, 0, 0};
-    view.camera.window = {.left = -1.1, .right = 1.1, .bottom = -0.61875, .top = 0.61875};
-    if (scene.triangles.size() < 100'000) view.camera.eye_world = {0, 0, 3};
-    std::vector<double> milliseconds;
-    std::size_t covered = 0;
-    for (int run = 0; run < 21; ++run) {
-        const auto start = std::chrono::steady_clock::now();
-        const Frame frame = rasterizer::render(scene, view);
-        const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
-        milliseconds.push_back(elapsed.count());
-        covered = frame.size().pixel_count() -
-                  std::size_t(std::ranges::count(frame.primitive.pixels(), PrimitiveId::none));
+/// Triangles everywhere, some 210 pixels each: more than 20 lie behind each other at a pixel.
+Scene soup() {
+    Scene scene;
+    std::mt19937 random(1);
+    const auto within = [&](double low, double high) {
+        return low + (high - low) * double(random()) / 0x1p32;
+    };
+    for (std::uint32_t i = 0; i < 200'000; ++i) {
+        const double depth = within(1, 10), size = 0.032 * depth;
+        const glm::dvec3 middle{within(-1.1, 1.1) * depth, within(-0.61875, 0.61875) * depth, -depth};
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3 aside{within(-1, 1), within(-1, 1), within(-1, 1)};
+            scene.vertices.position_world.push_back(glm::vec3(middle + size * aside));
+        }
+        scene.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
+    return scene;
+}
+
+View view_of(const Scene& scene) {
+    View view;
+    view.camera.eye_world = {0, 0, scene.triangles.size() < 100'000 ? 3.0f : 0.0f};
+    view.camera.window = {.left = -1.1, .right = 1.1, .bottom = -0.61875, .top = 0.61875};
+    return view;
+}
+
+template <class Work>
+double milliseconds_of(Work work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double print(const char* who, std::vector<double> milliseconds) {
     std::ranges::sort(milliseconds);
-    std::printf("%-10s %8zu triangles %8zu pixels covered: best %7.2f ms, median %7.2f ms\n", name,
-                scene.triangles.size(), covered, milliseconds.front(), milliseconds[milliseconds.size() / 2]);
+    const std::size_t n = milliseconds.size();
+    std::printf("  %-8s median %7.2f ms (best %.2f, middle half %.2f to %.2f)\n", who, milliseconds[n / 2],
+                milliseconds[0], milliseconds[n / 4], milliseconds[3 * n / 4]);
+    return milliseconds[n / 2];
+}
+
+enum class Beside { nothing, opengl };
+
+void time_scene(const char* name, const Scene& scene, Beside beside) {
+    const View view = view_of(scene);
+    rasterizer::Renderer renderer;
+    std::optional<oracle::OpenGl> opengl;
+    if (beside == Beside::opengl && !oracle::opengl_is_missing()) opengl.emplace(scene);
+    std::vector<double> ours, theirs;
+    for (int run = 0; run < 22; ++run) {
+        ours.push_back(milliseconds_of([&] { renderer.render(scene, view); }));
+        if (opengl) theirs.push_back(milliseconds_of([&] { opengl->render(view); }));
+    }
+    ours.erase(ours.begin());  // the first frame allocates
+    std::printf("%s, %zu triangles\n", name, scene.triangles.size());
+    const double median = print("zproof", ours);
+    if (theirs.empty()) return;
+    theirs.erase(theirs.begin());
+    std::printf("  ratio %.2f\n", print("OpenGL", theirs) / median);
 }
 
 }  // namespace
@@ -98,8 +145,11 @@ int main(int argc, char** argv) {
     const int threads = argc > 1 ? std::atoi(argv[1]) : tbb::task_arena::automatic;
     tbb::task_arena arena(threads);
     const std::string_view only = argc > 2 ? argv[2] : "";
+    const Beside beside = only.empty() ? Beside::opengl : Beside::nothing;
+    std::printf("kernels: %s\n", rasterizer::instruction_set().c_str());
     arena.execute([&] {
-        if (only != "ripples") time_scene("room", room());
-        if (only != "room") time_scene("ripples", ripples());
+        if (only.empty() || only == "room") time_scene("room", room(), beside);
+        if (only.empty() || only == "ripples") time_scene("ripples", ripples(), beside);
+        if (only.empty() || only == "soup") time_scene("soup", soup(), beside);
     });
 }
