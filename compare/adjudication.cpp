@@ -1,7 +1,5 @@
 #include "compare/adjudication.h"
 
-#include "compare/hearing.h"
-
 namespace zproof {
 
 std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness& candidate,
@@ -16,25 +14,26 @@ std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness&
         if (!o.candidate_invalid) hearing.add(candidate.bounds(), f.candidate.primitive, f.x, f.y);
         if (!o.reference_invalid) hearing.add(reference.bounds(), f.reference.primitive, f.x, f.y);
     }
-    const std::vector<Ruled> ruled = hearing.hear();
+    const std::vector<Ruled> ruled = hearing.hear(Asked::standing_and_displacement);
     std::vector<Ruling> rulings(open.size());
     auto next = ruled.begin();
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (!are_heard(open[i])) continue;
         Ruling& r = rulings[i];
-        if (!open[i].candidate_invalid) r.candidate = next->decision, r.candidate_eps_px = next++->eps_px;
-        if (!open[i].reference_invalid) r.reference = next->decision, r.reference_eps_px = next++->eps_px;
+        if (!open[i].candidate_invalid) r.candidate = *next++;
+        if (!open[i].reference_invalid) r.reference = *next++;
     }
     return rulings;
 }
 
 PixelClass class_of(const OpenPixel& open, const Ruling& ruling) {
     if (open.candidate_invalid) return PixelClass::invalid;
-    if (!is_lawful(ruling.candidate.standing))
-        return class_of(ruling.candidate.standing, ruling.reference.standing);
+    const Standing candidate = ruling.candidate.decision.standing,
+                   reference = ruling.reference.decision.standing;
+    if (!is_lawful(candidate)) return class_of(candidate, reference);
     if (!open.candidate_depth_lawful) return PixelClass::wrong_depth;
     if (open.reference_invalid || !open.reference_depth_lawful) return PixelClass::reference_wrong;
-    return class_of(ruling.candidate.standing, ruling.reference.standing);
+    return class_of(candidate, reference);
 }
 
 }  // namespace zproof

@@ -4,14 +4,13 @@
 #include <span>
 
 #include "compare/agreement.h"
-#include "compare/standing.h"
+#include "compare/hearing.h"
 
 namespace zproof {
 
 /// What the admissible set says of both answers at one pixel.
 struct Ruling {
-    Decision candidate, reference;
-    double candidate_eps_px = 0, reference_eps_px = 0;
+    Ruled candidate, reference;
 };
 
 /// Rules on every open pixel, in order, on all threads.

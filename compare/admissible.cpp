@@ -288,6 +288,7 @@ bool AdmissibleSet<Number>::is_clipped(size_t index) {
     return false;
 }
 
+template class AdmissibleSet<double>;
 template class AdmissibleSet<Interval>;
 template class AdmissibleSet<Rational>;
 

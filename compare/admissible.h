@@ -25,6 +25,7 @@ struct Rules {
 };
 
 /// Decides by the signs of Number; with Interval, throws UndecidedSign where double precision is not enough.
+/// With double, an estimate.
 template <class Number>
 class AdmissibleSet {
   public:
@@ -37,6 +38,10 @@ class AdmissibleSet {
     /// together: one that both have on the same side does not bound the occluder, and beyond one with each on
     /// its own side there is none.
     bool holds(size_t index, Rules rules);
+    /// Does it need nothing but its place: would it be held if depths were exact, or is it truly visible?
+    bool is_seen(size_t index) {
+        return holds(index, {DepthRule::strict, EdgeRule::watertight}) || is_visible(index);
+    }
     /// Is some point of the square not covered by any triangle?
     bool holds_background(EdgeRule edges);
     /// Does the triangle, between near and far, meet the square at all?

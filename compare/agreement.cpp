@@ -123,14 +123,14 @@ bool is_settled(const OpenPixel& p) {
            !p.reference_invalid && p.candidate_depth_lawful && p.reference_depth_lawful;
 }
 
-void count(DepthRecord& record, double error_over_bound) {
+void count(BoundRecord& record, double error_over_bound) {
     record.max_error_over_bound = std::max(record.max_error_over_bound, error_over_bound);
     const double bin = std::min(error_over_bound * 20, 20.0);
     ++record.histogram[bin >= 0 ? std::size_t(bin) : 20];
 }
 
 void add(Tally& sum, const Tally& part) {
-    const auto add_record = [](DepthRecord& s, const DepthRecord& p) {
+    const auto add_record = [](BoundRecord& s, const BoundRecord& p) {
         s.max_error_over_bound = std::max(s.max_error_over_bound, p.max_error_over_bound);
         for (std::size_t i = 0; i < s.histogram.size(); ++i) s.histogram[i] += p.histogram[i];
     };

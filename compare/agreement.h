@@ -9,10 +9,10 @@ namespace zproof {
 
 /// What both depths were held against; sums of integers and maxima, so the order of adding does not matter.
 struct Tally {
-    DepthRecord candidate, reference;
+    BoundRecord candidate, reference;
 };
 
-void count(DepthRecord& record, double error_over_bound);
+void count(BoundRecord& record, double error_over_bound);
 void add(Tally& sum, const Tally& part);
 
 /// A pixel that the first pass leaves open, with what it knows already.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/plane_equation.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -56,12 +57,12 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
       px_per_v_(view.height / (view.camera.window.top - view.camera.window.bottom)),
       orthonormality_(largest_defect(view.camera)) {
     const Camera& c = view.camera;
-    const double u_abs = std::max(std::abs(c.window.left), std::abs(c.window.right));
-    const double v_abs = std::max(std::abs(c.window.bottom), std::abs(c.window.top));
-    slant_u_ = perspective_ ? u_abs : std::abs(c.shear.x);
-    slant_v_ = perspective_ ? v_abs : std::abs(c.shear.y);
+    largest_u_ = std::max(std::abs(c.window.left), std::abs(c.window.right));
+    largest_v_ = std::max(std::abs(c.window.bottom), std::abs(c.window.top));
+    slant_u_ = perspective_ ? largest_u_ : std::abs(c.shear.x);
+    slant_v_ = perspective_ ? largest_v_ : std::abs(c.shear.y);
     direction_abs_ = slant_u_ * glm::abs(c.right) + slant_v_ * glm::abs(c.up) + glm::abs(c.back);
-    origin_abs_ = perspective_ ? glm::dvec3(0) : u_abs * glm::abs(c.right) + v_abs * glm::abs(c.up);
+    origin_abs_ = perspective_ ? glm::dvec3(0) : largest_u_ * glm::abs(c.right) + largest_v_ * glm::abs(c.up);
     if (const auto* raster = std::get_if<RasterPrecision>(&precision))
         background_eps_px_ = std::ldexp(raster->snap == Snap::nearest ? 0.5 : 1.0, -raster->subpixel_bits);
     else if (const auto* ray = std::get_if<RayPrecision>(&precision))
@@ -130,46 +131,97 @@ TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
     return bounds;
 }
 
+bool ViewBounds::keeps_to_corners() const {
+    const auto* raster = std::get_if<RasterPrecision>(&precision_);
+    return raster && raster->depth_buffer == DepthBuffer::camera_depth;
+}
+
 TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const {
     const double u = unit_of(precision.transform);
     // float64: the fused matrix is built and applied in double: 3 (translation) + 3 + 3 (product of the two
     // matrices)
-    // + 4 (matrix times point) roundings. float32: entries rounded once, then 4.
-    const double transform =
-        (precision.transform == Arithmetic::float64 ? gamma(13, u) : gamma(5, u)) + orthonormality_;
+    // + 4 (matrix times point) roundings. float32: entries rounded once, then 4. Where the eye is subtracted
+    // first, 1 more, of a smaller size.
+    const bool from_eye = precision.origin == Origin::eye;
+    const int roundings = (precision.transform == Arithmetic::float64 ? 13 : 5) + (from_eye ? 1 : 0);
+    // a new corner: 4 roundings of its place on the edge, each at most twice the corners' size, then 5
+    const bool in_volume = precision.clipping == Clipping::view_volume;
+    const int clip_roundings = in_volume ? 13 * cut_count(extent) : 0;
+    const double transform = gamma(roundings + clip_roundings, u) + orthonormality_;
+    const glm::dvec3& size = from_eye ? extent.from_eye : extent.from_origin;
     // division, scale, offset; clipping's interpolation. In float64 the whole guard band costs 3e-11 px
     const bool is_coarse = precision.transform == Arithmetic::float32;
-    const double viewport = gamma(8, u) * (is_coarse ? reach_px(extent) : guard_band_px);
+    const double limit = in_volume ? window_reach_px() : guard_band_px;
+    const double viewport = gamma(8, u) * (is_coarse ? reach_px(extent, limit) : limit);
     const double snap = background_eps_px_;
-    const double lateral = transform * lateral_px(extent.from_origin);
+    const double lateral = transform * lateral_px(size);
 
     TriangleBounds bounds;
     bounds.eps_base_px = snap + viewport + (perspective_ ? 0 : lateral);
     bounds.eps_per_nearness = perspective_ ? lateral : 0;
     bounds.depth_eps_base_px = bounds.eps_base_px;
     bounds.depth_eps_per_nearness = bounds.eps_per_nearness;
-    bounds.depth_factor =
-        gamma(precision.depth_roundings, unit_roundoff_float32) + gamma(8, unit_of(precision.interpolation));
-    bounds.depth_absolute = transform * extent.from_origin.z;
+    bounds.depth_factor = gamma(precision.depth_roundings, unit_roundoff_float32);
+    bounds.depth_absolute = transform * size.z;
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gamma(8, u) * extent.largest_depth();
+    if (precision.depth_buffer == DepthBuffer::camera_depth)
+        bounds.depth_factor += gamma(8, unit_of(precision.interpolation));
+    else
+        set_reversed_z(bounds, extent);
     return bounds;
 }
 
-double ViewBounds::reach_px(const TriangleExtent& extent) const {
+void ViewBounds::set_reversed_z(TriangleBounds& bounds, const TriangleExtent& extent) const {
     const Camera& c = view_.camera;
-    const Window& w = c.window;
-    const double u_window = std::max(std::abs(w.left), std::abs(w.right));
-    const double v_window = std::max(std::abs(w.bottom), std::abs(w.top));
+    const double snap = background_eps_px_;
+    const std::vector<WindowCorner> polygon = window_polygon(view_, extent);
+    double highest = 0;  // nearness; only perspectives ask for it
+    for (const WindowCorner& corner : polygon) highest = std::max(highest, corner.z / z_per_nearness(c));
+    const double drift_base = bounds.eps_base_px - snap, drift_per = bounds.eps_per_nearness;
+    const CornerShift shift{.snap_px = snap, .drift_px = drift_base + drift_per * highest};
+    const auto [z_error, spread] = plane_equation_bounds(polygon, shift, view_);
+    bounds.nearness_error = z_error / z_per_nearness(c);
+    bounds.depth_eps_base_px = snap + spread * drift_base;
+    bounds.depth_eps_per_nearness = spread * drift_per;
+    if (perspective_) return;
+    // z is made of far - depth
+    bounds.depth_absolute += gamma(6, unit_roundoff_float32) * std::abs(c.far_depth);
+    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + bounds.nearness_error +
+                                           gamma(8, unit_roundoff_float32) * extent.largest_depth();
+}
+
+double ViewBounds::window_reach_px() const {
+    return 2 * std::max(px_per_u_ * largest_u_, px_per_v_ * largest_v_);
+}
+
+int ViewBounds::cut_count(const TriangleExtent& extent) const {
+    const Camera& c = view_.camera;
+    std::array<bool, 6> cuts{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double depth = extent.depth[i], w = perspective_ ? depth : 1;
+        const double x = glm::dot(c.right, extent.v_world[i]) - c.shear.x * depth;
+        const double y = glm::dot(c.up, extent.v_world[i]) - c.shear.y * depth;
+        const std::array<bool, 6> beyond{depth<c.near_depth, depth> c.far_depth,
+                                         x<c.window.left * w, x> c.window.right * w,
+                                         y<c.window.bottom * w, y> c.window.top * w};
+        for (std::size_t plane = 0; plane < cuts.size(); ++plane) cuts[plane] |= beyond[plane];
+    }
+    return int(std::ranges::count(cuts, true));
+}
+
+double ViewBounds::reach_px(const TriangleExtent& extent, double limit) const {
+    const Camera& c = view_.camera;
     double reach = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const double depth = extent.depth[i];
-        if (!(depth >= c.near_depth)) return guard_band_px;
+        if (!(depth >= c.near_depth)) return limit;
         const double x = glm::dot(c.right, extent.v_world[i]), y = glm::dot(c.up, extent.v_world[i]);
         const double u = perspective_ ? x / depth : x - c.shear.x * depth;
         const double v = perspective_ ? y / depth : y - c.shear.y * depth;
-        reach = std::max({reach, px_per_u_ * (std::abs(u) + u_window), px_per_v_ * (std::abs(v) + v_window)});
+        reach =
+            std::max({reach, px_per_u_ * (std::abs(u) + largest_u_), px_per_v_ * (std::abs(v) + largest_v_)});
     }
-    return std::min(reach, guard_band_px);
+    return std::min(reach, limit);
 }
 
 double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const {
@@ -226,6 +278,8 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RayPrec
     const Camera& c = view_.camera;
     bounds.near_slack = slack(c.near_depth);
     bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
+    // frames hold float32: a wider depth is rounded once more on its way there
+    if (precision.arithmetic == Arithmetic::float64) bounds.depth_factor += unit_roundoff_float32;
     return bounds;
 }
 
@@ -311,7 +365,8 @@ BoundsOnPlane::BoundsOnPlane(const TriangleBounds& b, double gradient)
       depth_factor_(b.depth_factor),
       plane_offset_(b.plane_offset),
       depth_relative_(compounded(b.depth_factor)),
-      depth_absolute_(b.depth_absolute) {}
+      depth_absolute_(b.depth_absolute),
+      nearness_error_(b.nearness_error) {}
 
 BoundsOnPlane::Displacement BoundsOnPlane::displacement(double base, double per, double gradient) const {
     const double loop = per * gradient;

@@ -59,12 +59,17 @@ PixelStory explain(const Scene& scene, const View& view, const Testimony& candid
     const OpenPixel open = open_pixel(scene, ours, theirs, x, y);
     const Ruling ruling = rule_on(scene, view, ours, theirs, std::span(&open, 1)).front();
     const bool same = open.finding.candidate.primitive == open.finding.reference.primitive;
-    PixelStory story{
-        open.finding, ruling.candidate, ruling.reference, ruling.reference_eps_px, !same, {}, {}};
+    PixelStory story{open.finding,
+                     ruling.candidate.decision,
+                     ruling.reference.decision,
+                     ruling.reference.eps_px,
+                     !same,
+                     {},
+                     {}};
     story.finding.verdict = is_settled(open) ? PixelClass::agree : class_of(open, ruling);
     story.finding.eps_px =
         same ? own_eps_px(scene, view, ours.bounds(), x, y, open.finding.candidate.primitive)
-             : ruling.candidate_eps_px;
+             : ruling.candidate.eps_px;
     const Neighbourhood around =
         surroundings(scene, view, ours.bounds(), story.finding, story.finding.eps_px);
     story.candidates = candidates_in(view, ours, around);

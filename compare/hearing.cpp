@@ -2,6 +2,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include "compare/displacement.h"
+
 namespace zproof {
 
 void Hearing::add(const ViewBounds& bounds, PrimitiveId answer, int x, int y) {
@@ -12,25 +14,28 @@ void Hearing::add(const ViewBounds& bounds, PrimitiveId answer, int x, int y) {
 
 /// Most squares grow no further than their own eps; the others are looked at once more with their full
 /// reach.
-std::vector<Ruled> Hearing::hear() {
+std::vector<Ruled> Hearing::hear(Asked asked) {
     std::vector<Ruled> rulings(pleas_.size());
     while (!pleas_.empty()) {
         find_nearby_triangles(scene_, view_, sites_);
         std::vector<double> lacking(pleas_.size(), 0);
-        tbb::parallel_for(std::size_t(0), pleas_.size(),
-                          [&](std::size_t i) { lacking[i] = try_to_hear(i, rulings[pleas_[i].number]); });
+        tbb::parallel_for(std::size_t(0), pleas_.size(), [&](std::size_t i) {
+            lacking[i] = try_to_hear(i, asked, rulings[pleas_[i].number]);
+        });
         keep_lacking(lacking);
     }
     return rulings;
 }
 
 /// Decides the plea, or returns the reach that it needs.
-double Hearing::try_to_hear(std::size_t i, Ruled& ruled) const {
+double Hearing::try_to_hear(std::size_t i, Asked asked, Ruled& ruled) const {
     const Plea& plea = pleas_[i];
     Neighbourhood around = neighbourhood_of(scene_, view_, *plea.bounds, sites_[i], plea.own_eps_px);
     if (around.eps_px > sites_[i].reach_px) return around.eps_px;
     if (amendment_) amendment_(around, plea.answer);
-    ruled = {decide(around, plea.answer), around.eps_px};
+    ruled = {decide(around, plea.answer), around.eps_px, std::nullopt};
+    if (asked == Asked::standing_and_displacement && ruled.decision.standing == Standing::visible)
+        ruled.displacement_over_eps = displacement_over_eps(around, plea.answer);
     return 0;
 }
 

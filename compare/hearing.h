@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "compare/nearby_triangles.h"
@@ -14,6 +15,13 @@ namespace zproof {
 struct Ruled {
     Decision decision;
     double eps_px = 0;  ///< half-side of the square that it was judged in
+    /// Of an answer that is lawful by its place (Standing::visible), where it was asked for.
+    std::optional<double> displacement_over_eps;
+};
+
+enum class Asked {
+    standing,
+    standing_and_displacement,  ///< Ruled::displacement_over_eps as well
 };
 
 /// Changes what stands around an answer before it is decided: another rule of drawing than the law.
@@ -29,7 +37,7 @@ class Hearing {
     void add(const ViewBounds& bounds, PrimitiveId answer, int x, int y);
 
     /// Decides every answer, in the order in which they were added, on all threads.
-    std::vector<Ruled> hear();
+    std::vector<Ruled> hear(Asked asked = Asked::standing);
 
   private:
     struct Plea {
@@ -39,7 +47,7 @@ class Hearing {
         std::size_t number = 0;
     };
 
-    double try_to_hear(std::size_t i, Ruled& ruled) const;
+    double try_to_hear(std::size_t i, Asked asked, Ruled& ruled) const;
     void keep_lacking(std::span<const double> lacking);
 
     const Scene& scene_;

@@ -29,17 +29,20 @@ std::vector<OpenPixel> first_pass(const Scene& scene, const View& view, const Wi
 }
 
 bool reference_is_wrong(const OpenPixel& open, const Ruling& ruling) {
-    return open.reference_invalid || !open.reference_depth_lawful || !is_lawful(ruling.reference.standing);
+    return open.reference_invalid || !open.reference_depth_lawful ||
+           !is_lawful(ruling.reference.decision.standing);
 }
 
 void record(Verdict& verdict, const OpenPixel& open, const Ruling& ruling) {
     Finding finding = open.finding;
     finding.verdict = class_of(open, ruling);
-    finding.eps_px = ruling.candidate_eps_px;
+    finding.eps_px = ruling.candidate.eps_px;
     verdict.reference_defects += reference_is_wrong(open, ruling);
     const bool adjudicated = finding.candidate.primitive != finding.reference.primitive;
     verdict.adjudicated += adjudicated;
-    verdict.exact += ruling.candidate.exact || ruling.reference.exact;
+    verdict.exact += ruling.candidate.decision.exact || ruling.reference.decision.exact;
+    if (const auto& d = ruling.candidate.displacement_over_eps) count(verdict.candidate_edges, *d);
+    if (const auto& d = ruling.reference.displacement_over_eps) count(verdict.reference_edges, *d);
     verdict.classes.at(finding.x, finding.y) = finding.verdict;
     if (finding.verdict != PixelClass::agree) verdict.findings.push_back(finding);
 }

@@ -19,13 +19,13 @@ void set_nearness_range(Neighbour& n, const std::optional<TriangleImage<double>>
     if (image) {
         const double error = size.nearness_error(std::abs(image->nearness.c) + n.gradient);
         n.is_plane_known = std::isfinite(error);
-        const double shift = n.bounds.depth_eps_px * (n.gradient + error) + error;
+        const double shift = n.bounds.depth_eps_px * (n.gradient + error) + error + n.bounds.nearness_error;
         const double low = image->nearness.c - shift, high = image->nearness.c + shift;
         least = keeps_to_corners ? std::clamp(low, least, greatest) : low;
         greatest = keeps_to_corners ? std::clamp(high, least, greatest) : high;
     }
     const double r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
-    if (!std::isfinite(r) || !std::isfinite(a) || (!n.is_plane_known && !keeps_to_corners)) {
+    if (!std::isfinite(r + a + n.bounds.nearness_error) || (!n.is_plane_known && !keeps_to_corners)) {
         n.least_nearness = -unlimited;
         n.greatest_nearness = unlimited;
     } else if (perspective) {
@@ -45,6 +45,12 @@ bool comes_within(const TriangleImage<double>& image, double eps_px) {
 }
 
 }  // namespace
+
+std::optional<std::size_t> Neighbourhood::index_of(PrimitiveId triangle) const {
+    const auto found = std::ranges::find(neighbours, std::uint32_t(triangle), &Neighbour::triangle);
+    if (found == neighbours.end()) return std::nullopt;
+    return std::size_t(found - neighbours.begin());
+}
 
 CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
     const glm::uvec3 index = scene.triangles[triangle];

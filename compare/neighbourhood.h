@@ -2,6 +2,7 @@
 /// admissible set is decided from. Plain numbers; the judge takes them as exact.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "compare/bounds.h"
@@ -35,6 +36,9 @@ struct Neighbourhood {
     double eps_px =
         0;  ///< half-side of the square: the largest eps of the answer and the triangles around it
     std::vector<Neighbour> neighbours;  ///< in triangle order
+
+    /// Of a triangle among the neighbours.
+    std::optional<std::size_t> index_of(PrimitiveId triangle) const;
 };
 
 CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);

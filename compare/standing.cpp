@@ -10,7 +10,6 @@ namespace zproof {
 
 namespace {
 
-constexpr Rules by_place{DepthRule::strict, EdgeRule::watertight};
 constexpr Rules by_depth{DepthRule::bounded, EdgeRule::watertight};
 constexpr Rules by_crack{DepthRule::bounded, EdgeRule::separate};
 
@@ -31,8 +30,7 @@ Standing standing_of_background(AdmissibleSet<Number>& set, size_t count) {
 template <class Number>
 Standing standing_of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count) {
     if (!set.reaches(index)) return Standing::outside;
-    if (set.holds(index, by_place) || set.is_visible(index))
-        return any_clipped(set, count) ? Standing::clipped : Standing::visible;
+    if (set.is_seen(index)) return any_clipped(set, count) ? Standing::clipped : Standing::visible;
     if (set.holds(index, by_depth)) return Standing::tied;
     return set.holds(index, by_crack) ? Standing::through_a_crack : Standing::hidden;
 }
@@ -42,9 +40,8 @@ Standing standing_in(const Neighbourhood& around, PrimitiveId answer) {
     AdmissibleSet<Number> set(around);
     const size_t count = around.neighbours.size();
     if (answer == PrimitiveId::none) return standing_of_background(set, count);
-    const auto found = std::ranges::find(around.neighbours, std::uint32_t(answer), &Neighbour::triangle);
-    if (found == around.neighbours.end()) return Standing::outside;
-    return standing_of_triangle(set, size_t(found - around.neighbours.begin()), count);
+    const std::optional<size_t> index = around.index_of(answer);
+    return index ? standing_of_triangle(set, *index, count) : Standing::outside;
 }
 
 }  // namespace

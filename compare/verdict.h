@@ -31,12 +31,11 @@ struct Finding {
     double error_over_bound = 0;  ///< of the candidate's depth; NaN for background
 };
 
-/// Distribution of depth error / bound over pixels with an admissible id: bin k counts [k/20, (k+1)/20), the
-/// last bin counts everything from 1 up.
+/// Distribution of error / bound: bin k counts [k/20, (k+1)/20), the last bin counts everything from 1 up.
 using BoundHistogram = std::array<std::uint64_t, 21>;
 
-/// One renderer's depths held against their bounds.
-struct DepthRecord {
+/// One renderer's errors of one kind held against their bounds.
+struct BoundRecord {
     double max_error_over_bound = 0;
     BoundHistogram histogram{};
 };
@@ -44,8 +43,11 @@ struct DepthRecord {
 struct Verdict {
     Plane<PixelClass> classes;
     ClassCounts counts{};
-    std::vector<Finding> findings;  ///< every pixel that is not `agree`, in raster order
-    DepthRecord candidate_depth, reference_depth;
+    std::vector<Finding> findings;                 ///< every pixel that is not `agree`, in raster order
+    BoundRecord candidate_depth, reference_depth;  ///< where both answers name the same triangle
+    /// Displacement over eps, where the two differ and an answer is lawful by its place but not right at the
+    /// centre (compare/displacement.h).
+    BoundRecord candidate_edges, reference_edges;
     std::uint64_t reference_defects = 0;  ///< pixels at which the reference's own answer is inadmissible
     std::uint64_t adjudicated = 0;        ///< pixels that needed the admissible set
     std::uint64_t exact = 0;              ///< of those, pixels that needed exact rationals

@@ -81,9 +81,9 @@ std::string axis() {
 
 }  // namespace
 
-std::string histogram_svg(const DepthRecord& record) {
+std::string histogram_svg(std::string_view what, const BoundRecord& record) {
     const int top_decade = decades(record.histogram);
-    return "<svg role=\"img\" aria-label=\"Depth error over bound, at most " +
+    return "<svg role=\"img\" aria-label=\"" + escaped(what) + ", at most " +
            rounded(record.max_error_over_bound) + "\" viewBox=\"0 0 " + shortest(width) + " " +
            shortest(bottom + 20) + "\">" + scale(top_decade) + axis() + bars(record.histogram, top_decade) +
            "</svg>";

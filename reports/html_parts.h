@@ -35,13 +35,20 @@ std::vector<PageView> page_views(const Results& results, const std::filesystem::
 /// The section of one view.
 std::string html_view(const PageView& page);
 
+/// The matrix of renderers; empty where nothing was judged.
+std::string html_renderers(const Results& results);
+
+/// What the witnesses said of one view, and who agrees with whom; empty where none was asked.
+std::string html_witnesses(const ViewResult& view);
+
 /// A coloured square with the class's glyph, then its name.
 std::string class_badge(PixelClass c);
 
 /// Glyph and word of an outcome.
 std::string outcome_badge(Outcome outcome);
 
-/// Depth error / bound as bars over a logarithmic count; the bound is the line at 1.
-std::string histogram_svg(const DepthRecord& record);
+/// Error / bound as bars over a logarithmic count; the bound is the line at 1. `what` names it for those who
+/// hear the page.
+std::string histogram_svg(std::string_view what, const BoundRecord& record);
 
 }  // namespace zproof

@@ -92,10 +92,17 @@ std::string diagnosis(const ViewResult& v) {
     return "<h3>" + std::string(d.cause ? "Likely cause" : "No single cause") + "</h3>\n" + cause + rest;
 }
 
-std::string histogram(std::string_view whose, const std::string& renderer, const DepthRecord& record) {
-    return "<div><h3>Depth error / bound, " + std::string(whose) + "</h3>" + histogram_svg(record) +
-           "<p class=\"fine\">" + escaped(renderer) + ": at most " + rounded(record.max_error_over_bound) +
+std::string histogram(std::string_view what, const std::string& renderer, const BoundRecord& record) {
+    return "<div><h3>" + std::string(what) + "</h3>" + histogram_svg(what, record) + "<p class=\"fine\">" +
+           escaped(renderer) + ": at most " + rounded(record.max_error_over_bound) +
            " times the bound.</p></div>\n";
+}
+
+std::string histograms(const ViewResult& v) {
+    return histogram("Depth error / bound, candidate", v.candidate, v.candidate_depth) +
+           histogram("Depth error / bound, reference", v.reference, v.reference_depth) +
+           histogram("Edge displacement / bound, candidate", v.candidate, v.candidate_edges) +
+           histogram("Edge displacement / bound, reference", v.reference, v.reference_edges);
 }
 
 std::string depth_cell(const Answer& answer) {
@@ -151,7 +158,8 @@ std::string stage(std::string_view name, double time) {
 std::string stages(const StageTimes& t) {
     return "<p class=\"fine stages\">" + stage("load", t.load) + stage("render", t.render) +
            stage("reference build", t.reference_build) + stage("reference", t.reference) +
-           stage("judge", t.judge) + stage("write", t.write) + stage("in all", seconds(t)) + "</p>\n";
+           stage("judge", t.judge) + stage("witnesses", t.witnesses) + stage("write", t.write) +
+           stage("in all", seconds(t)) + "</p>\n";
 }
 
 std::string row(std::string_view kind, const std::string& content) {
@@ -162,10 +170,8 @@ std::string judgement(const PageView& page) {
     const ViewResult& v = *page.view;
     if (!was_judged(v)) return "";
     return row("diagnosis", diagnosis(v)) + row("map", figures(page, 0, 1) + class_table(v)) +
-           row("figures", figures(page, 1, page.pictures.size())) +
-           row("panels", histogram("candidate", v.candidate, v.candidate_depth) +
-                             histogram("reference", v.reference, v.reference_depth)) +
-           worst_table(v);
+           row("figures", figures(page, 1, page.pictures.size())) + row("panels", histograms(v)) +
+           row("panels", html_witnesses(v)) + worst_table(v);
 }
 
 }  // namespace

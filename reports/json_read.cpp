@@ -9,7 +9,7 @@ namespace zproof {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(const std::string& why) { throw ReportError("results.json: " + why); }
 
@@ -79,13 +79,18 @@ ClassCounts counts_by_name(const Json& json) {
     return counts;
 }
 
-DepthRecord depth_record(const Json& json) {
-    DepthRecord record{.max_error_over_bound = number(json.at("max_error_over_bound"))};
+BoundRecord bound_record(const Json& json) {
+    BoundRecord record{.max_error_over_bound = number(json.at("max_error_over_bound"))};
     const Json& bins = json.at("histogram");
     if (bins.size() != record.histogram.size())
         refuse("expected a histogram of " + std::to_string(record.histogram.size()) + " bins");
     for (std::size_t i = 0; i < record.histogram.size(); ++i) record.histogram[i] = count(bins.at(i));
     return record;
+}
+
+/// Since 1.2.
+BoundRecord edges(const Json& view, const char* whose) {
+    return view.contains(whose) ? bound_record(view.at(whose)) : BoundRecord{};
 }
 
 StageTimes stage_times(const Json& json) {
@@ -94,6 +99,7 @@ StageTimes stage_times(const Json& json) {
             .reference_build = number(json.at("reference_build")),
             .reference = number(json.at("reference")),
             .judge = number(json.at("judge")),
+            .witnesses = json.contains("witnesses") ? number(json.at("witnesses")) : 0,  // since 1.2
             .write = number(json.at("write"))};
 }
 
@@ -116,6 +122,35 @@ std::optional<Diagnosis> diagnosis(const Json& view) {
     return d;
 }
 
+PictureDifferences picture(const Json& json) {
+    PictureDifferences differences{};
+    for (const auto& [name, d] : json.items())
+        differences[std::size_t(class_named(name))] = {.pixels = count(d.at("pixels")),
+                                                       .rms = number(d.at("rms")),
+                                                       .mean = number(d.at("mean")),
+                                                       .largest = number(d.at("largest"))};
+    return differences;
+}
+
+WitnessResult witness(const Json& json) {
+    WitnessResult w{.name = json.at("name"), .absent = json.at("absent"), .worst = {}};
+    if (!w.absent.empty()) return w;
+    w.counts = counts_by_name(json.at("counts"));
+    w.depth = bound_record(json.at("depth"));
+    w.edges = bound_record(json.at("edges"));
+    for (const Json& finding : json.at("worst")) w.worst.push_back(reported(finding));
+    if (json.contains("picture")) w.picture = picture(json.at("picture"));
+    if (json.contains("no_picture")) w.no_picture = json.at("no_picture");
+    return w;
+}
+
+/// Since 1.2; absent: none was asked.
+void read_witnesses(const Json& json, ViewResult& v) {
+    if (!json.contains("witnesses")) return;
+    for (const Json& one : json.at("witnesses")) v.witnesses.push_back(witness(one));
+    v.accord = {.same = json.at("accord").at("same"), .unanimous = count(json.at("accord").at("unanimous"))};
+}
+
 ViewResult view(const Json& json) {
     ViewResult v{.scene = json.at("scene"),
                  .source = json.at("source"),
@@ -129,17 +164,22 @@ ViewResult view(const Json& json) {
                  .candidate = json.at("candidate"),
                  .reference = json.at("reference"),
                  .counts = counts_by_name(json.at("counts")),
-                 .candidate_depth = depth_record(json.at("candidate_depth")),
-                 .reference_depth = depth_record(json.at("reference_depth")),
+                 .candidate_depth = bound_record(json.at("candidate_depth")),
+                 .reference_depth = bound_record(json.at("reference_depth")),
+                 .candidate_edges = edges(json, "candidate_edges"),
+                 .reference_edges = edges(json, "reference_edges"),
                  .reference_defects = count(json.at("reference_defects")),
                  .adjudicated = count(json.at("adjudicated")),
                  .exact = count(json.at("exact")),
                  .diagnosis = diagnosis(json),
+                 .witnesses = {},
+                 .accord = {},
                  .worst = {},
                  .notes = json.at("notes"),
                  .times = stage_times(json.at("times")),
                  .folder = json.at("folder")};
     for (const Json& finding : json.at("worst")) v.worst.push_back(reported(finding));
+    read_witnesses(json, v);
     return v;
 }
 
@@ -162,7 +202,13 @@ Results results_from_json(const std::string& text) try {
                     .compiler = run.at("compiler"),
                     .embree = run.at("embree"),
                     .threads = run.at("threads"),
+                    .renderers = {},
                     .views = {}};
+    if (run.contains("renderers"))  // since 1.2
+        for (const Json& one : run.at("renderers"))
+            results.renderers.push_back({.name = one.at("name"),
+                                         .version = one.at("version"),
+                                         .precision = one.at("precision").dump()});
     for (const Json& one : root.at("views")) results.views.push_back(view(one));
     return results;
 } catch (const Json::exception& e) {

@@ -9,13 +9,15 @@ namespace {
 
 class EverySuiteScene : public testing::TestWithParam<std::string> {};
 
-TEST_P(EverySuiteScene, HasNoUnexplainedPixelAndKeepsItsDepthBounds) {
+TEST_P(EverySuiteScene, HasNoUnexplainedPixelAndKeepsItsBounds) {
     for (const Trial& trial : try_suite_scene(GetParam(), 500, 281)) {
         SCOPED_TRACE(trial.name);
         EXPECT_EQ(defect_count(trial.verdict), 0u) << name_of(commonest_defect(trial.verdict));
         EXPECT_EQ(trial.verdict.reference_defects, 0u);
         EXPECT_LE(trial.verdict.candidate_depth.max_error_over_bound, 1);
         EXPECT_LE(trial.verdict.reference_depth.max_error_over_bound, 1);
+        EXPECT_LE(trial.verdict.candidate_edges.max_error_over_bound, 1);
+        EXPECT_LE(trial.verdict.reference_edges.max_error_over_bound, 1);
     }
 }
 

@@ -59,6 +59,7 @@ TEST_P(Determinism, FramesAndVerdictsDoNotDependOnThreadsOrRuns) {
         EXPECT_EQ(one.verdict.candidate_depth.histogram, other.verdict.candidate_depth.histogram);
         EXPECT_EQ(one.verdict.candidate_depth.max_error_over_bound,
                   other.verdict.candidate_depth.max_error_over_bound);
+        EXPECT_EQ(one.verdict.candidate_edges.histogram, other.verdict.candidate_edges.histogram);
         EXPECT_TRUE(std::ranges::equal(one.verdict.findings, other.verdict.findings, same_finding));
     }
 }

@@ -79,6 +79,13 @@ TEST(Html, TellsTheWorstPixels) {
     EXPECT_EQ(occurrences(page, "3 lines were skipped."), 1u);
 }
 
+TEST(Html, ShowsDepthsAndEdgesOfBothAgainstTheirBounds) {
+    const std::string page = page_without_pictures();
+    EXPECT_EQ(occurrences(page, "aria-label=\"Depth error / bound, candidate, at most 0.93\""), 1u);
+    EXPECT_EQ(occurrences(page, "aria-label=\"Edge displacement / bound, candidate, at most 0.875\""), 2u);
+    EXPECT_EQ(occurrences(page, "embree: at most 0.25 times the bound."), 2u);
+}
+
 TEST(Html, TellsTheLikelyCauseAndWhatElseWasTested) {
     const std::string page = page_without_pictures();
     EXPECT_EQ(occurrences(page, "<h3>Likely cause</h3>"), 1u);
@@ -90,6 +97,18 @@ TEST(Html, TellsTheLikelyCauseAndWhatElseWasTested) {
     Results results = sample_results();
     results.views[1].diagnosis->cause.reset();
     EXPECT_EQ(occurrences(to_html(results, "/nowhere"), "<h3>No single cause</h3>"), 1u);
+}
+
+TEST(Html, TellsWhatTheWitnessesSaidAndWhoAgrees) {
+    const std::string page = page_without_pictures();
+    EXPECT_EQ(occurrences(page, "<strong>povray</strong>: 5 defects (5 hole)"), 1u);
+    EXPECT_EQ(occurrences(page, "The &lt;witness&gt; is wrong."), 1u);
+    EXPECT_EQ(occurrences(page, "<strong>opengl</strong>: no &lt;device&gt;"), 1u);
+    EXPECT_EQ(occurrences(page, "agree RMS 0.5, largest 1 (7 pixels)"), 1u);
+    EXPECT_EQ(occurrences(page, "no picture: no &lt;canvas&gt;"), 1u);
+    EXPECT_EQ(occurrences(page, "3.7 &lt;b&gt;"), 1u);
+    EXPECT_EQ(occurrences(page, "not heard: no &lt;device&gt;"), 1u);
+    EXPECT_EQ(occurrences(page, "All that were heard name the same triangle at 5 of 2,073,600 pixels."), 1u);
 }
 
 TEST(Html, EveryClassIsInTheLegend) {
@@ -117,11 +136,11 @@ TEST(Html, StaysBelow25MegabytesWhateverThePicturesWeigh) {
 }
 
 TEST(Html, HistogramHasABarPerFilledBinAndMarksTheBound) {
-    DepthRecord record{.max_error_over_bound = 41.2};
+    BoundRecord record{.max_error_over_bound = 41.2};
     record.histogram[0] = 1'000'000;
     record.histogram[3] = 1;
     record.histogram[20] = 2;
-    const std::string svg = histogram_svg(record);
+    const std::string svg = histogram_svg("Depth error / bound", record);
     EXPECT_EQ(occurrences(svg, "<rect class=\"bar\""), 2u);
     EXPECT_EQ(occurrences(svg, "<rect class=\"over\""), 1u);
     EXPECT_EQ(occurrences(svg, "<title>0.15 to 0.20: 1 pixel</title>"), 1u);
@@ -129,7 +148,7 @@ TEST(Html, HistogramHasABarPerFilledBinAndMarksTheBound) {
     std::istringstream in(svg);
     boost::property_tree::ptree tree;
     EXPECT_NO_THROW(boost::property_tree::read_xml(in, tree));
-    EXPECT_EQ(occurrences(histogram_svg({}), "<rect"), 0u);
+    EXPECT_EQ(occurrences(histogram_svg("", {}), "<rect"), 0u);
 }
 
 }  // namespace zproof

@@ -74,6 +74,8 @@ TEST(Json, KeepsEveryBitOfHardNumbers) {
     EXPECT_TRUE(std::isinf(room.candidate_depth.max_error_over_bound));
     EXPECT_EQ(room.counts, original.views[1].counts);
     EXPECT_EQ(room.candidate_depth.histogram, original.views[1].candidate_depth.histogram);
+    EXPECT_EQ(room.candidate_edges.histogram, original.views[1].candidate_edges.histogram);
+    EXPECT_EQ(room.reference_edges.max_error_over_bound, 0.25);
     EXPECT_EQ(room.diagnosis->cause->name, "a row is <lost>");
     EXPECT_EQ(room.diagnosis->runners_up.at(0).checked, 1000u);
     EXPECT_FALSE(back.views[0].diagnosis);
@@ -119,6 +121,15 @@ TEST(Json, ReadsResultsFromBeforeDiagnosis) {
     document["schema_version"] = "1.0";
     for (Json& view : document["views"]) view.erase("diagnosis");
     EXPECT_FALSE(results_from_json(document.dump()).views.at(1).diagnosis);
+    EXPECT_EQ(objections(document), "");
+}
+
+TEST(Json, ReadsResultsFromBeforeEdgesWereMeasured) {
+    Json document = Json::parse(to_json(sample_results()));
+    document["schema_version"] = "1.1";
+    for (Json& view : document["views"])
+        for (const char* whose : {"candidate_edges", "reference_edges"}) view.erase(whose);
+    EXPECT_EQ(results_from_json(document.dump()).views.at(1).candidate_edges.max_error_over_bound, 0);
     EXPECT_EQ(objections(document), "");
 }
 
