@@ -114,10 +114,10 @@ class ViewBounds {
   private:
     PlaneSize plane_size_of(const TriangleExtent& extent, const CornersWorld& p_world) const;
     TriangleBounds bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const;
-    TriangleBounds bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const;
-    TriangleBounds bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
     /// Replaces the terms of interpolated depth by those of a reversed z from a plane equation.
     void set_reversed_z(TriangleBounds& bounds, const TriangleExtent& extent) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
     /// How far a point that a ray met may seem to lie from where it is on its triangle, scene units.
     double plane_test_error(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
     /// The largest sum of coordinates of a point or origin that the arithmetic of a ray caster meets.

@@ -59,12 +59,13 @@ class Declaration {
         value = found.get<int>();
     }
 
-    void take(const std::string& key, double& share) {
+    /// A share or a distance: 0 to 1.
+    void take(const std::string& key, double& value) {
         const Json found = take(key);
         if (found.is_null()) return;
-        const bool fits = found.is_number() && found >= 0.0 && found < 1.0;
-        if (!fits) refuse(key, "expected a number from 0 to below 1, found " + found.dump());
-        share = found.get<double>();
+        if (!found.is_number() || found < 0 || found > 1)
+            refuse(key, "expected a number from 0 to 1, found " + found.dump());
+        value = found.get<double>();
     }
 
     Json take(const std::string& key) {
@@ -122,9 +123,19 @@ PlaneRayPrecision plane_ray(Declaration& declaration) {
     declaration.take("clip_of_reach", p.clip_of_reach);
     declaration.refuse_what_is_left(
         "aim_offset_px, least_corner_sine, least_grazing_sine, depth_relative, depth_of_range, "
-        "clip_relative, "
-        "clip_of_reach");
+        "clip_relative, clip_of_reach");
     return p;
+}
+
+Json object_of(const PlaneRayPrecision& p) {
+    return {{"kind", "plane_ray"},
+            {"aim_offset_px", p.aim_offset_px},
+            {"least_corner_sine", p.least_corner_sine},
+            {"least_grazing_sine", p.least_grazing_sine},
+            {"depth_relative", p.depth_relative},
+            {"depth_of_range", p.depth_of_range},
+            {"clip_relative", p.clip_relative},
+            {"clip_of_reach", p.clip_of_reach}};
 }
 
 Json object_of(const RasterPrecision& p) {
@@ -141,17 +152,6 @@ Json object_of(const RasterPrecision& p) {
 
 Json object_of(const RayPrecision& p) {
     return {{"kind", "ray"}, {"arithmetic", word_for(arithmetics, p.arithmetic)}};
-}
-
-Json object_of(const PlaneRayPrecision& p) {
-    return {{"kind", "plane_ray"},
-            {"aim_offset_px", p.aim_offset_px},
-            {"least_corner_sine", p.least_corner_sine},
-            {"least_grazing_sine", p.least_grazing_sine},
-            {"depth_relative", p.depth_relative},
-            {"depth_of_range", p.depth_of_range},
-            {"clip_relative", p.clip_relative},
-            {"clip_of_reach", p.clip_of_reach}};
 }
 
 Precision declared(Json object, const std::string& place) {

@@ -8,10 +8,9 @@
 
 namespace zproof {
 
-/// Reads {"kind": "raster", "transform": "float32", "subpixel_bits": 8, ...}, {"kind": "ray",
-/// "arithmetic": "float32"} or {"kind": "plane_ray", ...}. A key that is left out has its default
-/// (frame/precision.h); one that is unknown, of another type or out of range is refused. `place` is what
-/// errors call the text. Throws FrameError.
+/// Reads {"kind": "raster", "transform": "float32", "subpixel_bits": 8, ...} or {"kind": "ray",
+/// "arithmetic": "float32"}. A key that is left out has its default (frame/precision.h); one that is unknown,
+/// of another type or out of range is refused. `place` is what errors call the text. Throws FrameError.
 Precision precision_from_json(const std::string& text, const std::string& place);
 
 /// What --precision was given: a JSON file, or the same in one word, "raster,subpixel_bits=4,snap=truncate".

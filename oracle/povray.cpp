@@ -2,9 +2,11 @@
 
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "oracle/oracle_error.h"
+#include "oracle/povray_picture.h"
 #include "oracle/povray_scene.h"
 #include "oracle/ppm.h"
 #include "oracle/scratch_folder.h"
@@ -57,6 +59,14 @@ Frame frame_of(const Plane<PovrayCode::Channels>& picture, const PovrayScene& sc
     return frame;
 }
 
+Picture colours_of(const Plane<PovrayCode::Channels>& codes) {
+    Picture picture(codes.size());
+    std::ranges::transform(codes.pixels(), picture.pixels().begin(), [](const PovrayCode::Channels& c) {
+        return LinearRgb{float(c[0]) / 65535, float(c[1]) / 65535, float(c[2]) / 65535};
+    });
+    return picture;
+}
+
 }  // namespace
 
 Frame PovRay::render(const View& view) const {
@@ -65,6 +75,15 @@ Frame PovRay::render(const View& view) const {
     write_text(scratch.path() / scene_file, scene.text);
     run_povray(options_, view, scratch.path());
     return frame_of(read_ppm16(scratch.path() / picture_file, {view.width, view.height}), scene);
+}
+
+Picture PovRay::picture(const View& view, const Light& light) const {
+    const ScratchFolder scratch;
+    const PovrayPicture picture = povray_picture(scene_, view, light);
+    write_text(scratch.path() / scene_file, picture.text);
+    for (const PovrayImage& image : picture.images) write_text(scratch.path() / image.name, image.bytes);
+    run_povray(options_, view, scratch.path());
+    return colours_of(read_ppm16(scratch.path() / picture_file, {view.width, view.height}));
 }
 
 Precision povray_precision() {

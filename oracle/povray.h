@@ -10,7 +10,9 @@
 #include <string>
 
 #include "frame/frame.h"
+#include "frame/picture.h"
 #include "frame/precision.h"
+#include "scenes/light.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
@@ -32,6 +34,10 @@ class PovRay {
     /// the program is missing, fails (with the end of what it said), runs out of time, or where the view is
     /// beyond its means: depths of more than 1e9 from nearest to farthest, or more than 2^20 triangles.
     Frame render(const View& view) const;
+
+    /// A lit, textured picture of the same view (oracle/povray_picture.h), linear, 16 bits a channel, cut to
+    /// [0, 1]. Throws OracleError as render, and for what povray_picture refuses.
+    Picture picture(const View& view, const Light& light) const;
 
   private:
     const Scene& scene_;
