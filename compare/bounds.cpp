@@ -22,6 +22,8 @@ glm::dvec3 abs_cross(const glm::dvec3& a, const glm::dvec3& b) {
     return {p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x};
 }
 
+double sum_abs(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
 double largest_defect(const Camera& camera) {
     const glm::dmat3 axes(camera.right, camera.up, camera.back);
     const glm::dmat3 gram = glm::transpose(axes) * axes;
@@ -63,11 +65,13 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
     origin_abs_ = perspective_ ? glm::dvec3(0) : largest_u_ * glm::abs(c.right) + largest_v_ * glm::abs(c.up);
     if (const auto* raster = std::get_if<RasterPrecision>(&precision))
         background_eps_px_ = std::ldexp(raster->snap == Snap::nearest ? 0.5 : 1.0, -raster->subpixel_bits);
+    else if (const auto* ray = std::get_if<RayPrecision>(&precision))
+        set_aim(unit_of(ray->arithmetic));
     else
-        set_aim(unit_of(std::get<RayPrecision>(precision).arithmetic));
+        set_aim(gamma(24, unit_roundoff_float64), std::get<PlaneRayPrecision>(precision).aim_offset_px);
 }
 
-void ViewBounds::set_aim(double unit) {
+void ViewBounds::set_aim(double unit, double offset_px) {
     const Camera& c = view_.camera;
     const std::array axes{c.right, c.up, c.back};
     const glm::dvec3 origin_world = glm::abs(glm::dvec3(c.eye_world)) + origin_abs_;
@@ -76,7 +80,7 @@ void ViewBounds::set_aim(double unit) {
         direction_error[i] = unit * glm::dot(glm::abs(axes[size_t(i)]), direction_abs_);
         origin_error[i] = perspective_ ? 0 : unit * glm::dot(glm::abs(axes[size_t(i)]), origin_world);
     }
-    aim_px_ = lateral_px(perspective_ ? direction_error : origin_error);
+    aim_px_ = offset_px + lateral_px(perspective_ ? direction_error : origin_error);
     aim_px_per_depth_ = perspective_ ? 0 : lateral_px(direction_error);
     aim_depth_relative_ = direction_error.z;
     aim_depth_absolute_ = origin_error.z;
@@ -118,9 +122,8 @@ PlaneSize ViewBounds::plane_size_of(const TriangleExtent& extent, const CornersW
 }
 
 TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
-    TriangleBounds bounds = std::holds_alternative<RasterPrecision>(precision_)
-                                ? raster_bounds(extent, std::get<RasterPrecision>(precision_))
-                                : ray_bounds(extent, std::get<RayPrecision>(precision_));
+    TriangleBounds bounds =
+        std::visit([&](const auto& precision) { return bounds_by(extent, precision); }, precision_);
     const Camera& c = view_.camera;
     const auto [low, high] = std::minmax({extent.depth[0], extent.depth[1], extent.depth[2]});
     bounds.nearest = std::clamp(low, c.near_depth, c.far_depth);
@@ -133,8 +136,7 @@ bool ViewBounds::keeps_to_corners() const {
     return raster && raster->depth_buffer == DepthBuffer::camera_depth;
 }
 
-TriangleBounds ViewBounds::raster_bounds(const TriangleExtent& extent,
-                                         const RasterPrecision& precision) const {
+TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const {
     const double u = unit_of(precision.transform);
     // float64: the fused matrix is built and applied in double: 3 (translation) + 3 + 3 (product of the two
     // matrices)
@@ -239,7 +241,7 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
     return gradient > 0 ? error / gradient : 0;  // an edge without extent in the image bounds no area
 }
 
-TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPrecision& precision) const {
+TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const {
     const double u = unit_of(precision.arithmetic);
     // a corner is rounded once when the origin is subtracted
     const double corner = u * lateral_px(extent.from_eye);
@@ -278,6 +280,76 @@ TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPre
     bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
     // frames hold float32: a wider depth is rounded once more on its way there
     if (precision.arithmetic == Arithmetic::float64) bounds.depth_factor += unit_roundoff_float32;
+    return bounds;
+}
+
+double ViewBounds::ray_reach(const TriangleExtent& extent) const {
+    double reach = 0;
+    for (const glm::dvec3& v : extent.v_world) reach = std::max(reach, sum_abs(v));
+    if (perspective_) return reach;
+    const Camera& c = view_.camera;
+    const double start = 3 * std::max(std::abs(c.near_depth), std::abs(c.far_depth)) +
+                         (c.window.right - c.window.left) + (c.window.top - c.window.bottom);
+    return reach + sum_abs(origin_abs_) + start * sum_abs(direction_abs_);
+}
+
+double ViewBounds::plane_test_error(const TriangleExtent& extent, const PlaneRayPrecision& precision) const {
+    constexpr double u = unit_roundoff_float64, sqrt3 = 1.7320508075688773;
+    const auto& v = extent.v_world;
+    const glm::dvec3 side1 = v[0] - v[1], side2 = v[2] - v[1];
+    const double product = glm::length(side1) * glm::length(side2);
+    const double area = glm::length(glm::cross(side1, side2));
+    const double sine = product > 0 ? std::max(area / product, precision.least_corner_sine) : 1;
+    const double diameter = std::max({glm::length(side1), glm::length(side2), glm::length(v[2] - v[0])});
+    const double reach = ray_reach(extent);
+    const double offset = sqrt3 * gamma(5, u) / sine * diameter + gamma(8, u) * reach;
+    const double error = sqrt3 * (offset + gamma(2, u) * reach + 3 * gamma(3, u) * diameter);
+    const bool may_graze = extent.plane_size.volume <= 2 * precision.least_grazing_sine * area * reach;
+    return error + (may_graze ? precision.least_grazing_sine * reach : 0);
+}
+
+TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const {
+    constexpr double u = unit_roundoff_float64;
+    const double corner = u * lateral_px(extent.from_eye);
+    const double inside = lateral_px(glm::dvec3(plane_test_error(extent, precision)));
+    const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
+
+    TriangleBounds bounds;
+    bounds.eps_base_px = aim + (perspective_ ? 0 : corner + inside);
+    bounds.eps_per_nearness = perspective_ ? corner + inside : 0;
+    bounds.depth_eps_base_px = aim + (perspective_ ? 0 : corner);
+    bounds.depth_eps_per_nearness = perspective_ ? corner : 0;
+
+    // where the ray meets the plane as for Pluecker rays, the normal's length taken out: 10 roundings in each
+    // product; then -back . (origin + t d)
+    const Camera& c = view_.camera;
+    const PlaneSize& size = extent.plane_size;
+    const auto over_volume = [&](double sum) {
+        return size.volume > 0 ? gamma(10, u) * sum / size.volume : unlimited;
+    };
+    const double volume_factor = over_volume(size.volume_abs),
+                 numerator_error = over_volume(size.numerator_abs);
+    const double along = gamma(8, u) * glm::dot(glm::abs(c.back), direction_abs_) +
+                         orthonormality_ * (1 + slant_u_ + slant_v_);
+    const double hit_factor = gamma(8, u) + aim_depth_relative_ + volume_factor + along;
+    bounds.depth_factor = hit_factor + precision.depth_relative;
+    bounds.depth_absolute = u * extent.from_eye.z + aim_depth_absolute_;
+    if (perspective_) {
+        bounds.plane_offset = numerator_error;
+    } else {
+        bounds.depth_absolute += numerator_error * (1 + BoundsOnPlane::compounded(volume_factor)) +
+                                 (gamma(8, u) * sum_abs(c.back) + orthonormality_) * ray_reach(extent);
+    }
+    const auto slack = [&](double plane_depth) {
+        const double share = BoundsOnPlane::compounded(hit_factor + bounds.plane_offset * plane_depth);
+        if (std::isinf(share)) return share;
+        const double clip = precision.clip_relative * std::abs(plane_depth) +
+                            (perspective_ ? 0 : precision.clip_of_reach * ray_reach(extent));
+        return std::abs(plane_depth) * share + bounds.depth_absolute + clip;
+    };
+    bounds.near_slack = slack(c.near_depth);
+    bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
+    if (!perspective_) bounds.depth_absolute += precision.depth_of_range * (c.far_depth - c.near_depth);
     return bounds;
 }
 

@@ -113,10 +113,15 @@ class ViewBounds {
 
   private:
     PlaneSize plane_size_of(const TriangleExtent& extent, const CornersWorld& p_world) const;
-    TriangleBounds raster_bounds(const TriangleExtent& extent, const RasterPrecision& precision) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const;
     /// Replaces the terms of interpolated depth by those of a reversed z from a plane equation.
     void set_reversed_z(TriangleBounds& bounds, const TriangleExtent& extent) const;
-    TriangleBounds ray_bounds(const TriangleExtent& extent, const RayPrecision& precision) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
+    /// How far a point that a ray met may seem to lie from where it is on its triangle, scene units.
+    double plane_test_error(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
+    /// The largest sum of coordinates of a point or origin that the arithmetic of a ray caster meets.
+    double ray_reach(const TriangleExtent& extent) const;
     /// Largest displacement in the image, px times depth, of errors of camera_abs along the camera's axes.
     double lateral_px(const glm::dvec3& camera_abs) const;
     /// The farthest that a corner lies from the image's origin or the window's centre, px; `limit` where near
@@ -127,7 +132,7 @@ class ViewBounds {
     /// Planes of the view volume with a corner of the triangle beyond.
     int cut_count(const TriangleExtent& extent) const;
     double edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const;
-    void set_aim(double unit);
+    void set_aim(double unit, double offset_px = 0);
 
     View view_;
     Precision precision_;

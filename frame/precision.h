@@ -59,6 +59,20 @@ struct RayPrecision {
     Arithmetic arithmetic = Arithmetic::float32;
 };
 
-using Precision = std::variant<RasterPrecision, RayPrecision>;
+/// A ray caster in float64: it meets a triangle's plane, whose unit normal and offset were computed once, and
+/// then asks whether the point lies inside, in the two axes that are farthest from the normal. Corners are
+/// rounded once when the eye is subtracted.
+struct PlaneRayPrecision {
+    double aim_offset_px = 0;  ///< rays may pass this far beside the pixel's centre, in x and in y
+    double least_corner_sine =
+        0x1p-26;  ///< triangles with a smaller sine at their second corner are not drawn
+    double least_grazing_sine = 1e-10;  ///< a ray does not meet a plane at a smaller sine
+    double depth_relative = 0x1p-24;    ///< error of the reported depth beside that of the hit itself
+    double depth_of_range = 0;          ///< parallel: a further one, as a share of far - near
+    double clip_relative = 0;           ///< error of near and far, as a share of themselves
+    double clip_of_reach = 0;           ///< parallel: a further one, as a share of the coordinates' size
+};
+
+using Precision = std::variant<RasterPrecision, RayPrecision, PlaneRayPrecision>;
 
 }  // namespace zproof

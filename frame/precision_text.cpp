@@ -59,6 +59,15 @@ class Declaration {
         value = found.get<int>();
     }
 
+    /// A share or a distance: 0 to 1.
+    void take(const std::string& key, double& value) {
+        const Json found = take(key);
+        if (found.is_null()) return;
+        if (!found.is_number() || found < 0 || found > 1)
+            refuse(key, "expected a number from 0 to 1, found " + found.dump());
+        value = found.get<double>();
+    }
+
     Json take(const std::string& key) {
         const auto place = object_.find(key);
         if (place == object_.end()) return nullptr;
@@ -103,6 +112,32 @@ RayPrecision ray(Declaration& declaration) {
     return p;
 }
 
+PlaneRayPrecision plane_ray(Declaration& declaration) {
+    PlaneRayPrecision p;
+    declaration.take("aim_offset_px", p.aim_offset_px);
+    declaration.take("least_corner_sine", p.least_corner_sine);
+    declaration.take("least_grazing_sine", p.least_grazing_sine);
+    declaration.take("depth_relative", p.depth_relative);
+    declaration.take("depth_of_range", p.depth_of_range);
+    declaration.take("clip_relative", p.clip_relative);
+    declaration.take("clip_of_reach", p.clip_of_reach);
+    declaration.refuse_what_is_left(
+        "aim_offset_px, least_corner_sine, least_grazing_sine, depth_relative, depth_of_range, "
+        "clip_relative, clip_of_reach");
+    return p;
+}
+
+Json object_of(const PlaneRayPrecision& p) {
+    return {{"kind", "plane_ray"},
+            {"aim_offset_px", p.aim_offset_px},
+            {"least_corner_sine", p.least_corner_sine},
+            {"least_grazing_sine", p.least_grazing_sine},
+            {"depth_relative", p.depth_relative},
+            {"depth_of_range", p.depth_of_range},
+            {"clip_relative", p.clip_relative},
+            {"clip_of_reach", p.clip_of_reach}};
+}
+
 Json object_of(const RasterPrecision& p) {
     return {{"kind", "raster"},
             {"transform", word_for(arithmetics, p.transform)},
@@ -124,7 +159,8 @@ Precision declared(Json object, const std::string& place) {
     const Json kind = declaration.take("kind");
     if (kind == "raster") return raster(declaration);
     if (kind == "ray") return ray(declaration);
-    declaration.refuse("kind", "expected \"raster\" or \"ray\"");
+    if (kind == "plane_ray") return plane_ray(declaration);
+    declaration.refuse("kind", "expected \"raster\", \"ray\" or \"plane_ray\"");
 }
 
 /// "raster,subpixel_bits=4" as the object that it stands for.
@@ -157,8 +193,8 @@ Precision precision_from_json(const std::string& text, const std::string& place)
 }
 
 Precision precision_from_word(const std::string& word) {
-    const bool is_kind = word == "raster" || word == "ray";
-    if (is_kind || word.starts_with("raster,") || word.starts_with("ray,"))
+    const std::string kind = word.substr(0, word.find(','));
+    if (kind == "raster" || kind == "ray" || kind == "plane_ray")
         return declared(object_from_word(word), "precision '" + word + "'");
     std::ifstream file(word, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -68,6 +68,7 @@ Allowed allowed_by(const RasterPrecision& p) {
 }
 
 Allowed allowed_by(const RayPrecision&) { return {}; }
+Allowed allowed_by(const PlaneRayPrecision&) { return {}; }
 
 std::string number(double value, int digits = 6) {
     std::array<char, 64> buffer{};

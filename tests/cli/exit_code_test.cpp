@@ -69,7 +69,7 @@ const std::vector<Case> cases{
     {"ExplainOutside", {"explain", "one.gltf", "64", "0", "--width", "64", "--height", "48"}, 2, "64 x 48"},
     {"ExplainUnknownView", {"explain", "one.gltf", "1", "1", "--view", "x"}, 2, "frame-all"},
     {"MeasureNobody", {"measure"}, 2, "RENDERER"},
-    {"MeasureUnknown", {"measure", "nosuch"}, 2, "expected one of zproof, embree, opengl"},
+    {"MeasureUnknown", {"measure", "nosuch"}, 2, "expected one of zproof, embree, opengl, povray"},
     {"MissingFile", {"run", "absent.glb"}, 3, "absent.glb: no such file"},
     {"NotAScene", {"run", "words.txt"}, 3, ".gltf"},
     {"Malformed", {"run", "broken.gltf"}, 3, "broken.gltf"},

@@ -30,7 +30,8 @@ TEST(PrecisionText, ComesBackKeyForKey) {
                                   .depth_roundings = 1};
     for (const Precision& precision :
          {Precision{unusual}, Precision{RasterPrecision{}}, Precision{RayPrecision{Arithmetic::float64}},
-          Precision{RayPrecision{}}}) {
+          Precision{RayPrecision{}},
+          Precision{PlaneRayPrecision{.aim_offset_px = 0x1p-28, .depth_of_range = 0x1p-29}}}) {
         const std::string text = precision_to_json(precision);
         EXPECT_EQ(precision_to_json(precision_from_json(text, "here")), text);
     }
@@ -66,6 +67,7 @@ TEST(PrecisionText, ARefusalNamesPlaceAndRemedy) {
     EXPECT_NE(refusal("raster,snap=round").find("expected \"nearest\" or \"truncate\", found \"round\""),
               std::string::npos);
     EXPECT_NE(refusal("ray,subpixel_bits=4").find("unknown key"), std::string::npos);
+    EXPECT_NE(refusal("plane_ray,aim_offset_px=-1").find("from 0 to 1, found -1"), std::string::npos);
     EXPECT_NE(refusal("raster,nonsense").find("KEY=VALUE"), std::string::npos);
     EXPECT_NE(refusal("/no/such/file.json").find("cannot be read"), std::string::npos);
     EXPECT_THROW(precision_from_json("[1]", "x"), FrameError);
