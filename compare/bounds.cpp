@@ -117,9 +117,19 @@ PlaneSize ViewBounds::plane_size_of(const TriangleExtent& extent, const CornersW
 }
 
 TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
-    TriangleBounds bounds = std::holds_alternative<RasterPrecision>(precision_)
-                                ? raster_bounds(extent, std::get<RasterPrecision>(precision_))
-                                : ray_bounds(extent, std::get<RayPrecision>(precision_));
+    if (const auto* raster = std::get_if<RasterPrecision>(&precision_))
+        return with_depths(raster_bounds(extent, *raster), extent);
+    const auto& ray = std::get<RayPrecision>(precision_);
+    return with_depths(with_ray_coverage(ray_depth_bounds(extent, ray), extent, ray), extent);
+}
+
+TriangleBounds ViewBounds::for_depth(const TriangleExtent& extent) const {
+    if (const auto* raster = std::get_if<RasterPrecision>(&precision_))
+        return with_depths(raster_bounds(extent, *raster), extent);
+    return with_depths(ray_depth_bounds(extent, std::get<RayPrecision>(precision_)), extent);
+}
+
+TriangleBounds ViewBounds::with_depths(TriangleBounds bounds, const TriangleExtent& extent) const {
     const Camera& c = view_.camera;
     const auto [low, high] = std::minmax({extent.depth[0], extent.depth[1], extent.depth[2]});
     bounds.nearest = std::clamp(low, c.near_depth, c.far_depth);
@@ -187,20 +197,15 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
     return gradient > 0 ? error / gradient : 0;  // an edge without extent in the image bounds no area
 }
 
-TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPrecision& precision) const {
+TriangleBounds ViewBounds::ray_depth_bounds(const TriangleExtent& extent,
+                                            const RayPrecision& precision) const {
     const double u = unit_of(precision.arithmetic);
     // a corner is rounded once when the origin is subtracted
     const double corner = u * lateral_px(extent.from_eye);
     const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
-    double edges = 0;
-    for (int edge = 0; edge < 3; ++edge) edges = std::max(edges, edge_test_eps_px(extent, edge, u));
-
     TriangleBounds bounds;
     bounds.depth_eps_base_px = aim + (perspective_ ? 0 : corner);
     bounds.depth_eps_per_nearness = perspective_ ? corner : 0;
-    // the robust test admits barycentrics down to -2u: a step of at most 2u (|v_i| + |q|)
-    bounds.eps_base_px = aim + edges + (perspective_ ? 0 : 5 * corner);
-    bounds.eps_per_nearness = perspective_ ? 5 * corner : 0;
 
     // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and the
     // product
@@ -216,6 +221,19 @@ TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPre
         bounds.plane_offset = numerator_error;
     else
         bounds.depth_absolute += numerator_error * (1 + BoundsOnPlane::compounded(volume_factor));
+    return bounds;
+}
+
+TriangleBounds ViewBounds::with_ray_coverage(TriangleBounds bounds, const TriangleExtent& extent,
+                                             const RayPrecision& precision) const {
+    const double u = unit_of(precision.arithmetic);
+    const double corner = u * lateral_px(extent.from_eye);
+    const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
+    double edges = 0;
+    for (int edge = 0; edge < 3; ++edge) edges = std::max(edges, edge_test_eps_px(extent, edge, u));
+    // the robust test admits barycentrics down to -2u: a step of at most 2u (|v_i| + |q|)
+    bounds.eps_base_px = aim + edges + (perspective_ ? 0 : 5 * corner);
+    bounds.eps_per_nearness = perspective_ ? 5 * corner : 0;
     const auto slack = [&](double plane_depth) {
         const double share =
             BoundsOnPlane::compounded(u + bounds.depth_factor + bounds.plane_offset * plane_depth);
@@ -225,6 +243,20 @@ TriangleBounds ViewBounds::ray_bounds(const TriangleExtent& extent, const RayPre
     bounds.near_slack = slack(c.near_depth);
     bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
     return bounds;
+}
+
+DepthRow BoundsOnPlane::depth_row() const {
+    DepthRow row{};
+    row.least = least_;
+    row.highest = highest_;
+    row.base = depth_eps_px_.base;
+    row.per = depth_eps_px_.per;
+    row.most = depth_eps_px_.most;
+    row.amplification = depth_eps_px_.amplification;
+    row.depth_factor = depth_factor_;
+    row.plane_offset = plane_offset_;
+    row.absolute = depth_absolute_;
+    return row;
 }
 
 LocalBounds TriangleBounds::at(double nearness, double gradient) const {

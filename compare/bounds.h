@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "compare/depth_row.h"
 #include "frame/precision.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
@@ -75,6 +76,9 @@ class BoundsOnPlane {
                 .depth_absolute = depth_absolute_};
     }
 
+    /// What compare/depth_row.h needs of it; the rest of the row is left for the caller.
+    DepthRow depth_row() const;
+
     /// What factors and divisors whose relative errors add up to `sum` may come to: 1 / (1 - sum) - 1 (Higham
     /// 2002, Lemma 3.1); unlimited from 1 up.
     static double compounded(double sum) { return sum < 1 ? sum / (1 - sum) : unlimited; }
@@ -102,6 +106,8 @@ class ViewBounds {
     TriangleExtent extent_of(const CornersWorld& p_world) const;
     TriangleBounds of(const TriangleExtent& extent) const;
     TriangleBounds of(const CornersWorld& p_world) const { return of(extent_of(p_world)); }
+    /// The same without what only coverage asks for: eps of a ray caster, and the slack of near and far.
+    TriangleBounds for_depth(const TriangleExtent& extent) const;
     /// A rasterizer interpolates between its corners' depths; a ray meets the plane.
     bool keeps_to_corners() const { return std::holds_alternative<RasterPrecision>(precision_); }
     /// The share that every triangle has in common; above 0.
@@ -110,7 +116,10 @@ class ViewBounds {
   private:
     PlaneSize plane_size_of(const TriangleExtent& extent, const CornersWorld& p_world) const;
     TriangleBounds raster_bounds(const TriangleExtent& extent, const RasterPrecision& precision) const;
-    TriangleBounds ray_bounds(const TriangleExtent& extent, const RayPrecision& precision) const;
+    TriangleBounds ray_depth_bounds(const TriangleExtent& extent, const RayPrecision& precision) const;
+    TriangleBounds with_ray_coverage(TriangleBounds bounds, const TriangleExtent& extent,
+                                     const RayPrecision& precision) const;
+    TriangleBounds with_depths(TriangleBounds bounds, const TriangleExtent& extent) const;
     /// Largest displacement in the image, px times depth, of errors of camera_abs along the camera's axes.
     double lateral_px(const glm::dvec3& camera_abs) const;
     /// The farthest that a corner lies from the image's origin or the window's centre, px; that of the guard

@@ -1,0 +1,69 @@
+#include "compare/depth_row.h"
+
+#include <cmath>
+#include <limits>
+
+#include "math/rounding.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+double clamped(double value, double low, double high) {
+    const double raised = value < low ? low : value;
+    return high < raised ? high : raised;
+}
+
+struct Range {
+    double low, truth, high;
+};
+
+/// Divisions come first and what they give is chosen afterwards: a loop of these has no branches.
+Range perspective_range(double nearness, double shift) {
+    const double nearer = nearness + shift, farther = nearness - shift;
+    const double low = 1 / nearer, truth = 1 / nearness, high = 1 / farther;
+    return {nearer > 0 ? low : infinite, nearness > 0 ? truth : infinite, farther > 0 ? high : infinite};
+}
+
+Range parallel_range(double nearness, double shift) {
+    return {-nearness - shift, -nearness, -nearness + shift};
+}
+
+/// The loop of both: `range_of` and `margin_of` are all that projections differ in.
+template <class RangeOf, class MarginOf>
+void hold_row(const DepthRow& t, int first_x, std::span<const float> depth, double* ratio,
+              const RangeOf& range_of, const MarginOf& margin_of) {
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        const double nearness = t.nearness_step * (first_x + int(i)) + t.nearness_row + t.nearness_offset;
+        const double here = clamped(nearness, t.least, t.highest);
+        const double reach = (t.base + t.per * here) * t.amplification;
+        const Range range = range_of(nearness, (reach < t.most ? reach : t.most) * t.gradient);
+        const double nearest = clamped(range.low, t.nearest, t.farthest);
+        const double farthest = clamped(range.high, t.nearest, t.farthest);
+        const double truth = clamped(range.truth, nearest, farthest);
+        const double sum = t.depth_factor + t.plane_offset / here, relative = sum / (1 - sum);
+        const double low = nearest - std::abs(nearest) * relative - t.absolute;
+        const double high = farthest + std::abs(farthest) * relative + t.absolute;
+        const double z = depth[i], margin = margin_of(z), rounding = 8 * unit_roundoff_float64 * z;
+        const bool holds = (sum < 1) & (truth < infinite) & (z >= 0) & (low + margin + rounding <= z) &
+                           (z <= high - margin - rounding);
+        const double error = std::abs(z - truth), room = z < truth ? truth - low : high - truth;
+        const double share = error / room;
+        ratio[i] = holds ? (error > 0 ? share : 0) : unsettled;
+    }
+}
+
+}  // namespace
+
+void hold_perspective_row(const DepthRow& row, int first_x, std::span<const float> depth, double* ratio) {
+    hold_row(row, first_x, depth, ratio, perspective_range,
+             [&](double z) { return 2 * row.own_error * z * z; });
+}
+
+void hold_parallel_row(const DepthRow& row, int first_x, std::span<const float> depth, double* ratio) {
+    hold_row(row, first_x, depth, ratio, parallel_range, [&](double) { return row.own_error; });
+}
+
+}  // namespace zproof
