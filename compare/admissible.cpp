@@ -171,7 +171,8 @@ bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule 
     if (front.least_nearness > back.greatest_nearness) return true;
     if (rule == DepthRule::bounded || front.greatest_nearness < back.least_nearness) return false;
     if (!drawn(seen).image || !drawn(occluder).image) return false;
-    if (coplanar(front.p_world, back.p_world)) return true;
+    if (stands_apart(occluder, seen)) return false;  // and so hides none of it: their depths may be equal
+    if (meet_at_the_centre(occluder, seen) || coplanar(front.p_world, back.p_world)) return true;
     return sign(drawn(occluder).image->nearness.c - drawn(seen).image->nearness.c) >= 0;
 }
 
@@ -204,6 +205,25 @@ template <class Number>
 bool AdmissibleSet<Number>::stands_apart(size_t occluder, size_t seen) {
     return std::ranges::any_of(drawn(occluder).edge,
                                [&](LinePointer edge) { return !are_on_one_side(edge, seen).value_or(true); });
+}
+
+/// Does an edge that both share, or a corner, certainly lie at the very centre? Then so do their depths.
+template <class Number>
+bool AdmissibleSet<Number>::meet_at_the_centre(size_t occluder, size_t seen) {
+    std::array<int, 2> ends{-1, -1};  // of the first edge through the centre
+    for (const LinePointer edge : drawn(seen).edge) {
+        if (!is_certainly_zero(edge->f.c)) continue;
+        if (edge_of(occluder, edge->id)) return true;
+        for (const int end : edge->ends) {
+            const auto ends_there = [&](LinePointer other) {
+                return std::ranges::count(other->ends, end) > 0;
+            };
+            if (std::ranges::count(ends, end) && std::ranges::any_of(drawn(occluder).edge, ends_there))
+                return true;
+        }
+        ends = edge->ends;
+    }
+    return false;
 }
 
 /// Nearest first: most squares are covered by the first.

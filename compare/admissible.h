@@ -84,6 +84,7 @@ class AdmissibleSet {
     bool continues(LinePointer edge, const std::vector<size_t>& occluders);
     LinePointer moved_inwards(LinePointer edge);
     bool stands_apart(size_t occluder, size_t seen);
+    bool meet_at_the_centre(size_t occluder, size_t seen);
 
     bool is_in_front(size_t occluder, size_t seen, DepthRule rule);
     void push_planes(HalfPlanes<Number>& half_planes, size_t occluder);

@@ -16,34 +16,8 @@ struct DepthOfBoth {
     TriangleDepth candidate, reference;
 };
 
-/// The triangles asked for lately: neighbouring pixels, and both witnesses, mostly ask for the same. A tile
-/// seldom shows more of them than there are places.
-class TriangleMemory {
-  public:
-    TriangleMemory(const Witness& candidate, const Witness& reference)
-        : candidate_(candidate), reference_(reference), places_(place_count) {}
-
-    const DepthOfBoth& operator[](PrimitiveId primitive) {
-        Place& place = places_[std::size_t(primitive) % place_count];
-        if (!place.depth || place.primitive != primitive) {
-            const TriangleInView triangle = candidate_.triangle_in_view(primitive);
-            place.depth.emplace(DepthOfBoth{depth_of(triangle, candidate_.bounds()),
-                                            depth_of(triangle, reference_.bounds())});
-            place.primitive = primitive;
-        }
-        return *place.depth;
-    }
-
-  private:
-    static constexpr std::size_t place_count = 512;
-    struct Place {
-        PrimitiveId primitive = PrimitiveId::none;
-        std::optional<DepthOfBoth> depth;
-    };
-
-    const Witness &candidate_, &reference_;
-    std::vector<Place> places_;
-};
+/// A tile seldom shows more triangles.
+constexpr std::size_t remembered_triangles = 512;
 
 /// Pixels [begin, end) of a row at which both name the same triangle, or both none; one pixel where they
 /// differ.
@@ -70,7 +44,7 @@ class Comparison {
         : triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
-          triangles_(candidate, reference) {}
+          triangles_(remembered_triangles) {}
 
     /// Compares pixels [left, right) of a row.
     void compare(int left, int right, int y, Findings& found) {
@@ -96,14 +70,14 @@ class Comparison {
         open.reference_invalid = is_invalid(f.reference, triangle_count_);
         if (!open.candidate_invalid && f.candidate.primitive != PrimitiveId::none) {
             const DepthCheck check =
-                candidate_.check(triangles_[f.candidate.primitive].candidate, f.candidate, x, y);
+                candidate_.check(depth_of_both(f.candidate.primitive).candidate, f.candidate, x, y);
             f.candidate_depth = check.bound;
             f.error_over_bound = check.error_over_bound;
             open.candidate_depth_lawful = check.lawful;
         }
         if (!open.reference_invalid && f.reference.primitive != PrimitiveId::none) {
             const DepthCheck check =
-                reference_.check(triangles_[f.reference.primitive].reference, f.reference, x, y);
+                reference_.check(depth_of_both(f.reference.primitive).reference, f.reference, x, y);
             open.reference_error_over_bound = check.error_over_bound;
             open.reference_depth_lawful = check.lawful;
         }
@@ -111,6 +85,14 @@ class Comparison {
     }
 
   private:
+    const DepthOfBoth& depth_of_both(PrimitiveId primitive) {
+        return triangles_(std::uint32_t(primitive), [&] {
+            const TriangleInView triangle = candidate_.triangle_in_view(primitive);
+            return DepthOfBoth{depth_of(triangle, candidate_.bounds()),
+                               depth_of(triangle, reference_.bounds())};
+        });
+    }
+
     void compare(const Run& run, int y, Findings& found) {
         if (run.candidate != run.reference)
             found.open.push_back(look_at(run.begin, y));
@@ -134,8 +116,8 @@ class Comparison {
         const auto depths = [&](const Witness& witness) {
             return witness.frame().camera_depth.row(y).subspan(std::size_t(run.begin), count_of_run);
         };
-        std::array<double, tile_width> ours{}, theirs{};
-        const DepthOfBoth& triangle = triangles_[run.candidate];
+        std::array<double, tile_width> ours, theirs;  // filled by hold()
+        const DepthOfBoth& triangle = depth_of_both(run.candidate);
         triangle.candidate.hold(run.begin, y, depths(candidate_), ours.data());
         triangle.reference.hold(run.begin, y, depths(reference_), theirs.data());
         for (std::size_t i = 0; i < count_of_run; ++i)
@@ -158,7 +140,7 @@ class Comparison {
 
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
-    TriangleMemory triangles_;
+    Memory<std::uint32_t, DepthOfBoth> triangles_;
 };
 
 }  // namespace

@@ -34,7 +34,9 @@ double largest_defect(const Camera& camera) {
 
 double PlaneSize::nearness_error(double largest_nearness) const {
     const double u = gamma(16, unit_roundoff_float64), condition = volume_abs / volume;
-    return u * condition < 0.5 ? 2 * u * (numerator_abs / volume + largest_nearness * condition) : unlimited;
+    return u * condition < 0.5
+               ? 2 * u * (numerator_abs / volume + largest_nearness * condition) + 2 * origin_error / volume
+               : unlimited;
 }
 
 double TriangleExtent::largest_depth() const {
@@ -111,9 +113,11 @@ PlaneSize ViewBounds::plane_size_of(const TriangleExtent& extent, const CornersW
     const Camera& c = view_.camera;
     const double from_corner = glm::dot(glm::abs(extent.v_world[0]) + origin_abs_, normal_abs);
     const double along_sight = glm::dot(direction_abs_, normal_abs);
-    if (perspective_) return {std::abs(glm::dot(extent.v_world[0], normal)), from_corner, along_sight};
+    if (perspective_) return {std::abs(glm::dot(extent.v_world[0], normal)), from_corner, along_sight, 0};
     const glm::dvec3 direction = c.shear.x * c.right + c.shear.y * c.up - c.back;
-    return {std::abs(glm::dot(direction, normal)), along_sight, from_corner};
+    const double origin_error = gamma(6, unit_roundoff_float64) *
+                                glm::dot(glm::abs(glm::dvec3(c.eye_world)) + origin_abs_, normal_abs);
+    return {std::abs(glm::dot(direction, normal)), along_sight, from_corner, origin_error};
 }
 
 TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {

@@ -30,6 +30,8 @@ struct LocalBounds {
 /// Parallel projections: depth = (normal . corner) / facing, in the same places.
 struct PlaneSize {
     double volume = 0, volume_abs = 0, numerator_abs = 0;
+    /// Parallel projections: what the judge's own rounding of the origin of sight may add to the numerator.
+    double origin_error = 0;
 
     /// Forward error of the judge's own nearness, computed in double by image_of, where |nearness| is at most
     /// this: absolute sums of both products, 16 roundings at most in each.

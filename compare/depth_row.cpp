@@ -33,8 +33,9 @@ Range parallel_range(double nearness, double shift) {
 
 /// The loop of both: `range_of` and `margin_of` are all that projections differ in.
 template <class RangeOf, class MarginOf>
-void hold_row(const DepthRow& t, int first_x, std::span<const float> depth, double* ratio,
-              const RangeOf& range_of, const MarginOf& margin_of) {
+[[gnu::always_inline]] inline void hold_row(const DepthRow& t, int first_x, std::span<const float> depth,
+                                            double* ratio, const RangeOf& range_of,
+                                            const MarginOf& margin_of) {
     for (std::size_t i = 0; i < depth.size(); ++i) {
         const double nearness = t.nearness_step * (first_x + int(i)) + t.nearness_row + t.nearness_offset;
         const double here = clamped(nearness, t.least, t.highest);
@@ -57,12 +58,19 @@ void hold_row(const DepthRow& t, int first_x, std::span<const float> depth, doub
 
 }  // namespace
 
-void hold_perspective_row(const DepthRow& row, int first_x, std::span<const float> depth, double* ratio) {
+/// Compiled once per instruction set. No bit depends on which runs: contraction is off, and the loop keeps
+/// its order.
+[[gnu::target_clones("default", "avx2", "avx512f")]] void hold_perspective_row(const DepthRow& row,
+                                                                               int first_x,
+                                                                               std::span<const float> depth,
+                                                                               double* ratio) {
     hold_row(row, first_x, depth, ratio, perspective_range,
              [&](double z) { return 2 * row.own_error * z * z; });
 }
 
-void hold_parallel_row(const DepthRow& row, int first_x, std::span<const float> depth, double* ratio) {
+[[gnu::target_clones("default", "avx2", "avx512f")]] void hold_parallel_row(const DepthRow& row, int first_x,
+                                                                            std::span<const float> depth,
+                                                                            double* ratio) {
     hold_row(row, first_x, depth, ratio, parallel_range, [&](double) { return row.own_error; });
 }
 

@@ -74,6 +74,9 @@ inline int sign(Interval a) {
     throw UndecidedSign{};
 }
 
+/// Never undecided: false where it may be another number.
+inline bool is_certainly_zero(const Interval& a) { return a.low() == 0 && a.high() == 0; }
+
 /// Of every number that the interval holds; never undecided.
 inline Interval magnitude(const Interval& a) {
     if (a.low() >= 0) return a;

@@ -59,6 +59,35 @@ TEST(DepthBound, CertainlyHoldsOnlyWhatIsLawfulAtTheEndsAndTheirNeighbours) {
     EXPECT_LT(lawful, 9 * asked / 10);
 }
 
+TEST(DepthBound, OfARowHasTheBitsOfEveryPixelsOwn) {
+    int settled = 0, asked = 0;
+    for (std::uint32_t seed = 0; seed < 600; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const ViewBounds bounds(s.view, seed % 2 ? Precision(RayPrecision{}) : Precision(RasterPrecision{}));
+        for (const Neighbour& n : s.around.neighbours) {
+            const TriangleDepth depth = depth_of(TriangleInView(s.view, bounds, n.p_world), bounds);
+            std::vector<float> z;
+            for (int x = 0; x < s.view.width; ++x) {
+                const auto around = depths_around(depth.at(x, s.y));
+                z.push_back(around.empty() ? 1 : around[std::size_t(x) % around.size()]);
+            }
+            std::vector<double> ratio(z.size());
+            depth.hold(0, s.y, z, ratio.data());
+            for (std::size_t x = 0; x < z.size(); ++x) {
+                ++asked;
+                if (ratio[x] == unsettled) continue;
+                const DepthBound bound = depth.at(int(x), s.y);
+                ASSERT_TRUE(depth.certainly_holds(bound, z[x])) << x;
+                ASSERT_EQ(ratio[x], error_over_bound(bound, z[x])) << x;
+                ++settled;
+            }
+        }
+    }
+    EXPECT_GT(settled, asked / 10);
+    EXPECT_LT(settled, 9 * asked / 10);
+}
+
 TEST(DepthBound, IsDecidedAsRationalsDecide) {
     int lawful = 0, asked = 0;
     for (std::uint32_t seed = 0; seed < 250; ++seed) {
