@@ -20,34 +20,41 @@ struct Range {
     double low, truth, high;
 };
 
-/// Divisions come first and what they give is chosen afterwards: a loop of these has no branches.
-Range perspective_range(double nearness, double shift) {
-    const double nearer = nearness + shift, farther = nearness - shift;
-    const double low = 1 / nearer, truth = 1 / nearness, high = 1 / farther;
-    return {nearer > 0 ? low : infinite, nearness > 0 ? truth : infinite, farther > 0 ? high : infinite};
-}
+/// What the projections differ in: the depths within `shift` of a nearness, and what our own rounding of the
+/// nearness comes to at depth z. Divisions come first and what they give is chosen afterwards, so that the
+/// loop has no branches.
+struct Perspective {
+    static Range range(double nearness, double shift) {
+        const double nearer = nearness + shift, farther = nearness - shift;
+        const double low = 1 / nearer, truth = 1 / nearness, high = 1 / farther;
+        return {nearer > 0 ? low : infinite, nearness > 0 ? truth : infinite, farther > 0 ? high : infinite};
+    }
+    static double margin(double own_error, double z) { return 2 * own_error * z * z; }
+};
+struct Parallel {
+    static Range range(double nearness, double shift) {
+        return {-nearness - shift, -nearness, -nearness + shift};
+    }
+    static double margin(double own_error, double) { return own_error; }
+};
 
-Range parallel_range(double nearness, double shift) {
-    return {-nearness - shift, -nearness, -nearness + shift};
-}
-
-/// The loop of both: `range_of` and `margin_of` are all that projections differ in.
-template <class RangeOf, class MarginOf>
+/// Inlined into each instruction set's copy of its callers.
+template <class Projected>
 [[gnu::always_inline]] inline void hold_row(const DepthRow& t, int first_x, std::span<const float> depth,
-                                            double* ratio, const RangeOf& range_of,
-                                            const MarginOf& margin_of) {
+                                            double* ratio) {
     for (std::size_t i = 0; i < depth.size(); ++i) {
         const double nearness = t.nearness_step * (first_x + int(i)) + t.nearness_row + t.nearness_offset;
         const double here = clamped(nearness, t.least, t.highest);
         const double reach = (t.base + t.per * here) * t.amplification;
-        const Range range = range_of(nearness, (reach < t.most ? reach : t.most) * t.gradient);
+        const Range range = Projected::range(nearness, (reach < t.most ? reach : t.most) * t.gradient);
         const double nearest = clamped(range.low, t.nearest, t.farthest);
         const double farthest = clamped(range.high, t.nearest, t.farthest);
         const double truth = clamped(range.truth, nearest, farthest);
         const double sum = t.depth_factor + t.plane_offset / here, relative = sum / (1 - sum);
         const double low = nearest - std::abs(nearest) * relative - t.absolute;
         const double high = farthest + std::abs(farthest) * relative + t.absolute;
-        const double z = depth[i], margin = margin_of(z), rounding = 8 * unit_roundoff_float64 * z;
+        const double z = depth[i], margin = Projected::margin(t.own_error, z),
+                     rounding = 8 * unit_roundoff_float64 * z;
         const bool holds = (sum < 1) & (truth < infinite) & (z >= 0) & (low + margin + rounding <= z) &
                            (z <= high - margin - rounding);
         const double error = std::abs(z - truth), room = z < truth ? truth - low : high - truth;
@@ -64,14 +71,13 @@ template <class RangeOf, class MarginOf>
                                                                                int first_x,
                                                                                std::span<const float> depth,
                                                                                double* ratio) {
-    hold_row(row, first_x, depth, ratio, perspective_range,
-             [&](double z) { return 2 * row.own_error * z * z; });
+    hold_row<Perspective>(row, first_x, depth, ratio);
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] void hold_parallel_row(const DepthRow& row, int first_x,
                                                                             std::span<const float> depth,
                                                                             double* ratio) {
-    hold_row(row, first_x, depth, ratio, parallel_range, [&](double) { return row.own_error; });
+    hold_row<Parallel>(row, first_x, depth, ratio);
 }
 
 }  // namespace zproof
