@@ -1,6 +1,7 @@
 #include "compare/admissible.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <numeric>
@@ -31,6 +32,7 @@ AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around)
       sight_(around.view, around.x, around.y),
       drawn_(around.neighbours.size()),
       nearest_first_(around.neighbours.size()) {
+    corners_by_hash_.fill(-1);
     const Number h(around.eps_px), zero(0), one(1);
     sides_ = {new_line({zero, one, h}), new_line({-one, zero, h}), new_line({zero, -one, h}),
               new_line({one, zero, h})};
@@ -47,9 +49,16 @@ auto AdmissibleSet<Number>::new_line(const Affine<Number>& f) -> LinePointer {
 
 template <class Number>
 int AdmissibleSet<Number>::corner_id(const glm::vec3& p_world) {
-    const auto found = std::ranges::find(corner_positions_, p_world);
-    if (found == corner_positions_.end()) corner_positions_.push_back(p_world);
-    return int(std::ranges::find(corner_positions_, p_world) - corner_positions_.begin());
+    const auto mixed = [](float f) {
+        return std::bit_cast<std::uint32_t>(f + 0.0f) * 0x9E3779B1u;
+    };  // -0 is 0
+    const std::uint32_t hash =
+        mixed(p_world.x) ^ std::rotl(mixed(p_world.y), 11) ^ std::rotl(mixed(p_world.z), 22);
+    int& first = corners_by_hash_[hash >> 24];
+    for (int id = first; id >= 0; id = corners_[std::size_t(id)].next_of_hash)
+        if (corners_[std::size_t(id)].p_world == p_world) return id;
+    corners_.push_back({p_world, first});
+    return first = int(corners_.size()) - 1;
 }
 
 template <class Number>

@@ -9,6 +9,13 @@
 
 namespace zproof {
 
+namespace {
+
+/// In own eps. Few squares grow beyond it, and a triangle that is found and meets no square changes nothing.
+constexpr double first_reach = 2;
+
+}  // namespace
+
 struct Hearing::Memories {
     std::map<const ViewBounds*, TriangleMemory> triangles;
     CoplanarMemory coplanar{4096};
@@ -20,8 +27,7 @@ void Hearing::add(const ViewBounds& bounds, PrimitiveId answer, int x, int y) {
     pleas_.push_back({&bounds, answer, x, y, 0, pleas_.size()});
 }
 
-/// Most squares grow no further than their own eps; the others are looked at once more with their full
-/// reach.
+/// The squares that grow beyond their first reach are looked at once more with their full reach.
 std::vector<Ruled> Hearing::hear(Asked asked) {
     std::vector<Ruled> rulings(pleas_.size());
     tbb::enumerable_thread_specific<Memories> memories;
@@ -29,7 +35,7 @@ std::vector<Ruled> Hearing::hear(Asked asked) {
     tbb::parallel_for(std::size_t(0), pleas_.size(), [&](std::size_t i) {
         Plea& plea = pleas_[i];
         plea.own_eps_px = own_eps_of(plea, memories.local());
-        sites_[i] = {plea.x, plea.y, plea.own_eps_px, {}};
+        sites_[i] = {plea.x, plea.y, first_reach * plea.own_eps_px, {}};
     });
     while (!pleas_.empty()) {
         find_nearby_triangles(scene_, view_, sites_);
