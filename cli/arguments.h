@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "cli/renderers/choice.h"
 #include "frame/plane.h"
 
 namespace zproof {
@@ -47,32 +48,59 @@ struct RenderSettings {
     int threads = available_threads();
 };
 
-struct RunArguments {
-    std::vector<std::string> scenes;  ///< empty: the whole suite
+enum class PictureWish {
+    none,
+    shaded,  ///< colour pictures of every view, also from witnesses that can paint
+};
+
+/// Where the reports go and what the terminal shows.
+struct ReportArguments {
     std::filesystem::path out = "zproof-out";
-    RenderSettings settings;
     ColourWish colour = ColourWish::automatic;
     ProgressStyle progress = ProgressStyle::automatic;
     Detail detail = Detail::table;
+    PictureWish pictures = PictureWish::none;
     std::string typed;  ///< the command line, quoted for a shell
+};
+
+struct RunArguments {
+    std::vector<std::string> scenes;  ///< empty: the whole suite
+    Parties parties;
+    RenderSettings settings;
+    ReportArguments report;
+};
+
+struct CompareArguments {
+    std::string scene;
+    std::string view;  ///< empty: the scene's only view
+    Parties parties;   ///< the candidate is a stored frame
+    int threads = available_threads();
+    ReportArguments report;
 };
 
 struct ExplainArguments {
     std::string scene;
     int x = 0, y = 0;  ///< pixel
     std::string view;  ///< empty: the scene's first view
+    Parties parties;   ///< witnesses are not asked
     RenderSettings settings;
 };
 
 struct RenderArguments {
     std::string scene;
+    RendererChoice renderer;
     std::filesystem::path out = "zproof-render";
     RenderSettings settings;
 };
 
 struct MeasureArguments {
-    std::string renderer;
+    RendererChoice renderer;
     MeasurementFormat format = MeasurementFormat::table;
+};
+
+struct ContractCheckArguments {
+    RendererChoice renderer;
+    int threads = available_threads();
 };
 
 struct SelftestArguments {
@@ -91,8 +119,9 @@ struct Answered {
     std::string text;
 };
 
-using Command = std::variant<RunArguments, ExplainArguments, RenderArguments, MeasureArguments,
-                             SelftestArguments, ListArguments, GenerateArguments, Answered>;
+using Command =
+    std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
+                 ContractCheckArguments, SelftestArguments, ListArguments, GenerateArguments, Answered>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

@@ -12,16 +12,22 @@ namespace zproof {
 /// hand.
 ExitCode execute(const RunArguments& arguments);
 
+/// Judges a stored frame, or one against another, and writes what a run writes. UsageError where it is not
+/// clear which view the frame is of.
+ExitCode execute(const CompareArguments& arguments);
+
 /// Prints the story of one pixel; proven or defect is that pixel's verdict. UsageError where (x, y) lies
 /// outside the view or there is no such view.
 ExitCode execute(const ExplainArguments& arguments);
 
-/// Writes the rasterizer's frame of every view, without judging it: VIEW.exr, VIEW-id.png, VIEW-depth.png.
+/// Writes a renderer's frame of every view, without judging it: VIEW.exr, VIEW-id.png, VIEW-depth.png.
 ExitCode execute(const RenderArguments& arguments);
 
 /// Measures a renderer and prints what it does beside what it declares; a defect where it is worse.
-/// UsageError where there is no such renderer.
 ExitCode execute(const MeasureArguments& arguments);
+
+/// Has a program draw three small scenes and says in words what is wrong with them.
+ExitCode execute(const ContractCheckArguments& arguments);
 
 /// Injects every known fault into good frames and prints what the gate says of each: proven where it catches
 /// all of them and passes the good frames.

@@ -7,7 +7,7 @@ enum class ExitCode : int {
     proven = 0,  ///< everything that was judged is right
     defect = 1,  ///< at least one pixel fails the gate, a suite scene no longer shows what it is there for,
                  ///< or a renderer is worse than it declares
-    usage = 2,         ///< the command line cannot be understood
+    usage = 2,   ///< the command line cannot be understood
     cannot_judge = 3,  ///< an input is unreadable, a tool refused, or a result could not be written
     nothing = 4,       ///< nothing was judged at all
     internal = 70,     ///< our own fault (EX_SOFTWARE of sysexits.h)

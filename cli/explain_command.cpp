@@ -2,12 +2,11 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/renderers/roster.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
 #include "cli/usage_error.h"
 #include "compare/explain.h"
-#include "oracle/embree.h"
-#include "rasterizer/rasterizer.h"
 
 namespace zproof {
 namespace {
@@ -35,10 +34,11 @@ void require_inside(const ExplainArguments& arguments, const View& view) {
 }
 
 PixelStory story_of(const ExplainArguments& arguments, const Scene& scene, const View& view) {
-    const Frame candidate = rasterizer::render(scene, view);
-    const Frame reference = oracle::Embree{scene}.trace(view);
-    return explain(scene, view, {candidate, rasterizer::precision()}, {reference, oracle::embree_precision()},
-                   arguments.x, arguments.y);
+    const Renderer ours = open(arguments.parties.candidate, scene),
+                   theirs = open(arguments.parties.reference, scene);
+    const Frame candidate = ours.render(view), reference = theirs.render(view);
+    return explain(scene, view, {candidate, ours.precision}, {reference, theirs.precision}, arguments.x,
+                   arguments.y);
 }
 
 }  // namespace

@@ -1,37 +1,26 @@
-#include <algorithm>
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/renderers/roster.h"
 #include "cli/threads.h"
-#include "cli/usage_error.h"
 #include "measure/measure.h"
-#include "rasterizer/rasterizer.h"
 #include "reports/measurement_report.h"
 
 namespace zproof {
 namespace {
 
-using measure::Renderer;
-
-/// Every renderer that can be measured. A new one is a line here: a name, a function and a promise.
-std::vector<Renderer> renderers() {
-    return {{.name = "zproof", .render = rasterizer::render, .declared = rasterizer::precision()}};
-}
-
-Renderer renderer_called(const std::string& name) {
-    std::string known;
-    for (Renderer& renderer : renderers()) {
-        if (renderer.name == name) return std::move(renderer);
-        known += (known.empty() ? "'" : ", '") + renderer.name + "'";
-    }
-    throw UsageError{"measure: no renderer '" + name + "'; there is " + known +
-                     " (see: zproof measure --help)"};
+/// The renderer as an instrument reads it: any scene, any view.
+measure::Renderer subject(const RendererChoice& choice) {
+    return {
+        .name = name_of(choice),
+        .render = [choice](const Scene& scene, const View& view) { return open(choice, scene).render(view); },
+        .declared = declared_precision(choice)};
 }
 
 }  // namespace
 
 ExitCode execute(const MeasureArguments& arguments) {
-    const Renderer renderer = renderer_called(arguments.renderer);
+    const measure::Renderer renderer = subject(arguments.renderer);
     measure::Measurement measurement;
     on_threads(1, [&] { measurement = measure::measure(renderer); });  // hundreds of pictures, all tiny
     const auto findings = measure::findings(measurement, renderer.declared);

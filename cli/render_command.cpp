@@ -2,11 +2,12 @@
 
 #include "cli/commands.h"
 #include "cli/folder_names.h"
+#include "cli/renderers/roster.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
 #include "frame/exr.h"
 #include "frame/png.h"
-#include "rasterizer/rasterizer.h"
+#include "rasterizer/shading.h"
 #include "reports/output_folder.h"
 #include "reports/pictures.h"
 
@@ -19,14 +20,24 @@ void write_frame(const std::filesystem::path& stem, const Frame& frame) {
     write_png(stem.string() + "-depth.png", picture_of_depths(frame.camera_depth));
 }
 
+void write_colours(const std::filesystem::path& stem, const Picture& picture) {
+    write_exr(stem.string() + "-colour.exr", picture);
+    write_png(stem.string() + "-colour.png", picture_of_light(picture));
+}
+
 }  // namespace
 
 ExitCode execute(const RenderArguments& arguments) {
     const Loaded loaded = load(select_scene(arguments.scene), arguments.settings.resolution);
     OutputFolder out{arguments.out};
     on_threads(arguments.settings.threads, [&] {
-        for (const View& view : loaded.views)
-            write_frame(out.working() / safe_name(view.name), rasterizer::render(loaded.scene, view));
+        const Renderer renderer = open(arguments.renderer, loaded.scene);
+        for (const View& view : loaded.views) {
+            const std::filesystem::path stem = out.working() / safe_name(view.name);
+            const Frame frame = renderer.render(view);
+            write_frame(stem, frame);
+            write_colours(stem, rasterizer::shade(loaded.scene, view, frame, Light{}));
+        }
     });
     out.publish();
     for (const View& view : loaded.views)

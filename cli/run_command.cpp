@@ -1,102 +1,18 @@
-#include <unistd.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "cli/commands.h"
-#include "cli/interrupt.h"
-#include "cli/outcome_code.h"
-#include "cli/progress.h"
-#include "cli/scene_run.h"
-#include "cli/threads.h"
-#include "cli/times_table.h"
-#include "cli/version.h"
-#include "oracle/embree.h"
-#include "reports/html.h"
-#include "reports/json.h"
-#include "reports/junit.h"
-#include "reports/output_folder.h"
-#include "reports/terminal.h"
-#include "reports/wording.h"
+#include "cli/judgement.h"
 
 namespace zproof {
-namespace {
-
-Colour resolve(ColourWish wish) {
-    if (wish == ColourWish::always) return Colour::ansi;
-    if (wish == ColourWish::never) return Colour::plain;
-    const char* no_color = std::getenv("NO_COLOR");  // no-color.org: any value but the empty one
-    const bool refused = no_color != nullptr && *no_color != '\0';
-    return !refused && is_terminal(STDOUT_FILENO) ? Colour::ansi : Colour::plain;
-}
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream out{file, std::ios::binary};
-    out << text << std::flush;
-    if (!out) throw ReportError{file.string() + ": cannot be written; is the disk full?"};
-}
-
-void write_reports(const std::filesystem::path& folder, const Results& results) {
-    write_text(folder / "results.json", to_json(results));
-    write_text(folder / "junit.xml", to_junit(results));
-    write_text(folder / "report.html", to_html(results, folder));
-}
-
-/// An interrupt that comes when everything is judged changes nothing any more.
-Ending judge_all(const std::vector<SceneSource>& sources, const Desk& desk, std::vector<ViewResult>& views) {
-    Ending ending = Ending::complete;
-    for (const SceneSource& source : sources) {
-        if (ending == Ending::interrupted || interrupted()) {
-            ending = Ending::interrupted;
-            views.push_back(left_by_interrupt(source));
-            continue;
-        }
-        SceneReport report = run_scene(source, desk);
-        ending = report.ending;
-        std::ranges::move(report.views, std::back_inserter(views));
-    }
-    return ending;
-}
-
-void print(const RunArguments& arguments, const Results& results, ExitCode code) {
-    if (arguments.detail != Detail::verdict) std::cout << summary_table(results, resolve(arguments.colour));
-    if (arguments.detail == Detail::times) std::cout << times_table(results);
-    std::cout << in_words(code) << ": " << counted(results.views.size(), "view")
-              << "; report: " << (arguments.out / "report.html").string() << "\n";
-}
-
-}  // namespace
 
 ExitCode execute(const RunArguments& arguments) {
-    const std::vector<SceneSource> sources = select_scenes(arguments.scenes);
+    std::vector<SceneSource> sources = select_scenes(arguments.scenes);
     if (sources.empty()) {
         std::cerr << "zproof: nothing to judge: no .gltf, .glb or .view.json in what was named\n";
         return ExitCode::nothing;
     }
-    OutputFolder out{arguments.out};
-    note_interrupts();
-
-    Results results{.version = version_number(),
-                    .command = arguments.typed,
-                    .compiler = compiler_name(),
-                    .embree = oracle::embree_version(),
-                    .threads = arguments.settings.threads,
-                    .views = {}};
-    FolderNames names;
-    Ending ending = Ending::complete;
-    {
-        Progress progress{std::cerr, resolve(arguments.progress), sources.size()};
-        const Desk desk{arguments.settings.resolution, out.working(), names, progress};
-        on_threads(arguments.settings.threads, [&] { ending = judge_all(sources, desk, results.views); });
-    }
-    const ExitCode code = exit_code_of(results, ending);
-    write_reports(out.working(), results);
-    out.publish();
-    print(arguments, results, code);
-    return code;
+    return judge_and_report(
+        {std::move(sources), arguments.parties, arguments.settings, arguments.report, /*only_view=*/""});
 }
 
 }  // namespace zproof

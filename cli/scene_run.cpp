@@ -4,36 +4,81 @@
 
 #include "cli/expectations.h"
 #include "cli/interrupt.h"
+#include "cli/shaded_pictures.h"
 #include "cli/stopwatch.h"
+#include "cli/usage_error.h"
 #include "cli/view_result.h"
+#include "cli/witness_hearing.h"
 #include "compare/diagnosis.h"
-#include "oracle/embree.h"
 #include "oracle/oracle_error.h"
-#include "rasterizer/rasterizer.h"
 #include "reports/evidence.h"
 #include "scenes/scene_error.h"
 
 namespace zproof {
 namespace {
 
+/// Candidate, reference and witnesses of one scene.
+struct Court {
+    Renderer candidate, reference;
+    std::vector<SummonedWitness> witnesses;
+};
+
+/// One view with everybody who answers about it.
+struct Trial {
+    const Docket& docket;
+    const Court& court;
+    const Desk& desk;
+};
+
+/// What the candidate answered, and what it was judged to be.
+struct JudgedFrame {
+    const Frame& frame;
+    const Plane<PixelClass>& classes;
+};
+
+/// Asks the witnesses, and counts where everybody names the same triangle.
+void hear_witnesses(const Trial& trial, const JudgedFrame& candidate, const Testimony& reference,
+                    ViewResult& result) {
+    std::vector<Statement> statements;
+    for (const SummonedWitness& witness : trial.court.witnesses) {
+        trial.desk.progress.begin_stage("ask " + name_of(witness.choice.renderer) + " " +
+                                        trial.docket.view.name);
+        statements.push_back(hear(witness, trial.docket, reference));
+    }
+    const std::filesystem::path folder = trial.desk.run_folder / result.folder;
+    if (trial.desk.pictures == PictureWish::shaded)
+        paint({trial.docket, candidate.frame, candidate.classes, folder}, trial.court.witnesses, statements);
+    std::vector<const Frame*> frames{&candidate.frame, &reference.frame};
+    for (const Statement& statement : statements) {
+        result.witnesses.push_back(statement.result);
+        if (!statement.frame) continue;
+        frames.push_back(statement.frame.get());
+        write_witness_frame(folder, statement.result.name, *statement.frame);
+    }
+    result.accord = accord_of(frames);
+    const std::string missing = missing_witness(trial.court.witnesses, result.witnesses);
+    if (!missing.empty()) result.outcome = Outcome::unreadable, result.message = missing;
+}
+
 /// nullopt: interrupted between two stages.
-std::optional<ViewResult> run_view(const Docket& docket, const oracle::Embree& embree, const Desk& desk) {
-    const auto& [source, scene, view] = docket;
+std::optional<ViewResult> run_view(const Trial& trial) {
+    const auto& [docket, court, desk] = trial;
+    const auto& [source, scene, view, parties] = docket;
     StageTimes times;
     Stopwatch watch;
 
     desk.progress.begin_stage("render " + view.name);
-    const Frame candidate = rasterizer::render(scene, view);
+    const Frame candidate = court.candidate.render(view);
     times.render = watch.lap();
     if (interrupted()) return std::nullopt;
 
     desk.progress.begin_stage("trace " + view.name);
-    const Frame reference = embree.trace(view);
+    const Frame reference = court.reference.render(view);
     times.reference = watch.lap();
     if (interrupted()) return std::nullopt;
 
     desk.progress.begin_stage("judge " + view.name);
-    const Testimony ours{candidate, rasterizer::precision()}, theirs{reference, oracle::embree_precision()};
+    const Testimony ours{candidate, court.candidate.precision}, theirs{reference, court.reference.precision};
     const Verdict verdict = judge(scene, view, ours, theirs);
     ViewResult result = to_view_result(docket, verdict);
     result.diagnosis = diagnose(scene, view, ours, theirs, verdict);
@@ -43,8 +88,40 @@ std::optional<ViewResult> run_view(const Docket& docket, const oracle::Embree& e
     result.folder = "scenes/" + desk.names.next(source.name, view.name);
     write_view_evidence(desk.run_folder / result.folder, candidate, reference, verdict);
     times.write = watch.lap();
+
+    hear_witnesses(trial, {candidate, verdict.classes}, theirs, result);
+    times.witnesses = watch.lap();
     result.times = times;
     return result;
+}
+
+/// The same; a view about which candidate or reference gave no answer is a result, and the run goes on.
+std::optional<ViewResult> run_view_or_say_why_not(const Trial& trial) {
+    try {
+        return run_view(trial);
+    } catch (const OracleError& e) {
+        ViewResult result = unjudged(trial.docket.source, Outcome::unreadable, e.what());
+        result.view = trial.docket.view.name;
+        result.candidate = trial.court.candidate.name;
+        result.reference = trial.court.reference.name;
+        return result;
+    }
+}
+
+std::string names_of(const std::vector<View>& views) {
+    std::string names;
+    for (const View& view : views) names += (names.empty() ? "" : ", ") + view.name;
+    return names;
+}
+
+/// All of them, or the one that was asked for.
+std::vector<View> wanted_views(const Loaded& loaded, const std::string& only_view) {
+    if (only_view.empty()) return loaded.views;
+    std::vector<View> views = loaded.views;
+    std::erase_if(views, [&](const View& view) { return view.name != only_view; });
+    if (!views.empty()) return views;
+    throw UsageError{"--view " + only_view + ": " + loaded.scene.name + " has the views " +
+                     names_of(loaded.views)};
 }
 
 ViewResult without_triangles(const SceneSource& source, const Scene& scene) {
@@ -66,12 +143,14 @@ Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewRe
     if (interrupted()) return Ending::interrupted;
 
     desk.progress.begin_stage("build");
-    const oracle::Embree embree{loaded.scene};
+    const Court court{open(desk.parties.candidate, loaded.scene), open(desk.parties.reference, loaded.scene),
+                      summon(desk.parties.witnesses, loaded.scene)};
     const double build_time = watch.lap();
 
-    for (const View& view : loaded.views) {
+    for (const View& view : wanted_views(loaded, desk.only_view)) {
         if (interrupted()) return Ending::interrupted;
-        std::optional<ViewResult> result = run_view({source, loaded.scene, view}, embree, desk);
+        const Docket docket{source, loaded.scene, view, desk.parties};
+        std::optional<ViewResult> result = run_view_or_say_why_not({docket, court, desk});
         if (!result) return Ending::interrupted;
         if (results.empty()) {
             result->times.load = load_time;
@@ -95,7 +174,7 @@ SceneReport run_scene(const SceneSource& source, const Desk& desk) {
         report.ending = run_views(source, desk, report.views);
         if (report.ending == Ending::interrupted)
             report.views.push_back(left_by_interrupt(source));
-        else if (desk.resolution == default_resolution)
+        else if (desk.resolution == default_resolution && are_the_usual(desk.parties))
             hold_to_expectations(source, report.views);
     } catch (const SceneError& e) {
         report.views.push_back(unjudged(source, Outcome::unreadable, e.what()));

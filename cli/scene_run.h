@@ -2,11 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
+#include "cli/arguments.h"
 #include "cli/folder_names.h"
 #include "cli/outcome_code.h"
 #include "cli/progress.h"
+#include "cli/renderers/choice.h"
 #include "cli/scene_selection.h"
 #include "reports/results.h"
 
@@ -18,6 +21,9 @@ struct Desk {
     std::filesystem::path run_folder;  ///< evidence goes below it, into scenes/
     FolderNames& names;
     Progress& progress;
+    const Parties& parties;
+    PictureWish pictures;
+    std::string only_view = "";  ///< empty: all views
 };
 
 /// Stands in for a scene, or the rest of one, that an interrupt left unjudged.
@@ -30,7 +36,8 @@ struct SceneReport {
 };
 
 /// Judges the scene's views one by one; frames are dropped after each. Uses the surrounding tbb::task_arena.
-/// Throws FrameError or ReportError where evidence cannot be written.
+/// Throws FrameError or ReportError where evidence cannot be written or a stored frame does not fit,
+/// UsageError where there is no such view.
 SceneReport run_scene(const SceneSource& source, const Desk& desk);
 
 }  // namespace zproof

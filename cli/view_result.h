@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/renderers/choice.h"
 #include "cli/scene_selection.h"
 #include "compare/verdict.h"
 #include "reports/results.h"
@@ -16,13 +17,17 @@ struct Docket {
     const SceneSource& source;
     const Scene& scene;
     const View& view;
+    const Parties& parties;
 };
 
-/// The command that explains a pixel of this view, quoted for a shell.
-std::string explain_command_for(const Docket& docket, int x, int y);
+/// The command that explains what this candidate said at a pixel of this view, quoted for a shell.
+std::string explain_command_for(const Docket& docket, const RendererChoice& candidate, int x, int y);
 
 /// Everything but times and folder.
 ViewResult to_view_result(const Docket& docket, const Verdict& verdict);
+
+/// What the judge said of a witness.
+WitnessResult to_witness_result(const Docket& docket, const RendererChoice& witness, const Verdict& verdict);
 
 /// A scene of which nothing was judged: why stands in the message.
 ViewResult unjudged(const SceneSource& source, Outcome outcome, const std::string& message);

@@ -7,8 +7,11 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -g1")
 
 add_library(zproof_strict INTERFACE)
-target_include_directories(zproof_strict INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(zproof_strict INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/zproof>)
+# Warnings are ours alone; the floating-point rules also hold for whoever compiles our headers.
 target_compile_options(zproof_strict INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual -Werror
+    $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wnon-virtual-dtor;-Wold-style-cast>
+    $<BUILD_INTERFACE:-Woverloaded-virtual;-Werror>
     -ffp-contract=off -fno-fast-math)
 target_compile_definitions(zproof_strict INTERFACE GLM_FORCE_EXPLICIT_CTOR)
+target_compile_features(zproof_strict INTERFACE cxx_std_20)

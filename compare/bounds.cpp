@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/plane_equation.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -20,6 +21,8 @@ glm::dvec3 abs_cross(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 p = glm::abs(a), q = glm::abs(b);
     return {p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x};
 }
+
+double sum_abs(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 double largest_defect(const Camera& camera) {
     const glm::dmat3 axes(camera.right, camera.up, camera.back);
@@ -56,19 +59,21 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
       px_per_v_(view.height / (view.camera.window.top - view.camera.window.bottom)),
       orthonormality_(largest_defect(view.camera)) {
     const Camera& c = view.camera;
-    const double u_abs = std::max(std::abs(c.window.left), std::abs(c.window.right));
-    const double v_abs = std::max(std::abs(c.window.bottom), std::abs(c.window.top));
-    slant_u_ = perspective_ ? u_abs : std::abs(c.shear.x);
-    slant_v_ = perspective_ ? v_abs : std::abs(c.shear.y);
+    largest_u_ = std::max(std::abs(c.window.left), std::abs(c.window.right));
+    largest_v_ = std::max(std::abs(c.window.bottom), std::abs(c.window.top));
+    slant_u_ = perspective_ ? largest_u_ : std::abs(c.shear.x);
+    slant_v_ = perspective_ ? largest_v_ : std::abs(c.shear.y);
     direction_abs_ = slant_u_ * glm::abs(c.right) + slant_v_ * glm::abs(c.up) + glm::abs(c.back);
-    origin_abs_ = perspective_ ? glm::dvec3(0) : u_abs * glm::abs(c.right) + v_abs * glm::abs(c.up);
+    origin_abs_ = perspective_ ? glm::dvec3(0) : largest_u_ * glm::abs(c.right) + largest_v_ * glm::abs(c.up);
     if (const auto* raster = std::get_if<RasterPrecision>(&precision))
         background_eps_px_ = std::ldexp(raster->snap == Snap::nearest ? 0.5 : 1.0, -raster->subpixel_bits);
+    else if (const auto* ray = std::get_if<RayPrecision>(&precision))
+        set_aim(unit_of(ray->arithmetic));
     else
-        set_aim(unit_of(std::get<RayPrecision>(precision).arithmetic));
+        set_aim(gamma(24, unit_roundoff_float64), std::get<PlaneRayPrecision>(precision).aim_offset_px);
 }
 
-void ViewBounds::set_aim(double unit) {
+void ViewBounds::set_aim(double unit, double offset_px) {
     const Camera& c = view_.camera;
     const std::array axes{c.right, c.up, c.back};
     const glm::dvec3 origin_world = glm::abs(glm::dvec3(c.eye_world)) + origin_abs_;
@@ -77,7 +82,7 @@ void ViewBounds::set_aim(double unit) {
         direction_error[i] = unit * glm::dot(glm::abs(axes[size_t(i)]), direction_abs_);
         origin_error[i] = perspective_ ? 0 : unit * glm::dot(glm::abs(axes[size_t(i)]), origin_world);
     }
-    aim_px_ = lateral_px(perspective_ ? direction_error : origin_error);
+    aim_px_ = offset_px + lateral_px(perspective_ ? direction_error : origin_error);
     aim_px_per_depth_ = perspective_ ? 0 : lateral_px(direction_error);
     aim_depth_relative_ = direction_error.z;
     aim_depth_absolute_ = origin_error.z;
@@ -121,19 +126,8 @@ PlaneSize ViewBounds::plane_size_of(const TriangleExtent& extent, const CornersW
 }
 
 TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
-    if (const auto* raster = std::get_if<RasterPrecision>(&precision_))
-        return with_depths(raster_bounds(extent, *raster), extent);
-    const auto& ray = std::get<RayPrecision>(precision_);
-    return with_depths(with_ray_coverage(ray_depth_bounds(extent, ray), extent, ray), extent);
-}
-
-TriangleBounds ViewBounds::for_depth(const TriangleExtent& extent) const {
-    if (const auto* raster = std::get_if<RasterPrecision>(&precision_))
-        return with_depths(raster_bounds(extent, *raster), extent);
-    return with_depths(ray_depth_bounds(extent, std::get<RayPrecision>(precision_)), extent);
-}
-
-TriangleBounds ViewBounds::with_depths(TriangleBounds bounds, const TriangleExtent& extent) const {
+    TriangleBounds bounds =
+        std::visit([&](const auto& precision) { return bounds_by(extent, precision); }, precision_);
     const Camera& c = view_.camera;
     const auto [low, high] = std::minmax({extent.depth[0], extent.depth[1], extent.depth[2]});
     bounds.nearest = std::clamp(low, c.near_depth, c.far_depth);
@@ -141,47 +135,97 @@ TriangleBounds ViewBounds::with_depths(TriangleBounds bounds, const TriangleExte
     return bounds;
 }
 
-TriangleBounds ViewBounds::raster_bounds(const TriangleExtent& extent,
-                                         const RasterPrecision& precision) const {
+bool ViewBounds::keeps_to_corners() const {
+    const auto* raster = std::get_if<RasterPrecision>(&precision_);
+    return raster && raster->depth_buffer == DepthBuffer::camera_depth;
+}
+
+TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const {
     const double u = unit_of(precision.transform);
     // float64: the fused matrix is built and applied in double: 3 (translation) + 3 + 3 (product of the two
     // matrices)
-    // + 4 (matrix times point) roundings. float32: entries rounded once, then 4.
-    const double transform =
-        (precision.transform == Arithmetic::float64 ? gamma(13, u) : gamma(5, u)) + orthonormality_;
+    // + 4 (matrix times point) roundings. float32: entries rounded once, then 4. Where the eye is subtracted
+    // first, 1 more, of a smaller size.
+    const bool from_eye = precision.origin == Origin::eye;
+    const int roundings = (precision.transform == Arithmetic::float64 ? 13 : 5) + (from_eye ? 1 : 0);
+    // a new corner: 4 roundings of its place on the edge, each at most twice the corners' size, then 5
+    const bool in_volume = precision.clipping == Clipping::view_volume;
+    const int clip_roundings = in_volume ? 13 * cut_count(extent) : 0;
+    const double transform = gamma(roundings + clip_roundings, u) + orthonormality_;
+    const glm::dvec3& size = from_eye ? extent.from_eye : extent.from_origin;
     // division, scale, offset; clipping's interpolation. In float64 the whole guard band costs 3e-11 px
     const bool is_coarse = precision.transform == Arithmetic::float32;
-    const double viewport = gamma(8, u) * (is_coarse ? reach_px(extent) : guard_band_px);
+    const double limit = in_volume ? window_reach_px() : guard_band_px;
+    const double viewport = gamma(8, u) * (is_coarse ? reach_px(extent, limit) : limit);
     const double snap = background_eps_px_;
-    const double lateral = transform * lateral_px(extent.from_origin);
+    const double lateral = transform * lateral_px(size);
 
     TriangleBounds bounds;
     bounds.eps_base_px = snap + viewport + (perspective_ ? 0 : lateral);
     bounds.eps_per_nearness = perspective_ ? lateral : 0;
     bounds.depth_eps_base_px = bounds.eps_base_px;
     bounds.depth_eps_per_nearness = bounds.eps_per_nearness;
-    bounds.depth_factor =
-        gamma(precision.depth_roundings, unit_roundoff_float32) + gamma(8, unit_of(precision.interpolation));
-    bounds.depth_absolute = transform * extent.from_origin.z;
+    bounds.depth_factor = gamma(precision.depth_roundings, unit_roundoff_float32);
+    bounds.depth_absolute = transform * size.z;
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gamma(8, u) * extent.largest_depth();
+    if (precision.depth_buffer == DepthBuffer::camera_depth)
+        bounds.depth_factor += gamma(8, unit_of(precision.interpolation));
+    else
+        set_reversed_z(bounds, extent);
     return bounds;
 }
 
-double ViewBounds::reach_px(const TriangleExtent& extent) const {
+void ViewBounds::set_reversed_z(TriangleBounds& bounds, const TriangleExtent& extent) const {
     const Camera& c = view_.camera;
-    const Window& w = c.window;
-    const double u_window = std::max(std::abs(w.left), std::abs(w.right));
-    const double v_window = std::max(std::abs(w.bottom), std::abs(w.top));
+    const double snap = background_eps_px_;
+    const std::vector<WindowCorner> polygon = window_polygon(view_, extent);
+    double highest = 0;  // nearness; only perspectives ask for it
+    for (const WindowCorner& corner : polygon) highest = std::max(highest, corner.z / z_per_nearness(c));
+    const double drift_base = bounds.eps_base_px - snap, drift_per = bounds.eps_per_nearness;
+    const CornerShift shift{.snap_px = snap, .drift_px = drift_base + drift_per * highest};
+    const auto [z_error, spread] = plane_equation_bounds(polygon, shift, view_);
+    bounds.nearness_error = z_error / z_per_nearness(c);
+    bounds.depth_eps_base_px = snap + spread * drift_base;
+    bounds.depth_eps_per_nearness = spread * drift_per;
+    if (perspective_) return;
+    // z is made of far - depth
+    bounds.depth_absolute += gamma(6, unit_roundoff_float32) * std::abs(c.far_depth);
+    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + bounds.nearness_error +
+                                           gamma(8, unit_roundoff_float32) * extent.largest_depth();
+}
+
+double ViewBounds::window_reach_px() const {
+    return 2 * std::max(px_per_u_ * largest_u_, px_per_v_ * largest_v_);
+}
+
+int ViewBounds::cut_count(const TriangleExtent& extent) const {
+    const Camera& c = view_.camera;
+    std::array<bool, 6> cuts{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double depth = extent.depth[i], w = perspective_ ? depth : 1;
+        const double x = glm::dot(c.right, extent.v_world[i]) - c.shear.x * depth;
+        const double y = glm::dot(c.up, extent.v_world[i]) - c.shear.y * depth;
+        const std::array<bool, 6> beyond{depth<c.near_depth, depth> c.far_depth,
+                                         x<c.window.left * w, x> c.window.right * w,
+                                         y<c.window.bottom * w, y> c.window.top * w};
+        for (std::size_t plane = 0; plane < cuts.size(); ++plane) cuts[plane] |= beyond[plane];
+    }
+    return int(std::ranges::count(cuts, true));
+}
+
+double ViewBounds::reach_px(const TriangleExtent& extent, double limit) const {
+    const Camera& c = view_.camera;
     double reach = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         const double depth = extent.depth[i];
-        if (!(depth >= c.near_depth)) return guard_band_px;
+        if (!(depth >= c.near_depth)) return limit;
         const double x = glm::dot(c.right, extent.v_world[i]), y = glm::dot(c.up, extent.v_world[i]);
         const double u = perspective_ ? x / depth : x - c.shear.x * depth;
         const double v = perspective_ ? y / depth : y - c.shear.y * depth;
-        reach = std::max({reach, px_per_u_ * (std::abs(u) + u_window), px_per_v_ * (std::abs(v) + v_window)});
+        reach =
+            std::max({reach, px_per_u_ * (std::abs(u) + largest_u_), px_per_v_ * (std::abs(v) + largest_v_)});
     }
-    return std::min(reach, guard_band_px);
+    return std::min(reach, limit);
 }
 
 double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const {
@@ -201,15 +245,20 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
     return gradient > 0 ? error / gradient : 0;  // an edge without extent in the image bounds no area
 }
 
-TriangleBounds ViewBounds::ray_depth_bounds(const TriangleExtent& extent,
-                                            const RayPrecision& precision) const {
+TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const {
     const double u = unit_of(precision.arithmetic);
     // a corner is rounded once when the origin is subtracted
     const double corner = u * lateral_px(extent.from_eye);
     const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
+    double edges = 0;
+    for (int edge = 0; edge < 3; ++edge) edges = std::max(edges, edge_test_eps_px(extent, edge, u));
+
     TriangleBounds bounds;
     bounds.depth_eps_base_px = aim + (perspective_ ? 0 : corner);
     bounds.depth_eps_per_nearness = perspective_ ? corner : 0;
+    // the robust test admits barycentrics down to -2u: a step of at most 2u (|v_i| + |q|)
+    bounds.eps_base_px = aim + edges + (perspective_ ? 0 : 5 * corner);
+    bounds.eps_per_nearness = perspective_ ? 5 * corner : 0;
 
     // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and the
     // product
@@ -225,19 +274,6 @@ TriangleBounds ViewBounds::ray_depth_bounds(const TriangleExtent& extent,
         bounds.plane_offset = numerator_error;
     else
         bounds.depth_absolute += numerator_error * (1 + BoundsOnPlane::compounded(volume_factor));
-    return bounds;
-}
-
-TriangleBounds ViewBounds::with_ray_coverage(TriangleBounds bounds, const TriangleExtent& extent,
-                                             const RayPrecision& precision) const {
-    const double u = unit_of(precision.arithmetic);
-    const double corner = u * lateral_px(extent.from_eye);
-    const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
-    double edges = 0;
-    for (int edge = 0; edge < 3; ++edge) edges = std::max(edges, edge_test_eps_px(extent, edge, u));
-    // the robust test admits barycentrics down to -2u: a step of at most 2u (|v_i| + |q|)
-    bounds.eps_base_px = aim + edges + (perspective_ ? 0 : 5 * corner);
-    bounds.eps_per_nearness = perspective_ ? 5 * corner : 0;
     const auto slack = [&](double plane_depth) {
         const double share =
             BoundsOnPlane::compounded(u + bounds.depth_factor + bounds.plane_offset * plane_depth);
@@ -246,6 +282,78 @@ TriangleBounds ViewBounds::with_ray_coverage(TriangleBounds bounds, const Triang
     const Camera& c = view_.camera;
     bounds.near_slack = slack(c.near_depth);
     bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
+    // frames hold float32: a wider depth is rounded once more on its way there
+    if (precision.arithmetic == Arithmetic::float64) bounds.depth_factor += unit_roundoff_float32;
+    return bounds;
+}
+
+double ViewBounds::ray_reach(const TriangleExtent& extent) const {
+    double reach = 0;
+    for (const glm::dvec3& v : extent.v_world) reach = std::max(reach, sum_abs(v));
+    if (perspective_) return reach;
+    const Camera& c = view_.camera;
+    const double start = 3 * std::max(std::abs(c.near_depth), std::abs(c.far_depth)) +
+                         (c.window.right - c.window.left) + (c.window.top - c.window.bottom);
+    return reach + sum_abs(origin_abs_) + start * sum_abs(direction_abs_);
+}
+
+double ViewBounds::plane_test_error(const TriangleExtent& extent, const PlaneRayPrecision& precision) const {
+    constexpr double u = unit_roundoff_float64, sqrt3 = 1.7320508075688773;
+    const auto& v = extent.v_world;
+    const glm::dvec3 side1 = v[0] - v[1], side2 = v[2] - v[1];
+    const double product = glm::length(side1) * glm::length(side2);
+    const double area = glm::length(glm::cross(side1, side2));
+    const double sine = product > 0 ? std::max(area / product, precision.least_corner_sine) : 1;
+    const double diameter = std::max({glm::length(side1), glm::length(side2), glm::length(v[2] - v[0])});
+    const double reach = ray_reach(extent);
+    const double offset = sqrt3 * gamma(5, u) / sine * diameter + gamma(8, u) * reach;
+    const double error = sqrt3 * (offset + gamma(2, u) * reach + 3 * gamma(3, u) * diameter);
+    const bool may_graze = extent.plane_size.volume <= 2 * precision.least_grazing_sine * area * reach;
+    return error + (may_graze ? precision.least_grazing_sine * reach : 0);
+}
+
+TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const {
+    constexpr double u = unit_roundoff_float64;
+    const double corner = u * lateral_px(extent.from_eye);
+    const double inside = lateral_px(glm::dvec3(plane_test_error(extent, precision)));
+    const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
+
+    TriangleBounds bounds;
+    bounds.eps_base_px = aim + (perspective_ ? 0 : corner + inside);
+    bounds.eps_per_nearness = perspective_ ? corner + inside : 0;
+    bounds.depth_eps_base_px = aim + (perspective_ ? 0 : corner);
+    bounds.depth_eps_per_nearness = perspective_ ? corner : 0;
+
+    // where the ray meets the plane as for Pluecker rays, the normal's length taken out: 10 roundings in each
+    // product; then -back . (origin + t d)
+    const Camera& c = view_.camera;
+    const PlaneSize& size = extent.plane_size;
+    const auto over_volume = [&](double sum) {
+        return size.volume > 0 ? gamma(10, u) * sum / size.volume : unlimited;
+    };
+    const double volume_factor = over_volume(size.volume_abs),
+                 numerator_error = over_volume(size.numerator_abs);
+    const double along = gamma(8, u) * glm::dot(glm::abs(c.back), direction_abs_) +
+                         orthonormality_ * (1 + slant_u_ + slant_v_);
+    const double hit_factor = gamma(8, u) + aim_depth_relative_ + volume_factor + along;
+    bounds.depth_factor = hit_factor + precision.depth_relative;
+    bounds.depth_absolute = u * extent.from_eye.z + aim_depth_absolute_;
+    if (perspective_) {
+        bounds.plane_offset = numerator_error;
+    } else {
+        bounds.depth_absolute += numerator_error * (1 + BoundsOnPlane::compounded(volume_factor)) +
+                                 (gamma(8, u) * sum_abs(c.back) + orthonormality_) * ray_reach(extent);
+    }
+    const auto slack = [&](double plane_depth) {
+        const double share = BoundsOnPlane::compounded(hit_factor + bounds.plane_offset * plane_depth);
+        if (std::isinf(share)) return share;
+        const double clip = precision.clip_relative * std::abs(plane_depth) +
+                            (perspective_ ? 0 : precision.clip_of_reach * ray_reach(extent));
+        return std::abs(plane_depth) * share + bounds.depth_absolute + clip;
+    };
+    bounds.near_slack = slack(c.near_depth);
+    bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
+    if (!perspective_) bounds.depth_absolute += precision.depth_of_range * (c.far_depth - c.near_depth);
     return bounds;
 }
 
@@ -260,6 +368,7 @@ DepthRow BoundsOnPlane::depth_row() const {
     row.depth_factor = depth_factor_;
     row.plane_offset = plane_offset_;
     row.absolute = depth_absolute_;
+    row.nearness_error = nearness_error_;
     return row;
 }
 
@@ -275,7 +384,8 @@ BoundsOnPlane::BoundsOnPlane(const TriangleBounds& b, double gradient)
       depth_factor_(b.depth_factor),
       plane_offset_(b.plane_offset),
       depth_relative_(compounded(b.depth_factor)),
-      depth_absolute_(b.depth_absolute) {}
+      depth_absolute_(b.depth_absolute),
+      nearness_error_(b.nearness_error) {}
 
 BoundsOnPlane::Displacement BoundsOnPlane::displacement(double base, double per, double gradient) const {
     const double loop = per * gradient;

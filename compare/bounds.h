@@ -24,6 +24,7 @@ struct LocalBounds {
     double depth_eps_px = 0;    ///< displacement at which depth may have been taken
     double depth_relative = 0;  ///< delta: relative error of depth; infinite where the plane is not known
     double depth_absolute = 0;  ///< alpha: absolute error of depth, scene units
+    double nearness_error = 0;  ///< of nearness itself; unlimited where the plane is not known
 };
 
 /// Sums of absolute products behind nearness = (normal . direction) / volume: how ill-conditioned it is.
@@ -56,6 +57,7 @@ struct TriangleBounds {
     double depth_eps_base_px = 0, depth_eps_per_nearness = 0;  ///< the same for depth
     double depth_factor = 0;  ///< sum of the relative errors of depth's factors
     double depth_absolute = 0;
+    double nearness_error = 0;             ///< z-buffer: of nearness, anywhere on the triangle
     double plane_offset = 0;               ///< ray: error of (normal . direction) / volume, in nearness
     double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
     double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
@@ -75,7 +77,8 @@ class BoundsOnPlane {
                 .depth_eps_px = depth_eps_px_.at(here),
                 .depth_relative =
                     plane_offset_ > 0 ? compounded(depth_factor_ + plane_offset_ / here) : depth_relative_,
-                .depth_absolute = depth_absolute_};
+                .depth_absolute = depth_absolute_,
+                .nearness_error = nearness_error_};
     }
 
     /// What compare/depth_row.h needs of it; the rest of the row is left for the caller.
@@ -97,7 +100,7 @@ class BoundsOnPlane {
 
     double least_, highest_;  ///< nearness of the farthest and the nearest corner
     Displacement eps_px_, depth_eps_px_;
-    double depth_factor_, plane_offset_, depth_relative_, depth_absolute_;
+    double depth_factor_, plane_offset_, depth_relative_, depth_absolute_, nearness_error_;
 };
 
 /// What a renderer's precision means for one view.
@@ -108,36 +111,44 @@ class ViewBounds {
     TriangleExtent extent_of(const CornersWorld& p_world) const;
     TriangleBounds of(const TriangleExtent& extent) const;
     TriangleBounds of(const CornersWorld& p_world) const { return of(extent_of(p_world)); }
-    /// The same without what only coverage asks for: eps of a ray caster, and the slack of near and far.
-    TriangleBounds for_depth(const TriangleExtent& extent) const;
-    /// A rasterizer interpolates between its corners' depths; a ray meets the plane.
-    bool keeps_to_corners() const { return std::holds_alternative<RasterPrecision>(precision_); }
+    /// Barycentrics of a snapped triangle stay between its corners' depths; a ray and a plane equation meet
+    /// the plane.
+    bool keeps_to_corners() const;
     /// The share that every triangle has in common; above 0.
     double background_eps_px() const { return background_eps_px_; }
 
   private:
     PlaneSize plane_size_of(const TriangleExtent& extent, const CornersWorld& p_world) const;
-    TriangleBounds raster_bounds(const TriangleExtent& extent, const RasterPrecision& precision) const;
-    TriangleBounds ray_depth_bounds(const TriangleExtent& extent, const RayPrecision& precision) const;
-    TriangleBounds with_ray_coverage(TriangleBounds bounds, const TriangleExtent& extent,
-                                     const RayPrecision& precision) const;
-    TriangleBounds with_depths(TriangleBounds bounds, const TriangleExtent& extent) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const;
+    /// Replaces the terms of interpolated depth by those of a reversed z from a plane equation.
+    void set_reversed_z(TriangleBounds& bounds, const TriangleExtent& extent) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
+    /// How far a point that a ray met may seem to lie from where it is on its triangle, scene units.
+    double plane_test_error(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
+    /// The largest sum of coordinates of a point or origin that the arithmetic of a ray caster meets.
+    double ray_reach(const TriangleExtent& extent) const;
     /// Largest displacement in the image, px times depth, of errors of camera_abs along the camera's axes.
     double lateral_px(const glm::dvec3& camera_abs) const;
-    /// The farthest that a corner lies from the image's origin or the window's centre, px; that of the guard
-    /// band where near may cut the triangle.
-    double reach_px(const TriangleExtent& extent) const;
+    /// The farthest that a corner lies from the image's origin or the window's centre, px; `limit` where near
+    /// may cut the triangle or clipping keeps corners nearer.
+    double reach_px(const TriangleExtent& extent, double limit) const;
+    /// The same for corners that clipping put on the window's sides.
+    double window_reach_px() const;
+    /// Planes of the view volume with a corner of the triangle beyond.
+    int cut_count(const TriangleExtent& extent) const;
     double edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const;
-    void set_aim(double unit);
+    void set_aim(double unit, double offset_px = 0);
 
     View view_;
     Precision precision_;
     bool perspective_;
-    double px_per_u_, px_per_v_;  ///< pixels per unit of the image plane
-    double slant_u_, slant_v_;    ///< largest |d(u, v)/d depth| of a line of sight in the image
-    glm::dvec3 direction_abs_;    ///< per world axis, the largest |direction| in the image
-    glm::dvec3 origin_abs_;       ///< per world axis, the largest |origin - eye|
-    double orthonormality_;       ///< largest entry of |R R^T - I|
+    double px_per_u_, px_per_v_;    ///< pixels per unit of the image plane
+    double largest_u_, largest_v_;  ///< of |window|
+    double slant_u_, slant_v_;      ///< largest |d(u, v)/d depth| of a line of sight in the image
+    glm::dvec3 direction_abs_;      ///< per world axis, the largest |direction| in the image
+    glm::dvec3 origin_abs_;         ///< per world axis, the largest |origin - eye|
+    double orthonormality_;         ///< largest entry of |R R^T - I|
     double background_eps_px_ = 0;
     /// A ray's own rounding: sideways, px (and px per unit of depth), and along the view axis.
     double aim_px_ = 0, aim_px_per_depth_ = 0, aim_depth_relative_ = 0, aim_depth_absolute_ = 0;

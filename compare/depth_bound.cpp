@@ -24,7 +24,7 @@ DepthRange shifted(double nearness, double shift, bool perspective) {
 
 DepthBound with_rounding(DepthRange range, double truth, const LocalBounds& local) {
     const double r = local.depth_relative, a = local.depth_absolute;
-    if (!std::isfinite(r) || !std::isfinite(a)) return {0, truth, unlimited};
+    if (!std::isfinite(r + a + local.nearness_error)) return {0, truth, unlimited};
     return {range.low - std::abs(range.low) * r - a, truth, range.high + std::abs(range.high) * r + a};
 }
 
@@ -80,7 +80,8 @@ TriangleDepth::TriangleDepth(const TriangleNearness& nearness, const TriangleBou
       farthest_(bounds.farthest),
       keeps_to_corners_(keeps_to_corners),
       row_(bounds_.depth_row()),
-      has_rows_(!nearness.edge_on && std::isfinite(nearness.own_error) && std::isfinite(row_.absolute)) {
+      has_rows_(!nearness.edge_on && std::isfinite(nearness.own_error) &&
+                std::isfinite(row_.absolute + row_.nearness_error)) {
     row_.nearness_step = nearness.nearness.a;
     row_.nearness_offset = nearness.nearness.c;
     row_.gradient = nearness.gradient;
@@ -104,7 +105,8 @@ DepthBound TriangleDepth::at(int x, int y) const {
     const LocalBounds local = bounds_.at(nearness);
     if (plane_.edge_on || !std::isfinite(plane_.own_error))
         return with_rounding({nearest_, farthest_}, nearest_, local);
-    DepthRange range = shifted(nearness, local.depth_eps_px * plane_.gradient, plane_.perspective);
+    const double shift = local.depth_eps_px * plane_.gradient + local.nearness_error;
+    DepthRange range = shifted(nearness, shift, plane_.perspective);
     double truth = !plane_.perspective ? -nearness : nearness > 0 ? 1 / nearness : unlimited;
     if (keeps_to_corners_) {
         range = {std::clamp(range.low, nearest_, farthest_), std::clamp(range.high, nearest_, farthest_)};
@@ -114,7 +116,7 @@ DepthBound TriangleDepth::at(int x, int y) const {
 }
 
 TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds) {
-    return {triangle.nearness, bounds.for_depth(triangle.extent), bounds.keeps_to_corners()};
+    return {triangle.nearness, bounds.of(triangle.extent), bounds.keeps_to_corners()};
 }
 
 bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world, int x, int y,
@@ -123,11 +125,11 @@ bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWo
     const bool perspective = view.camera.projection == Projection::perspective;
     const double z = depth, r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
     if (!std::isfinite(z)) return false;
-    if (!std::isfinite(r) || !std::isfinite(a)) return true;
+    if (!std::isfinite(r + a + n.bounds.nearness_error)) return true;
     const CornerLimits limits = bounds.keeps_to_corners() ? corner_limits(n, z) : CornerLimits{};
     if (limits.is_beyond) return false;
     if (!n.is_plane_known) return true;  // the corners alone say
-    const double shift = n.bounds.depth_eps_px * n.gradient;
+    const double shift = n.bounds.depth_eps_px * n.gradient + n.bounds.nearness_error;
     const auto decide = [&]<class Number>(Number) {
         const auto image = image_of(Sight<Number>(view, x, y), corners<Number>(p_world));
         if (!image) return true;

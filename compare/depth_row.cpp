@@ -46,7 +46,8 @@ template <class Projected>
         const double nearness = t.nearness_step * (first_x + int(i)) + t.nearness_row + t.nearness_offset;
         const double here = clamped(nearness, t.least, t.highest);
         const double reach = (t.base + t.per * here) * t.amplification;
-        const Range range = Projected::range(nearness, (reach < t.most ? reach : t.most) * t.gradient);
+        const Range range =
+            Projected::range(nearness, (reach < t.most ? reach : t.most) * t.gradient + t.nearness_error);
         const double nearest = clamped(range.low, t.nearest, t.farthest);
         const double farthest = clamped(range.high, t.nearest, t.farthest);
         const double truth = clamped(range.truth, nearest, farthest);

@@ -13,7 +13,7 @@ struct DepthRow {
     double gradient, own_error;
     double least, highest;                  ///< nearness
     double base, per, most, amplification;  ///< of BoundsOnPlane's depth_eps_px
-    double depth_factor, plane_offset, absolute;
+    double depth_factor, plane_offset, absolute, nearness_error;
     double nearest, farthest;
 };
 

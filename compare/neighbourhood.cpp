@@ -19,15 +19,15 @@ void set_nearness_range(Neighbour& n, Projection projection, bool keeps_to_corne
     double least = perspective ? 1 / n.farthest : -n.farthest,
            greatest = perspective ? 1 / n.nearest : -n.nearest;
     if (image) {
-        const double error = n.nearness_error;
+        const double error = n.plane_error;
         n.is_plane_known = std::isfinite(error);
-        const double shift = n.bounds.depth_eps_px * (n.gradient + error) + error;
+        const double shift = n.bounds.depth_eps_px * (n.gradient + error) + error + n.bounds.nearness_error;
         const double low = image->nearness.c - shift, high = image->nearness.c + shift;
         least = keeps_to_corners ? std::clamp(low, least, greatest) : low;
         greatest = keeps_to_corners ? std::clamp(high, least, greatest) : high;
     }
     const double r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
-    if (!std::isfinite(r) || !std::isfinite(a) || (!n.is_plane_known && !keeps_to_corners)) {
+    if (!std::isfinite(r + a + n.bounds.nearness_error) || (!n.is_plane_known && !keeps_to_corners)) {
         n.least_nearness = -unlimited;
         n.greatest_nearness = unlimited;
     } else if (perspective) {
@@ -93,7 +93,7 @@ Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangl
     const double highest = of_triangle.nearest > 0 ? 1 / of_triangle.nearest : 0;
     if (image) {
         n.gradient = steepness(image->nearness);
-        n.nearness_error = triangle.plane_size.nearness_error(std::abs(image->nearness.c) + n.gradient);
+        n.plane_error = triangle.plane_size.nearness_error(std::abs(image->nearness.c) + n.gradient);
         n.edge_error = edge_error(sight, triangle.p_world);
     }
     n.bounds = of_triangle.at(image ? image->nearness.c : highest, n.gradient);

@@ -27,10 +27,10 @@ struct Neighbour {
     double nearest = 0, farthest = 0;      ///< see TriangleBounds
     double gradient = 0;                   ///< |d/dx| + |d/dy| of nearness, per px; 0 for an edge-on triangle
     bool is_plane_known = false;           ///< or does double precision not tell it from edge-on?
-    /// In double; nothing for an edge-on triangle. Off by at most `edge_error` and `nearness_error` anywhere
-    /// within a pixel of the centre.
+    /// In double; nothing for an edge-on triangle. Off by at most `edge_error` and `plane_error` (of
+    /// nearness) anywhere within a pixel of the centre.
     std::optional<TriangleImage<double>> image;
-    double edge_error = 0, nearness_error = 0;
+    double edge_error = 0, plane_error = 0;
     /// What a faultless renderer may hold for its nearness at the pixel, all bounds included.
     double least_nearness = 0, greatest_nearness = 0;
 };

@@ -43,7 +43,7 @@ Hiding hiding_of(const Neighbour& front, const Neighbour& back, double half_side
     const std::uint64_t key = std::uint64_t{front.triangle} << 32 | back.triangle;
     if (memory(key, [&] { return coplanar(front.p_world, back.p_world); })) return Hiding::by_tie;
     const Affine<double> ahead = front.image->nearness - back.image->nearness;
-    const double unsure = 2 * (front.nearness_error + back.nearness_error) + reach(ahead, half_side);
+    const double unsure = 2 * (front.plane_error + back.plane_error) + reach(ahead, half_side);
     if (ahead.c > unsure) return Hiding::by_tie;
     return ahead.c < -unsure ? Hiding::none : Hiding::unknown;
 }

@@ -108,6 +108,14 @@ void write_exr(const std::filesystem::path& file, const Frame& frame) {
     write_whole_file(file, encode(encoding, interleave(frame).data(), file.string()));
 }
 
+void write_exr(const std::filesystem::path& file, const Picture& picture) {
+    static_assert(sizeof(LinearRgb) == 3 * sizeof(float));
+    refuse_bad_size(picture.size(), file.string());
+    OIIO::ImageSpec spec(picture.size().width, picture.size().height, 3, OIIO::TypeFloat);
+    spec.attribute("compression", "zip:1");
+    write_whole_file(file, encode({"openexr", spec}, picture.pixels().data(), file.string()));
+}
+
 Frame read_exr(const std::filesystem::path& file) {
     const ExrFile exr = open_exr(file);
     refuse_unusual_layout(exr);

@@ -16,11 +16,25 @@ struct Allowed {
     double eps_px = 0;          ///< of a vertex, without the grid
     double depth_relative = 0;  ///< of a depth in the frame
     double limit_relative = 0;  ///< of the place where near or far cuts
+    double parallel_units = 0;  ///< more for a parallel projection, as a multiple of far
+
+    double depth_of(const DepthStep& step) const {
+        return depth_relative * step.depth + beyond(step.projection, depth_far);
+    }
+    double limit_of(const DepthLimit& limit) const {
+        return limit_relative * limit.depth + beyond(limit.projection, limit_far);
+    }
 
     /// How far the grid may move a vertex either way.
     double snap_px() const {
         const double step = std::exp2(-*subpixel_bits);
         return snap == Snap::nearest ? step / 2 : step;
+    }
+
+  private:
+    static constexpr double depth_far = 512, limit_far = 96;  ///< of depth_steps.cpp and depth_limits.cpp
+    double beyond(Projection projection, double far) const {
+        return projection == Projection::parallel ? parallel_units * far : 0;
     }
 };
 
@@ -34,18 +48,27 @@ constexpr double from_origin_px = 128, from_origin_depth = 1.25, reach_px = 64;
 
 Allowed allowed_by(const RasterPrecision& p) {
     const double u = unit_of(p.transform);
-    const double transform = gamma(p.transform == Arithmetic::float64 ? 13 : 5, u);  // the axes are exact
+    const int eye = p.origin == Origin::eye ? 1 : 0;
+    const double transform =
+        gamma((p.transform == Arithmetic::float64 ? 13 : 5) + eye, u);  // the axes are exact
     const double corner_depth = transform * from_origin_depth;
+    const bool is_reversed = p.depth_buffer == DepthBuffer::reversed_z;
+    // reversed z of triangles that face the camera: 4 at a corner, 8 at a pixel; z is at most 1
     const double interpolation =
-        gamma(p.depth_roundings, unit_roundoff_float32) + gamma(8, unit_of(p.interpolation));
-    return {.subpixel_bits = p.subpixel_bits,
-            .snap = p.snap,
-            .eps_px = transform * from_origin_px + gamma(8, u) * reach_px,
-            .depth_relative = corner_depth + interpolation,
-            .limit_relative = corner_depth + gamma(8, u) * from_origin_depth};
+        gamma(p.depth_roundings, unit_roundoff_float32) +
+        (is_reversed ? gamma(12, unit_roundoff_float32) : gamma(8, unit_of(p.interpolation)));
+    Allowed allowed{.subpixel_bits = p.subpixel_bits,
+                    .snap = p.snap,
+                    .eps_px = transform * from_origin_px + gamma(8, u) * reach_px,
+                    .depth_relative = corner_depth + interpolation,
+                    .limit_relative = corner_depth + gamma(8, u) * from_origin_depth};
+    if (is_reversed)
+        allowed.parallel_units = gamma(12, unit_roundoff_float32) + gamma(6, unit_roundoff_float32);
+    return allowed;
 }
 
 Allowed allowed_by(const RayPrecision&) { return {}; }
+Allowed allowed_by(const PlaneRayPrecision&) { return {}; }
 
 std::string number(double value, int digits = 6) {
     std::array<char, 64> buffer{};
@@ -238,7 +261,7 @@ void Findings::add_depth_step(const DepthStep& step) {
     const double binade = std::exp2(std::floor(std::log2(step.depth)) + 1);
     const std::string where = in_projection(step.projection) + ", at " + number(step.depth);
     const std::string key = in_projection(step.projection) + "_at_" + number(step.depth);
-    const double most = allowed_.depth_relative * step.depth;
+    const double most = allowed_.depth_of(step);
     const auto bits_of = [&](double width) { return std::log2(binade / width); };
     Finding bits{"depth_bits_" + key,
                  "depth bits, " + where,
@@ -269,7 +292,7 @@ void Findings::add_limit(const DepthLimit& limit) {
               "cuts at " + number(limit.depth),
               Standing::worse};
     if (limit.offset) {
-        const double slack = allowed_.limit_relative * limit.depth;
+        const double slack = allowed_.limit_of(limit);
         f.words = std::string{"cuts; what lies in it is "} + (limit.keeps_plane ? "kept" : "dropped");
         f.value = limit.plane == LimitPlane::near
                       ? Bracket{limit.depth - limit.offset->high, limit.depth - limit.offset->low}

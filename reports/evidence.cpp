@@ -55,6 +55,22 @@ void write_view_evidence(const fs::path& folder, const Frame& candidate, const F
                          [&] { write_findings_file(folder / "findings.csv", verdict); });
 }
 
+void write_witness_frame(const fs::path& folder, const std::string& witness, const Frame& frame) {
+    write_exr(folder / (witness + ".exr"), frame);
+}
+
+void write_colours(const fs::path& folder, const Picture& picture) {
+    write_exr(folder / "colour.exr", picture);
+    write_pictures(folder, "colour", picture_of_light(picture));
+}
+
+void write_witness_picture(const fs::path& folder, const std::string& witness, const Picture& candidate,
+                           const Picture& picture) {
+    write_exr(folder / (witness + "-colour.exr"), picture);
+    write_pictures(folder, witness + "-colour", picture_of_light(picture));
+    write_pictures(folder, witness + "-difference", picture_of_difference(candidate, picture));
+}
+
 void write_findings(std::ostream& out, const Verdict& verdict) {
     out << "x,y,class,candidate_id,reference_id,candidate_depth,reference_depth,eps_px,depth_low,depth_truth,"
            "depth_high,error_over_bound\n";

@@ -6,6 +6,7 @@
 
 #include "compare/verdict.h"
 #include "frame/frame.h"
+#include "frame/picture.h"
 #include "reports/report_error.h"
 
 namespace zproof {
@@ -19,6 +20,16 @@ namespace zproof {
 /// written.
 void write_view_evidence(const std::filesystem::path& folder, const Frame& candidate, const Frame& reference,
                          const Verdict& verdict);
+
+/// WITNESS.exr beside them; the name is one that zproof knows, so a file can have it.
+void write_witness_frame(const std::filesystem::path& folder, const std::string& witness, const Frame& frame);
+
+/// The candidate's colours: colour.exr (linear), colour.png.
+void write_colours(const std::filesystem::path& folder, const Picture& picture);
+
+/// WITNESS-colour.exr and .png, and WITNESS-difference.png from the candidate's colours.
+void write_witness_picture(const std::filesystem::path& folder, const std::string& witness,
+                           const Picture& candidate, const Picture& picture);
 
 /// The findings as CSV with a heading, in raster order. Numbers read back to the same bits; ids of background
 /// are `none`; non-finite numbers are nan, inf, -inf.

@@ -146,7 +146,8 @@ std::string head(const Results& results) {
 std::string to_html(const Results& results, const std::filesystem::path& run_folder) {
     const std::vector<PageView> pages = page_views(results, run_folder);
     std::string page = head(results) + "<body>\n<header>\n<h1>" + escaped(headline(results)) + "</h1>\n" +
-                       provenance(results) + "</header>\n<main>\n" + summary(pages) + legend();
+                       provenance(results) + "</header>\n<main>\n" + summary(pages) +
+                       html_renderers(results) + legend();
     for (const PageView& one : pages) page += html_view(one);
     return page + "</main>\n</body>\n</html>\n";
 }

@@ -1,23 +1,35 @@
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
 
 #include "reports/html.h"
 #include "reports/html_parts.h"
+#include "reports/wording.h"
 
 namespace zproof {
 
 namespace {
 
 struct Kind {
-    std::string_view name, caption;
+    std::string name, caption;
 };
 
-constexpr std::array<Kind, 4> kinds{{{"class", "Verdict per pixel. Dark: both agree."},
-                                     {"id", "Candidate: a colour per triangle."},
-                                     {"reference-id", "Reference: a colour per triangle."},
-                                     {"depth", "Candidate: depth, near is bright. Magenta: no depth."}}};
+/// Those of every view, then what a painting witness adds.
+std::vector<Kind> kinds_of(const ViewResult& view) {
+    std::vector<Kind> kinds{{"class", "Verdict per pixel. Dark: both agree."},
+                            {"id", "Candidate: a colour per triangle."},
+                            {"reference-id", "Reference: a colour per triangle."},
+                            {"depth", "Candidate: depth, near is bright. Magenta: no depth."},
+                            {"colour", "Candidate: shaded by zproof, one light."}};
+    for (const WitnessResult& w : view.witnesses)
+        if (w.picture) {
+            kinds.push_back(
+                {w.name + "-colour", escaped(one_line(w.name)) + ": the same scene, camera and light."});
+            kinds.push_back({w.name + "-difference",
+                             escaped(one_line(w.name)) + ": difference in linear light. Dark: none."});
+        }
+    return kinds;
+}
 
 /// RFC 4648, section 4.
 std::string base64(std::string_view bytes) {
@@ -43,7 +55,7 @@ std::string content_of(const std::filesystem::path& file) {
 }
 
 PagePicture picture(const Kind& kind, const std::filesystem::path& folder, std::size_t budget) {
-    PagePicture result{.name = std::string(kind.name), .caption = std::string(kind.caption), .data = {}};
+    PagePicture result{.name = kind.name, .caption = kind.caption, .data = {}};
     const std::string png = content_of(folder / (result.name + "-small.png"));
     if (png.empty()) return result;
     result.data = "data:image/png;base64," + base64(png);
@@ -60,7 +72,7 @@ std::vector<PageView> page_views(const Results& results, const std::filesystem::
     for (const ViewResult* view : failed_first(results)) {
         PageView page{.view = view, .anchor = "view-" + std::to_string(pages.size() + 1), .pictures = {}};
         if (!view->folder.empty())
-            for (const Kind& kind : kinds) {
+            for (const Kind& kind : kinds_of(*view)) {
                 page.pictures.push_back(picture(kind, run_folder / view->folder, budget));
                 budget -= page.pictures.back().data.size();
             }

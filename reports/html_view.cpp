@@ -158,7 +158,8 @@ std::string stage(std::string_view name, double time) {
 std::string stages(const StageTimes& t) {
     return "<p class=\"fine stages\">" + stage("load", t.load) + stage("render", t.render) +
            stage("reference build", t.reference_build) + stage("reference", t.reference) +
-           stage("judge", t.judge) + stage("write", t.write) + stage("in all", seconds(t)) + "</p>\n";
+           stage("judge", t.judge) + stage("witnesses", t.witnesses) + stage("write", t.write) +
+           stage("in all", seconds(t)) + "</p>\n";
 }
 
 std::string row(std::string_view kind, const std::string& content) {
@@ -170,7 +171,7 @@ std::string judgement(const PageView& page) {
     if (!was_judged(v)) return "";
     return row("diagnosis", diagnosis(v)) + row("map", figures(page, 0, 1) + class_table(v)) +
            row("figures", figures(page, 1, page.pictures.size())) + row("panels", histograms(v)) +
-           worst_table(v);
+           row("panels", html_witnesses(v)) + worst_table(v);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace zproof {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 [[noreturn]] void refuse(const std::string& why) { throw ReportError("results.json: " + why); }
 
@@ -99,6 +99,7 @@ StageTimes stage_times(const Json& json) {
             .reference_build = number(json.at("reference_build")),
             .reference = number(json.at("reference")),
             .judge = number(json.at("judge")),
+            .witnesses = json.contains("witnesses") ? number(json.at("witnesses")) : 0,  // since 1.2
             .write = number(json.at("write"))};
 }
 
@@ -119,6 +120,35 @@ std::optional<Diagnosis> diagnosis(const Json& view) {
     if (const Json& cause = found->at("cause"); !cause.is_null()) d.cause = explanation(cause);
     for (const Json& one : found->at("runners_up")) d.runners_up.push_back(explanation(one));
     return d;
+}
+
+PictureDifferences picture(const Json& json) {
+    PictureDifferences differences{};
+    for (const auto& [name, d] : json.items())
+        differences[std::size_t(class_named(name))] = {.pixels = count(d.at("pixels")),
+                                                       .rms = number(d.at("rms")),
+                                                       .mean = number(d.at("mean")),
+                                                       .largest = number(d.at("largest"))};
+    return differences;
+}
+
+WitnessResult witness(const Json& json) {
+    WitnessResult w{.name = json.at("name"), .absent = json.at("absent"), .worst = {}};
+    if (!w.absent.empty()) return w;
+    w.counts = counts_by_name(json.at("counts"));
+    w.depth = bound_record(json.at("depth"));
+    w.edges = bound_record(json.at("edges"));
+    for (const Json& finding : json.at("worst")) w.worst.push_back(reported(finding));
+    if (json.contains("picture")) w.picture = picture(json.at("picture"));
+    if (json.contains("no_picture")) w.no_picture = json.at("no_picture");
+    return w;
+}
+
+/// Since 1.2; absent: none was asked.
+void read_witnesses(const Json& json, ViewResult& v) {
+    if (!json.contains("witnesses")) return;
+    for (const Json& one : json.at("witnesses")) v.witnesses.push_back(witness(one));
+    v.accord = {.same = json.at("accord").at("same"), .unanimous = count(json.at("accord").at("unanimous"))};
 }
 
 ViewResult view(const Json& json) {
@@ -142,11 +172,14 @@ ViewResult view(const Json& json) {
                  .adjudicated = count(json.at("adjudicated")),
                  .exact = count(json.at("exact")),
                  .diagnosis = diagnosis(json),
+                 .witnesses = {},
+                 .accord = {},
                  .worst = {},
                  .notes = json.at("notes"),
                  .times = stage_times(json.at("times")),
                  .folder = json.at("folder")};
     for (const Json& finding : json.at("worst")) v.worst.push_back(reported(finding));
+    read_witnesses(json, v);
     return v;
 }
 
@@ -169,7 +202,13 @@ Results results_from_json(const std::string& text) try {
                     .compiler = run.at("compiler"),
                     .embree = run.at("embree"),
                     .threads = run.at("threads"),
+                    .renderers = {},
                     .views = {}};
+    if (run.contains("renderers"))  // since 1.2
+        for (const Json& one : run.at("renderers"))
+            results.renderers.push_back({.name = one.at("name"),
+                                         .version = one.at("version"),
+                                         .precision = one.at("precision").dump()});
     for (const Json& one : root.at("views")) results.views.push_back(view(one));
     return results;
 } catch (const Json::exception& e) {

@@ -72,6 +72,7 @@ Json stage_times(const StageTimes& t) {
             {"reference_build", number(t.reference_build)},
             {"reference", number(t.reference)},
             {"judge", number(t.judge)},
+            {"witnesses", number(t.witnesses)},
             {"write", number(t.write)}};
 }
 
@@ -87,6 +88,37 @@ Json diagnosis(const std::optional<Diagnosis>& d) {
     return {{"defects", d->defects},
             {"cause", d->cause ? explanation(*d->cause) : Json(nullptr)},
             {"runners_up", runners_up}};
+}
+
+/// Classes without a pixel are left out.
+Json picture(const PictureDifferences& differences) {
+    Json object = Json::object();
+    for (std::size_t i = 0; i < differences.size(); ++i)
+        if (const PictureDifference& d = differences[i]; d.pixels > 0)
+            object[std::string(name_of(PixelClass(i)))] = {{"pixels", d.pixels},
+                                                           {"rms", number(d.rms)},
+                                                           {"mean", number(d.mean)},
+                                                           {"largest", number(d.largest)}};
+    return object;
+}
+
+Json witness(const WitnessResult& w) {
+    Json object = {{"name", w.name}, {"absent", w.absent}};
+    if (!w.absent.empty()) return object;
+    object.update({{"defects", defect_count(w.counts)},
+                   {"counts", counts_by_name(w.counts)},
+                   {"depth", bound_record(w.depth)},
+                   {"edges", bound_record(w.edges)},
+                   {"worst", reported(w.worst)}});
+    if (w.picture) object["picture"] = picture(*w.picture);
+    if (!w.no_picture.empty()) object["no_picture"] = w.no_picture;
+    return object;
+}
+
+Json witnesses(const std::vector<WitnessResult>& heard) {
+    Json list = Json::array();
+    for (const WitnessResult& w : heard) list.push_back(witness(w));
+    return list;
 }
 
 Json view_object(const ViewResult& v) {
@@ -111,18 +143,24 @@ Json view_object(const ViewResult& v) {
             {"adjudicated", v.adjudicated},
             {"exact", v.exact},
             {"diagnosis", diagnosis(v.diagnosis)},
+            {"witnesses", witnesses(v.witnesses)},
+            {"accord", {{"same", v.accord.same}, {"unanimous", v.accord.unanimous}}},
             {"worst", reported(v.worst)},
             {"notes", v.notes},
             {"folder", v.folder},
             {"times", stage_times(v.times)}};
 }
 
+Json renderers(const std::vector<RendererFacts>& all) {
+    Json list = Json::array();
+    for (const RendererFacts& r : all)
+        list.push_back({{"name", r.name}, {"version", r.version}, {"precision", Json::parse(r.precision)}});
+    return list;
+}
+
 Json run_object(const Results& r) {
-    return {{"version", r.version},
-            {"command", r.command},
-            {"compiler", r.compiler},
-            {"embree", r.embree},
-            {"threads", r.threads}};
+    return {{"version", r.version}, {"command", r.command}, {"compiler", r.compiler},
+            {"embree", r.embree},   {"threads", r.threads}, {"renderers", renderers(r.renderers)}};
 }
 
 Json summary_object(const Results& results) {

@@ -66,6 +66,17 @@ Rgb8 viridis(double t) {
     return {mix(0), mix(1), mix(2)};
 }
 
+/// The sRGB transfer function (IEC 61966-2-1).
+std::uint8_t srgb(float linear) {
+    const double c = std::clamp(double{linear}, 0.0, 1.0);
+    return channel(c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055);
+}
+
+Rgb8 colour_of_light(const LinearRgb& c) {
+    if (std::isnan(c.r) || std::isnan(c.g) || std::isnan(c.b)) return no_depth_colour;
+    return {srgb(c.r), srgb(c.g), srgb(c.b)};
+}
+
 bool is_depth(float depth) { return std::isfinite(depth) && depth > 0; }
 
 struct LogRange {
@@ -104,6 +115,18 @@ Plane<Rgb8> picture_of_depths(const Plane<float>& depths) {
         const double span = range.high - range.low;
         return viridis(span > 0 ? (range.high - std::log(depth)) / span : 0.7);
     });
+}
+
+Plane<Rgb8> picture_of_light(const Picture& picture) { return coloured(picture, colour_of_light); }
+
+Plane<Rgb8> picture_of_difference(const Picture& a, const Picture& b) {
+    Plane<Rgb8> picture(a.size());
+    std::ranges::transform(
+        a.pixels(), b.pixels(), picture.pixels().begin(), [](const LinearRgb& p, const LinearRgb& q) {
+            const double d = std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
+            return std::isnan(d) ? no_depth_colour : d == 0 ? background_colour : viridis(std::sqrt(d));
+        });
+    return picture;
 }
 
 Plane<Rgb8> picture_of_classes(const Plane<PixelClass>& classes) {

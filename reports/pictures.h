@@ -3,6 +3,7 @@
 
 #include "compare/pixel_class.h"
 #include "frame/frame.h"
+#include "frame/picture.h"
 #include "frame/png.h"
 
 namespace zproof {
@@ -16,6 +17,13 @@ Plane<Rgb8> picture_of_depths(const Plane<float>& depths);
 
 /// style_of(class).colour at every pixel.
 Plane<Rgb8> picture_of_classes(const Plane<PixelClass>& classes);
+
+/// Linear light as sRGB; beyond [0, 1] it is cut, what is no number is magenta.
+Plane<Rgb8> picture_of_light(const Picture& picture);
+
+/// The greatest difference of the three channels: dark where there is none, then viridis over its square
+/// root, so that small ones show; 1 and more is brightest, NaN magenta.
+Plane<Rgb8> picture_of_difference(const Picture& a, const Picture& b);
 
 inline constexpr int small_side = 480;  ///< longest side of a small picture, pixels
 

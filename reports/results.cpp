@@ -40,15 +40,17 @@ bool was_judged(const ViewResult& view) {
     return view.outcome == Outcome::proven || view.outcome == Outcome::defective;
 }
 
-std::uint64_t defect_count(const ViewResult& view) {
+std::uint64_t defect_count(const ClassCounts& counts) {
     std::uint64_t sum = 0;
-    for (std::size_t i = 0; i < view.counts.size(); ++i)
-        if (!passes(PixelClass(i))) sum += view.counts[i];
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (!passes(PixelClass(i))) sum += counts[i];
     return sum;
 }
 
+std::uint64_t defect_count(const ViewResult& view) { return defect_count(view.counts); }
+
 double seconds(const StageTimes& t) {
-    return t.load + t.render + t.reference_build + t.reference + t.judge + t.write;
+    return t.load + t.render + t.reference_build + t.reference + t.judge + t.witnesses + t.write;
 }
 
 std::vector<const ViewResult*> failed_first(const Results& results) {

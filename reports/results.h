@@ -7,14 +7,16 @@
 #include <string_view>
 #include <vector>
 
+#include "compare/accord.h"
 #include "compare/diagnosis.h"
+#include "compare/picture_difference.h"
 #include "compare/verdict.h"
 
 namespace zproof {
 
 /// Where a scene's time went, seconds of wall clock.
 struct StageTimes {
-    double load = 0, render = 0, reference_build = 0, reference = 0, judge = 0, write = 0;
+    double load = 0, render = 0, reference_build = 0, reference = 0, judge = 0, witnesses = 0, write = 0;
 };
 
 /// A finding with its sentence and the command that tells more.
@@ -34,6 +36,25 @@ enum class Outcome {
 /// Its name in results.json: "not_judged".
 std::string_view name_of(Outcome outcome);
 
+/// Who a renderer is.
+struct RendererFacts {
+    std::string name;
+    std::string version;    ///< in its own words; empty where it has none
+    std::string precision;  ///< what it declares, as JSON (frame/precision_text.h)
+};
+
+/// One more renderer, judged against the same reference. Its defects are its own: they do not fail the view.
+struct WitnessResult {
+    std::string name;
+    std::string absent;  ///< why it was not heard; empty: it was
+    ClassCounts counts{};
+    BoundRecord depth{}, edges{};          ///< depth error / bound; displacement / eps
+    std::vector<ReportedFinding> worst{};  ///< its defects, at most 20
+    std::optional<PictureDifferences>
+        picture{};             ///< of its colours from the candidate's, where both were painted
+    std::string no_picture{};  ///< why it could not paint; empty: it could, or was not asked
+};
+
 /// One view of one scene, judged.
 struct ViewResult {
     std::string scene;   ///< scene name
@@ -50,6 +71,8 @@ struct ViewResult {
     BoundRecord candidate_edges, reference_edges;  ///< displacement over eps
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
     std::optional<Diagnosis> diagnosis;  ///< of the defects; nothing where there are none
+    std::vector<WitnessResult> witnesses;
+    Accord accord;  ///< of candidate, reference and the witnesses that were heard, in this order
     std::vector<ReportedFinding> worst;  ///< defects first, then by error/bound; at most 200
     std::vector<std::string> notes;      ///< of the scene
     StageTimes times;
@@ -60,6 +83,7 @@ struct ViewResult {
 bool was_judged(const ViewResult& view);
 
 /// Pixels that fail the gate.
+std::uint64_t defect_count(const ClassCounts& counts);
 std::uint64_t defect_count(const ViewResult& view);
 
 /// All stages together, seconds.
@@ -72,6 +96,7 @@ struct Results {
     std::string command;  ///< as typed
     std::string compiler, embree;
     int threads = 0;
+    std::vector<RendererFacts> renderers;  ///< candidate, reference, and the witnesses that are there
     std::vector<ViewResult> views;
 };
 

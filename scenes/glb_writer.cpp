@@ -265,10 +265,14 @@ void require_file_name(const std::string& name) {
 
 }  // namespace
 
+void write_glb_file(const std::filesystem::path& file, const Scene& scene) {
+    write_atomically(file, GlbDocument(scene).bytes());
+}
+
 void write_glb(const std::filesystem::path& folder, const Loaded& loaded) {
     const std::string& name = loaded.scene.name;
     require_file_name(name);
-    write_atomically(folder / (name + ".glb"), GlbDocument(loaded.scene).bytes());
+    write_glb_file(folder / (name + ".glb"), loaded.scene);
     write_atomically(folder / (name + ".view.json"), view_document(name + ".glb", loaded.views));
 }
 

@@ -7,9 +7,12 @@
 
 namespace zproof {
 
-/// Writes FOLDER/NAME.glb with positions, normals, uv sets, colours, materials and images, and
-/// FOLDER/NAME.view.json with the views, so that load_view_file gives back the same bits. Throws SceneError
-/// where it cannot write.
+/// Writes the scene alone, under that name: positions, normals, uv sets, colours, materials and images.
+/// Throws SceneError where it cannot write.
+void write_glb_file(const std::filesystem::path& file, const Scene& scene);
+
+/// Writes FOLDER/NAME.glb, and FOLDER/NAME.view.json with the views, so that load_view_file gives back the
+/// same bits. Throws SceneError where it cannot write.
 void write_glb(const std::filesystem::path& folder, const Loaded& loaded);
 
 }  // namespace zproof

@@ -16,18 +16,18 @@ TEST(CommandLine, OfRunIsUnderstood) {
     const auto run = std::get<RunArguments>(parsed(
         {"run", "a b.glb", "suite", "-o", "x", "--width", "640", "--threads", "3", "--color", "never"}));
     EXPECT_EQ(run.scenes, (std::vector<std::string>{"a b.glb", "suite"}));
-    EXPECT_EQ(run.out, "x");
+    EXPECT_EQ(run.report.out, "x");
     EXPECT_EQ(run.settings.resolution, (Resolution{640, 1080}));
     EXPECT_EQ(run.settings.threads, 3);
-    EXPECT_EQ(run.colour, ColourWish::never);
-    EXPECT_EQ(run.progress, ProgressStyle::automatic);
-    EXPECT_EQ(run.typed, "zproof run 'a b.glb' suite -o x --width 640 --threads 3 --color never");
+    EXPECT_EQ(run.report.colour, ColourWish::never);
+    EXPECT_EQ(run.report.progress, ProgressStyle::automatic);
+    EXPECT_EQ(run.report.typed, "zproof run 'a b.glb' suite -o x --width 640 --threads 3 --color never");
 }
 
 TEST(CommandLine, QuietMeansVerdictAndNoProgress) {
     const auto run = std::get<RunArguments>(parsed({"run", "-q"}));
-    EXPECT_EQ(run.detail, Detail::verdict);
-    EXPECT_EQ(run.progress, ProgressStyle::none);
+    EXPECT_EQ(run.report.detail, Detail::verdict);
+    EXPECT_EQ(run.report.progress, ProgressStyle::none);
     EXPECT_THROW(parsed({"run", "-q", "--times"}), UsageError);
 }
 
@@ -43,10 +43,42 @@ TEST(CommandLine, OfExplainIsUnderstood) {
 
 TEST(CommandLine, OfMeasureIsUnderstood) {
     const auto table = std::get<MeasureArguments>(parsed({"measure", "zproof"}));
-    EXPECT_EQ(table.renderer, "zproof");
+    EXPECT_EQ(name_of(table.renderer), "zproof");
     EXPECT_EQ(table.format, MeasurementFormat::table);
     EXPECT_EQ(std::get<MeasureArguments>(parsed({"measure", "zproof", "--json"})).format,
               MeasurementFormat::json);
+}
+
+TEST(CommandLine, NamesRenderersProgramsAndStoredFrames) {
+    const auto run = std::get<RunArguments>(
+        parsed({"run", "--renderer", "./mine {out}", "--precision", "ray", "--time-limit", "7"}));
+    EXPECT_EQ(std::get<Program>(run.parties.candidate.who).command, "./mine {out}");
+    EXPECT_EQ(run.parties.candidate.time_limit, std::chrono::seconds{7});
+    EXPECT_EQ(options_for(run.parties.candidate), " --renderer './mine {out}' --precision ray");
+    const auto compare = std::get<CompareArguments>(
+        parsed({"compare", "a.exr", "b.exr", "--scene", "room", "--view", "door"}));
+    EXPECT_EQ(name_of(compare.parties.candidate), "a.exr");
+    EXPECT_EQ(name_of(compare.parties.reference), "b.exr");
+    EXPECT_EQ(compare.scene, "room");
+    const auto against_embree = std::get<CompareArguments>(parsed({"compare", "a.exr", "room"}));
+    EXPECT_EQ(name_of(against_embree.parties.reference), "embree");
+    EXPECT_EQ(against_embree.scene, "room");
+    EXPECT_THROW(parsed({"run", "--renderer", "no-such-renderer"}), UsageError);
+}
+
+TEST(CommandLine, CallsWitnessesOnceAndNotTheCandidate) {
+    const auto names = [](std::vector<const char*> words) {
+        std::vector<std::string> list;
+        const auto run = std::get<RunArguments>(parsed(std::move(words)));
+        for (const WitnessChoice& witness : run.parties.witnesses) list.push_back(name_of(witness.renderer));
+        return list;
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(names({"run", "--oracle", "none"}), Names{});
+    EXPECT_EQ(names({"run", "--oracle", "zproof,embree", "--renderer", "zproof"}), Names{});
+    EXPECT_EQ(names({"run", "--oracle", "zproof", "--require", "zproof", "--renderer", "embree"}),
+              Names{"zproof"});
+    EXPECT_THROW(parsed({"run", "--oracle", "delphi"}), UsageError);
 }
 
 TEST(ShellQuoted, SurvivesTheShell) {

@@ -13,41 +13,56 @@
 namespace zproof {
 namespace {
 
+/// A corner before the divide.
+template <class Float>
+struct ClipCorner {
+    Float x, y, w;
+};
+
 /// clip_from_world rows for x, y and depth, made in double and rounded once to Float.
 template <class Float>
 struct Transform {
     std::array<std::array<Float, 4>, 3> row;
+    glm::vec3 origin{0};
     const View* view;
 
-    explicit Transform(const View& v) : row{}, view(&v) {
+    explicit Transform(const View& v, Origin from = Origin::world) : row{}, view(&v) {
         const Camera& c = v.camera;
-        const glm::dvec3 eye(c.eye_world);
         const double w = c.window.right - c.window.left, h = c.window.top - c.window.bottom;
         const double mid_x = (c.window.right + c.window.left) / w,
                      mid_y = (c.window.top + c.window.bottom) / h;
         const glm::dvec3 x = 2 / w * c.right + mid_x * c.back, y = 2 / h * c.up + mid_y * c.back;
         const std::array<glm::dvec3, 3> axis{x, y, -c.back};
+        if (from == Origin::eye) origin = c.eye_world;
+        const glm::dvec3 eye(c.eye_world - origin);
         for (std::size_t i = 0; i < 3; ++i) {
             for (int k = 0; k < 3; ++k) row[i][std::size_t(k)] = Float(axis[i][k]);
             row[i][3] = Float(-glm::dot(axis[i], eye));
         }
     }
-    /// Raster x, y on a grid of 1/256 px.
-    glm::dvec2 operator()(const glm::vec3& p) const {
+    ClipCorner<Float> clip(const glm::vec3& p) const {
+        const std::array<Float, 3> q{Float(p.x) - Float(origin.x), Float(p.y) - Float(origin.y),
+                                     Float(p.z) - Float(origin.z)};
         const auto apply = [&](std::size_t i) {
-            return ((row[i][0] * Float(p.x) + row[i][1] * Float(p.y)) + row[i][2] * Float(p.z)) + row[i][3];
+            return ((row[i][0] * q[0] + row[i][1] * q[1]) + row[i][2] * q[2]) + row[i][3];
         };
-        const Float depth = apply(2), x = apply(0) / depth, y = apply(1) / depth;
+        return {apply(0), apply(1), apply(2)};
+    }
+    /// Raster x, y on the grid.
+    glm::dvec2 raster(const ClipCorner<Float>& c, int subpixel_bits) const {
+        const Float x = c.x / c.w, y = c.y / c.w;
         const Float x_px = (x + 1) * (Float(0.5) * Float(view->width)),
                     y_px = (1 - y) * (Float(0.5) * Float(view->height));
-        return {std::nearbyint(double(x_px) * 256) / 256, std::nearbyint(double(y_px) * 256) / 256};
+        const double per_px = std::exp2(subpixel_bits);
+        return {std::nearbyint(double(x_px) * per_px) / per_px,
+                std::nearbyint(double(y_px) * per_px) / per_px};
     }
 };
 
 /// The larger of the displacements in x and y, exactly measured, in px.
-double strays_by(const View& view, const glm::vec3& p_world, const glm::dvec2& raster) {
+double strays_by(const View& view, const glm::dvec3& p_world, const glm::dvec2& raster) {
     const Sight<Rational> sight(view, 0, 0);
-    const auto v = exactly<Rational>(glm::dvec3(p_world)) - sight.origin;
+    const auto v = exactly<Rational>(p_world) - sight.origin;
     const Rational all = dot(sight.step_x, cross(sight.step_y, sight.direction));
     const Rational t = dot(sight.step_x, cross(sight.step_y, v)) / all;
     const Rational x = dot(v, cross(sight.step_y, sight.direction)) / all / t;
@@ -65,40 +80,96 @@ View turned_view(Dice& dice) {
     return view;
 }
 
+/// A corner at this depth, as a place in the window: 0 and 1 are its sides.
+glm::vec3 corner_at(const Camera& c, double depth, double across, double up) {
+    const double u = c.window.left + across * (c.window.right - c.window.left);
+    const double v = c.window.bottom + up * (c.window.top - c.window.bottom);
+    return glm::vec3(glm::dvec3(c.eye_world) + depth * (u * c.right + v * c.up - c.back));
+}
+
 template <class Float>
-double largest_share_of_eps(Arithmetic arithmetic) {
+double largest_share_of_eps(const RasterPrecision& precision, const glm::vec3& moved = glm::vec3(0)) {
     double largest = 0;
     for (std::uint32_t seed = 0; seed < 1500; ++seed) {
         Dice dice(seed);
-        const View view = turned_view(dice);
-        const Camera& c = view.camera;
-        const ViewBounds bounds(view, RasterPrecision{.transform = arithmetic});
+        View view = turned_view(dice);
+        view.camera.eye_world += moved;
+        const ViewBounds bounds(view, precision);
         CornersWorld p;
-        for (glm::vec3& corner : p) {
-            const double depth = dice.between(0.5, 20);
-            const double u = dice.between(c.window.left, c.window.right),
-                         v = dice.between(c.window.bottom, c.window.top);
-            corner = glm::vec3(glm::dvec3(c.eye_world) + depth * (u * c.right + v * c.up - c.back));
-        }
+        for (glm::vec3& corner : p)
+            corner = corner_at(view.camera, dice.between(0.5, 20), dice.between(0, 1), dice.between(0, 1));
         const TriangleBounds of_triangle = bounds.of(p);
         const double eps = of_triangle.at(1 / of_triangle.nearest, 0).eps_px;
-        const Transform<Float> transform(view);
+        const Transform<Float> transform(view, precision.origin);
         for (const glm::vec3& corner : p)
-            largest = std::max(largest, strays_by(view, corner, transform(corner)) / eps);
+            largest = std::max(largest,
+                               strays_by(view, glm::dvec3(corner),
+                                         transform.raster(transform.clip(corner), precision.subpixel_bits)) /
+                                   eps);
     }
     return largest;
 }
 
 TEST(Bounds, NoCornerOfAFloat64RasterizerStraysByMoreThanEpsAndSomeNearlyDo) {
-    const double share = largest_share_of_eps<double>(Arithmetic::float64);
+    const double share = largest_share_of_eps<double>({.transform = Arithmetic::float64});
     EXPECT_LE(share, 1);
     EXPECT_GT(share, 0.5);
 }
 
 TEST(Bounds, NoCornerOfAFloat32RasterizerStraysByMoreThanEpsAndSomeNearlyDo) {
-    const double share = largest_share_of_eps<float>(Arithmetic::float32);
+    const double share = largest_share_of_eps<float>({.transform = Arithmetic::float32});
     EXPECT_LE(share, 1);
     EXPECT_GT(share, 0.5);
+}
+
+/// A grid so fine that only arithmetic moves corners.
+constexpr int finest_grid = 24;
+
+/// Far from the origin, where a fused matrix would move corners by pixels.
+TEST(Bounds, NoCornerStraysByMoreThanEpsWhereTheEyeIsSubtractedFirst) {
+    const glm::vec3 far_away{7000, -9000, 5000};
+    for (const Origin origin : {Origin::eye, Origin::world}) {
+        const RasterPrecision precision{.origin = origin, .subpixel_bits = finest_grid};
+        const double share = largest_share_of_eps<float>(precision, far_away);
+        EXPECT_LE(share, 1);
+        EXPECT_GT(share, 0.05);
+    }
+}
+
+/// A new corner where the edge from `out`, right of the window, to `in` leaves it.
+template <class Float>
+ClipCorner<Float> at_right_side(const ClipCorner<Float>& out, const ClipCorner<Float>& in, Float& t) {
+    const Float beyond = out.w - out.x, within = in.w - in.x;
+    t = beyond / (beyond - within);
+    return {out.x + t * (in.x - out.x), out.y + t * (in.y - out.y), out.w + t * (in.w - out.w)};
+}
+
+TEST(Bounds, NoCornerMadeByClippingStraysByMoreThanEps) {
+    double largest = 0;
+    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
+        Dice dice(seed);
+        const View view = turned_view(dice);
+        const auto corner = [&](double across) {
+            return corner_at(view.camera, dice.between(0.5, 20), across, dice.between(0, 1));
+        };
+        const double far_out = std::exp2(dice.between(0, 14));
+        const CornersWorld p{corner(1 + far_out), corner(0.9), corner(0.1)};
+        const ViewBounds bounds(view, RasterPrecision{.origin = Origin::eye,
+                                                      .subpixel_bits = finest_grid,
+                                                      .clipping = Clipping::view_volume});
+        const Transform<float> transform(view, Origin::eye);
+        const Transform<double> exact(view, Origin::eye);
+        float t = 0;
+        double t_true = 0;
+        const ClipCorner<float> made = at_right_side(transform.clip(p[0]), transform.clip(p[1]), t);
+        const ClipCorner<double> truly = at_right_side(exact.clip(p[0]), exact.clip(p[1]), t_true);
+        const glm::dvec3 out(p[0]), in(p[1]);
+        const double eps = bounds.of(p).at(1 / truly.w, 0).eps_px;
+        largest = std::max(
+            largest, strays_by(view, out + t_true * (in - out), transform.raster(made, finest_grid)) / eps);
+    }
+    EXPECT_LE(largest, 1);
+    EXPECT_GT(largest, 0.1);
 }
 
 TEST(Bounds, TheGridsShareIsHalfAStepOrAWholeOne) {

@@ -9,8 +9,7 @@
 namespace zproof {
 namespace {
 
-using Integer =
-    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
 /// m 2^e from a double's own parts.
 Rational from_parts(double value) {

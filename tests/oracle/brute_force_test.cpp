@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <functional>
 
 #include "oracle/embree.h"
+#include "oracle/povray.h"
 #include "scenes_at_random.h"
 
 namespace zproof::oracle {
@@ -19,8 +22,16 @@ std::string story(const View& view, int x, int y) {
            " x " + std::to_string(view.height);
 }
 
-void expect_certain_answers(const Scene& scene, const View& view, Tally& tally) {
-    const Frame frame = Embree(scene).trace(view);
+/// A witness on trial: what it sees, how many scenes it is shown, and whether its depths are better than
+/// float32's own arithmetic.
+struct Caster {
+    std::function<Frame(const Scene&, const View&)> cast;
+    std::uint32_t scenes;
+    std::function<double(const View&, double depth)> depth_error;  ///< where empty, float32's own
+};
+
+void expect_certain_answers(const Caster& caster, const Scene& scene, const View& view, Tally& tally) {
+    const Frame frame = caster.cast(scene, view);
     for (int y = 0; y < view.height; ++y) {
         for (int x = 0; x < view.width; ++x) {
             ++tally.pixels;
@@ -34,19 +45,21 @@ void expect_certain_answers(const Scene& scene, const View& view, Tally& tally) 
                 continue;
             }
             ++tally.certain_and_covered;
-            ASSERT_LE(std::abs(depth - expected->depth), expected->depth_error) << story(view, x, y);
+            const long double allowed = caster.depth_error ? caster.depth_error(view, double(expected->depth))
+                                                           : expected->depth_error;
+            ASSERT_LE(std::abs(depth - expected->depth), allowed) << story(view, x, y);
         }
     }
 }
 
-/// 40 scenes: where float32 cannot be mistaken, Embree is not.
-void expect_agreement(Lens lens) {
+/// Where float32 cannot be mistaken, the caster is not.
+void expect_agreement(const Caster& caster, Lens lens) {
     Tally tally;
-    for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    for (std::uint32_t seed = 0; seed < caster.scenes; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         Dice dice(seed);
         const View view = random_view(dice, lens);
-        expect_certain_answers(random_soup(dice, view.camera, 40), view, tally);
+        expect_certain_answers(caster, random_soup(dice, view.camera, 40), view, tally);
         if (testing::Test::HasFatalFailure()) return;
     }
     EXPECT_GT(tally.certain, tally.pixels * 99 / 100) << "the bounds have become too loose to say anything";
@@ -54,10 +67,33 @@ void expect_agreement(Lens lens) {
         << "the scenes have become too empty to say anything";
 }
 
-TEST(BruteForce, AgreesWithEmbreeInPerspective) { expect_agreement(Lens::perspective); }
-TEST(BruteForce, AgreesWithEmbreeOffAxis) { expect_agreement(Lens::off_axis); }
-TEST(BruteForce, AgreesWithEmbreeInOrthographicViews) { expect_agreement(Lens::orthographic); }
-TEST(BruteForce, AgreesWithEmbreeInObliqueViews) { expect_agreement(Lens::oblique); }
+class AgreesWith : public testing::TestWithParam<Lens> {};
+
+TEST_P(AgreesWith, Embree) {
+    const auto cast = [](const Scene& scene, const View& view) { return Embree(scene).trace(view); };
+    expect_agreement({.cast = cast, .scenes = 40, .depth_error = nullptr}, GetParam());
+}
+
+/// Its depths are right to a rounding of float32 and half a step of their code.
+TEST_P(AgreesWith, PovRay) {
+    const auto cast = [](const Scene& scene, const View& view) { return PovRay(scene).render(view); };
+    const auto depth_error = [](const View& view, double depth) {
+        const Camera& c = view.camera;
+        const double range = c.projection == Projection::parallel ? c.far_depth - c.near_depth : 0;
+        return std::abs(depth) * 0x1.01p-23 + range * 0x1.01p-29;
+    };
+    expect_agreement({.cast = cast, .scenes = 4, .depth_error = depth_error}, GetParam());
+}
+
+std::string name_of(const testing::TestParamInfo<Lens>& lens) {
+    constexpr std::array names{"InPerspective", "OffAxis", "InOrthographicViews", "InObliqueViews"};
+    return names[std::size_t(lens.param)];
+}
+
+INSTANTIATE_TEST_SUITE_P(BruteForce, AgreesWith,
+                         testing::Values(Lens::perspective, Lens::off_axis, Lens::orthographic,
+                                         Lens::oblique),
+                         name_of);
 
 }  // namespace
 }  // namespace zproof::oracle

@@ -11,6 +11,7 @@
 
 #include "oracle/oracle_error.h"
 #include "oracle/primary_ray.h"
+#include "pictures.h"
 #include "scenes_at_random.h"
 
 namespace zproof::oracle {
@@ -18,49 +19,9 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Ids as one character per pixel: '.' = background.
-std::string picture(const Frame& frame) {
-    std::string rows = "\n";
-    for (int y = 0; y < frame.size().height; ++y) {
-        for (const PrimitiveId id : frame.primitive.row(y)) {
-            rows += id == PrimitiveId::none ? '.' : static_cast<char>('0' + static_cast<int>(id));
-        }
-        rows += '\n';
-    }
-    return rows;
-}
-
-/// One unit per pixel on the plane at depth 1; x runs right, y up, from the image's middle.
-View unit_pixels(int width, int height) {
-    View view{.name = "unit_pixels", .camera = {}, .width = width, .height = height};
-    view.camera.window = {-width / 2.0, width / 2.0, -height / 2.0, height / 2.0};
-    return view;
-}
-
-using Corners = std::vector<glm::vec3>;
-
-/// A triangle at this depth that covers everything unit_pixels sees of images up to 16 pixels wide.
-Corners wall(float depth) {
-    return {{-40 * depth, -20 * depth, -depth}, {40 * depth, -20 * depth, -depth}, {0, 40 * depth, -depth}};
-}
-
-Corners together(std::initializer_list<Corners> parts) {
-    Corners all;
-    for (const Corners& part : parts) all.insert(all.end(), part.begin(), part.end());
-    return all;
-}
-
 Frame trace(const Corners& corners, const View& view) {
     const Scene scene = scene_of(corners);
     return Embree(scene).trace(view);
-}
-
-bool same_bits(const Frame& a, const Frame& b) {
-    const auto same = [](auto x, auto y) {
-        return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size_bytes()) == 0;
-    };
-    return same(a.primitive.pixels(), b.primitive.pixels()) &&
-           same(a.camera_depth.pixels(), b.camera_depth.pixels());
 }
 
 TEST(Embree, RowsRunDownAndColumnsRunRight) {

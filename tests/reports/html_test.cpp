@@ -99,6 +99,18 @@ TEST(Html, TellsTheLikelyCauseAndWhatElseWasTested) {
     EXPECT_EQ(occurrences(to_html(results, "/nowhere"), "<h3>No single cause</h3>"), 1u);
 }
 
+TEST(Html, TellsWhatTheWitnessesSaidAndWhoAgrees) {
+    const std::string page = page_without_pictures();
+    EXPECT_EQ(occurrences(page, "<strong>povray</strong>: 5 defects (5 hole)"), 1u);
+    EXPECT_EQ(occurrences(page, "The &lt;witness&gt; is wrong."), 1u);
+    EXPECT_EQ(occurrences(page, "<strong>opengl</strong>: no &lt;device&gt;"), 1u);
+    EXPECT_EQ(occurrences(page, "agree RMS 0.5, largest 1 (7 pixels)"), 1u);
+    EXPECT_EQ(occurrences(page, "no picture: no &lt;canvas&gt;"), 1u);
+    EXPECT_EQ(occurrences(page, "3.7 &lt;b&gt;"), 1u);
+    EXPECT_EQ(occurrences(page, "not heard: no &lt;device&gt;"), 1u);
+    EXPECT_EQ(occurrences(page, "All that were heard name the same triangle at 5 of 2,073,600 pixels."), 1u);
+}
+
 TEST(Html, EveryClassIsInTheLegend) {
     const std::string page = page_without_pictures();
     for (int i = 0; i < pixel_class_count; ++i)

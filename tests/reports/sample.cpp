@@ -72,6 +72,16 @@ ViewResult room() {
                   .cause = Explanation{"a row is <lost>", "Whole rows are & stay background.", 2, 2, 0, 90},
                   .runners_up = {{"only 4 sub-pixel bits", "Declared: 8.", 1, 2, 3, 1000}}};
     v.notes = {"3 lines were skipped."};
+    v.witnesses = {WitnessResult{.name = "povray", .absent = "", .worst = {v.worst[0]}},
+                   WitnessResult{.name = "opengl", .absent = "no <device>"}};
+    v.witnesses[0].worst[0].explanation = "The <witness> is wrong.";
+    v.witnesses[0].worst[0].command = "zproof explain room 812 344 --renderer povray";
+    v.witnesses[0].counts[std::size_t(PixelClass::hole)] = 5;
+    v.witnesses[0].picture.emplace();
+    v.witnesses[0].picture->at(0) = {.pixels = 7, .rms = 0.5, .mean = 0.25, .largest = 1};
+    v.witnesses[0].no_picture = "no <canvas>";
+    v.witnesses[0].depth.max_error_over_bound = 0.125;
+    v.accord = {.same = {{9, 8, 7}, {8, 9, 6}, {7, 6, 9}}, .unanimous = 5};
     v.folder = "scenes/room-corner";
     return v;
 }
@@ -126,6 +136,8 @@ Results sample_results() {
     results.compiler = "g++ 12";
     results.embree = "Embree 3.13.5 (AVX2)";
     results.threads = 2;
+    results.renderers = {{"zproof", "0.1.0", R"({"kind":"raster","subpixel_bits":8})"},
+                         {"povray", "3.7 <b>", R"({"kind":"ray"})"}};
     results.views = {meadow(), room(), refused(), empty()};
     return results;
 }

@@ -54,6 +54,12 @@ TEST(Terminal, TellsTheLikelyCause) {
         std::string::npos);
 }
 
+TEST(Terminal, HasALinePerWitness) {
+    const std::string text = summary_table(sample_results(), Colour::plain);
+    EXPECT_NE(text.find("\npovray: 1 view, 5 defects, err/bound 0.125\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nopengl: not heard about 1 view: no <device>\n"), std::string::npos) << text;
+}
+
 TEST(Terminal, EndsWithTheTotals) {
     const std::vector<std::string> lines = lines_of(summary_table(sample_results(), Colour::plain));
     EXPECT_EQ(lines[lines.size() - 2], "4 views:  ✓ 1 proven  ✗ 1 defective  ! 1 unreadable  ? 1 not judged");

@@ -1,0 +1,34 @@
+#include <filesystem>
+
+#include "cli/commands.h"
+#include "cli/judgement.h"
+#include "cli/usage_error.h"
+#include "frame/exr.h"
+
+namespace zproof {
+namespace {
+
+/// A frame is of one view: where the scene has several, somebody must say which.
+std::string view_meant(const CompareArguments& arguments, const SceneSource& source, Resolution size) {
+    if (!arguments.view.empty()) return arguments.view;
+    const std::vector<View> views = load(source, size).views;
+    if (views.size() == 1) return views.front().name;
+    std::string names;
+    for (const View& view : views) names += (names.empty() ? "" : ", ") + view.name;
+    throw UsageError{"compare: " + source.name + " has the views " + names + "; say which with --view"};
+}
+
+}  // namespace
+
+ExitCode execute(const CompareArguments& arguments) {
+    const auto& candidate = std::get<StoredFrame>(arguments.parties.candidate.who);
+    const Resolution size = read_exr(candidate.file).size();
+    const SceneSource source = select_scene(arguments.scene);
+    return judge_and_report({{source},
+                             arguments.parties,
+                             {.resolution = size, .threads = arguments.threads},
+                             arguments.report,
+                             view_meant(arguments, source, size)});
+}
+
+}  // namespace zproof

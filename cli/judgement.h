@@ -1,0 +1,25 @@
+/// The main job: judge scenes and write the reports.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/arguments.h"
+#include "cli/exit_code.h"
+#include "cli/scene_selection.h"
+
+namespace zproof {
+
+struct Assignment {
+    std::vector<SceneSource> sources;
+    const Parties& parties;
+    RenderSettings settings;
+    const ReportArguments& report;
+    std::string only_view;  ///< empty: all views of every scene
+};
+
+/// Writes results.json, junit.xml, report.html and the evidence, and prints what the report arguments ask
+/// for. Throws OracleError, before any work, where a renderer that is needed cannot be asked on this machine.
+ExitCode judge_and_report(const Assignment& assignment);
+
+}  // namespace zproof

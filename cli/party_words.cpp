@@ -1,0 +1,110 @@
+#include "cli/party_words.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "cli/renderers/roster.h"
+#include "cli/usage_error.h"
+
+namespace zproof {
+namespace {
+
+constexpr std::size_t affordable_triangles = 100'000;  ///< for witnesses that nobody asked for
+constexpr const char* nobody = "none";
+
+/// The witnesses of a run that names none.
+std::vector<std::string> usual_witnesses() { return {"povray"}; }
+
+RendererChoice stored_frame(const std::string& file, const std::string& precision) {
+    return {.who = StoredFrame{file}, .precision_word = precision};
+}
+
+RendererChoice witness_called(const std::string& name) {
+    if (std::ranges::count(renderer_names(), name) > 0) return renderer_from_word(name);
+    std::string names = nobody;
+    for (const std::string& known : renderer_names()) names += ", " + known;
+    throw UsageError{"oracle '" + name + "': expected one of " + names};
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::count(names, name) > 0;
+}
+
+/// The names, each once, in their order; "none" is no name.
+std::vector<std::string> each_once(const std::vector<std::string>& names) {
+    std::vector<std::string> once;
+    for (const std::string& name : names)
+        if (name != nobody && !contains(once, name)) once.push_back(name);
+    return once;
+}
+
+std::vector<std::string> witness_names(const PartyWords& words) {
+    std::vector<std::string> names = words.oracles.value_or(usual_witnesses());
+    names.insert(names.end(), words.required.begin(), words.required.end());
+    return each_once(names);
+}
+
+WitnessChoice witness(const std::string& name, const PartyWords& words) {
+    const bool required = contains(words.required, name);
+    const bool asked = required || (words.oracles && contains(*words.oracles, name));
+    WitnessChoice choice{.renderer = witness_called(name)};
+    choice.renderer.time_limit = std::chrono::seconds{words.time_limit_s};
+    if (!asked) choice.most_triangles = affordable_triangles;
+    if (required) choice.need = WitnessChoice::Need::required;
+    return choice;
+}
+
+}  // namespace
+
+void add_precision_options(CLI::App& app, PartyWords& words) {
+    app.add_option("--precision", words.precision,
+                   "what the renderer promises: a JSON file, or e.g. raster,subpixel_bits=4");
+    app.add_option("--time-limit", words.time_limit_s,
+                   "seconds for a picture of a renderer that is a program")
+        ->check(CLI::Range(1, 86400))
+        ->capture_default_str();
+}
+
+void add_renderer_options(CLI::App& app, PartyWords& words) {
+    app.add_option("--renderer", words.renderer,
+                   "who is judged: a name, or 'CMD {scene} {camera} {width} {height} {out}'")
+        ->capture_default_str();
+    add_precision_options(app, words);
+}
+
+void add_stored_frame_options(CLI::App& app, PartyWords& words) {
+    app.add_option("--candidate", words.candidate, "a stored frame (.exr) in the renderer's place");
+    app.add_option("--reference", words.reference, "a stored frame (.exr) in Embree's place");
+    add_reference_precision(app, words);
+}
+
+void add_reference_precision(CLI::App& app, PartyWords& words) {
+    app.add_option("--reference-precision", words.reference_precision,
+                   "what the renderer of a stored reference promises");
+}
+
+void add_witness_options(CLI::App& app, PartyWords& words) {
+    app.add_option("--oracle", words.oracles, "witnesses beside Embree, each judged as well; or 'none'")
+        ->delimiter(',');
+    app.add_option("--require", words.required, "witnesses without which nothing is proven")->delimiter(',');
+}
+
+RendererChoice candidate_of(const PartyWords& words) {
+    RendererChoice choice =
+        words.candidate.empty() ? renderer_from_word(words.renderer) : stored_frame(words.candidate, "");
+    choice.precision_word = words.precision;
+    choice.time_limit = std::chrono::seconds{words.time_limit_s};
+    return choice;
+}
+
+Parties parties_of(const PartyWords& words) {
+    Parties parties{.candidate = candidate_of(words), .witnesses = {}};
+    if (!words.reference.empty())
+        parties.reference = stored_frame(words.reference, words.reference_precision);
+    for (const std::string& name : witness_names(words))
+        if (name != name_of(parties.candidate) && name != name_of(parties.reference))
+            parties.witnesses.push_back(witness(name, words));
+    return parties;
+}
+
+}  // namespace zproof

@@ -1,0 +1,34 @@
+/// The options that choose renderers: --renderer, --precision, --oracle and so on.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/renderers/choice.h"
+
+namespace zproof {
+
+/// As typed.
+struct PartyWords {
+    std::string renderer = "zproof", precision;             ///< of the candidate
+    std::string candidate, reference, reference_precision;  ///< stored frames
+    std::optional<std::vector<std::string>> oracles;        ///< nothing: the usual ones
+    std::vector<std::string> required;
+    int time_limit_s = 600;
+};
+
+void add_renderer_options(CLI::App& app, PartyWords& words);      ///< --renderer, --precision, --time-limit
+void add_precision_options(CLI::App& app, PartyWords& words);     ///< --precision, --time-limit
+void add_stored_frame_options(CLI::App& app, PartyWords& words);  ///< --candidate, --reference
+void add_reference_precision(CLI::App& app, PartyWords& words);
+void add_witness_options(CLI::App& app, PartyWords& words);  ///< --oracle, --require
+
+/// The renderer that the words call the candidate. Throws UsageError.
+RendererChoice candidate_of(const PartyWords& words);
+
+/// Everybody. Throws UsageError.
+Parties parties_of(const PartyWords& words);
+
+}  // namespace zproof

@@ -1,0 +1,58 @@
+#include "cli/renderers/choice.h"
+
+#include <algorithm>
+
+#include "cli/arguments.h"
+#include "cli/renderers/roster.h"
+#include "cli/usage_error.h"
+
+namespace zproof {
+namespace {
+
+std::string known_names() {
+    std::string names;
+    for (const std::string& name : renderer_names()) names += (names.empty() ? "" : ", ") + name;
+    return names;
+}
+
+/// The option that names it; empty for the default.
+std::string option_of(const BuiltIn& built_in) {
+    return built_in.name == renderer_names().front() ? "" : " --renderer " + built_in.name;
+}
+
+std::string option_of(const Program& program) { return " --renderer " + shell_quoted(program.command); }
+
+std::string option_of(const StoredFrame& stored) {
+    return " --candidate " + shell_quoted(stored.file.string());
+}
+
+}  // namespace
+
+RendererChoice renderer_from_word(const std::string& word) {
+    if (std::ranges::count(renderer_names(), word) > 0) return {.who = BuiltIn{word}, .precision_word = {}};
+    if (word.find("{out}") != std::string::npos) return {.who = Program{word}, .precision_word = {}};
+    throw UsageError{"renderer '" + word + "': expected one of " + known_names() +
+                     ", or a command that writes its frame to {out} (docs/renderer-contract.md)"};
+}
+
+bool are_the_usual(const Parties& parties) {
+    const Parties usual{.witnesses = {}};
+    const auto same = [](const RendererChoice& a, const RendererChoice& b) {
+        return name_of(a) == name_of(b) && a.precision_word == b.precision_word;
+    };
+    return same(parties.candidate, usual.candidate) && same(parties.reference, usual.reference);
+}
+
+std::string name_of(const RendererChoice& choice) {
+    if (const auto* built_in = std::get_if<BuiltIn>(&choice.who)) return built_in->name;
+    if (const auto* program = std::get_if<Program>(&choice.who)) return program->command;
+    return std::get<StoredFrame>(choice.who).file.string();
+}
+
+std::string options_for(const RendererChoice& choice) {
+    std::string options = std::visit([](const auto& who) { return option_of(who); }, choice.who);
+    if (!choice.precision_word.empty()) options += " --precision " + shell_quoted(choice.precision_word);
+    return options;
+}
+
+}  // namespace zproof

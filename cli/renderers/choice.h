@@ -1,0 +1,71 @@
+/// Which renderer is meant, before it has met a scene.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "frame/precision.h"
+
+namespace zproof {
+
+/// One of those that zproof knows by name: see renderer_names().
+struct BuiltIn {
+    std::string name;
+};
+
+/// Somebody's program (docs/renderer-contract.md).
+struct Program {
+    std::string command;  ///< for a shell, with {scene}, {camera}, {width}, {height}, {out}
+};
+
+/// A frame that was rendered elsewhere and stands for its renderer.
+struct StoredFrame {
+    std::filesystem::path file;  ///< OpenEXR
+};
+
+struct RendererChoice {
+    std::variant<BuiltIn, Program, StoredFrame> who;
+    std::string precision_word;            ///< as typed after --precision; empty: its own promise
+    std::chrono::seconds time_limit{600};  ///< for one picture, of those that run as programs
+};
+
+/// Who is heard besides candidate and reference.
+struct WitnessChoice {
+    enum class Need {
+        welcome,   ///< where it is absent, the report says so
+        required,  ///< where it is absent, nothing is proven
+    };
+    RendererChoice renderer;
+    std::size_t most_triangles = unlimited_triangles;  ///< not asked of larger scenes
+    Need need = Need::welcome;
+
+    static constexpr std::size_t unlimited_triangles = std::size_t(-1);
+};
+
+/// Everybody who has a say in a run.
+struct Parties {
+    RendererChoice candidate{.who = BuiltIn{"zproof"}, .precision_word = {}};
+    RendererChoice reference{.who = BuiltIn{"embree"}, .precision_word = {}};
+    std::vector<WitnessChoice> witnesses;  ///< no two of one name, none named like candidate or reference
+};
+
+/// A word after --renderer: a name that zproof knows, or a command with {out} in it. Throws UsageError.
+RendererChoice renderer_from_word(const std::string& word);
+
+/// zproof's own rasterizer against Embree, both as they declare themselves? Only of these does the suite's
+/// manifest know which classes must occur.
+bool are_the_usual(const Parties& parties);
+
+/// The same in words: "povray", the command, the file.
+std::string name_of(const RendererChoice& choice);
+
+/// The options that mean this choice, for a shell, each with a blank before it: " --renderer povray". Empty
+/// for the default, zproof's own rasterizer.
+std::string options_for(const RendererChoice& choice);
+
+}  // namespace zproof

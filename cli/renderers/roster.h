@@ -1,0 +1,44 @@
+/// Everybody who can be asked for a frame.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/renderers/choice.h"
+#include "frame/frame.h"
+#include "frame/picture.h"
+#include "frame/precision.h"
+#include "reports/results.h"
+#include "scenes/light.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace zproof {
+
+/// A renderer that has been handed a scene.
+struct Renderer {
+    std::string name;
+    Precision precision;                                      ///< what it is judged by
+    std::function<Frame(const View&)> render;                 ///< OracleError or FrameError where it cannot
+    std::function<Picture(const View&, const Light&)> paint;  ///< empty: has no colours of its own
+};
+
+/// The names that zproof knows, its own rasterizer first.
+std::vector<std::string> renderer_names();
+
+/// Why a renderer cannot be asked on this machine; empty: it can.
+std::string absence_of(const RendererChoice& choice);
+
+/// What it is judged by: the word after --precision, else its own promise. Throws FrameError for a word that
+/// cannot be understood.
+Precision declared_precision(const RendererChoice& choice);
+
+/// Name, version in its own words, declared precision. Only for one that is not absent. Throws FrameError as
+/// declared_precision does.
+RendererFacts facts_of(const RendererChoice& choice);
+
+/// Hands it the scene, which must outlive the result. Throws OracleError where it is absent or refuses.
+Renderer open(const RendererChoice& choice, const Scene& scene);
+
+}  // namespace zproof

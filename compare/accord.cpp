@@ -1,0 +1,64 @@
+#include "compare/accord.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace zproof {
+
+namespace {
+
+using Frames = std::span<const Frame* const>;
+using Rows = tbb::blocked_range<int>;
+
+Accord none_of(std::size_t frames) {
+    return {.same = {frames, std::vector<std::uint64_t>(frames)}, .unanimous = 0};
+}
+
+Accord sum_of(Accord a, const Accord& b) {
+    for (std::size_t i = 0; i < a.same.size(); ++i)
+        std::ranges::transform(a.same[i], b.same[i], a.same[i].begin(), std::plus{});
+    a.unanimous += b.unanimous;
+    return a;
+}
+
+std::uint64_t same_in_row(std::span<const PrimitiveId> a, std::span<const PrimitiveId> b) {
+    std::uint64_t count = 0;
+    for (std::size_t x = 0; x < a.size(); ++x) count += a[x] == b[x];
+    return count;
+}
+
+std::uint64_t unanimous_in_row(Frames frames, int y) {
+    const std::span first = frames.front()->primitive.row(y);
+    std::vector<std::uint8_t> all(first.size(), 1);
+    for (const Frame* frame : frames.subspan(1))
+        for (std::size_t x = 0; x < first.size(); ++x) all[x] &= frame->primitive.row(y)[x] == first[x];
+    return std::uint64_t(std::ranges::count(all, 1));
+}
+
+Accord with_row(Accord sum, Frames frames, int y) {
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        for (std::size_t j = 0; j < frames.size(); ++j)
+            sum.same[i][j] += same_in_row(frames[i]->primitive.row(y), frames[j]->primitive.row(y));
+    sum.unanimous += unanimous_in_row(frames, y);
+    return sum;
+}
+
+}  // namespace
+
+Accord accord_of(Frames frames) {
+    const Resolution size = frames.front()->size();
+    for (const Frame* frame : frames)
+        if (frame->size() != size) throw std::invalid_argument{"accord_of: frames of different sizes"};
+    return tbb::parallel_reduce(
+        Rows{0, size.height}, none_of(frames.size()),
+        [&](const Rows& rows, Accord sum) {
+            for (int y = rows.begin(); y != rows.end(); ++y) sum = with_row(std::move(sum), frames, y);
+            return sum;
+        },
+        sum_of);
+}
+
+}  // namespace zproof

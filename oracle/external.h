@@ -1,0 +1,39 @@
+/// Anybody's renderer, run as a program by the contract of docs/renderer-contract.md.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "frame/frame.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace zproof::oracle {
+
+class ScratchFolder;
+
+/// A scene written where a program can read it. The scene must outlive this object.
+class External {
+  public:
+    /// The command is a line for /bin/sh in which {scene} (binary glTF), {camera} (JSON), {width}, {height}
+    /// and {out} (OpenEXR, to be written) stand for the words that they name, quoted. It runs in the current
+    /// folder, for at most time_limit a picture. Throws OracleError where the scene cannot be written.
+    External(const Scene& scene, std::string command, std::chrono::seconds time_limit);
+    ~External();
+    External(External&&) noexcept;
+    External& operator=(External&&) noexcept;
+
+    /// Runs the command once. Throws OracleError, with the end of what it wrote to standard error, where it
+    /// fails, is too slow, or leaves anything but a frame of the view's size with uint32 ids and float32
+    /// depths. The values themselves are not judged here.
+    Frame render(const View& view) const;
+
+  private:
+    std::string command_;
+    std::chrono::seconds time_limit_;
+    std::unique_ptr<const ScratchFolder> folder_;
+};
+
+}  // namespace zproof::oracle

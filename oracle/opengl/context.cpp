@@ -1,0 +1,73 @@
+#include "oracle/opengl/context.h"
+
+#include <EGL/eglext.h>
+#include <GL/glcorearb.h>
+
+#include <array>
+#include <string_view>
+
+#include "oracle/oracle_error.h"
+
+namespace zproof::oracle::opengl {
+namespace {
+
+std::string in_hex(unsigned code) {
+    std::string digits;
+    for (; code != 0; code /= 16) digits.insert(digits.begin(), "0123456789ABCDEF"[code % 16]);
+    return "0x" + (digits.empty() ? "0" : digits);
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw OracleError("OpenGL: " + what + " (EGL error " + in_hex(unsigned(eglGetError())) +
+                      "); install a driver, e.g. libgl1-mesa-dri");
+}
+
+/// A display that needs no window system. Displays are shared by the whole process and are not ended here.
+EGLDisplay surfaceless_display() {
+    const char* listed = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    const std::string_view extensions = listed ? listed : "";
+    if (extensions.find("EGL_MESA_platform_surfaceless") == std::string_view::npos)
+        refuse("no EGL device: EGL_MESA_platform_surfaceless is not among its extensions");
+    const EGLDisplay display =
+        eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display == EGL_NO_DISPLAY) refuse("no EGL device: no surfaceless display");
+    if (!eglInitialize(display, nullptr, nullptr)) refuse("no EGL device: the display cannot be initialized");
+    return display;
+}
+
+EGLContext core_context(EGLDisplay display) {
+    if (!eglBindAPI(EGL_OPENGL_API)) refuse("EGL offers no desktop OpenGL");
+    constexpr std::array<EGLint, 7> wanted{EGL_CONTEXT_MAJOR_VERSION,
+                                           4,
+                                           EGL_CONTEXT_MINOR_VERSION,
+                                           5,
+                                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                           EGL_NONE};
+    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
+    if (context == EGL_NO_CONTEXT) refuse("the driver has no OpenGL 4.5 core context");
+    return context;
+}
+
+}  // namespace
+
+Context::Context() : display_(surfaceless_display()), context_(core_context(display_)) {}
+
+Context::~Context() { eglDestroyContext(display_, context_); }
+
+Context::Current::Current(const Context& context) : lock_(context.one_thread_), display_(context.display_) {
+    eglBindAPI(EGL_OPENGL_API);  // the bound API is the thread's, not the context's
+    if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context.context_))
+        refuse("the context cannot be made current");
+}
+
+Context::Current::~Current() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+
+void raise_gl_error(const std::string& action) {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR) return;
+    while (glGetError() != GL_NO_ERROR) continue;
+    throw OracleError("OpenGL: the driver reports error " + in_hex(error) + " when it " + action);
+}
+
+}  // namespace zproof::oracle::opengl

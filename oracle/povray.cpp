@@ -1,0 +1,111 @@
+#include "oracle/povray.h"
+
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "oracle/oracle_error.h"
+#include "oracle/povray_picture.h"
+#include "oracle/povray_scene.h"
+#include "oracle/ppm.h"
+#include "oracle/scratch_folder.h"
+#include "oracle/subprocess.h"
+
+namespace zproof::oracle {
+namespace {
+
+constexpr const char *scene_file = "scene.pov", *picture_file = "picture.ppm";
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream out(file, std::ios::binary);
+    out << text << std::flush;
+    if (!out) throw OracleError(file.string() + ": cannot be written; set TMPDIR to a folder with more room");
+}
+
+/// One ray through each pixel's centre, 16 bits per channel as computed: no window, no dither, no gamma.
+std::vector<std::string> arguments(const std::string& program, const View& view) {
+    return {program,
+            std::string("+I") + scene_file,
+            std::string("+O") + picture_file,
+            "+FP16",
+            "+W" + std::to_string(view.width),
+            "+H" + std::to_string(view.height),
+            "+WT" + std::to_string(tbb::this_task_arena::max_concurrency()),
+            "File_Gamma=1.0",
+            "Dither=off",
+            "-A",
+            "-D",
+            "-P",
+            "-C"};
+}
+
+void run_povray(const PovRayOptions& options, const View& view, const std::filesystem::path& folder) {
+    const Command command{
+        .arguments = arguments(options.program, view), .folder = folder, .time_limit = options.time_limit};
+    const Outcome outcome = run(command);
+    if (outcome.succeeded()) return;
+    throw OracleError("POV-Ray, view '" + view.name + "': " + in_words(outcome, options.time_limit) +
+                      "; it said: " + outcome.complaints);
+}
+
+Frame frame_of(const Plane<PovrayCode::Channels>& picture, const PovrayScene& scene) {
+    Frame frame(picture.size());
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
+        const PovrayCode::Pixel pixel = scene.code.decoded(picture.pixels()[i]);
+        frame.primitive.pixels()[i] = pixel.primitive;
+        frame.camera_depth.pixels()[i] = static_cast<float>(pixel.depth / scene.scale);
+    }
+    return frame;
+}
+
+Picture colours_of(const Plane<PovrayCode::Channels>& codes) {
+    Picture picture(codes.size());
+    std::ranges::transform(codes.pixels(), picture.pixels().begin(), [](const PovrayCode::Channels& c) {
+        return LinearRgb{float(c[0]) / 65535, float(c[1]) / 65535, float(c[2]) / 65535};
+    });
+    return picture;
+}
+
+}  // namespace
+
+Frame PovRay::render(const View& view) const {
+    const ScratchFolder scratch;
+    const PovrayScene scene = povray_scene(scene_, view);
+    write_text(scratch.path() / scene_file, scene.text);
+    run_povray(options_, view, scratch.path());
+    return frame_of(read_ppm16(scratch.path() / picture_file, {view.width, view.height}), scene);
+}
+
+Picture PovRay::picture(const View& view, const Light& light) const {
+    const ScratchFolder scratch;
+    const PovrayPicture picture = povray_picture(scene_, view, light);
+    write_text(scratch.path() / scene_file, picture.text);
+    for (const PovrayImage& image : picture.images) write_text(scratch.path() / image.name, image.bytes);
+    run_povray(options_, view, scratch.path());
+    return colours_of(read_ppm16(scratch.path() / picture_file, {view.width, view.height}));
+}
+
+Precision povray_precision() {
+    return PlaneRayPrecision{
+        .aim_offset_px = 0x1p-28,
+        .least_corner_sine = 0x1p-26,
+        .least_grazing_sine = 1e-10,
+        .depth_relative = 0x1.0001p-23,  // half a step of the code, and float32's rounding
+        .depth_of_range = 0x1.0001p-29,
+        .clip_relative = 0x1p-23,
+        .clip_of_reach = 0x1p-41};
+}
+
+std::optional<std::string> povray_version(const std::string& program) {
+    try {
+        const Outcome outcome = run({.arguments = {program, "--version"}});
+        const std::string said = outcome.output + outcome.complaints;
+        const std::size_t at = said.find("POV-Ray ");
+        return at == std::string::npos ? program : said.substr(at, said.find('\n', at) - at);
+    } catch (const OracleError&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace zproof::oracle

@@ -1,0 +1,27 @@
+/// A lit, textured picture of a scene as POV-Ray reads it: one mesh2 in float32, which is enough for colours.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenes/light.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace zproof::oracle {
+
+struct PovrayImage {
+    std::string name;   ///< of the file that the text refers to
+    std::string bytes;  ///< PPM
+};
+
+struct PovrayPicture {
+    std::string text;
+    std::vector<PovrayImage> images;
+};
+
+/// Surfaces as scenes/light.h and rasterizer/shading.h have them. Throws OracleError for what POV-Ray cannot
+/// say: a texture times vertex colours, more than 65536 different colours, or as povray_texture.
+PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& light);
+
+}  // namespace zproof::oracle

@@ -1,0 +1,21 @@
+/// A view of a scene as POV-Ray's scene file.
+#pragma once
+
+#include <string>
+
+#include "oracle/povray_code.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace zproof::oracle {
+
+struct PovrayScene {
+    std::string text;
+    PovrayCode code;  ///< of the picture's pixels, depths in POV-Ray's units
+    double scale;     ///< POV-Ray's units per scene unit
+};
+
+/// Throws OracleError where the view is beyond POV-Ray's means (povray_geometry.h, povray_code.h).
+PovrayScene povray_scene(const Scene& scene, const View& view);
+
+}  // namespace zproof::oracle

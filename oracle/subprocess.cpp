@@ -1,0 +1,235 @@
+#include "oracle/subprocess.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+extern "C" {
+#include <sys/pidfd.h>  // glibc 2.36 forgets to say that it is C
+}
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "oracle/oracle_error.h"
+
+namespace zproof::oracle {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+class FileDescriptor {
+  public:
+    FileDescriptor() = default;
+    explicit FileDescriptor(int number) : number_(number) {}
+    ~FileDescriptor() { close(); }
+    FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+        std::swap(number_, other.number_);
+        return *this;
+    }
+
+    int number() const { return number_; }
+    bool is_open() const { return number_ >= 0; }
+    void close() {
+        if (is_open()) ::close(std::exchange(number_, -1));
+    }
+
+  private:
+    int number_ = -1;
+};
+
+[[noreturn]] void refuse(const Command& command, int reason) {
+    throw OracleError(command.arguments.at(0) + ": cannot be started in " + command.folder.string() + ": " +
+                      std::strerror(reason));
+}
+
+void require(int result, const Command& command) {
+    if (result != 0) refuse(command, result);
+}
+
+/// One of the command's outputs: its end that we read, and what has come of it.
+struct Tap {
+    FileDescriptor ours, theirs;
+    std::size_t kept_bytes;
+    std::string text;
+
+    explicit Tap(const Command& command) : kept_bytes(command.kept_bytes) {
+        std::array<int, 2> ends{};
+        require(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno, command);
+        ours = FileDescriptor(ends[0]);
+        theirs = FileDescriptor(ends[1]);
+        fcntl(ours.number(), F_SETFL, O_NONBLOCK);
+    }
+
+    /// Takes what is there, though not more than a pipe holds at a time: a program may write without end.
+    /// Closes at the end of the output.
+    void drain() {
+        std::array<char, 16384> piece;
+        for (int pieces = 0; pieces < 64 && ours.is_open(); ++pieces) {
+            const ssize_t count = ::read(ours.number(), piece.data(), piece.size());
+            if (count > 0) {
+                keep(piece.data(), std::size_t(count));
+            } else if (count == 0 || (errno != EINTR && errno != EAGAIN)) {
+                ours.close();
+            } else if (errno == EAGAIN) {
+                return;
+            }
+        }
+    }
+
+  private:
+    void keep(const char* piece, std::size_t count) {
+        text.append(piece, count);
+        if (text.size() > kept_bytes) text.erase(0, text.size() - kept_bytes);
+    }
+};
+
+/// posix_spawn's two arguments that C must free.
+class SpawnPlan {
+  public:
+    SpawnPlan(const Command& command, const Tap& output, const Tap& complaints) {
+        require(posix_spawn_file_actions_init(&actions_), command);
+        require(posix_spawnattr_init(&attributes_), command);
+        require(posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0), command);
+        require(posix_spawn_file_actions_adddup2(&actions_, output.theirs.number(), 1), command);
+        require(posix_spawn_file_actions_adddup2(&actions_, complaints.theirs.number(), 2), command);
+        require(posix_spawn_file_actions_addchdir_np(&actions_, command.folder.c_str()), command);
+        set_signals();
+    }
+    ~SpawnPlan() {
+        posix_spawn_file_actions_destroy(&actions_);
+        posix_spawnattr_destroy(&attributes_);
+    }
+    SpawnPlan(const SpawnPlan&) = delete;
+    SpawnPlan& operator=(const SpawnPlan&) = delete;
+
+    pid_t carry_out(const Command& command) const {
+        std::vector<std::string> arguments = command.arguments;
+        std::vector<char*> pointers;
+        for (std::string& argument : arguments) pointers.push_back(argument.data());
+        pointers.push_back(nullptr);
+        pid_t child = 0;
+        require(posix_spawnp(&child, pointers.at(0), &actions_, &attributes_, pointers.data(), environ),
+                command);
+        return child;
+    }
+
+  private:
+    /// A group of its own, no signal blocked, those that a parent may have set aside as they were.
+    void set_signals() {
+        sigset_t none, as_usual;
+        sigemptyset(&none);
+        sigemptyset(&as_usual);
+        for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGHUP, SIGCHLD}) sigaddset(&as_usual, signal);
+        posix_spawnattr_setflags(&attributes_,
+                                 POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+        posix_spawnattr_setpgroup(&attributes_, 0);
+        posix_spawnattr_setsigmask(&attributes_, &none);
+        posix_spawnattr_setsigdefault(&attributes_, &as_usual);
+    }
+
+    posix_spawn_file_actions_t actions_;
+    posix_spawnattr_t attributes_;
+};
+
+/// A started command. Nothing of its process group outlives this object.
+class Child {
+  public:
+    Child(const Command& command, const SpawnPlan& plan)
+        : id_(plan.carry_out(command)), watched_(pidfd_open(id_, 0)) {
+        if (watched_.is_open()) return;
+        const int reason = errno;
+        end();
+        refuse(command, reason);
+    }
+    ~Child() { end(); }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    /// Readable once the command has ended.
+    int watched() const { return watched_.number(); }
+
+    /// Kills the group while the unreaped child still keeps its number from being given away, then reaps.
+    /// The status as waitpid reports it; nothing the second time.
+    std::optional<int> end() {
+        if (id_ == 0) return std::nullopt;
+        ::kill(-id_, SIGKILL);
+        int status = 0;
+        while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+        }
+        id_ = 0;
+        return status;
+    }
+
+  private:
+    pid_t id_;
+    FileDescriptor watched_;
+};
+
+int milliseconds_until(Clock::time_point deadline) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    return int(std::clamp<decltype(left)>(left, 0, 3'600'000));
+}
+
+enum class Waited { ended, timed_out };
+
+/// Drains the outputs until the command has ended or its time is up.
+Waited wait_for(const Child& child, Tap& output, Tap& complaints, Clock::time_point deadline) {
+    for (;;) {
+        std::array<pollfd, 3> watched{{{child.watched(), POLLIN, 0},
+                                       {output.ours.number(), POLLIN, 0},
+                                       {complaints.ours.number(), POLLIN, 0}}};
+        poll(watched.data(), watched.size(), milliseconds_until(deadline));
+        output.drain();
+        complaints.drain();
+        if (watched[0].revents != 0) return Waited::ended;
+        if (Clock::now() >= deadline) return Waited::timed_out;
+    }
+}
+
+Outcome outcome_of(int status) {
+    if (WIFSIGNALED(status)) return {.ending = Ending::killed, .code = WTERMSIG(status)};
+    return {.ending = Ending::exited, .code = WEXITSTATUS(status)};
+}
+
+}  // namespace
+
+std::vector<std::string> shell_line(std::string line) { return {"/bin/sh", "-c", std::move(line)}; }
+
+Outcome run(const Command& command) {
+    const Clock::time_point deadline = Clock::now() + command.time_limit;
+    Tap output(command), complaints(command);
+    Child child(command, SpawnPlan(command, output, complaints));
+    output.theirs.close();
+    complaints.theirs.close();
+    const Waited waited = wait_for(child, output, complaints, deadline);
+    const int status = child.end().value();
+    output.drain();
+    complaints.drain();
+    Outcome outcome = waited == Waited::timed_out ? Outcome{.ending = Ending::timed_out} : outcome_of(status);
+    outcome.output = std::move(output.text);
+    outcome.complaints = std::move(complaints.text);
+    return outcome;
+}
+
+std::string in_words(const Outcome& outcome, std::chrono::milliseconds time_limit) {
+    switch (outcome.ending) {
+        case Ending::exited:
+            return "exit status " + std::to_string(outcome.code);
+        case Ending::killed:
+            return "killed by signal " + std::to_string(outcome.code) + " (" + strsignal(outcome.code) + ")";
+        case Ending::timed_out:
+            break;
+    }
+    const std::string seconds = std::to_string(double(time_limit.count()) / 1000);
+    return "stopped at its time limit of " + seconds.substr(0, seconds.find('.') + 2) + " s";
+}
+
+}  // namespace zproof::oracle

@@ -1,0 +1,25 @@
+#include "rasterizer/surface.h"
+
+namespace zproof::rasterizer {
+
+SightLine sight_line(const View& view, double x_raster, double y_raster) {
+    const Camera& c = view.camera;
+    const double u = c.window.left + (c.window.right - c.window.left) * x_raster / view.width;
+    const double v = c.window.top - (c.window.top - c.window.bottom) * y_raster / view.height;
+    const glm::dvec3 across = u * c.right + v * c.up;
+    if (c.projection == Projection::perspective) return {.to = across - c.back};
+    return {.from = across, .to = c.shear.x * c.right + c.shear.y * c.up - c.back};
+}
+
+Barycentrics barycentrics(const SightLine& line, const std::array<glm::dvec3, 3>& corners_from_eye) {
+    const auto& [a, b, c] = corners_from_eye;
+    const auto weight = [&](const glm::dvec3& p, const glm::dvec3& q) {
+        return glm::dot(glm::cross(p - line.from, q - line.from), line.to);
+    };
+    const Barycentrics w{weight(b, c), weight(c, a), weight(a, b)};
+    const double sum = w[0] + w[1] + w[2];
+    if (sum == 0) return {1.0 / 3, 1.0 / 3, 1.0 / 3};
+    return {w[0] / sum, w[1] / sum, w[2] / sum};
+}
+
+}  // namespace zproof::rasterizer

@@ -1,0 +1,30 @@
+/// What a pixel's centre sees of a triangle: where on it, and the attributes there.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace zproof::rasterizer {
+
+/// The line of sight through a raster position, relative to the eye, world axes: from + t to.
+struct SightLine {
+    glm::dvec3 from{0}, to{0};
+};
+
+SightLine sight_line(const View& view, double x_raster, double y_raster);
+
+/// Perspective-correct barycentrics of the point where the line meets the triangle's plane; they add up to 1.
+/// A third each where the triangle is seen edge-on.
+using Barycentrics = std::array<double, 3>;
+Barycentrics barycentrics(const SightLine& line, const std::array<glm::dvec3, 3>& corners_from_eye);
+
+/// Weighted by barycentrics.
+template <class Value>
+Value blended(const Barycentrics& b, const std::array<Value, 3>& at_corners) {
+    return b[0] * at_corners[0] + b[1] * at_corners[1] + b[2] * at_corners[2];
+}
+
+}  // namespace zproof::rasterizer

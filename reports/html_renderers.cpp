@@ -1,0 +1,130 @@
+#include "reports/html_parts.h"
+#include "reports/renderer_record.h"
+#include "reports/wording.h"
+
+namespace zproof {
+
+namespace {
+
+std::string number_cell(const std::string& text) { return "<td class=\"n\">" + text + "</td>"; }
+
+/// In words, "11 of 44" where it was not heard about all.
+std::string heard(const RendererRecord& r) {
+    return grouped(r.views) + (r.unheard > 0 ? " of " + grouped(r.views + r.unheard) : "");
+}
+
+/// JSON with a blank after every comma, so that a narrow column can break it.
+std::string breakable(const std::string& json) {
+    std::string text;
+    for (const char c : json) text += c == ',' ? std::string{", "} : std::string{c};
+    return text;
+}
+
+std::string facts_of(const Results& results, const RendererRecord& r) {
+    for (const RendererFacts& facts : results.renderers)
+        if (facts.name == r.name)
+            return escaped(facts.version) + (facts.version.empty() ? "" : "<br>") + "<code>" +
+                   escaped(breakable(facts.precision)) + "</code>";
+    return "";
+}
+
+std::string record_row(const Results& results, const RendererRecord& r) {
+    const std::string absent =
+        r.absent.empty() ? "" : "<p class=\"fine\">not heard: " + escaped(one_line(r.absent)) + "</p>";
+    return "<tr><td><strong>" + escaped(one_line(r.name)) + "</strong><br>" + r.role + "</td>" +
+           number_cell(heard(r)) + number_cell(grouped(r.pixels)) + "<td class=\"n defects" +
+           (r.defects == 0 ? " zero" : "") + "\">" + grouped(r.defects) + "</td>" +
+           number_cell(rounded(r.depth_error_over_bound)) + number_cell(rounded(r.edge_error_over_bound)) +
+           number_cell(grouped(r.pixels - r.same_as_candidate)) + "<td class=\"words\">" +
+           facts_of(results, r) + absent + "</td></tr>\n";
+}
+
+std::string accord_row(const std::vector<std::string>& names, const ViewResult& v, std::size_t i) {
+    std::string cells = "<th>" + escaped(one_line(names[i])) + "</th>";
+    const std::uint64_t pixels = std::uint64_t(v.width) * std::uint64_t(v.height);
+    for (std::size_t j = 0; j < names.size(); ++j)
+        cells += number_cell(i == j ? "–" : grouped(pixels - v.accord.same[i][j]));
+    return "<tr>" + cells + "</tr>\n";
+}
+
+/// Those whose frames the accord counts, in its order.
+std::vector<std::string> heard_names(const ViewResult& v) {
+    std::vector<std::string> names{v.candidate, v.reference};
+    for (const WitnessResult& w : v.witnesses)
+        if (w.absent.empty()) names.push_back(w.name);
+    return names;
+}
+
+std::string accord_table(const ViewResult& v) {
+    const std::vector<std::string> names = heard_names(v);
+    std::string head = "<th></th>", rows;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        head += "<th class=\"n\">" + escaped(one_line(names[i])) + "</th>";
+        rows += accord_row(names, v, i);
+    }
+    return "<div><h3>Pixels that name different triangles</h3><table class=\"counts\"><tr>" + head +
+           "</tr>\n" + rows + "</table><p class=\"fine\">All of them name the same triangle at " +
+           counted(v.accord.unanimous, "pixel") + ".</p></div>\n";
+}
+
+std::string tally(const ClassCounts& counts) {
+    std::string text;
+    for (std::size_t i = 1; i < counts.size(); ++i)
+        if (counts[i] > 0)
+            text +=
+                (text.empty() ? "" : ", ") + grouped(counts[i]) + " " + std::string(name_of(PixelClass(i)));
+    return text.empty() ? "no difference" : text;
+}
+
+/// Class by class, how far two pictures lie apart.
+std::string picture_words(const PictureDifferences& differences) {
+    std::string text = "; colours in linear light:";
+    for (std::size_t i = 0; i < differences.size(); ++i)
+        if (const PictureDifference& d = differences[i]; d.pixels > 0)
+            text += " " + std::string(name_of(PixelClass(i))) + " RMS " + rounded(d.rms) + ", largest " +
+                    rounded(d.largest) + " (" + counted(d.pixels, "pixel") + ")";
+    return text;
+}
+
+std::string statement(const WitnessResult& w) {
+    const std::string name = "<strong>" + escaped(w.name) + "</strong>: ";
+    if (!w.absent.empty()) return "<li>" + name + escaped(one_line(w.absent)) + "</li>\n";
+    std::string text = "<li>" + name + counted(defect_count(w.counts), "defect") + " (" + tally(w.counts) +
+                       "), depth error at most " + rounded(w.depth.max_error_over_bound) +
+                       " times its bound, edges at most " + rounded(w.edges.max_error_over_bound) +
+                       " times eps";
+    if (w.picture) text += picture_words(*w.picture);
+    if (!w.no_picture.empty()) text += "; no picture: " + escaped(one_line(w.no_picture));
+    for (const ReportedFinding& f : w.worst)
+        text += "<br><span class=\"fine\">" + escaped(f.explanation) + "</span> <code>" + escaped(f.command) +
+                "</code>";
+    return text + "</li>\n";
+}
+
+}  // namespace
+
+std::string html_renderers(const Results& results) {
+    const std::vector<RendererRecord> records = renderer_records(results);
+    if (records.empty()) return "";
+    std::string rows;
+    for (const RendererRecord& r : records) rows += record_row(results, r);
+    const Unanimity all = unanimity(results);
+    std::string heads = "<th>renderer</th>";
+    for (const std::string_view head : {"views", "pixels", "defects", "error / bound,<br>depth",
+                                        "error / bound,<br>edges", "pixels unlike<br>the candidate"})
+        heads += "<th class=\"n\">" + std::string(head) + "</th>";
+    return "<section>\n<h2>Renderers</h2>\n<div class=\"wide\"><table class=\"summary\"><thead><tr>" + heads +
+           "<th>who it says it is, what it declares</th></tr></thead><tbody>\n" + rows +
+           "</tbody></table></div>\n<p class=\"fine\">Each is judged by what it declares, against the "
+           "reference. All that were heard name the same triangle at " +
+           grouped(all.unanimous) + " of " + grouped(all.pixels) + " pixels.</p>\n</section>\n";
+}
+
+std::string html_witnesses(const ViewResult& v) {
+    if (v.witnesses.empty()) return "";
+    std::string items;
+    for (const WitnessResult& w : v.witnesses) items += statement(w);
+    return "<div><h3>Witnesses</h3><ul>" + items + "</ul></div>\n" + accord_table(v);
+}
+
+}  // namespace zproof

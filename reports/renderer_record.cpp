@@ -1,0 +1,87 @@
+#include "reports/renderer_record.h"
+
+#include <algorithm>
+
+namespace zproof {
+
+namespace {
+
+std::uint64_t pixels_of(const ViewResult& v) { return std::uint64_t(v.width) * std::uint64_t(v.height); }
+
+/// Judged on its own merits? A view whose required witness is missing was, too: its counts are there.
+bool has_accord(const ViewResult& v) { return !v.accord.same.empty(); }
+
+class Records {
+  public:
+    RendererRecord& of(const std::string& name, const std::string& role) {
+        const auto found = std::ranges::find_if(
+            records_, [&](const RendererRecord& r) { return r.name == name && r.role == role; });
+        if (found != records_.end()) return *found;
+        return records_.emplace_back(RendererRecord{.name = name, .role = role, .absent = {}});
+    }
+
+    std::vector<RendererRecord> take() { return std::move(records_); }
+
+  private:
+    std::vector<RendererRecord> records_;
+};
+
+/// What one view adds to a renderer's record.
+struct Share {
+    std::uint64_t defects;
+    double depth_error_over_bound, edge_error_over_bound;
+    std::uint64_t same_as_candidate;
+};
+
+void add(RendererRecord& record, const ViewResult& v, const Share& share) {
+    ++record.views;
+    record.pixels += pixels_of(v);
+    record.defects += share.defects;
+    record.depth_error_over_bound = std::max(record.depth_error_over_bound, share.depth_error_over_bound);
+    record.edge_error_over_bound = std::max(record.edge_error_over_bound, share.edge_error_over_bound);
+    record.same_as_candidate += share.same_as_candidate;
+}
+
+void add_unheard(RendererRecord& record, const std::string& why) {
+    ++record.unheard;
+    if (record.absent.empty()) record.absent = why;
+}
+
+void add_witnesses(Records& records, const ViewResult& v) {
+    std::size_t place = 2;  // in the accord, after candidate and reference
+    for (const WitnessResult& w : v.witnesses) {
+        RendererRecord& record = records.of(w.name, "witness");
+        if (!w.absent.empty())
+            add_unheard(record, w.absent);
+        else
+            add(record, v,
+                {defect_count(w.counts), w.depth.max_error_over_bound, w.edges.max_error_over_bound,
+                 v.accord.same[0][place++]});
+    }
+}
+
+}  // namespace
+
+std::vector<RendererRecord> renderer_records(const Results& results) {
+    Records records;
+    for (const ViewResult& v : results.views) {
+        if (!has_accord(v)) continue;
+        add(records.of(v.candidate, "candidate"), v,
+            {defect_count(v), v.candidate_depth.max_error_over_bound, v.candidate_edges.max_error_over_bound,
+             pixels_of(v)});
+        add(records.of(v.reference, "reference"), v,
+            {v.reference_defects, v.reference_depth.max_error_over_bound,
+             v.reference_edges.max_error_over_bound, v.accord.same[0][1]});
+        add_witnesses(records, v);
+    }
+    return records.take();
+}
+
+Unanimity unanimity(const Results& results) {
+    Unanimity sum;
+    for (const ViewResult& v : results.views)
+        if (has_accord(v)) sum = {sum.pixels + pixels_of(v), sum.unanimous + v.accord.unanimous};
+    return sum;
+}
+
+}  // namespace zproof

@@ -1,0 +1,114 @@
+// zproof compare, and everything else that is told of renderers, on the real program.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "frame/exr.h"
+#include "tests/cli/program.h"
+
+namespace zproof::test {
+namespace {
+
+using nlohmann::json;
+
+class StoredFrames : public testing::Test {
+  protected:
+    StoredFrames() {
+        folder.write("two.gltf", two_triangles());
+        const Words small{"--width", "64", "--height", "48"};
+        for (const std::string renderer : {"zproof", "embree"}) {
+            Words words{"render", "two.gltf", "-o", renderer, "--renderer", renderer};
+            words.insert(words.end(), small.begin(), small.end());
+            EXPECT_EQ(run(folder, words).exit_code, 0);
+        }
+    }
+
+    /// zproof's frame with one id that is wrong.
+    void spoil(const std::string& name) const {
+        Frame frame = read_exr(folder.path() / "zproof/frame-all.exr");
+        frame.primitive.at(32, 24) = PrimitiveId{1 - std::uint32_t(frame.primitive.at(32, 24))};
+        write_exr(folder.path() / name, frame);
+    }
+
+    json only_view() const { return json::parse(folder.read("zproof-out/results.json")).at("views").at(0); }
+
+    Folder folder;
+};
+
+TEST_F(StoredFrames, AreJudgedAgainstEmbreeAndAgainstEachOther) {
+    const Ran alone = run(folder, {"compare", "zproof/frame-all.exr", "two.gltf"});
+    EXPECT_EQ(alone.exit_code, 0) << alone.out << alone.err;
+    EXPECT_EQ(only_view().at("candidate"), "zproof/frame-all.exr");
+    EXPECT_EQ(only_view().at("reference"), "embree");
+    EXPECT_EQ(only_view().at("width"), 64);
+    const Ran both = run(folder, {"compare", "zproof/frame-all.exr", "embree/frame-all.exr", "--scene",
+                                  "two.gltf", "--reference-precision", "ray"});
+    EXPECT_EQ(both.exit_code, 0) << both.out << both.err;
+    EXPECT_EQ(only_view().at("reference"), "embree/frame-all.exr");
+}
+
+TEST_F(StoredFrames, AWrongPixelFailsAndItsCommandExplainsIt) {
+    spoil("spoilt frame.exr");
+    const Ran ran = run(folder, {"compare", "spoilt frame.exr", "two.gltf"});
+    EXPECT_EQ(ran.exit_code, 1) << ran.out << ran.err;
+    EXPECT_EQ(only_view().at("defects"), 1);
+    const std::string command = only_view().at("worst").at(0).at("command");
+    EXPECT_EQ(command.find("zproof explain two.gltf 32 24"), 0u) << command;
+    EXPECT_NE(command.find("--candidate 'spoilt frame.exr'"), std::string::npos) << command;
+    const Ran told = run(folder, {"explain", "two.gltf", "32", "24", "--candidate", "spoilt frame.exr",
+                                  "--width", "64", "--height", "48"});
+    EXPECT_EQ(told.exit_code, 1) << told.out << told.err;
+}
+
+TEST_F(StoredFrames, AWrongPixelOfTheReferenceDoesNotFail) {
+    spoil("spoilt.exr");
+    const Ran ran = run(folder, {"compare", "zproof/frame-all.exr", "spoilt.exr", "--scene", "two.gltf"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    EXPECT_EQ(only_view().at("reference_defects"), 1);
+}
+
+TEST_F(StoredFrames, OfTheWrongSizeOrKindAreRefusedAndNothingIsWritten) {
+    write_exr(folder.path() / "small.exr", Frame({8, 8}));
+    folder.write("words.exr", "no frame");
+    for (const Words& words :
+         {Words{"compare", "zproof/frame-all.exr", "small.exr", "--scene", "two.gltf"},
+          Words{"compare", "words.exr", "two.gltf"}, Words{"compare", "absent.exr", "two.gltf"},
+          Words{"compare", "zproof/frame-all.exr", "two.gltf", "--precision", "raster,subpixel_bits=99"},
+          Words{"compare", "zproof/frame-all.exr", "absent.gltf"}}) {
+        const Ran ran = run(folder, words);
+        EXPECT_EQ(ran.exit_code, 3) << ran.out << ran.err;
+        EXPECT_EQ(std::ranges::count(folder.names(), "zproof-out"), 0);
+    }
+    EXPECT_EQ(run(folder, {"compare", "zproof/frame-all.exr", "two.gltf", "--view", "none"}).exit_code, 2);
+    EXPECT_EQ(run(folder, {"compare", "zproof/frame-all.exr", "off_axis"}).exit_code, 2);
+    EXPECT_EQ(run(folder, {"compare", "zproof/frame-all.exr"}).exit_code, 2);
+}
+
+TEST_F(StoredFrames, DeclaredPrecisionDecides) {
+    const Words one_bit{"run",      "off_axis", "--renderer",  "zproof",
+                        "--oracle", "none",     "--width",     "160",
+                        "--height", "100",      "--precision", "raster,subpixel_bits=14"};
+    EXPECT_EQ(run(folder, one_bit).exit_code, 1);  // it snaps to 8 bits
+    EXPECT_EQ(
+        only_view().at("counts").at("outside").get<int>() + only_view().at("counts").at("hole").get<int>() >
+            0,
+        true);
+}
+
+TEST_F(StoredFrames, WitnessesAreJudgedAndCounted) {
+    const Ran ran = run(folder, {"run", "two.gltf", "--width", "64", "--height", "48", "--renderer", "embree",
+                                 "--oracle", "zproof"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    const json view = only_view();
+    EXPECT_EQ(view.at("candidate"), "embree");
+    EXPECT_EQ(view.at("witnesses").at(0).at("name"), "zproof");
+    EXPECT_EQ(view.at("witnesses").at(0).at("absent"), "");
+    EXPECT_EQ(view.at("witnesses").at(0).at("defects"), 0);
+    EXPECT_EQ(view.at("accord").at("same").size(), 3u);
+    EXPECT_EQ(view.at("accord").at("same").at(0).at(1), 64 * 48);
+    EXPECT_NE(ran.out.find("zproof: 1 view, 0 defects"), std::string::npos) << ran.out;
+    EXPECT_GT(folder.read("zproof-out/" + view.at("folder").get<std::string>() + "/zproof.exr").size(), 0u);
+}
+
+}  // namespace
+}  // namespace zproof::test

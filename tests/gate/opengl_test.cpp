@@ -1,0 +1,61 @@
+/// OpenGL before the judge: as the candidate over the whole suite, small, and as the witness against our own.
+#include "oracle/opengl.h"
+
+#include <gtest/gtest.h>
+
+#include "oracle/embree.h"
+#include "rasterizer/rasterizer.h"
+#include "scenes/suite.h"
+#include "tests/gate/trial.h"
+
+namespace zproof {
+namespace {
+
+class OpenGlOnSuite : public testing::TestWithParam<std::string> {};
+
+TEST_P(OpenGlOnSuite, HasNoUnexplainedPixelAndKeepsItsDepthBounds) {
+    const Loaded loaded = generate_suite_scene(GetParam(), 320, 180);
+    const oracle::Embree embree(loaded.scene);
+    const oracle::OpenGl opengl(loaded.scene);
+    for (const View& view : loaded.views) {
+        SCOPED_TRACE(view.name);
+        const Frame frame = opengl.render(view);
+        const Verdict verdict = judge(loaded.scene, view, {frame, oracle::opengl_precision()},
+                                      {embree.trace(view), oracle::embree_precision()});
+        EXPECT_EQ(defect_count(verdict), 0u) << name_of(commonest_defect(verdict));
+        EXPECT_EQ(verdict.reference_defects, 0u);
+        EXPECT_LE(verdict.candidate_depth.max_error_over_bound, 1);
+    }
+}
+
+std::vector<std::string> suite_names() {
+    std::vector<std::string> names;
+    for (const SuiteEntry& entry : suite_manifest()) names.push_back(entry.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Suite, OpenGlOnSuite, testing::ValuesIn(suite_names()),
+                         [](const auto& scene) { return scene.param; });
+
+class OpenGlAsWitness : public testing::TestWithParam<std::string> {};
+
+TEST_P(OpenGlAsWitness, AgreesWithTheLawfulRasterizerAndConvictsABrokenOne) {
+    const Loaded loaded = generate_suite_scene(GetParam(), 320, 180);
+    const View& view = loaded.views.front();
+    const Frame witness = oracle::OpenGl(loaded.scene).render(view);
+    const auto defects_of = [&](const Frame& frame) {
+        return defect_count(judge(loaded.scene, view, {frame, rasterizer::precision()},
+                                  {witness, oracle::opengl_precision()}));
+    };
+    Frame frame = rasterizer::render(loaded.scene, view);
+    EXPECT_EQ(defects_of(frame), 0u);
+    frame.primitive.at(160, 120) = PrimitiveId::none;
+    frame.camera_depth.at(160, 120) = background_depth;
+    EXPECT_EQ(defects_of(frame), 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Suite, OpenGlAsWitness, testing::Values("room", "deep_overdraw", "far_from_origin"),
+                         [](const auto& scene) { return scene.param; });
+
+}  // namespace
+}  // namespace zproof

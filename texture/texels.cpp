@@ -1,0 +1,40 @@
+#include "texture/texels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace zproof::texture {
+
+namespace {
+
+std::array<double, 256> srgb_table() {
+    std::array<double, 256> table{};
+    for (std::size_t code = 0; code < table.size(); ++code) {
+        const double c = double(code) / 255;
+        table[code] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    }
+    return table;
+}
+
+}  // namespace
+
+double linear_from_srgb(std::uint8_t code) {
+    static const std::array<double, 256> table = srgb_table();
+    return table[code];
+}
+
+glm::dvec4 Texels::linear(int column, int row) const {
+    const std::size_t at = 4 * (std::size_t(row) * std::size_t(width) + std::size_t(column));
+    return {linear_from_srgb(rgba[at]), linear_from_srgb(rgba[at + 1]), linear_from_srgb(rgba[at + 2]),
+            rgba[at + 3] / 255.0};
+}
+
+int wrapped(Wrap wrap, std::int64_t index, int size) {
+    if (wrap == Wrap::clamp_to_edge) return int(std::clamp<std::int64_t>(index, 0, size - 1));
+    const std::int64_t period = wrap == Wrap::repeat ? size : 2 * std::int64_t{size};
+    const std::int64_t within = (index % period + period) % period;
+    return int(within < size ? within : period - 1 - within);
+}
+
+}  // namespace zproof::texture
