@@ -146,7 +146,7 @@ class MeshWriter {
         images_.push_back({name, std::move(slot->texture.ppm)});
         const bool nearest = m.base_color.sampler.magnification == Magnification::nearest;
         slot->index = textures_.add("texture{uv_mapping pigment{image_map{ppm \"" + name +
-                                    "\" gamma 1.0 interpolate " + (nearest ? "0" : "2") + "}}}");
+                                    "\" gamma 1.0" + (nearest ? "" : " interpolate 2") + "}}}");
         return *slot;
     }
 
@@ -220,7 +220,7 @@ std::string light_text(const Camera& c, const Light& light, const PovrayUnits& u
 PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& light) {
     const PovrayUnits units = povray_geometry(scene, view).units;
     MeshWriter mesh(scene, view, units.scale);
-    std::string text = "#version 3.7;\nglobal_settings{assumed_gamma 1}\n#default{finish{ambient " +
+    std::string text = "#version 3.7;\nglobal_settings{assumed_gamma 1 adc_bailout 0}\n#default{finish{ambient " +
                        number_text(light.ambient) + " diffuse " + number_text(light.diffuse) +
                        "}}\nbackground{rgb 0}\n" + povray_camera_text(view, units) +
                        light_text(view.camera, light, units) +
