@@ -9,7 +9,9 @@
 namespace zproof {
 namespace {
 
-constexpr std::size_t affordable_triangles = 100'000;  ///< for witnesses that nobody asked for
+/// For witnesses that nobody asked for.
+constexpr std::size_t affordable_triangles = 100'000;
+constexpr std::chrono::seconds patience{30};
 constexpr const char* nobody = "none";
 
 /// The witnesses of a run that names none.
@@ -49,7 +51,10 @@ WitnessChoice witness(const std::string& name, const PartyWords& words) {
     const bool asked = required || (words.oracles && contains(*words.oracles, name));
     WitnessChoice choice{.renderer = witness_called(name)};
     choice.renderer.time_limit = std::chrono::seconds{words.time_limit_s};
-    if (!asked) choice.most_triangles = affordable_triangles;
+    if (!asked) {
+        choice.most_triangles = affordable_triangles;
+        choice.renderer.time_limit = std::min(choice.renderer.time_limit, patience);
+    }
     if (required) choice.need = WitnessChoice::Need::required;
     return choice;
 }

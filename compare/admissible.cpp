@@ -1,6 +1,7 @@
 #include "compare/admissible.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <numeric>
@@ -31,6 +32,7 @@ AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around)
       sight_(around.view, around.x, around.y),
       drawn_(around.neighbours.size()),
       nearest_first_(around.neighbours.size()) {
+    corners_by_hash_.fill(-1);
     const Number h(around.eps_px), zero(0), one(1);
     sides_ = {new_line({zero, one, h}), new_line({-one, zero, h}), new_line({zero, -one, h}),
               new_line({one, zero, h})};
@@ -47,9 +49,16 @@ auto AdmissibleSet<Number>::new_line(const Affine<Number>& f) -> LinePointer {
 
 template <class Number>
 int AdmissibleSet<Number>::corner_id(const glm::vec3& p_world) {
-    const auto found = std::ranges::find(corner_positions_, p_world);
-    if (found == corner_positions_.end()) corner_positions_.push_back(p_world);
-    return int(std::ranges::find(corner_positions_, p_world) - corner_positions_.begin());
+    const auto mixed = [](float f) {
+        return std::bit_cast<std::uint32_t>(f + 0.0f) * 0x9E3779B1u;
+    };  // -0 is 0
+    const std::uint32_t hash =
+        mixed(p_world.x) ^ std::rotl(mixed(p_world.y), 11) ^ std::rotl(mixed(p_world.z), 22);
+    int& first = corners_by_hash_[hash >> 24];
+    for (int id = first; id >= 0; id = corners_[std::size_t(id)].next_of_hash)
+        if (corners_[std::size_t(id)].p_world == p_world) return id;
+    corners_.push_back({p_world, first});
+    return first = int(corners_.size()) - 1;
 }
 
 template <class Number>
@@ -171,7 +180,8 @@ bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule 
     if (front.least_nearness > back.greatest_nearness) return true;
     if (rule == DepthRule::bounded || front.greatest_nearness < back.least_nearness) return false;
     if (!drawn(seen).image || !drawn(occluder).image) return false;
-    if (coplanar(front.p_world, back.p_world)) return true;
+    if (stands_apart(occluder, seen)) return false;  // and so hides none of it: their depths may be equal
+    if (meet_at_the_centre(occluder, seen) || coplanar(front.p_world, back.p_world)) return true;
     return sign(drawn(occluder).image->nearness.c - drawn(seen).image->nearness.c) >= 0;
 }
 
@@ -204,6 +214,25 @@ template <class Number>
 bool AdmissibleSet<Number>::stands_apart(size_t occluder, size_t seen) {
     return std::ranges::any_of(drawn(occluder).edge,
                                [&](LinePointer edge) { return !are_on_one_side(edge, seen).value_or(true); });
+}
+
+/// Does an edge that both share, or a corner, certainly lie at the very centre? Then so do their depths.
+template <class Number>
+bool AdmissibleSet<Number>::meet_at_the_centre(size_t occluder, size_t seen) {
+    std::array<int, 2> ends{-1, -1};  // of the first edge through the centre
+    for (const LinePointer edge : drawn(seen).edge) {
+        if (!is_certainly_zero(edge->f.c)) continue;
+        if (edge_of(occluder, edge->id)) return true;
+        for (const int end : edge->ends) {
+            const auto ends_there = [&](LinePointer other) {
+                return std::ranges::count(other->ends, end) > 0;
+            };
+            if (std::ranges::count(ends, end) && std::ranges::any_of(drawn(occluder).edge, ends_there))
+                return true;
+        }
+        ends = edge->ends;
+    }
+    return false;
 }
 
 /// Nearest first: most squares are covered by the first.

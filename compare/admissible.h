@@ -84,6 +84,7 @@ class AdmissibleSet {
     bool continues(LinePointer edge, const std::vector<size_t>& occluders);
     LinePointer moved_inwards(LinePointer edge);
     bool stands_apart(size_t occluder, size_t seen);
+    bool meet_at_the_centre(size_t occluder, size_t seen);
 
     bool is_in_front(size_t occluder, size_t seen, DepthRule rule);
     void push_planes(HalfPlanes<Number>& half_planes, size_t occluder);
@@ -99,7 +100,12 @@ class AdmissibleSet {
     Sight<Number> sight_;
     std::deque<Line<Number>> lines_;  ///< regions point at lines: all live as long as the set
     std::array<LinePointer, 4> sides_{};
-    std::vector<glm::vec3> corner_positions_;
+    struct CornerOfMesh {
+        glm::vec3 p_world;
+        int next_of_hash;  ///< id of another, or -1
+    };
+    std::vector<CornerOfMesh> corners_;
+    std::array<int, 256> corners_by_hash_{};
     std::map<std::pair<int, int>, int> edge_ids_;
     std::vector<std::optional<Drawn>> drawn_;
     std::vector<size_t> nearest_first_;

@@ -1,6 +1,7 @@
 #include "compare/agreement.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 
@@ -8,112 +9,138 @@ namespace zproof {
 
 namespace {
 
-/// The triangle asked for last: neighbouring pixels, and both witnesses, mostly ask for the same.
-class TriangleClerk {
-  public:
-    explicit TriangleClerk(const Witness& any_witness) : witness_(any_witness) {}
+constexpr int tile_width = 64;
 
-    const TriangleInView& triangle(PrimitiveId primitive) {
-        if (!triangle_ || primitive != primitive_) triangle_.emplace(witness_.triangle_in_view(primitive));
-        primitive_ = primitive;
-        return *triangle_;
-    }
-
-  private:
-    const Witness& witness_;
-    PrimitiveId primitive_ = PrimitiveId::none;
-    std::optional<TriangleInView> triangle_;
+/// What both witnesses may say of one triangle's depth.
+struct DepthOfBoth {
+    TriangleDepth candidate, reference;
 };
 
-/// Holds one witness's answers against their bounds.
-class DepthClerk {
-  public:
-    DepthClerk(const Witness& witness, TriangleClerk& triangles) : witness_(witness), triangles_(triangles) {}
+/// A tile seldom shows more triangles.
+constexpr std::size_t remembered_triangles = 512;
 
-    /// The answer must be valid; background has no depth to be held.
-    std::optional<DepthCheck> check(const Answer& answer, int x, int y) {
-        if (answer.primitive == PrimitiveId::none) return std::nullopt;
-        return witness_.check(depth(answer.primitive), answer, x, y);
-    }
-    const TriangleDepth& depth(PrimitiveId primitive) {
-        if (!depth_ || primitive != primitive_)
-            depth_.emplace(depth_of(triangles_.triangle(primitive), witness_.bounds()));
-        primitive_ = primitive;
-        return *depth_;
-    }
-
-  private:
-    const Witness& witness_;
-    TriangleClerk& triangles_;
-    PrimitiveId primitive_ = PrimitiveId::none;
-    std::optional<TriangleDepth> depth_;
+/// Pixels [begin, end) of a row at which both name the same triangle, or both none; one pixel where they
+/// differ.
+struct Run {
+    PrimitiveId candidate, reference;
+    int begin, end;
 };
 
-/// A row's, or a pixel's, look at both witnesses.
+Run run_at(std::span<const PrimitiveId> candidate, std::span<const PrimitiveId> reference, int begin,
+           int limit) {
+    const auto at = [](std::span<const PrimitiveId> row, int x) { return row[std::size_t(x)]; };
+    Run run{at(candidate, begin), at(reference, begin), begin, begin + 1};
+    if (run.candidate != run.reference) return run;
+    while (run.end < limit && at(candidate, run.end) == run.candidate &&
+           at(reference, run.end) == run.candidate)
+        ++run.end;
+    return run;
+}
+
+/// A look at both witnesses, tile by tile or at one pixel.
 class Comparison {
   public:
     Comparison(const Scene& scene, const Witness& candidate, const Witness& reference)
         : triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
-          triangles_(candidate),
-          candidate_clerk_(candidate, triangles_),
-          reference_clerk_(reference, triangles_) {}
+          triangles_(remembered_triangles) {}
 
-    /// The way of most pixels: both say the same, and double precision is enough to hold both depths lawful.
-    /// Counts them then.
-    bool settles_at_once(int x, int y, Tally& tally) {
-        const Answer ours = candidate_.answer_at(x, y), theirs = reference_.answer_at(x, y);
-        if (ours.primitive != theirs.primitive) return false;
-        if (ours.primitive == PrimitiveId::none)
-            return ours.camera_depth == background_depth && theirs.camera_depth == background_depth;
-        if (std::size_t(ours.primitive) >= triangle_count_) return false;
-        const TriangleDepth &our_depth = candidate_clerk_.depth(ours.primitive),
-                            &their_depth = reference_clerk_.depth(theirs.primitive);
-        const DepthBound our_bound = our_depth.at(x, y), their_bound = their_depth.at(x, y);
-        if (!our_depth.certainly_holds(our_bound, ours.camera_depth) ||
-            !their_depth.certainly_holds(their_bound, theirs.camera_depth))
-            return false;
-        count(tally.candidate, error_over_bound(our_bound, ours.camera_depth));
-        count(tally.reference, error_over_bound(their_bound, theirs.camera_depth));
-        return true;
+    /// Compares pixels [left, right) of a row.
+    void compare(int left, int right, int y, Findings& found) {
+        const Frame &ours = candidate_.frame(), &theirs = reference_.frame();
+        for (int x = left; x < right;) {
+            const Run run = run_at(ours.primitive.row(y), theirs.primitive.row(y), x, right);
+            compare(run, y, found);
+            x = run.end;
+        }
     }
 
     OpenPixel look_at(int x, int y) {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
         OpenPixel open;
         Finding& f = open.finding;
-        f = {x,
-             y,
-             PixelClass::agree,
-             candidate_.answer_at(x, y),
-             reference_.answer_at(x, y),
-             0,
-             {nan, nan, nan},
-             nan};
+        f = {.x = x,
+             .y = y,
+             .candidate = candidate_.answer_at(x, y),
+             .reference = reference_.answer_at(x, y),
+             .candidate_depth = {nan, nan, nan},
+             .error_over_bound = nan};
         open.candidate_invalid = is_invalid(f.candidate, triangle_count_);
         open.reference_invalid = is_invalid(f.reference, triangle_count_);
-        if (!open.candidate_invalid)
-            if (const auto check = candidate_clerk_.check(f.candidate, x, y)) {
-                f.candidate_depth = check->bound;
-                f.error_over_bound = check->error_over_bound;
-                open.candidate_depth_lawful = check->lawful;
-            }
-        if (!open.reference_invalid)
-            if (const auto check = reference_clerk_.check(f.reference, x, y)) {
-                reference_error_over_bound_ = check->error_over_bound;
-                open.reference_depth_lawful = check->lawful;
-            }
+        if (!open.candidate_invalid && f.candidate.primitive != PrimitiveId::none) {
+            const DepthCheck check =
+                candidate_.check(depth_of_both(f.candidate.primitive).candidate, f.candidate, x, y);
+            f.candidate_depth = check.bound;
+            f.error_over_bound = check.error_over_bound;
+            open.candidate_depth_lawful = check.lawful;
+        }
+        if (!open.reference_invalid && f.reference.primitive != PrimitiveId::none) {
+            const DepthCheck check =
+                reference_.check(depth_of_both(f.reference.primitive).reference, f.reference, x, y);
+            open.reference_error_over_bound = check.error_over_bound;
+            open.reference_depth_lawful = check.lawful;
+        }
         return open;
     }
-    double reference_error_over_bound() const { return reference_error_over_bound_; }
 
   private:
+    const DepthOfBoth& depth_of_both(PrimitiveId primitive) {
+        return triangles_(std::uint32_t(primitive), [&] {
+            const TriangleInView triangle = candidate_.triangle_in_view(primitive);
+            return DepthOfBoth{depth_of(triangle, candidate_.bounds()),
+                               depth_of(triangle, reference_.bounds())};
+        });
+    }
+
+    void compare(const Run& run, int y, Findings& found) {
+        if (run.candidate != run.reference)
+            found.open.push_back(look_at(run.begin, y));
+        else if (run.candidate == PrimitiveId::none)
+            compare_bare(run, y, found);
+        else if (std::size_t(run.candidate) < triangle_count_)
+            compare_depths(run, y, found);
+        else
+            for (int x = run.begin; x < run.end; ++x) found.open.push_back(look_at(x, y));
+    }
+
+    void compare_bare(const Run& run, int y, Findings& found) {
+        for (int x = run.begin; x < run.end; ++x)
+            if (candidate_.answer_at(x, y).camera_depth != background_depth ||
+                reference_.answer_at(x, y).camera_depth != background_depth)
+                found.open.push_back(look_at(x, y));
+    }
+
+    void compare_depths(const Run& run, int y, Findings& found) {
+        const auto count_of_run = std::size_t(run.end - run.begin);
+        const auto depths = [&](const Witness& witness) {
+            return witness.frame().camera_depth.row(y).subspan(std::size_t(run.begin), count_of_run);
+        };
+        std::array<double, tile_width> ours, theirs;  // filled by hold()
+        const DepthOfBoth& triangle = depth_of_both(run.candidate);
+        triangle.candidate.hold(run.begin, y, depths(candidate_), ours.data());
+        triangle.reference.hold(run.begin, y, depths(reference_), theirs.data());
+        for (std::size_t i = 0; i < count_of_run; ++i)
+            if (ours[i] == unsettled || theirs[i] == unsettled) {
+                settle(look_at(run.begin + int(i), y), found);
+            } else {
+                count(found.tally.candidate, ours[i]);
+                count(found.tally.reference, theirs[i]);
+            }
+    }
+
+    /// Double precision did not say that both depths are lawful.
+    void settle(const OpenPixel& pixel, Findings& found) {
+        if (!pixel.candidate_invalid && !pixel.reference_invalid) {
+            count(found.tally.candidate, pixel.finding.error_over_bound);
+            count(found.tally.reference, pixel.reference_error_over_bound);
+        }
+        if (!is_settled(pixel)) found.open.push_back(pixel);
+    }
+
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
-    TriangleClerk triangles_;
-    DepthClerk candidate_clerk_, reference_clerk_;
-    double reference_error_over_bound_ = 0;
+    Memory<std::uint32_t, DepthOfBoth> triangles_;
 };
 
 }  // namespace
@@ -138,22 +165,15 @@ void add(Tally& sum, const Tally& part) {
     add_record(sum.reference, part.reference);
 }
 
-std::vector<OpenPixel> open_pixels(const Scene& scene, const View& view, const Witness& candidate,
-                                   const Witness& reference, int y, Tally& tally) {
-    std::vector<OpenPixel> open;
+Findings compare_rows(const Scene& scene, const View& view, const Witness& candidate,
+                      const Witness& reference, int top, int bottom) {
+    Findings found;
     Comparison comparison(scene, candidate, reference);
-    for (int x = 0; x < view.width; ++x) {
-        if (comparison.settles_at_once(x, y, tally)) continue;
-        const OpenPixel pixel = comparison.look_at(x, y);
-        const Finding& f = pixel.finding;
-        if (f.candidate.primitive == f.reference.primitive && f.candidate.primitive != PrimitiveId::none &&
-            !pixel.candidate_invalid && !pixel.reference_invalid) {
-            count(tally.candidate, f.error_over_bound);
-            count(tally.reference, comparison.reference_error_over_bound());
-        }
-        if (!is_settled(pixel)) open.push_back(pixel);
-    }
-    return open;
+    for (int left = 0; left < view.width; left += tile_width)
+        for (int y = top; y < bottom; ++y)
+            comparison.compare(left, std::min(left + tile_width, view.width), y, found);
+    std::ranges::sort(found.open, {}, [](const OpenPixel& p) { return std::pair{p.finding.y, p.finding.x}; });
+    return found;
 }
 
 OpenPixel open_pixel(const Scene& scene, const Witness& candidate, const Witness& reference, int x, int y) {

@@ -20,14 +20,21 @@ struct OpenPixel {
     Finding finding;  ///< verdict: agree until settled
     bool candidate_invalid = false, reference_invalid = false;
     bool candidate_depth_lawful = true, reference_depth_lawful = true;
+    double reference_error_over_bound = 0;
 };
 
 /// Do both say the same, lawfully?
 bool is_settled(const OpenPixel& pixel);
 
-/// Compares one row and counts the depths at pixels where both name the same triangle.
-std::vector<OpenPixel> open_pixels(const Scene& scene, const View& view, const Witness& candidate,
-                                   const Witness& reference, int y, Tally& tally);
+/// What a part of the image holds.
+struct Findings {
+    std::vector<OpenPixel> open;  ///< in raster order
+    Tally tally;                  ///< of the depths at pixels where both name the same triangle
+};
+
+/// Compares rows [top, bottom).
+Findings compare_rows(const Scene& scene, const View& view, const Witness& candidate,
+                      const Witness& reference, int top, int bottom);
 
 /// One pixel, left open whatever it holds.
 OpenPixel open_pixel(const Scene& scene, const Witness& candidate, const Witness& reference, int x, int y);

@@ -37,7 +37,9 @@ double largest_defect(const Camera& camera) {
 
 double PlaneSize::nearness_error(double largest_nearness) const {
     const double u = gamma(16, unit_roundoff_float64), condition = volume_abs / volume;
-    return u * condition < 0.5 ? 2 * u * (numerator_abs / volume + largest_nearness * condition) : unlimited;
+    return u * condition < 0.5
+               ? 2 * u * (numerator_abs / volume + largest_nearness * condition) + 2 * origin_error / volume
+               : unlimited;
 }
 
 double TriangleExtent::largest_depth() const {
@@ -116,9 +118,11 @@ PlaneSize ViewBounds::plane_size_of(const TriangleExtent& extent, const CornersW
     const Camera& c = view_.camera;
     const double from_corner = glm::dot(glm::abs(extent.v_world[0]) + origin_abs_, normal_abs);
     const double along_sight = glm::dot(direction_abs_, normal_abs);
-    if (perspective_) return {std::abs(glm::dot(extent.v_world[0], normal)), from_corner, along_sight};
+    if (perspective_) return {std::abs(glm::dot(extent.v_world[0], normal)), from_corner, along_sight, 0};
     const glm::dvec3 direction = c.shear.x * c.right + c.shear.y * c.up - c.back;
-    return {std::abs(glm::dot(direction, normal)), along_sight, from_corner};
+    const double origin_error = gamma(6, unit_roundoff_float64) *
+                                glm::dot(glm::abs(glm::dvec3(c.eye_world)) + origin_abs_, normal_abs);
+    return {std::abs(glm::dot(direction, normal)), along_sight, from_corner, origin_error};
 }
 
 TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
@@ -351,6 +355,21 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRa
     bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
     if (!perspective_) bounds.depth_absolute += precision.depth_of_range * (c.far_depth - c.near_depth);
     return bounds;
+}
+
+DepthRow BoundsOnPlane::depth_row() const {
+    DepthRow row{};
+    row.least = least_;
+    row.highest = highest_;
+    row.base = depth_eps_px_.base;
+    row.per = depth_eps_px_.per;
+    row.most = depth_eps_px_.most;
+    row.amplification = depth_eps_px_.amplification;
+    row.depth_factor = depth_factor_;
+    row.plane_offset = plane_offset_;
+    row.absolute = depth_absolute_;
+    row.nearness_error = nearness_error_;
+    return row;
 }
 
 LocalBounds TriangleBounds::at(double nearness, double gradient) const {

@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "compare/depth_row.h"
 #include "frame/precision.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
@@ -30,6 +31,8 @@ struct LocalBounds {
 /// Parallel projections: depth = (normal . corner) / facing, in the same places.
 struct PlaneSize {
     double volume = 0, volume_abs = 0, numerator_abs = 0;
+    /// Parallel projections: what the judge's own rounding of the origin of sight may add to the numerator.
+    double origin_error = 0;
 
     /// Forward error of the judge's own nearness, computed in double by image_of, where |nearness| is at most
     /// this: absolute sums of both products, 16 roundings at most in each.
@@ -77,6 +80,9 @@ class BoundsOnPlane {
                 .depth_absolute = depth_absolute_,
                 .nearness_error = nearness_error_};
     }
+
+    /// What compare/depth_row.h needs of it; the rest of the row is left for the caller.
+    DepthRow depth_row() const;
 
     /// What factors and divisors whose relative errors add up to `sum` may come to: 1 / (1 - sum) - 1 (Higham
     /// 2002, Lemma 3.1); unlimited from 1 up.

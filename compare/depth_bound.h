@@ -25,12 +25,7 @@ struct TriangleNearness {
 /// The depths that one renderer may report for one triangle.
 class TriangleDepth {
   public:
-    TriangleDepth(const TriangleNearness& nearness, const TriangleBounds& bounds, bool keeps_to_corners)
-        : plane_(nearness),
-          bounds_(bounds, nearness.gradient),
-          nearest_(bounds.nearest),
-          farthest_(bounds.farthest),
-          keeps_to_corners_(keeps_to_corners) {}
+    TriangleDepth(const TriangleNearness& nearness, const TriangleBounds& bounds, bool keeps_to_corners);
 
     /// The lawful interval at a pixel, in double.
     DepthBound at(int x, int y) const;
@@ -44,11 +39,17 @@ class TriangleDepth {
                z <= bound.high - margin - 8 * unit_roundoff_float64 * z;
     }
 
+    /// Both for depth[i] at pixel (first_x + i, y): error_over_bound where the interval certainly holds it,
+    /// else, and in other cases that are rare, `unsettled`.
+    void hold(int first_x, int y, std::span<const float> depth, double* ratio) const;
+
   private:
     TriangleNearness plane_;
     BoundsOnPlane bounds_;
     double nearest_, farthest_;  ///< camera depths
     bool keeps_to_corners_;
+    DepthRow row_;  ///< of row 0
+    bool has_rows_;
 };
 
 /// What renderers of one view share about one triangle.

@@ -43,11 +43,16 @@ class Hearing {
     struct Plea {
         const ViewBounds* bounds = nullptr;
         PrimitiveId answer = PrimitiveId::none;
+        int x = 0, y = 0;
         double own_eps_px = 0;
         std::size_t number = 0;
     };
 
-    double try_to_hear(std::size_t i, Asked asked, Ruled& ruled) const;
+    /// What one thread remembers of a hearing.
+    struct Memories;
+
+    double own_eps_of(const Plea& plea, Memories& memories) const;
+    double try_to_hear(std::size_t i, Asked asked, Memories& memories, Ruled& ruled) const;
     void keep_lacking(std::span<const double> lacking);
 
     const Scene& scene_;

@@ -1,8 +1,8 @@
 #include "compare/judge.h"
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "compare/adjudication.h"
@@ -14,17 +14,21 @@ namespace {
 /// Every open pixel of the frame in raster order; depths are counted into the verdict.
 std::vector<OpenPixel> first_pass(const Scene& scene, const View& view, const Witness& candidate,
                                   const Witness& reference, Verdict& verdict) {
-    std::vector<std::vector<OpenPixel>> rows(static_cast<std::size_t>(view.height));
-    tbb::enumerable_thread_specific<Tally> tallies;
-    tbb::parallel_for(0, view.height, [&](int y) {
-        rows[std::size_t(y)] = open_pixels(scene, view, candidate, reference, y, tallies.local());
+    constexpr int band_rows = 16;
+    std::vector<Findings> bands(static_cast<std::size_t>((view.height + band_rows - 1) / band_rows));
+    tbb::parallel_for(0, int(bands.size()), [&](int band) {
+        const int top = band * band_rows;
+        bands[std::size_t(band)] =
+            compare_rows(scene, view, candidate, reference, top, std::min(top + band_rows, view.height));
     });
     Tally sum;
-    for (const Tally& tally : tallies) add(sum, tally);
+    std::vector<OpenPixel> open;
+    for (const Findings& band : bands) {
+        add(sum, band.tally);
+        open.insert(open.end(), band.open.begin(), band.open.end());
+    }
     verdict.candidate_depth = sum.candidate;
     verdict.reference_depth = sum.reference;
-    std::vector<OpenPixel> open;
-    for (const auto& row : rows) open.insert(open.end(), row.begin(), row.end());
     return open;
 }
 

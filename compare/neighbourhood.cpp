@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/rounding.h"
+
 namespace zproof {
 
 namespace {
@@ -11,13 +13,13 @@ double steepness(const Affine<double>& f) { return std::abs(f.a) + std::abs(f.b)
 
 /// [least, greatest] from the plane's slope over eps, kept to the corners where the renderer keeps to them,
 /// then rounded. An estimate in double of numbers that are bounds themselves.
-void set_nearness_range(Neighbour& n, const std::optional<TriangleImage<double>>& image,
-                        const PlaneSize& size, Projection projection, bool keeps_to_corners) {
+void set_nearness_range(Neighbour& n, Projection projection, bool keeps_to_corners) {
+    const std::optional<TriangleImage<double>>& image = n.image;
     const bool perspective = projection == Projection::perspective;
     double least = perspective ? 1 / n.farthest : -n.farthest,
            greatest = perspective ? 1 / n.nearest : -n.nearest;
     if (image) {
-        const double error = size.nearness_error(std::abs(image->nearness.c) + n.gradient);
+        const double error = n.plane_error;
         n.is_plane_known = std::isfinite(error);
         const double shift = n.bounds.depth_eps_px * (n.gradient + error) + error + n.bounds.nearness_error;
         const double low = image->nearness.c - shift, high = image->nearness.c + shift;
@@ -36,6 +38,19 @@ void set_nearness_range(Neighbour& n, const std::optional<TriangleImage<double>>
         n.least_nearness = least - std::abs(least) * r - a;
         n.greatest_nearness = greatest + std::abs(greatest) * r + a;
     }
+}
+
+/// Forward error of an edge's value within a pixel of the centre: at most 16 roundings in a triple product,
+/// with every difference and product in absolute value. Parallel projections round the origin of sight as
+/// well.
+double edge_error(const Sight<double>& sight, const CornersWorld& p_world) {
+    const auto size = [](const Vector3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); };
+    const double steps = size(sight.step_x) + size(sight.step_y);
+    const bool moves = sight.projection == Projection::parallel;
+    double from_eye = 0;
+    for (const Vector3<double>& p : corners<double>(p_world))
+        from_eye = std::max(from_eye, moves ? size(p) + size(sight.origin) + steps : size(p - sight.origin));
+    return gamma(16, unit_roundoff_float64) * 4 * from_eye * from_eye * (size(sight.direction) + steps);
 }
 
 /// Does the image come within eps of the centre? An estimate in double: it only decides whose eps counts.
@@ -58,41 +73,73 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
     return {p[index.x], p[index.y], p[index.z]};
 }
 
+TriangleOfView::TriangleOfView(const ViewBounds& of_view, const CornersWorld& p)
+    : p_world(p), keeps_to_corners(of_view.keeps_to_corners()) {
+    const TriangleExtent extent = of_view.extent_of(p);
+    plane_size = extent.plane_size;
+    bounds = of_view.of(extent);
+}
+
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world) {
+    return neighbour_of(sight, TriangleOfView(bounds, p_world));
+}
+
+Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangle) {
     Neighbour n;
-    n.p_world = p_world;
-    const TriangleExtent extent = bounds.extent_of(p_world);
-    const TriangleBounds of_triangle = bounds.of(extent);
-    const auto image = image_of(sight, corners<double>(p_world));
+    n.p_world = triangle.p_world;
+    const TriangleBounds& of_triangle = triangle.bounds;
+    n.image = image_of(sight, corners<double>(triangle.p_world));
+    const auto& image = n.image;
     const double highest = of_triangle.nearest > 0 ? 1 / of_triangle.nearest : 0;
-    if (image) n.gradient = steepness(image->nearness);
+    if (image) {
+        n.gradient = steepness(image->nearness);
+        n.plane_error = triangle.plane_size.nearness_error(std::abs(image->nearness.c) + n.gradient);
+        n.edge_error = edge_error(sight, triangle.p_world);
+    }
     n.bounds = of_triangle.at(image ? image->nearness.c : highest, n.gradient);
     n.near_slack = of_triangle.near_slack;
     n.far_slack = of_triangle.far_slack;
     n.nearest = of_triangle.nearest;
     n.farthest = of_triangle.farthest;
-    set_nearness_range(n, image, extent.plane_size, sight.projection, bounds.keeps_to_corners());
+    set_nearness_range(n, sight.projection, triangle.keeps_to_corners);
     return n;
 }
 
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const Site& site, double own_eps_px) {
+    TriangleMemory memory(1);
+    return neighbourhood_of(scene, view, bounds, site, own_eps_px, memory);
+}
+
+Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
+                               const Site& site, double own_eps_px, TriangleMemory& memory) {
     const Sight<double> sight(view, site.x, site.y);
     Neighbourhood n{view, site.x, site.y, own_eps_px, {}};
+    n.neighbours.reserve(site.triangles.size());
     for (const std::uint32_t triangle : site.triangles) {
-        Neighbour& last = n.neighbours.emplace_back(neighbour_of(sight, bounds, corners_of(scene, triangle)));
+        const TriangleOfView& of_view =
+            memory(triangle, [&] { return TriangleOfView(bounds, corners_of(scene, triangle)); });
+        Neighbour& last = n.neighbours.emplace_back(neighbour_of(sight, of_view));
         last.triangle = triangle;
-        const auto image = image_of(sight, corners<double>(last.p_world));
-        if (image && comes_within(*image, own_eps_px)) n.eps_px = std::max(n.eps_px, last.bounds.eps_px);
+        if (last.image && comes_within(*last.image, own_eps_px))
+            n.eps_px = std::max(n.eps_px, last.bounds.eps_px);
     }
     return n;
 }
 
 double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
                   PrimitiveId answer) {
+    TriangleMemory memory(1);
+    return own_eps_px(scene, view, bounds, x, y, answer, memory);
+}
+
+double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
+                  PrimitiveId answer, TriangleMemory& memory) {
     if (answer == PrimitiveId::none) return bounds.background_eps_px();
-    return neighbour_of(Sight<double>(view, x, y), bounds, corners_of(scene, std::uint32_t(answer)))
-        .bounds.eps_px;
+    const TriangleOfView& triangle = memory(std::uint32_t(answer), [&] {
+        return TriangleOfView(bounds, corners_of(scene, std::uint32_t(answer)));
+    });
+    return neighbour_of(Sight<double>(view, x, y), triangle).bounds.eps_px;
 }
 
 }  // namespace zproof

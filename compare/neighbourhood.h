@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/bounds.h"
+#include "compare/memory.h"
 #include "compare/triangle_image.h"
 #include "frame/frame.h"
 
@@ -26,6 +27,10 @@ struct Neighbour {
     double nearest = 0, farthest = 0;      ///< see TriangleBounds
     double gradient = 0;                   ///< |d/dx| + |d/dy| of nearness, per px; 0 for an edge-on triangle
     bool is_plane_known = false;           ///< or does double precision not tell it from edge-on?
+    /// In double; nothing for an edge-on triangle. Off by at most `edge_error` and `plane_error` (of
+    /// nearness) anywhere within a pixel of the centre.
+    std::optional<TriangleImage<double>> image;
+    double edge_error = 0, plane_error = 0;
     /// What a faultless renderer may hold for its nearness at the pixel, all bounds included.
     double least_nearness = 0, greatest_nearness = 0;
 };
@@ -50,17 +55,36 @@ Corners<Number> corners(const CornersWorld& p) {
             exactly<Number>(glm::dvec3(p[2]))};
 }
 
+/// What one triangle brings to every pixel of a view.
+struct TriangleOfView {
+    TriangleOfView(const ViewBounds& bounds, const CornersWorld& p_world);
+
+    CornersWorld p_world;
+    PlaneSize plane_size;
+    TriangleBounds bounds;
+    bool keeps_to_corners;
+};
+
+/// The triangles of one renderer's hearing that were asked for lately.
+using TriangleMemory = Memory<std::uint32_t, TriangleOfView>;
+
 /// One triangle's bounds at a pixel (`triangle` is left 0).
+Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangle);
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world);
 
 /// eps of an answer by itself, before its surroundings are looked at.
 double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
                   PrimitiveId answer);
+double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
+                  PrimitiveId answer, TriangleMemory& memory);
 
 /// Gathers the evidence for an answer whose own eps is
 /// own_eps_px <= site.reach_px. Where the result's eps_px exceeds site.reach_px, triangles may be missing:
 /// look again with that reach; the result's eps_px will be the same.
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const Site& site, double own_eps_px);
+/// The same with a memory of its own `bounds`.
+Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
+                               const Site& site, double own_eps_px, TriangleMemory& memory);
 
 }  // namespace zproof

@@ -40,8 +40,6 @@ class Region {
 
     /// Where f >= 0; nothing if no point of the region is there.
     std::optional<Region> inside(const Line<Number>& line) const { return clipped(line, +1); }
-    /// Where f <= 0.
-    std::optional<Region> below(const Line<Number>& line) const { return clipped(line, -1); }
     /// Where f < 0: the part that the closed half-plane leaves.
     std::optional<Region> outside(const Line<Number>& line) const {
         std::optional<Region> r = clipped(line, -1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compare/admissible.h"
+#include "compare/plain_case.h"
 #include "math/interval.h"
 #include "math/rational.h"
 
@@ -47,6 +48,12 @@ Standing standing_in(const Neighbourhood& around, PrimitiveId answer) {
 }  // namespace
 
 Decision decide(const Neighbourhood& around, PrimitiveId answer) {
+    CoplanarMemory memory(16);
+    return decide(around, answer, memory);
+}
+
+Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& memory) {
+    if (const auto plain = standing_without_edges(around, answer, memory)) return {*plain, false};
     try {
         return {standing_in<Interval>(around, answer), false};
     } catch (const UndecidedSign&) {

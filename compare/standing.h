@@ -6,6 +6,9 @@
 
 namespace zproof {
 
+/// Answers to coplanar() by the ids of both triangles: the first in the upper half, the second in the lower.
+using CoplanarMemory = Memory<std::uint64_t, bool>;
+
 /// Why an answer is lawful, or how it is wrong. Lawful ones first.
 enum class Standing : std::uint8_t {
     visible,          ///< truly visible (or background truly bare) within eps
@@ -26,6 +29,8 @@ struct Decision {
 
 /// Decides one answer: a triangle's id, which must be among the neighbours if it is to be lawful, or none.
 Decision decide(const Neighbourhood& around, PrimitiveId answer);
+/// The same, for many answers among the same triangles.
+Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& memory);
 
 /// The class of a pixel at which the two renderers gave different, each by itself judged, answers.
 PixelClass class_of(Standing candidate, Standing reference);

@@ -23,6 +23,7 @@ class Witness {
         : scene_(scene), view_(view), frame_(testimony.frame), bounds_(view, testimony.precision) {}
 
     Answer answer_at(int x, int y) const { return {frame_.primitive.at(x, y), frame_.camera_depth.at(x, y)}; }
+    const Frame& frame() const { return frame_; }
     const ViewBounds& bounds() const { return bounds_; }
 
     /// The same for every witness of the view. The id must be a triangle of the scene.

@@ -1,8 +1,10 @@
 /// Closed intervals of doubles that contain the exact result, and the exception that says "ask exact
 /// rationals".
 ///
-/// Every operation rounds outwards by one relative step of 2^-52 without touching the rounding mode, so
-/// results are the same bits everywhere. An overflow gives NaN or infinite ends, which decide nothing.
+/// Where both operands are single numbers and double precision holds the result exactly, it is a single
+/// number as well (error-free transformations: Dekker 1971, Knuth TAOCP 4.2.2). Every other operation rounds
+/// outwards by one relative step of 2^-52 without touching the rounding mode, so results are the same bits
+/// everywhere. An overflow gives NaN or infinite ends, which decide nothing.
 #pragma once
 
 #include <algorithm>
@@ -23,19 +25,38 @@ class Interval {
     constexpr double high() const { return high_; }
 
     friend Interval operator-(Interval a) { return {-a.high_, -a.low_}; }
-    friend Interval operator+(Interval a, Interval b) { return outward(a.low_ + b.low_, a.high_ + b.high_); }
-    friend Interval operator-(Interval a, Interval b) { return outward(a.low_ - b.high_, a.high_ - b.low_); }
+    friend Interval operator+(Interval a, Interval b) {
+        const double sum = a.low_ + b.low_;
+        if (a.is_number() && b.is_number() && is_exact_sum(a.low_, b.low_, sum)) return sum;
+        return outward(sum, a.high_ + b.high_);
+    }
+    friend Interval operator-(Interval a, Interval b) { return a + -b; }
     friend Interval operator*(Interval a, Interval b) {
         const double p = a.low_ * b.low_, q = a.low_ * b.high_, r = a.high_ * b.low_, s = a.high_ * b.high_;
+        if (a.is_number() && b.is_number() && is_exact_product(a.low_, b.low_, p)) return p;
         return outward(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
     }
     /// Throws UndecidedSign where b may be 0.
     friend Interval operator/(Interval a, Interval b) {
         if (!(b.low_ > 0) && !(b.high_ < 0)) throw UndecidedSign{};
+        const double quotient = a.low_ / b.low_;
+        if (a.is_number() && b.is_number() && is_exact_product(quotient, b.low_, a.low_)) return quotient;
         return a * outward(1 / b.high_, 1 / b.low_);
     }
 
   private:
+    constexpr bool is_number() const { return low_ == high_; }
+    /// The rounding error of a sum is a double; NaN after an overflow.
+    static bool is_exact_sum(double a, double b, double sum) {
+        const double b_held = sum - a;
+        return (a - (sum - b_held)) + (b - b_held) == 0;
+    }
+    /// The rounding error of a product is a double where it does not underflow.
+    static bool is_exact_product(double a, double b, double product) {
+        constexpr double least = 0x1p-900;
+        const bool holds_its_error = std::abs(product) > least || a == 0 || b == 0;
+        return holds_its_error && std::fma(a, b, -product) == 0;
+    }
     /// x minus (plus) |x| 2^-52 is at or beyond the next double, since ulp(x) <= |x| 2^-52.
     static Interval outward(double low, double high) {
         constexpr double step = 0x1p-52, least = std::numeric_limits<double>::denorm_min();
@@ -52,6 +73,9 @@ inline int sign(Interval a) {
     if (a.low() == 0 && a.high() == 0) return 0;
     throw UndecidedSign{};
 }
+
+/// Never undecided: false where it may be another number.
+inline bool is_certainly_zero(const Interval& a) { return a.low() == 0 && a.high() == 0; }
 
 /// Of every number that the interval holds; never undecided.
 inline Interval magnitude(const Interval& a) {

@@ -12,6 +12,8 @@ using Rational =
 /// -1, 0 or +1; never undecided.
 inline int sign(const Rational& a) { return a.sign(); }
 
+inline bool is_certainly_zero(const Rational& a) { return a.sign() == 0; }
+
 inline Rational magnitude(const Rational& a) { return a.sign() < 0 ? Rational(-a) : a; }
 
 }  // namespace zproof

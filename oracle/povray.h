@@ -2,7 +2,7 @@
 /// program of its own.
 ///
 /// Each triangle is written as a `triangle` of POV-Ray's, in double (its meshes hold float32), and each
-/// pixel's colour says which one was met and how deep (povray_code.h). One ray per pixel centre; two-sided.
+/// pixel's colour says which one was met and how deep (povray/code.h). One ray per pixel centre; two-sided.
 #pragma once
 
 #include <chrono>
@@ -35,7 +35,7 @@ class PovRay {
     /// beyond its means: depths of more than 1e9 from nearest to farthest, or more than 2^20 triangles.
     Frame render(const View& view) const;
 
-    /// A lit, textured picture of the same view (oracle/povray_picture.h), linear, 16 bits a channel, cut to
+    /// A lit, textured picture of the same view (oracle/povray/picture.h), linear, 16 bits a channel, cut to
     /// [0, 1]. Throws OracleError as render, and for what povray_picture refuses.
     Picture picture(const View& view, const Light& light) const;
 

@@ -61,7 +61,12 @@ Context::Current::Current(const Context& context) : lock_(context.one_thread_), 
         refuse("the context cannot be made current");
 }
 
-Context::Current::~Current() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+/// EGL keeps what it knows of a thread until the thread ends; threads that end while the process does (a
+/// scheduler's) have been seen to free it a second time. So nothing is left for them.
+Context::Current::~Current() {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglReleaseThread();
+}
 
 void raise_gl_error(const std::string& action) {
     const GLenum error = glGetError();

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "scenes/suite/mesh_builder.h"
 #include "scenes/suite/random.h"
 #include "scenes/suite/scenes.h"
@@ -63,6 +65,16 @@ void add_wedge(MeshBuilder& mesh, Random& random, const glm::dvec3& p_world) {
     mesh.lone_triangle({p_world - along, p_world + along - across, p_world + along + across});
 }
 
+/// The z of a point at the next float32 depth from `depth` down whose 1 / depth lies just above half way
+/// between two float32: who rounds it is wrong by a unit roundoff, and upwards. Depths lie in (4, 8), so that
+/// both step evenly.
+double half_way(double depth) {
+    const auto step_share = [](double nearness) { return nearness * 0x1p26 - std::floor(nearness * 0x1p26); };
+    depth = std::floor(depth * 0x1p21) * 0x1p-21;
+    while (step_share(1 / depth) < 0.5 || step_share(1 / depth) > 0.503) depth -= 0x1p-21;
+    return -depth;
+}
+
 }  // namespace
 
 Loaded near_plane(ImageSize size) {
@@ -105,6 +117,10 @@ Loaded guard_band(ImageSize size) {
                      {half, -half, -1 - lean},
                      {half, half, -1 - lean},
                      {-half, half, -1 + lean}}});
+    mesh.begin_part("in float32's last step", {0.4, 0.7, 0.4});
+    for (const double x : {-5.0, -2.5})
+        mesh.lone_triangle(
+            {{{x, 1.9, half_way(7.99)}, {x + 2, 1.9, half_way(7.9895)}, {x, 3.4, half_way(7.9893)}}});
     return mesh.finish(
         {perspective_view("ahead", size, {}, {.half_height = 0.5, .near_depth = 1, .far_depth = 100}),
          parallel_view("parallel", size, {}, {.half_height = 8, .near_depth = 1, .far_depth = 100})});

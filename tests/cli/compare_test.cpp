@@ -95,6 +95,38 @@ TEST_F(StoredFrames, DeclaredPrecisionDecides) {
         true);
 }
 
+TEST_F(StoredFrames, AWitnessThatIsNotInstalledIsNamedAndMayBeRequired) {
+    const Words run_words{"run", "two.gltf", "--width", "64", "--height", "48"};
+    const Words nowhere{"PATH=/no/such/folder"};
+    const Ran without = run(folder, run_words, nowhere);
+    EXPECT_EQ(without.exit_code, 0) << without.out << without.err;
+    EXPECT_NE(without.out.find("povray: not heard about 1 view: not installed"), std::string::npos)
+        << without.out;
+    EXPECT_NE(folder.read("zproof-out/report.html").find("not installed"), std::string::npos);
+    Words required = run_words;
+    required.insert(required.end(), {"--require", "povray"});
+    const Ran refused = run(folder, required, nowhere);
+    EXPECT_EQ(refused.exit_code, 3) << refused.out << refused.err;
+    EXPECT_NE(refused.err.find("povray: not installed"), std::string::npos) << refused.err;
+    EXPECT_EQ(run(folder, required).exit_code, 0);
+}
+
+TEST_F(StoredFrames, FourRenderersShareOneMatrixAndPovRayPaints) {
+    const Ran ran = run(folder, {"run", "two.gltf", "--width", "64", "--height", "48", "--oracle",
+                                 "povray,opengl", "--pictures"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    const json view = only_view();
+    EXPECT_EQ(view.at("accord").at("same").size(), 4u);
+    for (const json& witness : view.at("witnesses")) {
+        EXPECT_EQ(witness.at("absent"), "");
+        EXPECT_EQ(witness.at("defects"), 0);
+    }
+    EXPECT_GT(view.at("witnesses").at(0).at("picture").at("agree").at("pixels"), 0);
+    const json renderers = json::parse(folder.read("zproof-out/results.json")).at("run").at("renderers");
+    ASSERT_EQ(renderers.size(), 4u);
+    for (const json& renderer : renderers) EXPECT_NE(renderer.at("version"), "");
+}
+
 TEST_F(StoredFrames, WitnessesAreJudgedAndCounted) {
     const Ran ran = run(folder, {"run", "two.gltf", "--width", "64", "--height", "48", "--renderer", "embree",
                                  "--oracle", "zproof"});

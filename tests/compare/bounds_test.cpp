@@ -187,5 +187,88 @@ TEST(Bounds, EveryRayIsRoundedAndBackgroundKnowsIt) {
     EXPECT_LT(own, 0x1p-9);
 }
 
+/// What a plane ray caster says of one triangle and the ray through a pixel's centre, in double.
+bool plane_ray_hits(const View& view, const CornersWorld& p_world, int x, int y) {
+    const Camera& c = view.camera;
+    const Window& w = c.window;
+    const double u = (w.left + w.right) / 2 + (w.right - w.left) * ((x + 0.5) / view.width - 0.5);
+    const double v = (w.top + w.bottom) / 2 - (w.top - w.bottom) * ((y + 0.5) / view.height - 0.5);
+    const glm::dvec3 d = glm::normalize(u * c.right + v * c.up - c.back);
+    std::array<glm::dvec3, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = glm::dvec3(p_world[i]) - glm::dvec3(c.eye_world);
+    const glm::dvec3 n = glm::normalize(glm::cross(p[0] - p[1], p[2] - p[1]));
+    const glm::dvec3 hit = glm::dot(n, p[0]) / glm::dot(n, d) * d;
+    int widest = 0;  // the normal's largest coordinate; the test is made in the other two
+    for (int axis = 1; axis < 3; ++axis)
+        if (std::abs(n[axis]) > std::abs(n[widest])) widest = axis;
+    const int s = (widest + 1) % 3, t = (widest + 2) % 3;
+    int positive = 0, negative = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec3 &from = p[i], &to = p[(i + 1) % 3];
+        const double left = (to[s] - hit[s]) * (to[t] - from[t]),
+                     right = (to[t] - hit[t]) * (to[s] - from[s]);
+        positive += left > right;
+        negative += left < right;
+    }
+    return positive == 0 || negative == 0;
+}
+
+struct Disagreements {
+    int count = 0;
+    double largest_share = 0;  ///< distance from the nearest edge, over eps
+};
+
+/// A triangle with an edge through the pixel's centre, but for rounding.
+CornersWorld triangle_with_an_edge_at_the_centre(Dice& dice, View& view) {
+    const Camera& c = view.camera;
+    CornersWorld p;
+    for (glm::vec3& corner : p)
+        corner = glm::vec3(glm::dvec3(c.eye_world) + dice.between(-3, 3) * c.right +
+                           dice.between(-3, 3) * c.up - dice.between(1, 9) * c.back);
+    const double share = dice.between(0.1, 0.9);
+    const glm::dvec3 on_edge =
+        (1 - share) * glm::dvec3(p[0]) + share * glm::dvec3(p[1]) - glm::dvec3(c.eye_world);
+    const double depth = -glm::dot(c.back, on_edge);
+    const double u = glm::dot(c.right, on_edge) / depth, v = glm::dot(c.up, on_edge) / depth;
+    view.width = view.height = 8;  // the centre of pixel (3, 3) is at 7/16 of either side
+    view.camera.window = {u - 0.7, u + 0.9, v - 0.9, v + 0.7};
+    return p;
+}
+
+Disagreements plane_ray_disagreements() {
+    Disagreements disagreements;
+    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+        Dice dice(seed);
+        View view = turned_view(dice);
+        const CornersWorld p = triangle_with_an_edge_at_the_centre(dice, view);
+        Corners<Rational> exact;
+        for (std::size_t i = 0; i < 3; ++i) exact[i] = exactly<Rational>(glm::dvec3(p[i]));
+        const auto image = image_of(Sight<Rational>(view, 3, 3), exact);
+        if (!image) continue;
+        double nearest_edge = unlimited;
+        bool inside = true;
+        for (const auto& edge : image->edge) {
+            const Rational distance = magnitude(edge.c) / (magnitude(edge.a) + magnitude(edge.b));
+            nearest_edge = std::min(nearest_edge, distance.convert_to<double>());
+            inside = inside && sign(edge.c) >= 0;
+        }
+        if (plane_ray_hits(view, p, 3, 3) == inside) continue;
+        const ViewBounds bounds(view, PlaneRayPrecision{});
+        const double nearness = image->nearness.c.convert_to<double>();
+        const double eps = bounds.of(p).at(nearness, 0).eps_px;
+        ++disagreements.count;
+        disagreements.largest_share = std::max(disagreements.largest_share, nearest_edge / eps);
+    }
+    return disagreements;
+}
+
+/// The test is made for it: a third of the edges or more are hit on the wrong side.
+TEST(Bounds, APlaneRayMistakesNoEdgeThatIsFartherThanEps) {
+    const Disagreements disagreements = plane_ray_disagreements();
+    EXPECT_GT(disagreements.count, 100);
+    EXPECT_LE(disagreements.largest_share, 1);
+    EXPECT_GT(disagreements.largest_share, 0.001) << "the bound is too loose to say anything";
+}
+
 }  // namespace
 }  // namespace zproof

@@ -1,9 +1,12 @@
 /// decide() asks intervals first: its word must be that of exact rationals throughout.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "brute_force.h"
-#include "compare/standing.h"
+#include "compare/plain_case.h"
 #include "random_surroundings.h"
+#include "stage.h"
 
 namespace zproof {
 namespace {
@@ -48,6 +51,48 @@ TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
     }
     for (std::size_t word = 0; word < said.size(); ++word) EXPECT_GT(said[word], 3) << "word " << word;
     EXPECT_GT(exact, 100);
+}
+
+/// Walls that cover the image by far, in planes that nearly agree: some in one plane, some crossing within
+/// the square or beside it, some far behind, some beside the pixel.
+Scene random_walls(Dice& dice, const View& view) {
+    std::vector<Triangle> walls;
+    const double slope = std::ldexp(dice.between(-1, 1), -dice.below(24));
+    for (int count = 2 + dice.below(3); count > 0; --count) {
+        const double depth = dice.below(4) == 0 ? 16 : 8, tilt = dice.below(2) ? slope : 0;
+        const double aside = dice.below(6) == 0 ? 4 : 0,
+                     lift = dice.below(3) == 0 ? std::ldexp(1.0, -dice.below(40)) : 0;
+        const auto corner = [&](double x, double y) {
+            return Corner{x + aside, y, depth + tilt * (x - 1.5) + lift};
+        };
+        walls.push_back({corner(0, -64), corner(64, 200), corner(-64, 200)});
+    }
+    return scene_of(view, walls);
+}
+
+TEST(Decide, APlainCaseIsDecidedAsRationalsDecide) {
+    std::array<int, 2> said{};
+    int plain_cases = 0, others = 0;
+    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
+        const Scene scene = random_walls(dice, view);
+        const ViewBounds bounds(view, dice.below(2) ? raster_precision() : ray_precision());
+        const Neighbourhood around = surroundings(scene, view, bounds, 1, 1, 0);
+        AdmissibleSet<Rational> set(around);
+        CoplanarMemory memory(8);
+        for (std::size_t i = 0; i < around.neighbours.size(); ++i) {
+            const auto plain = standing_without_edges(around, PrimitiveId(std::uint32_t(i)), memory);
+            ++(plain ? plain_cases : others);
+            if (!plain) continue;
+            ASSERT_EQ(*plain, word_for(set, around.neighbours.size(), i)) << i;
+            ++said[*plain == Standing::tied];
+        }
+    }
+    EXPECT_GT(said[0], 300) << "visible";
+    EXPECT_GT(said[1], 300) << "tied";
+    EXPECT_GT(plain_cases, others / 2);
 }
 
 TEST(Decide, ATriangleThatIsNoNeighbourIsOutside) {

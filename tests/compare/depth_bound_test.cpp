@@ -8,6 +8,7 @@
 #include "compare/admissible.h"
 #include "math/rational.h"
 #include "random_surroundings.h"
+#include "stage.h"
 
 namespace zproof {
 namespace {
@@ -59,6 +60,35 @@ TEST(DepthBound, CertainlyHoldsOnlyWhatIsLawfulAtTheEndsAndTheirNeighbours) {
     EXPECT_LT(lawful, 9 * asked / 10);
 }
 
+TEST(DepthBound, OfARowHasTheBitsOfEveryPixelsOwn) {
+    int settled = 0, asked = 0;
+    for (std::uint32_t seed = 0; seed < 600; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const ViewBounds bounds(s.view, seed % 2 ? Precision(RayPrecision{}) : Precision(RasterPrecision{}));
+        for (const Neighbour& n : s.around.neighbours) {
+            const TriangleDepth depth = depth_of(TriangleInView(s.view, bounds, n.p_world), bounds);
+            std::vector<float> z;
+            for (int x = 0; x < s.view.width; ++x) {
+                const auto around = depths_around(depth.at(x, s.y));
+                z.push_back(around.empty() ? 1 : around[std::size_t(x) % around.size()]);
+            }
+            std::vector<double> ratio(z.size());
+            depth.hold(0, s.y, z, ratio.data());
+            for (std::size_t x = 0; x < z.size(); ++x) {
+                ++asked;
+                if (ratio[x] == unsettled) continue;
+                const DepthBound bound = depth.at(int(x), s.y);
+                ASSERT_TRUE(depth.certainly_holds(bound, z[x])) << x;
+                ASSERT_EQ(ratio[x], error_over_bound(bound, z[x])) << x;
+                ++settled;
+            }
+        }
+    }
+    EXPECT_GT(settled, asked / 10);
+    EXPECT_LT(settled, 9 * asked / 10);
+}
+
 TEST(DepthBound, IsDecidedAsRationalsDecide) {
     int lawful = 0, asked = 0;
     for (std::uint32_t seed = 0; seed < 250; ++seed) {
@@ -79,6 +109,54 @@ TEST(DepthBound, IsDecidedAsRationalsDecide) {
     }
     EXPECT_GT(lawful, asked / 10);
     EXPECT_LT(lawful, 9 * asked / 10);
+}
+
+/// A wall at depth 4 in a view of 4 x 4 pixels, its plane in double as badly known as the test says.
+TriangleDepth wall_known_to(double own_error, Projection projection) {
+    const View view = pixel_view(projection, 4, 4);
+    const ViewBounds bounds(view, ray_precision());
+    const Scene scene = scene_of(view, {wall(4)});
+    TriangleInView triangle(view, bounds, corners_of(scene, 0));
+    triangle.nearness.own_error = own_error;
+    return depth_of(triangle, bounds);
+}
+
+class OwnError : public testing::TestWithParam<Projection> {};
+INSTANTIATE_TEST_SUITE_P(Projections, OwnError,
+                         testing::Values(Projection::perspective, Projection::parallel));
+
+TEST_P(OwnError, KeepsADepthNearItsBoundFromBeingCertain) {
+    const DepthBound bound = wall_known_to(0, GetParam()).at(1, 1);
+    const float inside[] = {std::nextafter(float(bound.low), 4.f), std::nextafter(float(bound.high), 4.f)};
+    for (const float z : inside) {
+        double settled = 0, doubted = 0;
+        const TriangleDepth known = wall_known_to(1e-12, GetParam()), vague = wall_known_to(1e-3, GetParam());
+        EXPECT_TRUE(known.certainly_holds(bound, z));
+        EXPECT_FALSE(vague.certainly_holds(bound, z));
+        known.hold(1, 1, std::span(&z, 1), &settled);
+        vague.hold(1, 1, std::span(&z, 1), &doubted);
+        EXPECT_EQ(settled, error_over_bound(bound, z));
+        EXPECT_EQ(doubted, unsettled);
+    }
+}
+
+TEST(DepthBound, HasNoDepthBeyondTheHorizonOfThePlane) {
+    const View view = pixel_view(Projection::perspective, 16, 1);
+    const ViewBounds bounds(view, ray_precision());
+    // nearness falls from 1 at x = 0 to 0 at x = 8
+    const Scene scene = scene_of(view, {{{{0, -4, 1}, {4, -4, 2}, {0, 4, 1}}}});
+    const TriangleDepth depth = depth_of(TriangleInView(view, bounds, corners_of(scene, 0)), bounds);
+    const DepthBound before = depth.at(6, 0), beyond = depth.at(9, 0);
+    EXPECT_NEAR(before.truth, 8 / 1.5, 1e-4);
+    EXPECT_LT(before.high, 6);
+    for (const double end : {beyond.truth, beyond.high}) EXPECT_TRUE(std::isinf(end) && end > 0);
+    for (const float z : {0.f, 1.f, 1e30f}) {
+        double ratio = 0;
+        depth.hold(9, 0, std::span(&z, 1), &ratio);
+        EXPECT_EQ(ratio, unsettled);
+        EXPECT_FALSE(depth.certainly_holds(beyond, z));
+        EXPECT_FALSE(is_lawful_depth(view, bounds, corners_of(scene, 0), 9, 0, z)) << z;
+    }
 }
 
 TEST(ErrorOverBound, TakesTheBoundOnTheDepthsOwnSide) {

@@ -67,15 +67,23 @@ TEST(Verdict, AFindingTellsTheSquareAndTheDepthBound) {
 
 TEST(Verdict, OnlyPixelsOfDifferentIdsAreAdjudicated) { EXPECT_EQ(mixed_trial().verdict().adjudicated, 4u); }
 
+/// A pixel is 1/3 unit wide, which no double holds: that the two walls meet at the centre of pixel 1, at 1/2,
+/// and leave nothing between them, only rationals see.
 TEST(Verdict, ExactRationalsAreCountedWhereTheyDecide) {
-    Trial t(Projection::parallel, 2, 1, {wall_left_of(0.5, 4)});
-    answer(t.reference, 0, 0, 0, 4);
-    answer(t.reference, 1, 0, 0, 4);
-    t.candidate_precision = ray_precision();
+    Trial t(Projection::parallel, 3, 1,
+            {wall_left_of(0.5, 4, -64, 64), wall_right_of(0.5, 4, -32, 96), wall(8)});
+    t.view.camera.window.right = 1;
+    answer_everywhere(t.candidate, 2, 8);
+    answer_everywhere(t.reference, 0, 4);
+    answer(t.candidate, 0, 0, 0, 4);
+    answer(t.candidate, 2, 0, 1, 4);
+    answer_background(t.reference, 2, 0);
     const Verdict verdict = t.verdict();
-    EXPECT_EQ(verdict.classes.at(0, 0), PixelClass::edge);
-    EXPECT_EQ(verdict.classes.at(1, 0), PixelClass::reference_wrong);
-    EXPECT_LE(verdict.exact, verdict.adjudicated);
+    EXPECT_EQ(verdict.classes.at(0, 0), PixelClass::agree);
+    EXPECT_EQ(verdict.classes.at(1, 0), PixelClass::abutting_edges);
+    EXPECT_EQ(verdict.classes.at(2, 0), PixelClass::reference_wrong);
+    EXPECT_EQ(verdict.adjudicated, 2u);
+    EXPECT_EQ(verdict.exact, 1u);
 }
 
 TEST(Verdict, DepthsAreHeldAgainstTheBoundOnTheirSide) {

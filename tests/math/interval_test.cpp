@@ -109,6 +109,25 @@ TEST(Interval, OfExactNumbersIsAFewUlpsWide) {
     }
 }
 
+bool is_a_number(const Interval& i) { return i.low() == i.high(); }
+
+TEST(Interval, StaysANumberWhereDoubleHoldsTheResult) {
+    const Interval three = 3, quarter = 0.25, tenth = 0.1;
+    for (const Interval& exact : {three * quarter, three + quarter, three - quarter, quarter / Interval(-8),
+                                  tenth + tenth, tenth - tenth, Interval(0) * tenth, three / three})
+        EXPECT_TRUE(is_a_number(exact)) << exact.low();
+    for (const Interval& rounded :
+         {three * tenth, three + tenth, three - tenth, quarter / three, three / tenth})
+        EXPECT_FALSE(is_a_number(rounded)) << rounded.low();
+}
+
+TEST(Interval, DoesNotTakeAnUnderflowForAnExactResult) {
+    const Interval tiny = 0x1p-600;
+    EXPECT_FALSE(is_a_number(tiny * tiny));
+    EXPECT_FALSE(is_a_number(Interval(0x1.8p-530) * Interval(0x1.8p-544)));
+    EXPECT_FALSE(is_a_number(Interval(0x1p-1060) / Interval(0.75)));
+}
+
 TEST(Interval, OverflowDecidesNothing) {
     const Interval huge = 1e300, many = huge * huge;
     for (const Interval& i : {many, -many, many - many, many + many, many * Interval(-1),

@@ -10,7 +10,7 @@
 
 #include "oracle/embree.h"
 #include "oracle/oracle_error.h"
-#include "oracle/povray_scene.h"
+#include "oracle/povray/scene.h"
 #include "oracle/scratch_folder.h"
 #include "scenes/suite.h"
 #include "scenes_at_random.h"

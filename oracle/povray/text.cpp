@@ -1,4 +1,4 @@
-#include "oracle/povray_text.h"
+#include "oracle/povray/text.h"
 
 #include <array>
 #include <cassert>

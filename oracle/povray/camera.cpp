@@ -1,8 +1,8 @@
-#include "oracle/povray_camera.h"
+#include "oracle/povray/camera.h"
 
 #include <cmath>
 
-#include "oracle/povray_text.h"
+#include "oracle/povray/text.h"
 
 namespace zproof::oracle {
 namespace {

@@ -1,4 +1,4 @@
-#include "oracle/povray_picture.h"
+#include "oracle/povray/picture.h"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "oracle/oracle_error.h"
-#include "oracle/povray_camera.h"
-#include "oracle/povray_geometry.h"
-#include "oracle/povray_text.h"
-#include "oracle/povray_texture.h"
+#include "oracle/povray/camera.h"
+#include "oracle/povray/geometry.h"
+#include "oracle/povray/text.h"
+#include "oracle/povray/texture.h"
 
 namespace zproof::oracle {
 namespace {
@@ -145,8 +145,8 @@ class MeshWriter {
         const std::string name = "texture" + std::to_string(images_.size()) + ".ppm";
         images_.push_back({name, std::move(slot->texture.ppm)});
         const bool nearest = m.base_color.sampler.magnification == Magnification::nearest;
-        slot->index = textures_.add("texture{uv_mapping pigment{image_map{ppm \"" + name +
-                                    "\" gamma 1.0 interpolate " + (nearest ? "0" : "2") + "}}}");
+        slot->index = textures_.add("texture{uv_mapping pigment{image_map{ppm \"" + name + "\" gamma 1.0" +
+                                    (nearest ? "" : " interpolate 2") + "}}}");
         return *slot;
     }
 
@@ -220,11 +220,11 @@ std::string light_text(const Camera& c, const Light& light, const PovrayUnits& u
 PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& light) {
     const PovrayUnits units = povray_geometry(scene, view).units;
     MeshWriter mesh(scene, view, units.scale);
-    std::string text = "#version 3.7;\nglobal_settings{assumed_gamma 1}\n#default{finish{ambient " +
-                       number_text(light.ambient) + " diffuse " + number_text(light.diffuse) +
-                       "}}\nbackground{rgb 0}\n" + povray_camera_text(view, units) +
-                       light_text(view.camera, light, units) +
-                       mesh.text(povray_clip_text(view.camera, units));
+    std::string text =
+        "#version 3.7;\nglobal_settings{assumed_gamma 1 adc_bailout 0}\n#default{finish{ambient " +
+        number_text(light.ambient) + " diffuse " + number_text(light.diffuse) + "}}\nbackground{rgb 0}\n" +
+        povray_camera_text(view, units) + light_text(view.camera, light, units) +
+        mesh.text(povray_clip_text(view.camera, units));
     return {std::move(text), std::move(mesh).images()};
 }
 

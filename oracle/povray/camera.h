@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "oracle/povray_geometry.h"
+#include "oracle/povray/geometry.h"
 #include "scenes/view.h"
 
 namespace zproof::oracle {

@@ -1,8 +1,8 @@
-#include "oracle/povray_scene.h"
+#include "oracle/povray/scene.h"
 
-#include "oracle/povray_camera.h"
-#include "oracle/povray_geometry.h"
-#include "oracle/povray_text.h"
+#include "oracle/povray/camera.h"
+#include "oracle/povray/geometry.h"
+#include "oracle/povray/text.h"
 
 namespace zproof::oracle {
 namespace {

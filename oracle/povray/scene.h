@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "oracle/povray_code.h"
+#include "oracle/povray/code.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
@@ -15,7 +15,7 @@ struct PovrayScene {
     double scale;     ///< POV-Ray's units per scene unit
 };
 
-/// Throws OracleError where the view is beyond POV-Ray's means (povray_geometry.h, povray_code.h).
+/// Throws OracleError where the view is beyond POV-Ray's means (povray/geometry.h, povray/code.h).
 PovrayScene povray_scene(const Scene& scene, const View& view);
 
 }  // namespace zproof::oracle

@@ -1,4 +1,4 @@
-#include "oracle/povray_geometry.h"
+#include "oracle/povray/geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "oracle/oracle_error.h"
-#include "oracle/povray_text.h"
+#include "oracle/povray/text.h"
 
 namespace zproof::oracle {
 namespace {

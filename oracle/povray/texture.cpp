@@ -1,4 +1,4 @@
-#include "oracle/povray_texture.h"
+#include "oracle/povray/texture.h"
 
 #include <algorithm>
 #include <cmath>

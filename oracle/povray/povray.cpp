@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "oracle/oracle_error.h"
-#include "oracle/povray_picture.h"
-#include "oracle/povray_scene.h"
+#include "oracle/povray/picture.h"
+#include "oracle/povray/scene.h"
 #include "oracle/ppm.h"
 #include "oracle/scratch_folder.h"
 #include "oracle/subprocess.h"

@@ -1,11 +1,11 @@
-#include "oracle/povray_code.h"
+#include "oracle/povray/code.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "oracle/oracle_error.h"
-#include "oracle/povray_text.h"
+#include "oracle/povray/text.h"
 
 namespace zproof::oracle {
 namespace {
