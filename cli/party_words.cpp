@@ -71,8 +71,9 @@ void add_precision_options(CLI::App& app, PartyWords& words) {
 }
 
 void add_renderer_options(CLI::App& app, PartyWords& words) {
-    app.add_option("--renderer", words.renderer,
-                   "who is judged: a name, or 'CMD {scene} {camera} {width} {height} {out}'")
+    app.add_option(
+           "--renderer", words.renderer,
+           "who is judged: zproof, embree, opengl, povray, or 'CMD {scene} {camera} {width} {height} {out}'")
         ->capture_default_str();
     add_precision_options(app, words);
 }
@@ -89,9 +90,13 @@ void add_reference_precision(CLI::App& app, PartyWords& words) {
 }
 
 void add_witness_options(CLI::App& app, PartyWords& words) {
-    app.add_option("--oracle", words.oracles, "witnesses beside Embree, each judged as well; or 'none'")
-        ->delimiter(',');
-    app.add_option("--require", words.required, "witnesses without which nothing is proven")->delimiter(',');
+    app.add_option("--oracle", words.oracles,
+                   "witnesses beside Embree, each judged as well: povray,opengl; or none")
+        ->delimiter(',')
+        ->allow_extra_args(false);  // the next word is a scene
+    app.add_option("--require", words.required, "witnesses without which nothing is proven")
+        ->delimiter(',')
+        ->allow_extra_args(false);
 }
 
 RendererChoice candidate_of(const PartyWords& words) {

@@ -79,6 +79,9 @@ TEST(CommandLine, CallsWitnessesOnceAndNotTheCandidate) {
     EXPECT_EQ(names({"run", "--oracle", "zproof", "--require", "zproof", "--renderer", "embree"}),
               Names{"zproof"});
     EXPECT_THROW(parsed({"run", "--oracle", "delphi"}), UsageError);
+    EXPECT_EQ(std::get<RunArguments>(parsed({"run", "--oracle", "opengl", "room"})).scenes, Names{"room"});
+    EXPECT_EQ(std::get<RunArguments>(parsed({"run", "--require", "povray,opengl", "room"})).scenes,
+              Names{"room"});
 }
 
 TEST(ShellQuoted, SurvivesTheShell) {
