@@ -48,8 +48,8 @@ void write_text(const fs::path& file, const std::string& text) {
 }
 
 /// What the program said last, as the end of a sentence.
-std::string last_words(const Outcome& outcome) {
-    const std::string& said = outcome.complaints.empty() ? outcome.output : outcome.complaints;
+std::string what_it_said(const Outcome& outcome) {
+    const std::string said = last_words(outcome);
     return said.empty() ? "" : "; it said: " + said;
 }
 
@@ -99,11 +99,11 @@ Frame External::render(const View& view) const {
     const Outcome outcome = run({.arguments = shell_line(line), .time_limit = time_limit_});
     if (!outcome.succeeded())
         throw OracleError{"renderer '" + command_ + "': " + in_words(outcome, time_limit_) +
-                          last_words(outcome)};
+                          what_it_said(outcome)};
     try {
         return read_answer(out, view);
     } catch (const FrameError& e) {
-        throw OracleError{"renderer '" + command_ + "': " + about_out(e.what(), out) + last_words(outcome)};
+        throw OracleError{"renderer '" + command_ + "': " + about_out(e.what(), out) + what_it_said(outcome)};
     }
 }
 

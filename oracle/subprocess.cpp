@@ -219,6 +219,12 @@ Outcome run(const Command& command) {
     return outcome;
 }
 
+std::string last_words(const Outcome& outcome) {
+    constexpr std::size_t most = 1000;
+    const std::string& said = outcome.complaints.empty() ? outcome.output : outcome.complaints;
+    return said.size() <= most ? said : "... " + said.substr(said.size() - most);
+}
+
 std::string in_words(const Outcome& outcome, std::chrono::milliseconds time_limit) {
     switch (outcome.ending) {
         case Ending::exited:

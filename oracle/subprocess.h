@@ -41,6 +41,9 @@ struct Outcome {
 /// cannot be started.
 Outcome run(const Command& command);
 
+/// The last thousand characters of what it complained of, or else of what it said; for a message.
+std::string last_words(const Outcome& outcome);
+
 /// "exit status 1", "killed by signal 11 (Segmentation fault)", "stopped at its time limit of 300 s".
 std::string in_words(const Outcome& outcome, std::chrono::milliseconds time_limit);
 

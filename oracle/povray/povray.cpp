@@ -37,7 +37,8 @@ std::vector<std::string> arguments(const std::string& program, const View& view)
             "-A",
             "-D",
             "-P",
-            "-C"};
+            "-C",
+            "-V"};
 }
 
 void run_povray(const PovRayOptions& options, const View& view, const std::filesystem::path& folder) {
@@ -45,8 +46,9 @@ void run_povray(const PovRayOptions& options, const View& view, const std::files
         .arguments = arguments(options.program, view), .folder = folder, .time_limit = options.time_limit};
     const Outcome outcome = run(command);
     if (outcome.succeeded()) return;
-    throw OracleError("POV-Ray, view '" + view.name + "': " + in_words(outcome, options.time_limit) +
-                      "; it said: " + outcome.complaints);
+    // a picture that takes too long is no error of POV-Ray's, and it has nothing to say but how far it came
+    const std::string said = outcome.ending == Ending::timed_out ? "" : "; it said: " + last_words(outcome);
+    throw OracleError("POV-Ray, view '" + view.name + "': " + in_words(outcome, options.time_limit) + said);
 }
 
 Frame frame_of(const Plane<PovrayCode::Channels>& picture, const PovrayScene& scene) {
