@@ -13,9 +13,8 @@ std::string view_meant(const CompareArguments& arguments, const SceneSource& sou
     if (!arguments.view.empty()) return arguments.view;
     const std::vector<View> views = load(source, size).views;
     if (views.size() == 1) return views.front().name;
-    std::string names;
-    for (const View& view : views) names += (names.empty() ? "" : ", ") + view.name;
-    throw UsageError{"compare: " + source.name + " has the views " + names + "; say which with --view"};
+    throw UsageError{"compare: " + source.name + " has the views " + names_of(views) +
+                     "; say which with --view"};
 }
 
 }  // namespace

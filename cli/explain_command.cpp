@@ -11,12 +11,6 @@
 namespace zproof {
 namespace {
 
-std::string names_of(const std::vector<View>& views) {
-    std::string names;
-    for (const View& view : views) names += (names.empty() ? "" : ", ") + view.name;
-    return names;
-}
-
 const View& view_named(const std::string& name, const Loaded& loaded) {
     if (name.empty()) return loaded.views.front();
     const auto view = std::ranges::find(loaded.views, name, &View::name);

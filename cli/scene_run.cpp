@@ -108,12 +108,6 @@ std::optional<ViewResult> run_view_or_say_why_not(const Trial& trial) {
     }
 }
 
-std::string names_of(const std::vector<View>& views) {
-    std::string names;
-    for (const View& view : views) names += (names.empty() ? "" : ", ") + view.name;
-    return names;
-}
-
 /// All of them, or the one that was asked for.
 std::vector<View> wanted_views(const Loaded& loaded, const std::string& only_view) {
     if (only_view.empty()) return loaded.views;

@@ -135,6 +135,12 @@ Loaded load(const SceneSource& source, Resolution resolution) {
     throw std::logic_error{"a scene source of no kind"};
 }
 
+std::string names_of(const std::vector<View>& views) {
+    std::string names;
+    for (const View& view : views) names += (names.empty() ? "" : ", ") + view.name;
+    return names;
+}
+
 std::string word_for(const SceneSource& source) {
     return source.kind == SceneSource::Kind::suite ? source.name : source.origin;
 }

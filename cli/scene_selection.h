@@ -31,6 +31,9 @@ SceneSource select_scene(const std::string& word);
 /// Loads or generates it. The resolution does not touch view files. Throws SceneError.
 Loaded load(const SceneSource& source, Resolution resolution);
 
+/// "door, floor": for messages.
+std::string names_of(const std::vector<View>& views);
+
 /// What to type after "zproof explain" to mean this scene.
 std::string word_for(const SceneSource& source);
 

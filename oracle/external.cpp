@@ -1,7 +1,6 @@
 #include "oracle/external.h"
 
 #include <array>
-#include <fstream>
 #include <utility>
 
 #include "frame/exr.h"
@@ -39,12 +38,6 @@ std::string filled_in(const std::string& command, const std::array<Meaning, Coun
         i += here == nullptr ? 1 : here->first.size();
     }
     return line;
-}
-
-void write_text(const fs::path& file, const std::string& text) {
-    std::ofstream out{file, std::ios::binary};
-    out << text << std::flush;
-    if (!out) throw OracleError{file.string() + ": cannot be written; is the disk full?"};
 }
 
 /// What the program said last, as the end of a sentence.
@@ -87,7 +80,7 @@ External& External::operator=(External&&) noexcept = default;
 
 Frame External::render(const View& view) const {
     const fs::path camera = folder_->path() / "camera.json", out = folder_->path() / "frame.exr";
-    write_text(camera, camera_document(view));
+    folder_->write("camera.json", camera_document(view));
     std::error_code ignored;
     fs::remove(out, ignored);  // the last view's: a program that writes nothing must not pass with it
     const std::string line = filled_in(

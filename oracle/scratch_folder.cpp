@@ -1,5 +1,7 @@
 #include "oracle/scratch_folder.h"
 
+#include <fstream>
+
 #include <stdlib.h>
 
 #include <cerrno>
@@ -27,6 +29,13 @@ ScratchFolder::ScratchFolder() {
 ScratchFolder::~ScratchFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
+}
+
+void ScratchFolder::write(const std::string& name, const std::string& bytes) const {
+    const std::filesystem::path file = path_ / name;
+    std::ofstream out(file, std::ios::binary);
+    out << bytes << std::flush;
+    if (!out) throw OracleError(file.string() + ": cannot be written; set TMPDIR to a folder with more room");
 }
 
 }  // namespace zproof::oracle

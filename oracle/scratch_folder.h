@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace zproof::oracle {
 
@@ -16,6 +17,9 @@ class ScratchFolder {
     ScratchFolder& operator=(const ScratchFolder&) = delete;
 
     const std::filesystem::path& path() const { return path_; }
+
+    /// A file in it with these bytes. Throws OracleError where there is no room for them.
+    void write(const std::string& name, const std::string& bytes) const;
 
   private:
     std::filesystem::path path_;

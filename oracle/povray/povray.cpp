@@ -3,7 +3,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "oracle/oracle_error.h"
 #include "oracle/povray/picture.h"
@@ -16,12 +15,6 @@ namespace zproof::oracle {
 namespace {
 
 constexpr const char *scene_file = "scene.pov", *picture_file = "picture.ppm";
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream out(file, std::ios::binary);
-    out << text << std::flush;
-    if (!out) throw OracleError(file.string() + ": cannot be written; set TMPDIR to a folder with more room");
-}
 
 /// One ray through each pixel's centre, 16 bits per channel as computed: no window, no dither, no gamma.
 std::vector<std::string> arguments(const std::string& program, const View& view) {
@@ -74,7 +67,7 @@ Picture colours_of(const Plane<PovrayCode::Channels>& codes) {
 Frame PovRay::render(const View& view) const {
     const ScratchFolder scratch;
     const PovrayScene scene = povray_scene(scene_, view);
-    write_text(scratch.path() / scene_file, scene.text);
+    scratch.write(scene_file, scene.text);
     run_povray(options_, view, scratch.path());
     return frame_of(read_ppm16(scratch.path() / picture_file, {view.width, view.height}), scene);
 }
@@ -82,8 +75,8 @@ Frame PovRay::render(const View& view) const {
 Picture PovRay::picture(const View& view, const Light& light) const {
     const ScratchFolder scratch;
     const PovrayPicture picture = povray_picture(scene_, view, light);
-    write_text(scratch.path() / scene_file, picture.text);
-    for (const PovrayImage& image : picture.images) write_text(scratch.path() / image.name, image.bytes);
+    scratch.write(scene_file, picture.text);
+    for (const PovrayImage& image : picture.images) scratch.write(image.name, image.bytes);
     run_povray(options_, view, scratch.path());
     return colours_of(read_ppm16(scratch.path() / picture_file, {view.width, view.height}));
 }
