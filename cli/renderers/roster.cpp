@@ -47,7 +47,11 @@ Answers embree_on(const Scene& scene, std::chrono::seconds) {
     return {[embree](const View& view) { return embree->trace(view); }};
 }
 
-std::string opengl_absence() { return oracle::opengl_is_missing().value_or(""); }
+/// Asked once: it starts a driver.
+std::string opengl_absence() {
+    static const std::string why = oracle::opengl_is_missing().value_or("");
+    return why;
+}
 
 /// Opened when first asked for, and once: a driver takes longer to start than a picture to draw.
 const oracle::OpenGlDriver& opengl_driver() {
@@ -64,11 +68,15 @@ Answers opengl_on(const Scene& scene, std::chrono::seconds) {
     return {[opengl](const View& view) { return opengl->render(view); }};
 }
 
-std::string povray_absence() {
-    return oracle::povray_version() ? "" : "not installed (Debian's package povray)";
+/// Asked once: it runs the program. Empty where that is not installed.
+std::string povray_version_words() {
+    static const std::string version = oracle::povray_version().value_or("");
+    return version;
 }
 
-std::string povray_version_words() { return oracle::povray_version().value_or(""); }
+std::string povray_absence() {
+    return povray_version_words().empty() ? "not installed (Debian's package povray)" : "";
+}
 
 Answers povray_on(const Scene& scene, std::chrono::seconds time_limit) {
     const auto povray =
