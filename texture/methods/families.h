@@ -1,0 +1,11 @@
+/// The families of methods, one file each.
+#pragma once
+
+#include "texture/method.h"
+
+namespace zproof::texture {
+
+std::vector<Method> point_methods();  ///< level 0 alone: nearest, bilinear
+std::vector<Method> mip_methods();    ///< one place in a mip chain
+
+}  // namespace zproof::texture
