@@ -9,7 +9,7 @@ namespace zproof::texture {
 std::span<const Method> methods() {
     static const std::vector<Method> all = [] {
         std::vector<Method> list;
-        for (const auto& family : {point_methods, mip_methods})
+        for (const auto& family : {point_methods, mip_methods, sat_methods})
             for (Method& method : family()) list.push_back(std::move(method));
         return list;
     }();
