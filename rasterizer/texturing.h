@@ -10,7 +10,7 @@ namespace zproof::rasterizer {
 
 /// How textures are read.
 struct Texturing {
-    const texture::Method& method;
+    texture::Method method;
     texture::FilterOptions options{};  ///< `addressing` is the scene's own, texture by texture
     texture::Derivatives derivatives = texture::Derivatives::analytic;
     UvInterpolation uv = UvInterpolation::perspective;
