@@ -24,8 +24,8 @@ ColourRange as_shown(const ColourRange& filtered, const glm::dvec3& factor,
                      const FilterPrecision& precision) {
     const double sums = 2 * (gamma(most_terms, std::exp2(-precision.sum_bits)) + gamma(most_terms, 0x1p-53));
     const glm::dvec3 low = factor * (filtered.low - sums), high = factor * (filtered.high + sums);
-    // The factor's product, in float32 as the picture's numbers are, and one rounding of them.
-    const double rounding = gamma(2, std::exp2(-precision.colour_bits)) * (1 + 0x1p-50);
+    // The factor's product in double, and one rounding to the picture's numbers.
+    const double rounding = std::exp2(-precision.colour_bits) * (1 + 0x1p-50);
     return {low - rounding * glm::abs(low) - 0x1p-149, high + rounding * glm::abs(high) + 0x1p-149};
 }
 
@@ -39,7 +39,9 @@ PermittedColours anything() {
 std::span<const Definition> filter_definitions() {
     static const std::vector<Definition> all = [] {
         std::vector<Definition> list;
-        for (const auto& family : {point_definitions, mip_definitions})
+        for (const auto& family :
+             {point_definitions, mip_definitions, ripmap_definitions, anisotropic_definitions,
+              openimageio_definitions, ewa_definitions, sat_definitions, supersample_definitions})
             for (Definition& definition : family()) list.push_back(std::move(definition));
         return list;
     }();

@@ -1,11 +1,12 @@
 #include "oracle/filter_law/levels.h"
 
+#include <memory>
 #include <optional>
 
 namespace zproof::oracle::filter_law {
 
 Levels::Levels(const texture::LinearImage& image, const Settings& settings)
-    : settings_(settings), levels_(chain(image, settings, FilterPrecision{}.texel_bits)) {}
+    : settings_(settings), levels_(chain(image, settings)) {}
 
 PermittedColours Levels::nearest_in(int level, const Place& place, const FilterPrecision& precision) const {
     return nearest(at(level), settings_.wrap, place_in(at(level), at(0), place, precision));
@@ -32,6 +33,15 @@ ColourRange Levels::trilinear(const Interval& level, const Place& place,
         finer = coarser;
     }
     return *range;
+}
+
+std::function<Law(const texture::LinearImage&, const Settings&)> over_levels(
+    std::function<PermittedColours(const Levels&, const Question&)> law) {
+    return [law = std::move(law)](const texture::LinearImage& image, const Settings& settings) -> Law {
+        return [levels = std::make_shared<const Levels>(image, settings), law](const Question& q) {
+            return law(*levels, q);
+        };
+    };
 }
 
 }  // namespace zproof::oracle::filter_law

@@ -24,4 +24,8 @@ class Levels {
     std::vector<LawImage> levels_;
 };
 
+/// A definition over a mip chain: the chain is made once.
+std::function<Law(const texture::LinearImage&, const Settings&)> over_levels(
+    std::function<PermittedColours(const Levels&, const Question&)> law);
+
 }  // namespace zproof::oracle::filter_law

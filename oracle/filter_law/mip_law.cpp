@@ -4,17 +4,6 @@ namespace zproof::oracle::filter_law {
 
 namespace {
 
-using Prepared = std::function<PermittedColours(const Levels&, const Question&)>;
-
-/// A definition over a mip chain.
-std::function<Law(const texture::LinearImage&, const Settings&)> over_levels(const Prepared& law) {
-    return [law](const texture::LinearImage& image, const Settings& settings) -> Law {
-        return [levels = std::make_shared<const Levels>(image, settings), law](const Question& q) {
-            return law(*levels, q);
-        };
-    };
-}
-
 Interval level_at(LodRule rule, const Levels& levels, const Question& q, const PixelFootprint& footprint) {
     return level_of(lod(rule, footprint), levels.settings(), levels.count(), q.precision);
 }

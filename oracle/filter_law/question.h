@@ -42,5 +42,11 @@ struct Definition {
 
 std::vector<Definition> point_definitions();
 std::vector<Definition> mip_definitions();
+std::vector<Definition> ripmap_definitions();
+std::vector<Definition> anisotropic_definitions();
+std::vector<Definition> openimageio_definitions();
+std::vector<Definition> ewa_definitions();
+std::vector<Definition> sat_definitions();
+std::vector<Definition> supersample_definitions();
 
 }  // namespace zproof::oracle::filter_law

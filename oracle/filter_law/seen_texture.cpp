@@ -127,6 +127,11 @@ Place SeenTexture::at(double x, double y) const {
     return {still.u + (across.u + down.u) * around, still.v + (across.v + down.v) * around};
 }
 
+Interval SeenTexture::before_horizon(int x, int y) const {
+    const Interval w = magnitude(value(w_, x + 0.5, y + 0.5)), half{0.5};
+    return w - half * (magnitude(w_.exact.a) + magnitude(w_.exact.b));
+}
+
 PixelFootprint SeenTexture::footprint(int x, int y, StepRule rule) const {
     const double cx = x + 0.5, cy = y + 0.5;
     PixelFootprint f{at(cx, cy), {}, {}};

@@ -52,6 +52,9 @@ class SeenTexture {
     /// Throws UndecidedSign where the plane's horizon comes too close to tell.
     Place at(double x_raster, double y_raster) const;
     PixelFootprint footprint(int x, int y, StepRule rule) const;
+    /// How far 1 / depth at the pixel's centre exceeds its fall to the farthest corner, in units of its own:
+    /// positive where the whole pixel lies before the plane's horizon.
+    Interval before_horizon(int x, int y) const;
 
   private:
     /// Of a functional's three terms, with what arithmetic may cost them.
