@@ -7,16 +7,17 @@ namespace zproof::texture {
 
 namespace {
 
-/// What [low, high] within [0, size] covers, times scale.
+/// What [low, high] within [0, size] covers, times scale: three runs, less one for each end on a texel's
+/// edge.
 void cover_within(double low, double high, double scale, Parts<Run>& runs) {
-    const int first = int(low), last = int(high);
-    if (first == last) {
-        if (high > low) runs.add({first, first + 1, scale * (high - low)});
+    const int begin = int(std::ceil(low)), end = int(high);  // the whole texels
+    if (begin > end) {
+        runs.add({end, begin, scale * (high - low)});
         return;
     }
-    runs.add({first, first + 1, scale * (first + 1 - low)});
-    if (last > first + 1) runs.add({first + 1, last, scale});
-    if (high > last) runs.add({last, last + 1, scale * (high - last)});
+    if (begin > low) runs.add({begin - 1, begin, scale * (begin - low)});
+    if (end > begin) runs.add({begin, end, scale});
+    if (high > end) runs.add({end, end + 1, scale * (high - end)});
 }
 
 Parts<Run> covered_clamped(const Extent& extent, int size) {

@@ -31,7 +31,7 @@ struct Parts {
     std::array<Part, 5> parts{};
     std::size_t count = 0;
 
-    void add(const Part& part) { parts[count++] = part; }
+    void add(const Part& part) { parts.at(count++) = part; }
     std::span<const Part> all() const { return {parts.data(), count}; }
 };
 

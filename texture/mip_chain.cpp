@@ -45,6 +45,30 @@ std::vector<AxisShare> polyphase_shares(int index, int from, int to) {
         {2 * index, (to - index) / whole}, {2 * index + 1, to / whole}, {2 * index + 2, (index + 1) / whole}};
 }
 
+/// Neighbours of one weight.
+struct AxisRun {
+    int first = 0, count = 1;
+    double weight = 0;
+};
+using AxisRuns = std::vector<std::vector<AxisRun>>;
+
+AxisRuns in_runs(const AxisWeights& weights) {
+    AxisRuns all;
+    for (std::vector<AxisShare> line : weights) {
+        std::ranges::sort(line, {}, &AxisShare::index);
+        std::vector<AxisRun>& runs = all.emplace_back();
+        for (const AxisShare& share : line) {
+            const bool goes_on = !runs.empty() && runs.back().weight == share.weight &&
+                                 runs.back().first + runs.back().count == share.index;
+            if (goes_on)
+                ++runs.back().count;
+            else
+                runs.push_back({share.index, 1, share.weight});
+        }
+    }
+    return all;
+}
+
 LinearImage blank(std::size_t width, std::size_t height) {
     return {int(width), int(height), std::vector<glm::vec4>(width * height)};
 }
@@ -111,15 +135,14 @@ std::vector<LinearImage> mip_chain(const LinearImage& image, MipKernel kernel, c
     return levels;
 }
 
-StoredImage stored_image(AxisWeights columns, AxisWeights rows) {
-    const int width = int(columns.size()), height = int(rows.size());
-    const auto shares =
-        std::make_shared<const std::pair<AxisWeights, AxisWeights>>(std::move(columns), std::move(rows));
-    return {width, height, sizeof(glm::vec4), [shares](int column, int row) {
+StoredImage stored_image(const AxisWeights& columns, const AxisWeights& rows) {
+    const auto runs = std::make_shared<const std::pair<AxisRuns, AxisRuns>>(in_runs(columns), in_runs(rows));
+    return {int(columns.size()), int(rows.size()), sizeof(glm::vec4), [runs](int column, int row) {
                 std::vector<Share> made_of;
-                for (const AxisShare& down : shares->second[std::size_t(row)])
-                    for (const AxisShare& across : shares->first[std::size_t(column)])
-                        made_of.push_back({across.index, down.index, across.weight * down.weight});
+                for (const AxisRun& down : runs->second[std::size_t(row)])
+                    for (const AxisRun& across : runs->first[std::size_t(column)])
+                        made_of.push_back({across.first, down.first, across.weight * down.weight, across.count,
+                                           down.count});
                 return made_of;
             }};
 }

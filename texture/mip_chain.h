@@ -43,6 +43,6 @@ std::vector<StoredImage> stored_mip_chain(const LinearImage& image, MipKernel ke
                                           const Addressing& addressing = {});
 
 /// A float32 image whose columns and rows are made of level 0 by these weights.
-StoredImage stored_image(AxisWeights columns, AxisWeights rows);
+StoredImage stored_image(const AxisWeights& columns, const AxisWeights& rows);
 
 }  // namespace zproof::texture
