@@ -130,12 +130,26 @@ void add_explain(CLI::App& app, ExplainArguments& explain, PartyWords& words) {
     app.callback([&] { explain.parties = parties_of(words); });
 }
 
+constexpr const char* render_examples =
+    R"(  zproof render textured_ground -o out            VIEW.exr, id, depth and colour pictures
+  zproof render model.glb --filter trilinear-gl   also VIEW-filtered.exr and .png
+  zproof render model.glb --filter nearest:uv=affine
+
+Settings of a filter:
+)";
+
 void add_render(CLI::App& app, RenderArguments& render, PartyWords& words) {
     app.add_option("SCENE", render.scene, scene_words)->required();
     app.add_option("-o,--out", render.out, "folder for the frames")->capture_default_str();
     add_renderer_options(app, words);
+    app.add_option("--filter", words.filter,
+                   "also write textures as this method reads them: NAME[:key=value]...");
     add_render_settings(app, render.settings);
-    app.callback([&] { render.renderer = candidate_of(words); });
+    app.footer(std::string{"\n"} + render_examples + filter_settings_help());
+    app.callback([&] {
+        render.renderer = candidate_of(words);
+        if (!words.filter.empty()) render.filter = filter_choice(words.filter);
+    });
 }
 
 constexpr const char* measure_examples = R"(

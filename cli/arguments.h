@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "cli/filter_choice.h"
 #include "cli/renderers/choice.h"
 #include "frame/plane.h"
 
@@ -89,6 +91,7 @@ struct ExplainArguments {
 struct RenderArguments {
     std::string scene;
     RendererChoice renderer;
+    std::optional<FilterChoice> filter;  ///< also write the textures, read this way
     std::filesystem::path out = "zproof-render";
     RenderSettings settings;
 };

@@ -23,10 +23,12 @@ struct Tap {
     double weight = 0;
 };
 
-/// A share that a texel of level 0 has in a stored value.
+/// The share that each texel of a rectangle of level 0 has in a stored value: in a level of a mip chain about
+/// 1 / texels, in a sum of a summed-area table 1. Rectangles of one value may overlap; their shares add.
 struct Share {
-    int column = 0, row = 0;
-    double weight = 0;
+    int column = 0, row = 0;  ///< the rectangle's first texel
+    double weight = 0;        ///< of each texel
+    int columns = 1, rows = 1;
 };
 
 /// What a sampler keeps: a level of a mip chain, a summed-area table.
