@@ -6,9 +6,9 @@
 
 #include "frame/exr.h"
 #include "frame/whole_file.h"
-#include "reports/base64.h"
 #include "reports/filters/json.h"
 #include "reports/filters/page.h"
+#include "reports/filters/page_parts.h"
 #include "reports/filters/plots.h"
 #include "reports/filters/tables.h"
 #include "reports/pictures.h"
@@ -22,11 +22,6 @@ using namespace study;
 
 void write_text(const fs::path& file, const std::string& text) {
     write_whole_file(file, std::as_bytes(std::span{text}));
-}
-
-std::string png_uri(const Plane<Rgb8>& picture) {
-    const std::vector<std::byte> png = encode_png(picture);
-    return "data:image/png;base64," + base64({reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
 CropBox crop_of(const fs::path& folder, const ViewStudy& view, const Picture& truth, const FigureChoice& choice) {

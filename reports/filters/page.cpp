@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "reports/base64.h"
+#include "reports/filters/page_parts.h"
 #include "reports/filters/table_cells.h"
-#include "reports/html_parts.h"
 #include "reports/wording.h"
 #include "study/claims.h"
 
@@ -13,8 +13,6 @@ namespace zproof {
 namespace {
 
 using namespace study;
-
-constexpr std::string_view policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
 constexpr std::string_view own_style = R"css(
 .plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(430px, 1fr)); gap: 1rem; margin: 1.2rem 0; }
@@ -38,16 +36,6 @@ std::string headline(const StudyResults& results) {
            counted(results.views.size(), "view");
 }
 
-std::string head(const StudyResults& results) {
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-           "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
-           std::string{policy} +
-           "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-           "<meta name=\"color-scheme\" content=\"light dark\">\n<title>zproof: " +
-           escaped(headline(results)) + "</title>\n<style>\n" + std::string{html_style()} + std::string{own_style} +
-           "</style>\n</head>\n";
-}
-
 std::string opening(const StudyResults& r) {
     std::string text = "<header>\n<h1>" + headline(r) + "</h1>\n<p>" + escaped(truth_in_words(r.truth)) + ".</p>\n";
     if (!r.is_complete)
@@ -59,14 +47,9 @@ std::string opening(const StudyResults& r) {
 
 std::string svg_uri(const std::string& svg) { return "data:image/svg+xml;base64," + base64(svg); }
 
-std::string figure(const std::string& data, const std::string& caption) {
-    return "<figure><img src=\"" + data + "\" alt=\"" + escaped(caption) + "\"><figcaption>" + escaped(caption) +
-           "</figcaption></figure>\n";
-}
-
 std::string plots_of(const std::vector<Plot>& plots) {
     std::string text;
-    for (const Plot& plot : plots) text += figure(svg_uri(plot.svg), plot.caption);
+    for (const Plot& plot : plots) text += page_figure(svg_uri(plot.svg), plot.caption);
     return "<div class=\"plots\">\n" + text + "</div>\n";
 }
 
@@ -113,7 +96,7 @@ std::string tables_of(const StudyResults& results, const ViewStudy& view) {
 
 std::string crops_of(const ViewFigures& figures) {
     std::string text;
-    for (const PageImage& crop : figures.crops) text += figure(crop.data, crop.caption);
+    for (const PageImage& crop : figures.crops) text += page_figure(crop.data, crop.caption);
     return "<h3>Pixels " + in_words(figures.crop) + " (x, y, width, height)</h3>\n<div class=\"crops\">\n" + text +
            "</div>\n";
 }
@@ -125,7 +108,7 @@ std::string section_of(const StudyResults& results, const ViewStudy& view, const
     text += "<p class=\"facts\">" + std::to_string(view.width) + " x " + std::to_string(view.height) +
             " pixels · texture " + escaped(view.textures) + " · truth in " + fixed(view.truth_seconds, 2) +
             " s</p>\n";
-    return text + "<div class=\"truth\">" + figure(figures.truth.data, figures.truth.caption) + "</div>\n" +
+    return text + "<div class=\"truth\">" + page_figure(figures.truth.data, figures.truth.caption) + "</div>\n" +
            tables_of(results, view) + crops_of(figures) + plots_of(figures.plots) + "</section>\n";
 }
 
@@ -155,7 +138,7 @@ std::string legend(const StudyResults& results) {
 
 std::string filters_page(const StudyResults& results, const std::vector<ViewFigures>& figures,
                          const std::vector<Plot>& overview) {
-    std::string page = head(results) + "<body>\n" + opening(results) + "<main>\n";
+    std::string page = page_head(headline(results), own_style) + "<body>\n" + opening(results) + "<main>\n";
     if (!overview.empty()) page += "<section>\n<h2>All views together</h2>\n" + plots_of(overview) + "</section>\n";
     for (std::size_t i = 0; i < results.views.size(); ++i)
         page += section_of(results, results.views[i], figures.at(i));
