@@ -9,8 +9,9 @@
 namespace zproof {
 
 std::span<const PictureMetric> picture_metrics() {
-    static const std::array metrics{rmse_metric(), psnr_metric(), mae_metric(),  p99_metric(),  max_metric(),
-                                    flip_metric(), ssim_metric(), bias_metric(), blur_metric(), alias_metric()};
+    static const std::array metrics{rmse_metric(), psnr_metric(), mae_metric(),  p99_metric(),
+                                    max_metric(),  flip_metric(), ssim_metric(), bias_metric(),
+                                    blur_metric(), alias_metric()};
     return metrics;
 }
 

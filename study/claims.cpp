@@ -39,8 +39,8 @@ std::vector<int> ranks(const StudyResults& results, const ViewStudy& view, std::
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, rmse);
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool is_apart =
-            i == 0 || (rmse(order[i]) != rmse(order[i - 1]) && may_claim(*first, rmse(order[i]) - rmse(order[i - 1])));
+        const bool is_apart = i == 0 || (rmse(order[i]) != rmse(order[i - 1]) &&
+                                         may_claim(*first, rmse(order[i]) - rmse(order[i - 1])));
         places[order[i]] = is_apart ? int(i) + 1 : places[order[i - 1]];
     }
     return places;
@@ -52,7 +52,8 @@ const RegionScore* find_score(const MethodScore& method, std::string_view region
 }
 
 std::size_t metric_index(const StudyResults& results, std::string_view metric) {
-    return std::size_t(std::ranges::find(results.metrics, metric, &MetricCard::name) - results.metrics.begin());
+    return std::size_t(std::ranges::find(results.metrics, metric, &MetricCard::name) -
+                       results.metrics.begin());
 }
 
 double value_of(const StudyResults& results, const MethodScore& method, std::string_view region,

@@ -16,8 +16,8 @@ using texture::Footprint;
 constexpr int side = 64, places = 256;
 
 /// What each question is put to; those that the catalogue lacks are left out.
-constexpr std::array asked{"nearest", "trilinear-gl", "trilinear-area", "ripmap", "sat-affine", "sat-moment",
-                           "aniso-d3d11", "ewa-true"};
+constexpr std::array asked{"nearest",    "trilinear-gl", "trilinear-area", "ripmap",
+                           "sat-affine", "sat-moment",   "aniso-d3d11",    "ewa-true"};
 
 /// White noise in all channels alike.
 texture::LinearImage noise() {
@@ -37,8 +37,7 @@ glm::dvec2 place(int index) {
 /// A plane seen head on, so that the footprint is the same everywhere: the whole map is affine.
 Footprint footprint_of(const glm::dvec2& centre, const glm::dvec2& per_x, const glm::dvec2& per_y) {
     const glm::dvec2 origin = centre - 0.5 * (per_x + per_y);
-    const Homography<double> map{
-        {per_x.x, per_y.x, origin.x}, {per_x.y, per_y.y, origin.y}, {0, 0, 1}};
+    const Homography<double> map{{per_x.x, per_y.x, origin.x}, {per_x.y, per_y.y, origin.y}, {0, 0, 1}};
     return texture::footprint(map, 0, 0, texture::Derivatives::analytic);
 }
 
@@ -64,7 +63,9 @@ Kernel measured(Kernel kernel, const glm::dvec2& centre) {
     return kernel;
 }
 
-Kernel empty_kernel() { return {side, side, std::vector<double>(std::size_t(side) * side), 0, glm::dvec2{0}}; }
+Kernel empty_kernel() {
+    return {side, side, std::vector<double>(std::size_t(side) * side), 0, glm::dvec2{0}};
+}
 
 void add(Kernel& kernel, const texture::Share& share, double weight) {
     for (int row = share.row; row < share.row + share.rows; ++row)
@@ -75,7 +76,8 @@ void add(Kernel& kernel, const texture::Share& share, double weight) {
 Kernel kernel_of(const texture::Sampler& sampler, const Footprint& footprint) {
     Kernel kernel = empty_kernel();
     for (const texture::Tap& tap : sampler.taps(footprint))
-        for (const texture::Share& share : sampler.stored[std::size_t(tap.image)].made_of(tap.column, tap.row))
+        for (const texture::Share& share :
+             sampler.stored[std::size_t(tap.image)].made_of(tap.column, tap.row))
             add(kernel, share, tap.weight);
     return measured(std::move(kernel), footprint.centre);
 }
@@ -105,7 +107,8 @@ double area(const Polygon& polygon) {
 
 double value_of(const Kernel& kernel, const texture::LinearImage& image) {
     double sum = 0;
-    for (std::size_t i = 0; i < kernel.weights.size(); ++i) sum += kernel.weights[i] * double{image.texels[i].r};
+    for (std::size_t i = 0; i < kernel.weights.size(); ++i)
+        sum += kernel.weights[i] * double{image.texels[i].r};
     return sum;
 }
 
@@ -162,10 +165,13 @@ BetweenLevels between_levels(const texture::LinearImage& image, double width) {
 
 }  // namespace
 
-Kernel exact_kernel(int texture_side, const glm::dvec2& centre, const glm::dvec2& per_x, const glm::dvec2& per_y) {
+Kernel exact_kernel(int texture_side, const glm::dvec2& centre, const glm::dvec2& per_x,
+                    const glm::dvec2& per_y) {
     Kernel kernel{texture_side, texture_side,
-                  std::vector<double>(std::size_t(texture_side) * std::size_t(texture_side)), 0, glm::dvec2{0}};
-    const glm::dvec2 a = 0.5 * (per_x + per_y), b = 0.5 * (per_x - per_y), reach = glm::max(glm::abs(a), glm::abs(b));
+                  std::vector<double>(std::size_t(texture_side) * std::size_t(texture_side)), 0,
+                  glm::dvec2{0}};
+    const glm::dvec2 a = 0.5 * (per_x + per_y), b = 0.5 * (per_x - per_y),
+                     reach = glm::max(glm::abs(a), glm::abs(b));
     const Polygon region{centre - a, centre + b, centre + a, centre - b};
     const double whole = area(region);
     const auto wrapped = [&](int index) { return ((index % texture_side) + texture_side) % texture_side; };
@@ -174,7 +180,8 @@ Kernel exact_kernel(int texture_side, const glm::dvec2& centre, const glm::dvec2
         for (int column = int(std::floor(centre.x - reach.x)); column < centre.x + reach.x; ++column) {
             const Polygon piece = clipped(clipped(strip, 0, column, 1), 0, column + 1, -1);
             if (piece.size() > 2)
-                kernel.weights[std::size_t(wrapped(row) * texture_side + wrapped(column))] += area(piece) / whole;
+                kernel.weights[std::size_t(wrapped(row) * texture_side + wrapped(column))] +=
+                    area(piece) / whole;
         }
     }
     return measured(std::move(kernel), centre);

@@ -27,16 +27,16 @@ struct CrowAnswer {
 
 /// A region of texels, and what each method makes of it.
 struct CrowQuestion {
-    std::string region;              ///< "5 x 5"
-    glm::dvec2 centre{0};            ///< of the first place, texels
-    glm::dvec2 per_x{0}, per_y{0};   ///< its sides, texels
+    std::string region;               ///< "5 x 5"
+    glm::dvec2 centre{0};             ///< of the first place, texels
+    glm::dvec2 per_x{0}, per_y{0};    ///< its sides, texels
     std::vector<CrowAnswer> answers;  ///< the exact one first
 };
 
 /// How far a square of this side lies between two levels of a mip map.
 struct BetweenLevels {
-    double side = 0;    ///< texels
-    int level = 0;      ///< the finer one, whose texels are 2^level texels wide
+    double side = 0;          ///< texels
+    int level = 0;            ///< the finer one, whose texels are 2^level texels wide
     double by_logarithm = 0;  ///< log2(side) - level: Williams, OpenGL
     double by_width = 0;      ///< (side - 2^level) / 2^level
     double rmse = 0;          ///< of trilinear-gl there, against the exact mean
@@ -53,6 +53,7 @@ CrowAnswers crow_answers();
 
 /// The exact mean's weights over the parallelogram with this centre and these sides, on a repeating texture
 /// that the region is not larger than.
-Kernel exact_kernel(int texture_side, const glm::dvec2& centre, const glm::dvec2& per_x, const glm::dvec2& per_y);
+Kernel exact_kernel(int texture_side, const glm::dvec2& centre, const glm::dvec2& per_x,
+                    const glm::dvec2& per_y);
 
 }  // namespace zproof::study

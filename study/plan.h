@@ -21,6 +21,9 @@ struct Plan {
     std::vector<Contestant> contestants;
     oracle::Reconstruction truth = oracle::Reconstruction::bilinear;
     int flicker_steps = 2;  ///< further views, each shifted by flicker_step_px; 0: flicker is not measured
+    /// Rows above it count in the regions "all" and "horizon" only, and cost nothing: where a plane ends in
+    /// its horizon, a few rows would decide everything.
+    int first_row = 0;
 };
 
 /// From view to view of the flicker measure, pixels: neither a round fraction nor along an axis.

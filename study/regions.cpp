@@ -34,11 +34,12 @@ void add_anisotropies(std::vector<Rule>& rules) {
     constexpr std::array names{"1", "1-2", "2-4", "4-8", "8-16", "16-32", "32+"};
     for (std::size_t i = 0; i < starts.size(); ++i) {
         const double low = starts[i], high = i + 1 < starts.size() ? starts[i + 1] : 1e300;
-        rules.push_back({{std::string{"anisotropy "} + names[i],
-                          i == 0 ? "interior, major axis below 1.09 minor axes" : "interior, major / minor axis"},
-                         [=](const Place& p) {
-                             return is_interior(p) && anisotropy(p.patch) >= low && anisotropy(p.patch) < high;
-                         }});
+        rules.push_back(
+            {{std::string{"anisotropy "} + names[i],
+              i == 0 ? "interior, major axis below 1.09 minor axes" : "interior, major / minor axis"},
+             [=](const Place& p) {
+                 return is_interior(p) && anisotropy(p.patch) >= low && anisotropy(p.patch) < high;
+             }});
     }
 }
 

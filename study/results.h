@@ -31,19 +31,20 @@ struct RegionScore {
 
 /// Per pixel, over the pixels that show a texture.
 struct Cost {
-    double texels = 0;                 ///< stored values read
-    double lines = 0;                  ///< distinct 64-byte lines that hold them, were each image row-major
-    std::uint64_t bytes_stored = 0;    ///< of all textures, as the method keeps them
-    double build_ms = 0;               ///< from linear texels to what is stored
-    double ns_per_sample = 0;          ///< a lookup, processor time of one thread
-    std::uint64_t pixels = 0;          ///< that were counted
+    double texels = 0;               ///< stored values read
+    double lines = 0;                ///< distinct 64-byte lines that hold them, were each image row-major
+    std::uint64_t bytes_stored = 0;  ///< of all textures, as the method keeps them
+    double build_ms = 0;             ///< from linear texels to what is stored
+    double ns_per_sample = 0;        ///< a lookup, processor time of one thread
+    std::uint64_t pixels = 0;        ///< that were counted
 };
 
 /// What moves although the truth does not, from view to view shifted by a fraction of a pixel.
 struct Flicker {
-    double rms = 0;    ///< of (change of the picture) - (change of the truth)
-    double ratio = 0;  ///< RMS change of the picture / of the truth: above 1 it shimmers, below 1 it is blurred
-    int steps = 0;     ///< 0: not measured
+    double rms = 0;  ///< of (change of the picture) - (change of the truth)
+    double ratio =
+        0;          ///< RMS change of the picture / of the truth: above 1 it shimmers, below 1 it is blurred
+    int steps = 0;  ///< 0: not measured
 };
 
 struct MethodScore {
@@ -57,6 +58,7 @@ struct MethodScore {
 struct ViewStudy {
     std::string scene, view, reason;
     int width = 0, height = 0;
+    int first_row = 0;     ///< rows above it count in "all" and "horizon" only
     std::string textures;  ///< "512 x 512"
     std::vector<MethodScore> methods;
     std::string truth_file;

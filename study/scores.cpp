@@ -1,7 +1,8 @@
 #include "study/scores.h"
 
+#include <tbb/parallel_for.h>
+
 #include <cmath>
-#include <limits>
 
 namespace zproof::study {
 
@@ -57,9 +58,9 @@ std::vector<RegionScore> scores(const LinearPicture& picture, const LinearPictur
         all.push_back({region.name, region.pixels, half_width_of(half_width, region), {}});
     for (const PictureMetric& metric : picture_metrics()) {
         const Plane<double> map = metric.map(picture, truth);
-        for (std::size_t i = 0; i < regions.size(); ++i)
-            all[i].values.push_back(regions[i].pixels == 0 ? std::numeric_limits<double>::quiet_NaN()
-                                                           : measured(metric, map, regions[i].mask));
+        tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
+            all[i].values.push_back(measured(metric, map, regions[i].mask));
+        });
     }
     return all;
 }

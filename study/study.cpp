@@ -1,5 +1,6 @@
 #include "study/study.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "compare/picture_metric.h"
@@ -46,6 +47,13 @@ Plane<std::uint8_t> steady_mask(const Scene& scene, const Pan& pan,
     return mask;
 }
 
+/// The plane with `value` in the rows above the first that counts.
+template <class T>
+Plane<T> from_row(Plane<T> plane, int first_row, T value) {
+    for (int y = 0; y < std::min(first_row, plane.size().height); ++y) std::ranges::fill(plane.row(y), value);
+    return plane;
+}
+
 /// One view under study.
 class Stage {
   public:
@@ -59,12 +67,14 @@ class Stage {
             oracle::AreaTruth truth = oracle::area_truth(scene, pan_.views.back(), plan.truth);
             if (step == 0) truth_seconds_ = seconds_since(start);
             if (step == 0) half_width_ = truth.half_width;
-            kinds.push_back(std::move(truth.kind));
+            kinds.push_back(from_row(std::move(truth.kind), plan.first_row, oracle::TruthKind::background));
             pan_.truths.push_back(std::move(truth.mean));
         }
         regions_ = regions(surface_map(scene, view, pan_.frames[0]), kinds[0]);
         steady_ = steady_mask(scene, pan_, kinds);
-        lookups_ = lookups(scene, view, pan_.frames[0], most_lookups);
+        Frame counted = pan_.frames[0];
+        counted.primitive = from_row(std::move(counted.primitive), plan.first_row, PrimitiveId::none);
+        lookups_ = lookups(scene, view, counted, most_lookups);
     }
 
     MethodScore score(const Contestant& contestant, const Audience& audience) const {
@@ -127,6 +137,7 @@ ViewStudy study_view(const Scene& scene, const View& view, const Plan& plan, con
                     .reason = {},
                     .width = view.width,
                     .height = view.height,
+                    .first_row = plan.first_row,
                     .textures = stage.texture_sizes(),
                     .methods = {},
                     .truth_file = {},

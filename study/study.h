@@ -12,8 +12,8 @@ StudyResults begun(const Plan& plan);
 
 /// Renders the view with every contestant and scores it. The picture is the rasterizer's: visibility is its
 /// own, so silhouettes count against it (see the region "interior"). Ends early, with the methods done so
-/// far, where the audience wants to stop. On the threads of the surrounding tbb::task_arena; all but the times
-/// in Cost and truth_seconds is the same for any number of them. Throws OracleError.
+/// far, where the audience wants to stop. On the threads of the surrounding tbb::task_arena; all but the
+/// times in Cost and truth_seconds is the same for any number of them. Throws OracleError.
 ViewStudy study_view(const Scene& scene, const View& view, const Plan& plan, const Audience& audience);
 
 /// The view with its image plane moved, so that what was seen at (x, y) is seen at (x - dx, y - dy).

@@ -61,8 +61,8 @@ Plane<Patch> surface_map(const Scene& scene, const View& view, const Frame& fram
         for (int y = rows.begin(); y != rows.end(); ++y) {
             MapOfRun maps{scene, view};
             each_textured(maps, frame, y, [&](int x, PrimitiveId id, const Homography<double>& map) {
-                patches.at(x, y) = patch_of(
-                    texture::footprint(map, x, y, texture::Derivatives::analytic), image_of(scene, id));
+                patches.at(x, y) = patch_of(texture::footprint(map, x, y, texture::Derivatives::analytic),
+                                            image_of(scene, id));
             });
         }
     });

@@ -22,7 +22,10 @@ struct FiltersRunArguments {
     std::vector<std::string> scenes;    ///< empty: every built-in filter scene
     std::vector<FilterChoice> methods;  ///< at least one, no two typed alike
     oracle::Reconstruction truth = oracle::Reconstruction::nearest;
-    RenderSettings settings{.resolution = {512, 512}};
+    std::vector<std::string> views;    ///< empty: all of every scene
+    std::optional<int> width, height;  ///< pixels; none: the scene's own
+    std::optional<int> first_row;      ///< study::Plan::first_row; none: the scene's own
+    int threads = available_threads();
     int flicker_steps = 2;  ///< 0: not measured
     std::filesystem::path out = "zproof-filters";
     ProgressStyle progress = ProgressStyle::automatic;
@@ -52,7 +55,7 @@ struct FiltersCrowArguments {
 
 /// What is bound while a command line is read.
 struct FiltersWords {
-    std::string methods = "all", truth = "N", crop, only;
+    std::string methods = "all", truth = "N", views, crop, only;
     FiltersRunArguments run;
     FiltersListArguments list;
     FiltersTableArguments table;

@@ -14,7 +14,8 @@ namespace zproof {
 namespace {
 
 constexpr const char* run_examples = R"(
-  zproof filters run checker-plane-45 --truth B -o study     every method on one scene
+  zproof filters run checker_plane --view phi-45 --truth B -o study
+                                                             every method on one view
   zproof filters run worked --methods all,sat-strips:n=16    a method with a setting (see below)
   zproof filters run model.glb --methods nearest,trilinear-gl,ewa-true
   zproof filters table study                                 the figures on the terminal
@@ -27,14 +28,19 @@ const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automa
                                                   {"lines", ProgressStyle::lines},
                                                   {"none", ProgressStyle::none}};
 
-void add_size(CLI::App& app, RenderSettings& settings) {
-    app.add_option("--width", settings.resolution.width, "pixels; view files state their own")
+/// Defaults are shown where there are any.
+template <class Size>
+void add_size(CLI::App& app, Size& width, Size& height) {
+    app.add_option("--width", width, "pixels; view files state their own")
         ->check(CLI::Range(1, 32768))
         ->capture_default_str();
-    app.add_option("--height", settings.resolution.height, "pixels; view files state their own")
+    app.add_option("--height", height, "pixels; view files state their own")
         ->check(CLI::Range(1, 32768))
         ->capture_default_str();
-    app.add_option("--threads", settings.threads, "all but the times is the same for any number")
+}
+
+void add_threads(CLI::App& app, int& threads) {
+    app.add_option("--threads", threads, "all but the times is the same for any number")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
 }
@@ -48,20 +54,28 @@ void add_word(CLI::App& app, const std::string& option, T& value, const std::map
 }
 
 void add_run(CLI::App& app, FiltersWords& words) {
-    app.add_option("SCENE", words.run.scenes,
-                   "filter scene (zproof filters list), suite scene, .gltf, .glb or view file; none: every "
-                   "filter scene");
+    app.add_option(
+        "SCENE", words.run.scenes,
+        "filter scene (zproof filters list), suite scene, .gltf, .glb or view file, or a photograph "
+        "(.png, .jpg); none: every filter scene");
     app.add_option("--methods", words.methods, "all, and names with settings, separated by commas")
         ->capture_default_str();
-    app.add_option("--truth", words.truth, "N: of nearest texels; B: of bilinear; G: Gaussian pixel of bilinear")
+    app.add_option("--truth", words.truth,
+                   "N: of nearest texels; B: of bilinear; G: Gaussian pixel of bilinear")
         ->check(CLI::IsMember({"N", "B", "G"}))
         ->capture_default_str();
-    app.add_option("--flicker", words.run.flicker_steps, "further views, each a fraction of a pixel on; 0: none")
+    app.add_option("--flicker", words.run.flicker_steps,
+                   "further views, each a fraction of a pixel on; 0: none")
         ->check(CLI::Range(0, 32))
         ->capture_default_str();
     app.add_option("-o,--out", words.run.out, "folder for the study")->capture_default_str();
     add_word(app, "--progress", words.run.progress, styles);
-    add_size(app, words.run.settings);
+    app.add_option("--view", words.views, "names of views, separated by commas; default: all of every scene");
+    app.add_option("--first-row", words.run.first_row,
+                   "rows above count in the regions all and horizon only; default 0, of 'worked' 56 of 256")
+        ->check(CLI::Range(0, 32767));
+    add_size(app, words.run.width, words.run.height);
+    add_threads(app, words.run.threads);
     app.footer(run_examples + filter_settings_help());
 }
 
@@ -71,13 +85,15 @@ void add_table(CLI::App& app, FiltersWords& words) {
         ->capture_default_str();
     auto* latex = app.add_flag_callback(
         "--latex", [&words] { words.table.format = TableFormat::latex; }, "LaTeX with booktabs");
-    app.add_flag_callback("--csv", [&words] { words.table.format = TableFormat::csv; }, "every value, a row each")
+    app.add_flag_callback(
+           "--csv", [&words] { words.table.format = TableFormat::csv; }, "every value, a row each")
         ->excludes(latex);
 }
 
 void add_figure(CLI::App& app, FiltersWords& words) {
     app.add_option("DIR", words.figure.folder, "what 'filters run' wrote")->required();
-    app.add_option("--methods", words.only, "those to name in colour, separated by commas; default: the best");
+    app.add_option("--methods", words.only,
+                   "those to name in colour, separated by commas; default: the best");
     app.add_option("--crop", words.crop, "X,Y,WIDTH,HEIGHT in pixels; default: where methods err most");
 }
 
@@ -95,7 +111,8 @@ CropBox crop_box(const std::string& text) {
     for (std::size_t i = 0; is_right && i < numbers.size(); ++i) {
         const char* const end = parts[i].data() + parts[i].size();
         const auto [stop, error] = std::from_chars(parts[i].data(), end, numbers[i]);
-        is_right = error == std::errc{} && stop == end && numbers[i] >= (i < 2 ? 0 : 1) && numbers[i] <= 32768;
+        is_right =
+            error == std::errc{} && stop == end && numbers[i] >= (i < 2 ? 0 : 1) && numbers[i] <= 32768;
     }
     if (!is_right) throw UsageError{"--crop: expected X,Y,WIDTH,HEIGHT in pixels, found '" + text + "'"};
     return {numbers[0], numbers[1], numbers[2], numbers[3]};
@@ -130,9 +147,11 @@ void add_filters(CLI::App& app, FiltersWords& words) {
     app.add_subcommand("list", "methods, metrics and scenes, a line each");
     add_table(*app.add_subcommand("table", "print a study's table"), words);
     add_figure(*app.add_subcommand("figure", "make a study's plots, crops and page again"), words);
-    CLI::App& crow = *app.add_subcommand("crow", "Crow 1984: the lecture's figure and its questions, answered");
+    CLI::App& crow =
+        *app.add_subcommand("crow", "Crow 1984: the lecture's figure and its questions, answered");
     crow.add_option("-o,--out", words.crow.out, "folder for the page")->capture_default_str();
-    add_size(crow, words.crow.settings);
+    add_size(crow, words.crow.settings.resolution.width, words.crow.settings.resolution.height);
+    add_threads(crow, words.crow.settings.threads);
 }
 
 FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) {
@@ -140,13 +159,15 @@ FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) 
     if (typed("run")) {
         words.run.methods = filter_choices(words.methods);
         words.run.truth = reconstruction(words.truth);
+        words.run.views = split(words.views);
         return words.run;
     }
     if (typed("list")) return words.list;
     if (typed("table")) return words.table;
     if (typed("crow")) return words.crow;
     if (!typed("figure"))
-        throw UsageError{"filters: 'run', 'list', 'table', 'figure' or 'crow' expected (see: zproof filters --help)"};
+        throw UsageError{
+            "filters: 'run', 'list', 'table', 'figure' or 'crow' expected (see: zproof filters --help)"};
     words.figure.labels = split(words.only);
     if (!words.crop.empty()) words.figure.crop = crop_box(words.crop);
     return words.figure;

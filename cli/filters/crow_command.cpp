@@ -14,8 +14,11 @@ namespace zproof {
 namespace {
 
 /// Point sampled, mip mapped, summed-area table: Crow's own three.
-study::Plan crow_plan() {
-    study::Plan plan{.contestants = {}, .truth = oracle::Reconstruction::nearest, .flicker_steps = 0};
+study::Plan crow_plan(int height) {
+    study::Plan plan{.contestants = {},
+                     .truth = oracle::Reconstruction::nearest,
+                     .flicker_steps = 0,
+                     .first_row = natural_first_row({.word = "worked", .reason = {}}, height)};
     for (const char* name : {"nearest", "trilinear-gl", "sat-affine"})
         plan.contestants.push_back({name, filter_choice(name).texturing});
     return plan;
@@ -26,14 +29,16 @@ study::Plan crow_plan() {
 ExitCode execute(const FiltersCrowArguments& arguments) {
     OutputFolder out{arguments.out};
     const Loaded loaded = load({.word = "worked", .reason = {}}, arguments.settings.resolution);
-    const study::Plan plan = crow_plan();
+    const study::Plan plan = crow_plan(arguments.settings.resolution.height);
     study::StudyResults results = study::begun(plan);
     results.version = version_number();
     results.compiler = compiler_name();
     std::vector<CrowPicture> pictures;
     const study::Audience audience{.begins = [](const std::string&) {},
-                                   .is_shown = [&](const std::string& name,
-                                                   const Picture& picture) { pictures.push_back({name, picture}); },
+                                   .is_shown =
+                                       [&](const std::string& name, const Picture& picture) {
+                                           pictures.push_back({name, picture});
+                                       },
                                    .wants_to_stop = [] { return false; }};
     study::CrowAnswers answers;
     on_threads(arguments.settings.threads, [&] {

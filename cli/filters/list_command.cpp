@@ -18,14 +18,16 @@ void print(const std::string& title, const std::vector<Line>& lines) {
     for (const Line& line : lines) width = std::max(width, line.name.size());
     std::cout << title << "\n";
     for (const Line& line : lines)
-        std::cout << "  " << line.name << std::string(width - line.name.size() + 2, ' ') << line.words << "\n";
+        std::cout << "  " << line.name << std::string(width - line.name.size() + 2, ' ') << line.words
+                  << "\n";
 }
 
 }  // namespace
 
 ExitCode execute(const FiltersListArguments&) {
     std::vector<Line> methods, metrics, scenes;
-    for (const texture::Method& method : texture::methods()) methods.push_back({method.name, method.card.taps});
+    for (const texture::Method& method : texture::methods())
+        methods.push_back({method.name, method.card.taps});
     for (const PictureMetric& metric : picture_metrics())
         metrics.push_back({std::string{metric.name}, std::string{metric.definition}});
     for (const FilterSceneEntry& scene : filter_scenes()) scenes.push_back({scene.name, scene.reason});

@@ -17,7 +17,8 @@ std::string two_digits(int value) { return (value < 10 ? "0" : "") + std::to_str
 
 std::string time_left(double seconds) {
     const int whole = int(std::max(0.0, seconds) + 0.5), hours = whole / 3600, minutes = whole / 60 % 60;
-    const std::string clock = hours > 0 ? std::to_string(hours) + ":" + two_digits(minutes) : std::to_string(minutes);
+    const std::string clock =
+        hours > 0 ? std::to_string(hours) + ":" + two_digits(minutes) : std::to_string(minutes);
     return clock + ":" + two_digits(whole % 60) + " left";
 }
 

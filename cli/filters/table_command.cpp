@@ -16,8 +16,8 @@ void require_region(const study::StudyResults& results, const std::string& regio
     if (std::ranges::find(names, region) != names.end()) return;
     std::string list;
     for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    throw UsageError{"--region '" + region + "': no such region" + did_you_mean(region, names) + " (known: " + list +
-                     ")"};
+    throw UsageError{"--region '" + region + "': no such region" + did_you_mean(region, names) +
+                     " (known: " + list + ")"};
 }
 
 }  // namespace

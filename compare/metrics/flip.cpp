@@ -65,8 +65,8 @@ double hyab(const glm::dvec3& a, const glm::dvec3& b) {
 
 /// Gaussian exp(-pi^2 d^2 / b) of the distance d in degrees: the eye's contrast sensitivity (4.1).
 Taps sensitivity(double b) {
-    const int radius = int(std::ceil(3 * std::sqrt(0.04 / (2 * std::numbers::pi * std::numbers::pi)) *
-                                     pixels_per_degree));
+    const int radius =
+        int(std::ceil(3 * std::sqrt(0.04 / (2 * std::numbers::pi * std::numbers::pi)) * pixels_per_degree));
     Taps taps;
     for (int i = -radius; i <= radius; ++i) {
         const double degrees = i / pixels_per_degree;
@@ -104,14 +104,14 @@ Channel channel_of(const LinearPicture& picture, int channel) {
 
 /// Channels outside [0, 1] are cut: what an 8-bit picture could show. NaN stays.
 LinearPicture in_opponent_space(const LinearPicture& light) {
-    return mapped(light.size(),
-                  [&](int x, int y) { return opponent(glm::clamp(light.at(x, y), 0.0, 1.0)); });
+    return mapped(light.size(), [&](int x, int y) { return opponent(glm::clamp(light.at(x, y), 0.0, 1.0)); });
 }
 
 /// What is left of the colours at this distance, in Hunt-adjusted L*a*b*.
 LinearPicture perceived(const LinearPicture& opponents) {
     const Channel a = seen_by_one(channel_of(opponents, 0), 0.0047),
-                  rg = seen_by_one(channel_of(opponents, 1), 0.0053), by = seen_by_two(channel_of(opponents, 2));
+                  rg = seen_by_one(channel_of(opponents, 1), 0.0053),
+                  by = seen_by_two(channel_of(opponents, 2));
     return mapped(opponents.size(), [&](int x, int y) {
         const glm::dvec3 rgb = linear_from_opponent({a.at(x, y), rg.at(x, y), by.at(x, y)});
         return hunt_lab(glm::clamp(rgb, 0.0, 1.0));
@@ -187,8 +187,9 @@ Plane<double> flip_map(const LinearPicture& candidate, const LinearPicture& trut
 
 PictureMetric flip_metric() {
     return {.name = "flip",
-            .definition = "Mean LDR-FLIP at 67 pixels per degree (a 0.7 m wide 3840-pixel screen, seen from "
-                          "0.7 m); light is cut to [0, 1] and not quantised.",
+            .definition =
+                "Mean LDR-FLIP at 67 pixels per degree (a 0.7 m wide 3840-pixel screen, seen from "
+                "0.7 m); light is cut to [0, 1] and not quantised.",
             .source = "Andersson et al., FLIP: A Difference Evaluator for Alternating Images, HPG 2020",
             .map = flip_map,
             .pool = mean_of};

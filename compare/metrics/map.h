@@ -25,7 +25,8 @@ auto mapped(Resolution size, Value value) {
 
 /// Throws std::invalid_argument.
 inline void require_one_size(const LinearPicture& candidate, const LinearPicture& truth) {
-    if (candidate.size() != truth.size()) throw std::invalid_argument{"a metric of planes of different sizes"};
+    if (candidate.size() != truth.size())
+        throw std::invalid_argument{"a metric of planes of different sizes"};
 }
 
 /// In the order of the values: the same bits always.

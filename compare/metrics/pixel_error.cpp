@@ -19,7 +19,8 @@ glm::dvec3 distances(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 /// of_distances of every pixel's absolute differences.
-Plane<double> errors(const LinearPicture& candidate, const LinearPicture& truth, double (*of_distances)(const glm::dvec3&)) {
+Plane<double> errors(const LinearPicture& candidate, const LinearPicture& truth,
+                     double (*of_distances)(const glm::dvec3&)) {
     require_one_size(candidate, truth);
     return mapped(truth.size(),
                   [&](int x, int y) { return of_distances(distances(candidate.at(x, y), truth.at(x, y))); });

@@ -37,7 +37,8 @@ double mean_over(const Window& window, Value value) {
     return sum / window.pixels();
 }
 
-Split split_of(const LinearPicture& candidate, const LinearPicture& truth, const Window& window, int channel) {
+Split split_of(const LinearPicture& candidate, const LinearPicture& truth, const Window& window,
+               int channel) {
     const auto m = [&](int x, int y) { return candidate.at(x, y)[channel]; };
     const auto r = [&](int x, int y) { return truth.at(x, y)[channel]; };
     const double mean_m = mean_over(window, m), mean_r = mean_over(window, r);

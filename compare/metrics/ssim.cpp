@@ -49,10 +49,12 @@ Plane<double> ssim_map(const LinearPicture& candidate, const LinearPicture& trut
 
 PictureMetric ssim_metric() {
     return {.name = "ssim",
-            .definition = "Mean structural similarity of sRGB-encoded luminance, cut to [0, 1], the image "
-                          "continued by its border pixels.",
-            .source = "Wang et al., Image quality assessment: from error visibility to structural "
-                      "similarity, IEEE TIP 2004",
+            .definition =
+                "Mean structural similarity of sRGB-encoded luminance, cut to [0, 1], the image "
+                "continued by its border pixels.",
+            .source =
+                "Wang et al., Image quality assessment: from error visibility to structural "
+                "similarity, IEEE TIP 2004",
             .better = Better::higher,
             .map = ssim_map,
             .pool = mean_of};

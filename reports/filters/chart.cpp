@@ -73,7 +73,8 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
 }
 
 std::string text(double x, double y, const std::string& attributes, const std::string& words) {
-    return "<text x=\"" + place(x) + "\" y=\"" + place(y) + "\"" + attributes + ">" + escaped(words) + "</text>";
+    return "<text x=\"" + place(x) + "\" y=\"" + place(y) + "\"" + attributes + ">" + escaped(words) +
+           "</text>";
 }
 
 constexpr const char* at_middle = " text-anchor=\"middle\"";
@@ -131,7 +132,8 @@ std::string y_axis(const Frame2D& frame) {
         svg += line(left, frame.down(value), right, frame.down(value), "#e6e6e6") +
                text(left - 6, frame.down(value) + 4, at_end, without_idle_zeros(tick_name(value)));
     const double middle = (top + frame.bottom) / 2;
-    return svg + text(15, middle, std::string{at_middle} + " transform=\"rotate(-90 15 " + place(middle) + ")\"",
+    return svg + text(15, middle,
+                      std::string{at_middle} + " transform=\"rotate(-90 15 " + place(middle) + ")\"",
                       frame.chart.y.title);
 }
 
@@ -164,7 +166,7 @@ std::string drawn(const Series& series, const Frame2D& frame, const std::string&
 /// A name at the margin, tied to the last point of its series.
 struct Label {
     std::string name, colour;
-    double x, y;      ///< of the point
+    double x, y;  ///< of the point
     double y_name = 0;
 };
 
@@ -215,11 +217,12 @@ std::string all_series(const Frame2D& frame) {
 std::string chart_svg(const Chart& chart) {
     const Frame2D frame = framed(chart);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + place(width) + " " +
-           place(frame.bottom + 44) + "\" width=\"" + place(width) + "\" height=\"" + place(frame.bottom + 44) +
+           place(frame.bottom + 44) + "\" width=\"" + place(width) + "\" height=\"" +
+           place(frame.bottom + 44) +
            "\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" font-size=\"11\" fill=\"#222\">"
            "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
-           text(left, 20, " font-size=\"13\" font-weight=\"bold\"", chart.title) + x_axis(frame) + y_axis(frame) +
-           "\n" + all_series(frame) + "\n</svg>\n";
+           text(left, 20, " font-size=\"13\" font-weight=\"bold\"", chart.title) + x_axis(frame) +
+           y_axis(frame) + "\n" + all_series(frame) + "\n</svg>\n";
 }
 
 }  // namespace zproof

@@ -26,8 +26,8 @@ class ErrorTally {
     explicit ErrorTally(const Picture& truth);
     void add(const Picture& picture);  ///< of the truth's size
 
-    /// The square of this side, in steps of a third of it, with the greatest sum; the whole picture where it is
-    /// smaller.
+    /// The square of this side, in steps of a third of it, with the greatest sum; the whole picture where it
+    /// is smaller.
     CropBox worst(int side) const;
 
   private:

@@ -24,21 +24,26 @@ void write_text(const fs::path& file, const std::string& text) {
     write_whole_file(file, std::as_bytes(std::span{text}));
 }
 
-CropBox crop_of(const fs::path& folder, const ViewStudy& view, const Picture& truth, const FigureChoice& choice) {
+CropBox crop_of(const fs::path& folder, const ViewStudy& view, const Picture& truth,
+                const FigureChoice& choice) {
     if (choice.crop) {
         if (const auto box = within(*choice.crop, truth.size())) return *box;
-        throw ReportError{"crop " + in_words(*choice.crop) + " lies outside " + view.scene + " / " + view.view +
-                          ", which is " + std::to_string(view.width) + " x " + std::to_string(view.height)};
+        throw ReportError{"crop " + in_words(*choice.crop) + " lies outside " + view.scene + " / " +
+                          view.view + ", which is " + std::to_string(view.width) + " x " +
+                          std::to_string(view.height)};
     }
     ErrorTally tally{truth};
     for (const MethodScore& method : view.methods) tally.add(read_picture_exr(folder / method.file));
     return tally.worst(crop_side);
 }
 
-std::string name_of(const ViewStudy& view) { return fs::path{view.truth_file}.parent_path().filename().string(); }
+std::string name_of(const ViewStudy& view) {
+    return fs::path{view.truth_file}.parent_path().filename().string();
+}
 
 /// Writes the piece magnified, and gives it to the page as it is.
-PageImage write_crop(const fs::path& file, const Picture& picture, const CropBox& box, const std::string& caption) {
+PageImage write_crop(const fs::path& file, const Picture& picture, const CropBox& box,
+                     const std::string& caption) {
     write_png(file, crop(picture, box, crop_magnification));
     return {caption, png_uri(crop(picture, box, 1))};
 }
@@ -57,7 +62,8 @@ ViewFigures figures_of(const fs::path& folder, const StudyResults& results, cons
     figures.crops.push_back(write_crop(crops / "truth.png", truth, figures.crop, "truth"));
     for (const MethodScore& method : view.methods)
         figures.crops.push_back(write_crop(crops / (file_stem(method.label) + ".png"),
-                                           read_picture_exr(folder / method.file), figures.crop, method.label));
+                                           read_picture_exr(folder / method.file), figures.crop,
+                                           method.label));
     for (const Plot& plot : figures.plots) write_text(plots / (plot.name + ".svg"), plot.svg);
     return figures;
 }
@@ -83,7 +89,8 @@ StudyResults read_filters_results(const fs::path& folder) {
     const fs::path file = folder / "filters.json";
     std::ifstream in{file, std::ios::binary};
     if (!in)
-        throw ReportError{file.string() + ": cannot be read; expected a folder that 'zproof filters run' wrote"};
+        throw ReportError{file.string() +
+                          ": cannot be read; expected a folder that 'zproof filters run' wrote"};
     return filters_from_json({std::istreambuf_iterator<char>{in}, {}});
 }
 

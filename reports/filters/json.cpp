@@ -21,7 +21,8 @@ double number(const Json& json) {
     if (text == "inf") return std::numeric_limits<double>::infinity();
     if (text == "-inf") return -std::numeric_limits<double>::infinity();
     if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
-    throw ReportError{"filters.json: expected a number, \"nan\", \"inf\" or \"-inf\", found \"" + text + "\""};
+    throw ReportError{"filters.json: expected a number, \"nan\", \"inf\" or \"-inf\", found \"" + text +
+                      "\""};
 }
 
 Json json_of(const RegionScore& score, const std::vector<MetricCard>& metrics) {
@@ -57,10 +58,15 @@ Json json_of(const MethodScore& method, const std::vector<MetricCard>& metrics) 
 Json json_of(const ViewStudy& view, const std::vector<MetricCard>& metrics) {
     Json methods = Json::array();
     for (const MethodScore& method : view.methods) methods.push_back(json_of(method, metrics));
-    return {{"scene", view.scene},           {"view", view.view},
-            {"reason", view.reason},         {"width", view.width},
-            {"height", view.height},         {"textures", view.textures},
-            {"truth_file", view.truth_file}, {"truth_seconds", number(view.truth_seconds)},
+    return {{"scene", view.scene},
+            {"view", view.view},
+            {"reason", view.reason},
+            {"width", view.width},
+            {"height", view.height},
+            {"first_row", view.first_row},
+            {"textures", view.textures},
+            {"truth_file", view.truth_file},
+            {"truth_seconds", number(view.truth_seconds)},
             {"methods", methods}};
 }
 
@@ -96,16 +102,17 @@ RegionScore region_score(const Json& json, const std::vector<MetricCard>& metric
 
 MethodScore method_score(const Json& json, const std::vector<MetricCard>& metrics) {
     const Json &cost = json.at("cost"), &flicker = json.at("flicker");
-    MethodScore method{.label = json.at("method"),
-                       .regions = {},
-                       .cost = {.texels = number(cost.at("texels")),
-                                .lines = number(cost.at("lines")),
-                                .bytes_stored = cost.at("bytes_stored"),
-                                .build_ms = number(cost.at("build_ms")),
-                                .ns_per_sample = number(cost.at("ns_per_sample")),
-                                .pixels = cost.at("pixels")},
-                       .flicker = {number(flicker.at("rms")), number(flicker.at("ratio")), flicker.at("steps")},
-                       .file = json.at("file")};
+    MethodScore method{
+        .label = json.at("method"),
+        .regions = {},
+        .cost = {.texels = number(cost.at("texels")),
+                 .lines = number(cost.at("lines")),
+                 .bytes_stored = cost.at("bytes_stored"),
+                 .build_ms = number(cost.at("build_ms")),
+                 .ns_per_sample = number(cost.at("ns_per_sample")),
+                 .pixels = cost.at("pixels")},
+        .flicker = {number(flicker.at("rms")), number(flicker.at("ratio")), flicker.at("steps")},
+        .file = json.at("file")};
     for (const Json& one : json.at("regions")) method.regions.push_back(region_score(one, metrics));
     return method;
 }
@@ -116,6 +123,7 @@ ViewStudy view_study(const Json& json, const std::vector<MetricCard>& metrics) {
                    .reason = json.at("reason"),
                    .width = json.at("width"),
                    .height = json.at("height"),
+                   .first_row = json.at("first_row"),
                    .textures = json.at("textures"),
                    .methods = {},
                    .truth_file = json.at("truth_file"),
@@ -130,7 +138,8 @@ void read_cards(const Json& json, StudyResults& results) {
             {m.at("name"), m.at("definition"), m.at("source"), m.at("higher_is_better"), m.at("decimals")});
     for (const Json& r : json.at("regions")) results.regions.push_back({r.at("name"), r.at("definition")});
     for (const Json& m : json.at("methods"))
-        results.methods.push_back({m.at("label"), m.at("footprint"), m.at("lod"), m.at("taps"), m.at("source")});
+        results.methods.push_back(
+            {m.at("label"), m.at("footprint"), m.at("lod"), m.at("taps"), m.at("source")});
 }
 
 }  // namespace

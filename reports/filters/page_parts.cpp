@@ -23,8 +23,8 @@ std::string png_uri(const Plane<Rgb8>& picture) {
 }
 
 std::string page_figure(const std::string& uri, const std::string& caption) {
-    return "<figure><img src=\"" + uri + "\" alt=\"" + escaped(caption) + "\"><figcaption>" + escaped(caption) +
-           "</figcaption></figure>\n";
+    return "<figure><img src=\"" + uri + "\" alt=\"" + escaped(caption) + "\"><figcaption>" +
+           escaped(caption) + "</figcaption></figure>\n";
 }
 
 }  // namespace zproof

@@ -108,7 +108,8 @@ Plot pareto(const Pool& pool, const std::string& where) {
                 .series = {front}};
     for (const Standing& s : all)
         chart.series.push_back({s.label, {{s.cost, s.error}}, SeriesStyle::marked, Joining::points});
-    return {"pareto", "What a method reads, and how far it is off. The line joins those that no other beats in both.",
+    return {"pareto",
+            "What a method reads, and how far it is off. The line joins those that no other beats in both.",
             chart_svg(chart)};
 }
 
@@ -140,9 +141,10 @@ std::vector<Plot> plots(const Pool& pool, const std::string& where, const std::v
     anisotropy.x.title = "major / minor axis of the pixel's ellipse on the texture";
     angle.title = titled("Error by angle", where);
     angle.x.title = "degrees between major axis and texture axis u, anisotropy 2 and more";
-    return {pareto(pool, where),
-            {"anisotropy", "Where a method fails: by how long the pixel's footprint is.", chart_svg(anisotropy)},
-            {"angle", "Whether a method minds how the texture is turned.", chart_svg(angle)}};
+    return {
+        pareto(pool, where),
+        {"anisotropy", "Where a method fails: by how long the pixel's footprint is.", chart_svg(anisotropy)},
+        {"angle", "Whether a method minds how the texture is turned.", chart_svg(angle)}};
 }
 
 }  // namespace
@@ -150,7 +152,8 @@ std::vector<Plot> plots(const Pool& pool, const std::string& where, const std::v
 std::vector<Plot> filters_plots(const StudyResults& results, const std::vector<std::string>& labels) {
     std::vector<const ViewStudy*> views;
     for (const ViewStudy& view : results.views) views.push_back(&view);
-    return plots(Pool{results, views}, results.views.size() == 1 ? results.views[0].scene : "all views", labels);
+    return plots(Pool{results, views}, results.views.size() == 1 ? results.views[0].scene : "all views",
+                 labels);
 }
 
 std::vector<Plot> filters_plots(const StudyResults& results, const ViewStudy& view,

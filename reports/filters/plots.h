@@ -15,8 +15,8 @@ struct Plot {
 };
 
 /// Cost against error, error by anisotropy, error by angle; of all views together, RMSE pooled over their
-/// pixels and costs averaged. `labels`: the methods that are named in colour; empty: those that no other beats
-/// in both cost and error, and where those are fewer than four, all.
+/// pixels and costs averaged. `labels`: the methods that are named in colour; empty: those that no other
+/// beats in both cost and error, and where those are fewer than four, all.
 std::vector<Plot> filters_plots(const study::StudyResults& results, const std::vector<std::string>& labels);
 
 /// The same of one view.

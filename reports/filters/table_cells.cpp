@@ -60,6 +60,7 @@ TableCells table_cells(const StudyResults& results, const ViewStudy& view, const
         add_metrics(results, *score, table.rows.back());
         add_costs(view.methods[i], table.rows.back());
     }
+    if (view.first_row > 0) table.title += ", rows from " + std::to_string(view.first_row);
     table.title += ", " + std::to_string(view.width) + " x " + std::to_string(view.height) + ", region '" +
                    region + "' (" + counted(pixels, "pixel") + "), GT-" + results.truth;
     return table;
@@ -67,12 +68,15 @@ TableCells table_cells(const StudyResults& results, const ViewStudy& view, const
 
 std::string truth_in_words(const std::string& truth) {
     if (truth == "N")
-        return "GT-N: the exact mean, over the pixel's square in screen space, of the texture as squares of one "
+        return "GT-N: the exact mean, over the pixel's square in screen space, of the texture as squares of "
+               "one "
                "colour";
     if (truth == "B")
-        return "GT-B: the exact mean, over the pixel's square in screen space, of the bilinearly interpolated "
+        return "GT-B: the exact mean, over the pixel's square in screen space, of the bilinearly "
+               "interpolated "
                "texture";
-    return "GT-G: the mean under a Gaussian of radius 1 pixel, in screen space, of the bilinearly interpolated "
+    return "GT-G: the mean under a Gaussian of radius 1 pixel, in screen space, of the bilinearly "
+           "interpolated "
            "texture";
 }
 

@@ -79,7 +79,8 @@ struct CsvPlace {
     const ViewStudy& view;
     const MethodScore& method;
 
-    std::string row(const std::string& region, std::uint64_t pixels, const std::string& metric_and_value) const {
+    std::string row(const std::string& region, std::uint64_t pixels,
+                    const std::string& metric_and_value) const {
         return quoted(view.scene) + "," + quoted(view.view) + "," + std::to_string(view.width) + "," +
                std::to_string(view.height) + "," + quoted(method.label) + "," + results.truth + "," +
                quoted(region) + "," + std::to_string(pixels) + "," + metric_and_value + "\n";

@@ -82,7 +82,8 @@ TEST(PictureMetrics, AMaskChoosesPixelsAndChangesNone) {
     EXPECT_TRUE(std::isnan(measured(mae, mae.map(candidate, truth), mask)));
     mask.at(1, 0) = 1;
     EXPECT_EQ(measured(mae, mae.map(candidate, truth), mask), 0.5);
-    EXPECT_THROW(measured(mae, mae.map(candidate, truth), Plane<std::uint8_t>(one, 1)), std::invalid_argument);
+    EXPECT_THROW(measured(mae, mae.map(candidate, truth), Plane<std::uint8_t>(one, 1)),
+                 std::invalid_argument);
 }
 
 TEST(PictureMetrics, RefusePicturesOfDifferentSizes) {
@@ -170,8 +171,8 @@ TEST(PictureMetrics, FlipSeesAPointWhereItIsAsTheKernelsSay) {
     const PictureMetric& flip = *find_picture_metric("flip");
     const double seen = flip.map(point, black).at(20, 20);
     // Only lightness would differ, were red-green and blue-yellow filtered alike; they are constant for grey.
-    const double colour = std::pow(lightness, 0.7) * 0.95 /
-                          (0.4 * std::pow(55.438 + std::hypot(-101.188, 107.813), 0.7));
+    const double colour =
+        std::pow(lightness, 0.7) * 0.95 / (0.4 * std::pow(55.438 + std::hypot(-101.188, 107.813), 0.7));
     EXPECT_NEAR(seen, std::pow(colour, 1 - feature), 2e-5);
 }
 

@@ -11,15 +11,15 @@ namespace {
 /// A study of one region and one metric: methods with these RMSEs, a truth known to half_width.
 StudyResults study_of(const std::vector<double>& rmse, double half_width, std::uint64_t pixels = 10) {
     StudyResults results;
-    results.metrics = {{.name = "psnr", .definition = {}, .source = {}}, {.name = "rmse", .definition = {}, .source = {}}};
+    results.metrics = {{.name = "psnr", .definition = {}, .source = {}},
+                       {.name = "rmse", .definition = {}, .source = {}}};
     results.views.emplace_back();
     for (std::size_t i = 0; i < rmse.size(); ++i)
-        results.views[0].methods.push_back(
-            {.label = std::string(1, char('a' + i)),
-             .regions = {{"interior", pixels, half_width, {0, rmse[i]}}},
-             .cost = {},
-             .flicker = {},
-             .file = {}});
+        results.views[0].methods.push_back({.label = std::string(1, char('a' + i)),
+                                            .regions = {{"interior", pixels, half_width, {0, rmse[i]}}},
+                                            .cost = {},
+                                            .flicker = {},
+                                            .file = {}});
     return results;
 }
 

@@ -56,7 +56,8 @@ TEST(Crow, ASummedAreaTableAnswersAxisAlignedRegionsExactly) {
 
 TEST(Crow, AMipMapBlursWhatIsNotSquare) {
     const CrowQuestion& oblong = answers().questions[1];
-    const glm::dvec2 exact = by(oblong, "exact").kernel.deviation, mip = by(oblong, "trilinear-gl").kernel.deviation;
+    const glm::dvec2 exact = by(oblong, "exact").kernel.deviation,
+                     mip = by(oblong, "trilinear-gl").kernel.deviation;
     EXPECT_GT(mip.y, 4 * exact.y);
     EXPECT_GT(by(oblong, "trilinear-gl").rmse, by(oblong, "ripmap").rmse);
 }

@@ -54,11 +54,12 @@ TEST(Regions, SortPixelsByWhatTheTruthSees) {
 }
 
 TEST(Regions, MagnifiedAndHorizonByTheAxes) {
-    const std::vector<Region> all = Row{{{patch(3, 0.99), TruthKind::interior},
-                                         {patch(3, 1), TruthKind::interior},
-                                         {patch(512, 40), TruthKind::interior},
-                                         {patch(512.5, 40), TruthKind::sampled}}}
-                                        .regions();
+    const std::vector<Region> all = Row{
+        {{patch(3, 0.99), TruthKind::interior},
+         {patch(3, 1), TruthKind::interior},
+         {patch(512, 40), TruthKind::interior},
+         {patch(512.5, 40),
+          TruthKind::sampled}}}.regions();
     EXPECT_EQ(named(all, "magnified").pixels, 1u);
     EXPECT_EQ(named(all, "horizon").pixels, 1u);
     EXPECT_EQ(named(all, "horizon").mask.at(3, 0), 1);

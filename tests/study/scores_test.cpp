@@ -31,7 +31,8 @@ TEST(Scores, EveryRegionHasEveryMetricAndTheTruthsCertainty) {
 
 /// Pictures 0, 0.5, 0.5 against truths 0, 0.25, 0.5: changes (0.5, 0) and (0.25, 0.25).
 TEST(Flicker, ByHand) {
-    const std::vector<LinearPicture> pictures{flat(0), flat(0.5), flat(0.5)}, truths{flat(0), flat(0.25), flat(0.5)};
+    const std::vector<LinearPicture> pictures{flat(0), flat(0.5), flat(0.5)},
+        truths{flat(0), flat(0.25), flat(0.5)};
     const Flicker found = flicker(pictures, truths, Plane<std::uint8_t>(size, 1));
     EXPECT_EQ(found.steps, 2);
     EXPECT_NEAR(found.rms, 0.25, 1e-15);
