@@ -73,30 +73,38 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
     return {p[index.x], p[index.y], p[index.z]};
 }
 
-TriangleOfView::TriangleOfView(const ViewBounds& of_view, const CornersWorld& p)
-    : p_world(p), keeps_to_corners(of_view.keeps_to_corners()) {
+TriangleOfView::TriangleOfView(const ViewBounds& of_view, const Sight<double>& any, const CornersWorld& p)
+    : p_world(p), image(any, p), keeps_to_corners(of_view.keeps_to_corners()) {
     const TriangleExtent extent = of_view.extent_of(p);
-    plane_size = extent.plane_size;
+    plane_error = PlaneError(extent.plane_size);
     bounds = of_view.of(extent);
+    if (any.projection != Projection::perspective) return;
+    const auto here = image.at(any);
+    on_plane.emplace(bounds, here ? steepness(here->nearness) : 0);
+}
+
+double TriangleOfView::eps_px(const Sight<double>& sight) const {
+    return on_plane && !image.is_edge_on() ? on_plane->at(image.nearness_at(sight)).eps_px
+                                           : neighbour_of(sight, *this).bounds.eps_px;
 }
 
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world) {
-    return neighbour_of(sight, TriangleOfView(bounds, p_world));
+    return neighbour_of(sight, TriangleOfView(bounds, sight, p_world));
 }
 
 Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangle) {
     Neighbour n;
     n.p_world = triangle.p_world;
     const TriangleBounds& of_triangle = triangle.bounds;
-    n.image = image_of(sight, corners<double>(triangle.p_world));
+    n.image = triangle.image.at(sight);
     const auto& image = n.image;
     const double highest = of_triangle.nearest > 0 ? 1 / of_triangle.nearest : 0;
     if (image) {
         n.gradient = steepness(image->nearness);
-        n.plane_error = triangle.plane_size.nearness_error(std::abs(image->nearness.c) + n.gradient);
+        n.plane_error = triangle.plane_error.at(std::abs(image->nearness.c) + n.gradient);
         n.edge_error = edge_error(sight, triangle.p_world);
     }
-    n.bounds = of_triangle.at(image ? image->nearness.c : highest, n.gradient);
+    n.bounds = triangle.bounds_at(image ? image->nearness.c : highest, n.gradient);
     n.near_slack = of_triangle.near_slack;
     n.far_slack = of_triangle.far_slack;
     n.nearest = of_triangle.nearest;
@@ -118,7 +126,7 @@ Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewB
     n.neighbours.reserve(site.triangles.size());
     for (const std::uint32_t triangle : site.triangles) {
         const TriangleOfView& of_view =
-            memory(triangle, [&] { return TriangleOfView(bounds, corners_of(scene, triangle)); });
+            memory(triangle, [&] { return TriangleOfView(bounds, sight, corners_of(scene, triangle)); });
         Neighbour& last = n.neighbours.emplace_back(neighbour_of(sight, of_view));
         last.triangle = triangle;
         if (last.image && comes_within(*last.image, own_eps_px))
@@ -136,10 +144,11 @@ double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds
 double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
                   PrimitiveId answer, TriangleMemory& memory) {
     if (answer == PrimitiveId::none) return bounds.background_eps_px();
+    const Sight<double> sight(view, x, y);
     const TriangleOfView& triangle = memory(std::uint32_t(answer), [&] {
-        return TriangleOfView(bounds, corners_of(scene, std::uint32_t(answer)));
+        return TriangleOfView(bounds, sight, corners_of(scene, std::uint32_t(answer)));
     });
-    return neighbour_of(Sight<double>(view, x, y), triangle).bounds.eps_px;
+    return triangle.eps_px(sight);
 }
 
 }  // namespace zproof

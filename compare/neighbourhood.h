@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "compare/bounds.h"
+#include "compare/image_of_view.h"
 #include "compare/memory.h"
-#include "compare/triangle_image.h"
 #include "frame/frame.h"
 
 namespace zproof {
@@ -48,20 +48,23 @@ struct Neighbourhood {
 
 CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);
 
-/// A triangle's corners in the number type asked for, without loss.
-template <class Number>
-Corners<Number> corners(const CornersWorld& p) {
-    return {exactly<Number>(glm::dvec3(p[0])), exactly<Number>(glm::dvec3(p[1])),
-            exactly<Number>(glm::dvec3(p[2]))};
-}
-
 /// What one triangle brings to every pixel of a view.
 struct TriangleOfView {
-    TriangleOfView(const ViewBounds& bounds, const CornersWorld& p_world);
+    /// `any` is the sight of any pixel of the view.
+    TriangleOfView(const ViewBounds& bounds, const Sight<double>& any, const CornersWorld& p_world);
+
+    /// The renderer's bounds at a place of the triangle's plane; `gradient` as TriangleBounds::at has it.
+    LocalBounds bounds_at(double nearness, double gradient) const {
+        return on_plane ? on_plane->at(nearness) : bounds.at(nearness, gradient);
+    }
+    /// eps at a pixel, the very bits of neighbour_of(...).bounds.eps_px.
+    double eps_px(const Sight<double>& sight) const;
 
     CornersWorld p_world;
-    PlaneSize plane_size;
+    ImageOfView image;
+    PlaneError plane_error;
     TriangleBounds bounds;
+    std::optional<BoundsOnPlane> on_plane;  ///< where its gradient is the same at every pixel
     bool keeps_to_corners;
 };
 
