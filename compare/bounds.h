@@ -42,6 +42,8 @@ class PlaneError {
     PlaneError() = default;
     explicit PlaneError(const PlaneSize& size);
 
+    /// Is the plane's orientation, as seen, certain?
+    bool is_known() const { return is_known_; }
     /// Where |nearness| is at most this.
     double at(double largest_nearness) const {
         return is_known_ ? 2 * rounding_ * (numerator_ + largest_nearness * condition_) + of_origin_

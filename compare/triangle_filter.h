@@ -1,0 +1,75 @@
+/// A triangle's half-planes and nearness over the whole image in double, with the most that rounding may put
+/// their values off: what can be said for certain without exact arithmetic (docs/truth.md, "How it is
+/// decided").
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "compare/bounds.h"
+#include "compare/sight.h"
+#include "math/affine.h"
+
+namespace zproof {
+
+/// A box of the image: places within half_x, half_y of a place (x, y), given as pixel indices (so that a
+/// pixel's centre is a whole number).
+struct Around {
+    double x = 0, y = 0, half_x = 0, half_y = 0;
+};
+
+struct TriangleFilter {
+    enum class Place {
+        misses,   ///< no point of the box is on the closed triangle, certainly
+        covers,   ///< every point is inside, certainly
+        unknown,  ///< an edge may pass
+    };
+
+    std::array<Affine<double>, 3> edge{};  ///< > 0 inside; of pixel indices
+    double edge_error = 0;                 ///< of each, anywhere in the image
+    Affine<double> nearness{};             ///< of pixel indices
+    double nearness_error = unlimited;     ///< anywhere in the image
+    bool is_trusted = false;               ///< or may it be edge-on? Then nothing else holds
+
+    Place place_of(const Around& box) const {
+        if (!is_trusted) return Place::unknown;
+        bool covers = true;
+        for (const Affine<double>& e : edge) {
+            const double middle = e.at(box.x, box.y);
+            const double reach = box.half_x * std::abs(e.a) + box.half_y * std::abs(e.b) + edge_error;
+            if (middle + reach < 0) return Place::misses;
+            covers &= middle - reach > 0;
+        }
+        return covers ? Place::covers : Place::unknown;
+    }
+    bool misses(const Around& box) const { return place_of(box) == Place::misses; }
+};
+
+/// Is `front` nearer than `back` at every point of the box, certainly: +1; farther at every point: -1; or
+/// neither: 0. Both must be trusted.
+inline int order_in(const Around& box, const TriangleFilter& front, const TriangleFilter& back) {
+    const Affine<double> ahead = front.nearness - back.nearness;
+    const double middle = ahead.at(box.x, box.y);
+    const double unsure = box.half_x * std::abs(ahead.a) + box.half_y * std::abs(ahead.b) +
+                          front.nearness_error + back.nearness_error;
+    return middle > unsure ? 1 : middle < -unsure ? -1 : 0;
+}
+
+/// Makes the filters of one view.
+class TriangleFilters {
+  public:
+    explicit TriangleFilters(const View& view);
+
+    TriangleFilter of(const CornersWorld& p_world) const;
+
+  private:
+    double edge_error(const CornersWorld& p_world) const;
+
+    ViewBounds any_bounds_;  ///< for a triangle's extent, which no precision enters
+    Sight<double> sight_;    ///< of pixel (0, 0)
+    double width_, height_;
+    bool perspective_;
+    double origin_size_, direction_size_;  ///< largest sums of absolute terms in the image
+};
+
+}  // namespace zproof
