@@ -8,9 +8,8 @@ namespace {
 
 constexpr int steps = 1024;
 
-/// The same question as for Standing::visible, in a square of another size.
-bool is_seen(const Neighbourhood& around, PrimitiveId answer) {
-    AdmissibleSet<double> set(around);
+/// The same question as for Standing::visible.
+bool is_seen(AdmissibleSet<double>& set, const Neighbourhood& around, PrimitiveId answer) {
     if (answer == PrimitiveId::none) return set.holds_background(EdgeRule::watertight);
     const std::optional<size_t> index = around.index_of(answer);
     return index && set.is_seen(*index);
@@ -20,10 +19,10 @@ bool is_seen(const Neighbourhood& around, PrimitiveId answer) {
 
 /// What is seen in a square is seen in every larger one: bisection.
 std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer) {
-    Neighbourhood smaller = around;
+    AdmissibleSet<double> set(around);
     const auto is_seen_within = [&](int step) {
-        smaller.eps_px = around.eps_px * step / steps;
-        return is_seen(smaller, answer);
+        set.set_half_side(around.eps_px * step / steps);
+        return is_seen(set, around, answer);
     };
     if (is_seen_within(1)) return std::nullopt;
     int too_small = 1, enough = steps;

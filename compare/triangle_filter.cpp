@@ -35,16 +35,14 @@ TriangleFilters::TriangleFilters(const View& view)
     direction_size_ = (perspective_ ? on_plane : sheared) + size_of(c.back);
 }
 
-/// Every term of an edge's value, each of at most 40 roundings, is below V^2 D in absolute value, and there
-/// are five of them; V bounds the corners as seen from the origin of sight, D the direction of sight.
-double TriangleFilters::edge_error(const CornersWorld& p_world) const {
-    static const double share = 5 * gamma(40, unit_roundoff_float64);
+/// V: what bounds the corners as seen from the origin of sight, every term in absolute value.
+double TriangleFilters::corner_size(const CornersWorld& p_world) const {
     const glm::dvec3 eye(sight_.origin.x, sight_.origin.y, sight_.origin.z);
-    double corner_size = 0;
+    double size = 0;
     for (const glm::vec3& p : p_world)
-        corner_size = std::max(corner_size, perspective_ ? size_of(glm::dvec3(p) - eye)
-                                                         : size_of(glm::dvec3(p)) + origin_size_);
-    return share * corner_size * corner_size * direction_size_;
+        size = std::max(size, perspective_ ? size_of(glm::dvec3(p) - eye)
+                                           : size_of(glm::dvec3(p)) + origin_size_);
+    return size;
 }
 
 TriangleFilter TriangleFilters::of(const CornersWorld& p_world) const {
@@ -70,12 +68,15 @@ TriangleFilter TriangleFilters::of(const CornersWorld& p_world) const {
     }
     filter.edge = detail::oriented(image, sign(facing)).edge;
     filter.nearness = image.nearness;
-    filter.edge_error = edge_error(p_world);
+    // each of five terms is below V^2 D and has at most 40 roundings; once for us, once for image_of
+    static const double share = 2 * 5 * gamma(40, unit_roundoff_float64);
+    const double size = corner_size(p_world), rounding = share * size * size;
+    filter.edge_error = rounding * direction_size_;
     const Affine<double>& n = image.nearness;
     filter.nearness_error =
         2 * plane_error.at(std::abs(n.c) + std::abs(n.a) * width_ + std::abs(n.b) * height_);
-    filter.is_trusted =
-        std::isfinite(filter.edge_error) && std::isfinite(filter.nearness_error) && facing != 0;
+    filter.is_trusted = std::isfinite(filter.nearness_error) &&
+                        std::abs(facing) > rounding * (perspective_ ? size : direction_size_);
     return filter;
 }
 

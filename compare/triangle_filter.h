@@ -26,7 +26,7 @@ struct TriangleFilter {
     };
 
     std::array<Affine<double>, 3> edge{};  ///< > 0 inside; of pixel indices
-    double edge_error = 0;                 ///< of each, anywhere in the image
+    double edge_error = 0;  ///< of each, anywhere in the image: this value's and image_of's together
     Affine<double> nearness{};             ///< of pixel indices
     double nearness_error = unlimited;     ///< anywhere in the image
     bool is_trusted = false;               ///< or may it be edge-on? Then nothing else holds
@@ -63,7 +63,7 @@ class TriangleFilters {
     TriangleFilter of(const CornersWorld& p_world) const;
 
   private:
-    double edge_error(const CornersWorld& p_world) const;
+    double corner_size(const CornersWorld& p_world) const;
 
     ViewBounds any_bounds_;  ///< for a triangle's extent, which no precision enters
     Sight<double> sight_;    ///< of pixel (0, 0)
