@@ -2,13 +2,12 @@
 
 #include <tbb/parallel_for.h>
 
-namespace zproof {
+#include <algorithm>
 
-bool PixelSearch::misses(const CornersWorld& p_world, const Site& site) const {
-    const std::optional<Box> box = boxes_(p_world);
-    return !box || !box->meets(square_around(site.x, site.y, site.reach_px)) ||
-           filters_.of(p_world).misses({double(site.x), double(site.y), site.reach_px, site.reach_px});
-}
+#include "compare/tile_search.h"
+#include "compare/triangle_filter.h"
+
+namespace zproof {
 
 void find_nearby_triangles(const Scene& scene, const View& view, std::span<Site> sites) {
     const Tiles tiles(view);
@@ -19,12 +18,13 @@ void find_nearby_triangles(const Scene& scene, const View& view, std::span<Site>
         reach_px = std::max(reach_px, site.reach_px);
     }
     const TrianglesByTile near(scene, view, asked, reach_px);
-    const PixelSearch search(view);
+    const TriangleFilters filters(view);
     tbb::parallel_for(std::size_t(0), sites.size(), [&](std::size_t i) {
         Site& site = sites[i];
         site.triangles.clear();
         for (const std::uint32_t t : near.of(tiles.of(site.x, site.y)))
-            if (!search.misses(corners_of(scene, t), site)) site.triangles.push_back(t);
+            if (filters.of(corners_of(scene, t)).is_near(site.x, site.y, site.reach_px))
+                site.triangles.push_back(t);
     });
 }
 

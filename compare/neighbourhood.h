@@ -2,12 +2,12 @@
 /// admissible set is decided from. Plain numbers; the judge takes them as exact.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "compare/bounds.h"
 #include "compare/image_of_view.h"
-#include "compare/memory.h"
 #include "frame/frame.h"
 
 namespace zproof {
@@ -68,8 +68,11 @@ struct TriangleOfView {
     bool keeps_to_corners;
 };
 
-/// The triangles of one renderer's hearing that were asked for lately.
-using TriangleMemory = Memory<std::uint32_t, TriangleOfView>;
+/// Where what a triangle brings is kept.
+using TriangleLookUp = std::function<const TriangleOfView&(std::uint32_t)>;
+
+/// Does the image come within eps of the centre? An estimate in double: it only decides whose eps counts.
+bool comes_within(const TriangleImage<double>& image, double eps_px);
 
 /// One triangle's bounds at a pixel (`triangle` is left 0).
 Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangle);
@@ -78,16 +81,14 @@ Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, con
 /// eps of an answer by itself, before its surroundings are looked at.
 double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
                   PrimitiveId answer);
-double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
-                  PrimitiveId answer, TriangleMemory& memory);
 
 /// Gathers the evidence for an answer whose own eps is
 /// own_eps_px <= site.reach_px. Where the result's eps_px exceeds site.reach_px, triangles may be missing:
 /// look again with that reach; the result's eps_px will be the same.
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const Site& site, double own_eps_px);
-/// The same with a memory of its own `bounds`.
-Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
-                               const Site& site, double own_eps_px, TriangleMemory& memory);
+/// The same.
+Neighbourhood neighbourhood_of(const View& view, const Site& site, double own_eps_px,
+                               const TriangleLookUp& triangle_of_view);
 
 }  // namespace zproof

@@ -21,7 +21,8 @@ Vector3<double> normal_of(const CornersWorld& p) {
 }  // namespace
 
 TriangleFilters::TriangleFilters(const View& view)
-    : any_bounds_(view, RasterPrecision{}),
+    : boxes_(view),
+      any_bounds_(view, RasterPrecision{}),
       sight_(view, 0, 0),
       width_(view.width),
       height_(view.height),
@@ -46,6 +47,12 @@ double TriangleFilters::corner_size(const CornersWorld& p_world) const {
 }
 
 TriangleFilter TriangleFilters::of(const CornersWorld& p_world) const {
+    TriangleFilter filter = by_functionals(p_world);
+    if (const auto box = boxes_(p_world)) filter.box = *box;
+    return filter;
+}
+
+TriangleFilter TriangleFilters::by_functionals(const CornersWorld& p_world) const {
     TriangleFilter filter;
     const PlaneError plane_error(any_bounds_.extent_of(p_world).plane_size);
     if (!plane_error.is_known()) return filter;

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "compare/bounds.h"
+#include "compare/image_box.h"
 #include "compare/sight.h"
 #include "math/affine.h"
 
@@ -17,6 +17,11 @@ namespace zproof {
 struct Around {
     double x = 0, y = 0, half_x = 0, half_y = 0;
 };
+
+inline Box raster_box(const Around& at) {
+    const double x = at.x + 0.5, y = at.y + 0.5;
+    return {x - at.half_x, y - at.half_y, x + at.half_x, y + at.half_y};
+}
 
 struct TriangleFilter {
     enum class Place {
@@ -29,20 +34,26 @@ struct TriangleFilter {
     double edge_error = 0;  ///< of each, anywhere in the image: this value's and image_of's together
     Affine<double> nearness{};             ///< of pixel indices
     double nearness_error = unlimited;     ///< anywhere in the image
-    bool is_trusted = false;               ///< or may it be edge-on? Then nothing else holds
+    bool is_trusted = false;               ///< or may it be edge-on? Then only `box` holds
+    Box box{};                             ///< around its image in front of half the near depth
 
-    Place place_of(const Around& box) const {
-        if (!is_trusted) return Place::unknown;
+    Place place_of(const Around& at) const {
+        if (!is_trusted) return box.meets(raster_box(at)) ? Place::unknown : Place::misses;
         bool covers = true;
         for (const Affine<double>& e : edge) {
-            const double middle = e.at(box.x, box.y);
-            const double reach = box.half_x * std::abs(e.a) + box.half_y * std::abs(e.b) + edge_error;
+            const double middle = e.at(at.x, at.y);
+            const double reach = at.half_x * std::abs(e.a) + at.half_y * std::abs(e.b) + edge_error;
             if (middle + reach < 0) return Place::misses;
             covers &= middle - reach > 0;
         }
         return covers ? Place::covers : Place::unknown;
     }
-    bool misses(const Around& box) const { return place_of(box) == Place::misses; }
+    bool misses(const Around& at) const { return place_of(at) == Place::misses; }
+    /// May it come within reach_px of the pixel's centre, in x and in y?
+    bool is_near(int x, int y, double reach_px) const {
+        return box.meets(square_around(x, y, reach_px)) &&
+               !misses({double(x), double(y), reach_px, reach_px});
+    }
 };
 
 /// Is `front` nearer than `back` at every point of the box, certainly: +1; farther at every point: -1; or
@@ -63,8 +74,10 @@ class TriangleFilters {
     TriangleFilter of(const CornersWorld& p_world) const;
 
   private:
+    TriangleFilter by_functionals(const CornersWorld& p_world) const;
     double corner_size(const CornersWorld& p_world) const;
 
+    BoxProjection boxes_;
     ViewBounds any_bounds_;  ///< for a triangle's extent, which no precision enters
     Sight<double> sight_;    ///< of pixel (0, 0)
     double width_, height_;
