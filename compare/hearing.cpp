@@ -37,7 +37,7 @@ class Hearing::Session {
           sights_(hearing.view_),
           tiles_(hearing.view_),
           first_(tiles_.count() + 1),
-          near_(hearing.scene_, hearing.view_, boxes(), reach_px()) {}
+          near_(hearing.scene_, hearing.view_, asked_boxes()) {}
 
     /// Decides what it can; for each plea the reach that it needs, or 0 where it is decided.
     std::vector<double> hear(std::vector<Ruled>& rulings) {
@@ -49,16 +49,11 @@ class Hearing::Session {
     }
 
   private:
-    double reach_px() const {
-        double reach = 0;
-        for (const Plea& plea : pleas_) reach = std::max(reach, plea.reach_px);
-        return reach;
-    }
-    std::vector<Box> boxes() {
-        std::vector<Box> boxes(tiles_.count());
+    AskedBoxes asked_boxes() {
+        AskedBoxes boxes(tiles_.count());
         for (const Plea& plea : pleas_) {
             const std::size_t tile = tiles_.of(plea.x, plea.y);
-            boxes[tile].add(square_around(plea.x, plea.y, plea.reach_px));
+            boxes.add(tile, square_around(plea.x, plea.y, plea.reach_px), plea.reach_px);
             ++first_[tile + 1];
         }
         for (std::size_t t = 1; t < first_.size(); ++t) first_[t] += first_[t - 1];

@@ -11,13 +11,10 @@ namespace zproof {
 
 void find_nearby_triangles(const Scene& scene, const View& view, std::span<Site> sites) {
     const Tiles tiles(view);
-    std::vector<Box> asked(tiles.count());
-    double reach_px = 0;
-    for (const Site& site : sites) {
-        asked[tiles.of(site.x, site.y)].add(square_around(site.x, site.y, site.reach_px));
-        reach_px = std::max(reach_px, site.reach_px);
-    }
-    const TrianglesByTile near(scene, view, asked, reach_px);
+    AskedBoxes asked(tiles.count());
+    for (const Site& site : sites)
+        asked.add(tiles.of(site.x, site.y), square_around(site.x, site.y, site.reach_px), site.reach_px);
+    const TrianglesByTile near(scene, view, asked);
     const TriangleFilters filters(view);
     tbb::parallel_for(std::size_t(0), sites.size(), [&](std::size_t i) {
         Site& site = sites[i];

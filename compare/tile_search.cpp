@@ -46,12 +46,12 @@ struct Outset {
 /// How many tiles before a place, row by row, are asked about: any in a rectangle by four look-ups.
 class AskedTiles {
   public:
-    AskedTiles(const Tiles& tiles, std::span<const Box> asked)
+    AskedTiles(const Tiles& tiles, const AskedBoxes& asked)
         : width_(std::size_t(tiles.columns) + 1), sums_(width_ * (std::size_t(tiles.rows) + 1)) {
         for (int row = 0; row < tiles.rows; ++row)
             for (int column = 0; column < tiles.columns; ++column)
                 at(column + 1, row + 1) = at(column, row + 1) + at(column + 1, row) - at(column, row) +
-                                          !asked[tiles.index(column, row)].is_empty();
+                                          !asked.of(tiles.index(column, row)).empty();
     }
     /// Both ends included.
     bool any(int left, int top, int right, int bottom) const {
@@ -75,12 +75,11 @@ struct Meeting {
 /// Finds the tiles that one triangle meets. Its edges are asked only where its box does not say no.
 class TileSearch {
   public:
-    TileSearch(const Scene& scene, const View& view, std::span<const Box> asked, double reach_px)
+    TileSearch(const Scene& scene, const View& view, const AskedBoxes& asked)
         : scene_(scene),
           asked_(asked),
           tiles_(view),
           asked_tiles_(tiles_, asked),
-          reach_px_(reach_px),
           projection_(view),
           filters_(view),
           corners_(scene.vertices.position_world.size(), Outset::unknown()) {
@@ -104,21 +103,24 @@ class TileSearch {
 
   private:
     void search(std::uint32_t triangle, const Box& box, std::vector<Meeting>& found) const {
-        const int left = clamped(box.left - reach_px_, tiles_.columns),
-                  right = clamped(box.right + reach_px_, tiles_.columns);
-        const int top = clamped(box.top - reach_px_, tiles_.rows),
-                  bottom = clamped(box.bottom + reach_px_, tiles_.rows);
+        const double reach = asked_.reach_px();
+        const int left = clamped(box.left - reach, tiles_.columns),
+                  right = clamped(box.right + reach, tiles_.columns);
+        const int top = clamped(box.top - reach, tiles_.rows),
+                  bottom = clamped(box.bottom + reach, tiles_.rows);
         if (!asked_tiles_.any(left, top, right, bottom)) return;
-        const bool is_small = box.fits(Tiles::side_px);
         std::optional<TriangleFilter> edges;
+        const auto may_meet = [&](const Box& asked) {
+            if (!box.meets(asked)) return false;
+            if (box.fits(Tiles::side_px)) return true;
+            if (!edges) edges = filters_.of(corners_of(scene_, triangle));
+            return !edges->misses(around(asked));
+        };
         for (int row = top; row <= bottom; ++row)
             for (int column = left; column <= right; ++column) {
                 const std::size_t tile = tiles_.index(column, row);
-                const Box& asked = asked_[tile];
-                if (asked.is_empty() || !box.meets(asked)) continue;
-                if (!is_small && !edges) edges = filters_.of(corners_of(scene_, triangle));
-                if (edges && edges->misses(around(asked))) continue;
-                found.push_back({std::uint32_t(tile), triangle});
+                if (std::ranges::any_of(asked_.of(tile), may_meet))
+                    found.push_back({std::uint32_t(tile), triangle});
             }
     }
     static Around around(const Box& box) {
@@ -130,10 +132,9 @@ class TileSearch {
     }
 
     const Scene& scene_;
-    std::span<const Box> asked_;
+    const AskedBoxes& asked_;
     Tiles tiles_;
     AskedTiles asked_tiles_;
-    double reach_px_;
     BoxProjection projection_;
     TriangleFilters filters_;
     std::vector<Outset> corners_;
@@ -141,10 +142,25 @@ class TileSearch {
 
 }  // namespace
 
-TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, std::span<const Box> asked,
-                                 double reach_px)
-    : first_(asked.size() + 1) {
-    const TileSearch tile_search(scene, view, asked, reach_px);
+void AskedBoxes::add(std::size_t tile, const Box& square, double reach_px) {
+    constexpr std::size_t most = 8;
+    std::vector<Box>& boxes = boxes_[tile];
+    reach_px_ = std::max(reach_px_, reach_px);
+    const auto has_its_place = [&](const Box& b) {
+        return b.middle_x() == square.middle_x() && b.middle_y() == square.middle_y();
+    };
+    const auto same = std::ranges::find_if(boxes, has_its_place);
+    if (same != boxes.end())
+        same->add(square);
+    else if (boxes.size() < most)
+        boxes.push_back(square);
+    else
+        boxes.back().add(square);
+}
+
+TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const AskedBoxes& asked)
+    : first_(Tiles(view).count() + 1) {
+    const TileSearch tile_search(scene, view, asked);
     const std::size_t count = scene.triangles.size();
     std::vector<std::vector<Meeting>> chunks((count + chunk_triangles - 1) / chunk_triangles);
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t chunk) {

@@ -25,14 +25,29 @@ struct Tiles {
     std::size_t of(int x, int y) const { return index(x / side_px, y / side_px); }
 };
 
+/// What is asked about: a few boxes for each tile.
+class AskedBoxes {
+  public:
+    explicit AskedBoxes(std::size_t tile_count) : boxes_(tile_count) {}
+
+    /// A square that reaches beyond its tile by at most reach_px.
+    void add(std::size_t tile, const Box& square, double reach_px);
+
+    std::span<const Box> of(std::size_t tile) const { return boxes_[tile]; }
+    double reach_px() const { return reach_px_; }
+
+  private:
+    double reach_px_ = 0;
+    std::vector<std::vector<Box>> boxes_;
+};
+
 /// Lists of triangles, one per tile, each ascending.
 class TrianglesByTile {
   public:
-    /// All triangles whose image (in front of half the near depth) may meet the box that a tile asks for;
-    /// `asked` has one for each of the tiles, empty where nobody asks, and none reaches beyond its tile by
-    /// more than `reach_px`. Too many is harmless, too few is not: images are widened by the rounding error
-    /// of their own computation. Runs on all threads; one pass over the scene.
-    TrianglesByTile(const Scene& scene, const View& view, std::span<const Box> asked, double reach_px);
+    /// All triangles whose image (in front of half the near depth) may meet a box that its tile asks for. Too
+    /// many is harmless, too few is not: images are widened by the rounding error of their own computation.
+    /// Runs on all threads; one pass over the scene.
+    TrianglesByTile(const Scene& scene, const View& view, const AskedBoxes& asked);
 
     std::span<const std::uint32_t> of(std::size_t tile) const {
         return std::span(triangles_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
