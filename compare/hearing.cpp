@@ -81,14 +81,12 @@ class Hearing::Session {
             if (summary && !(latest && latest->x == plea.x && latest->y == plea.y))
                 summary->look_at(plea.x, plea.y);
             latest = &plea;
-            std::optional<Ruled> ruled;
-            if (summary)
-                ruled = summary->rule({plea.bounds, plea.answer, plea.own_eps_px, plea.reach_px, asked_});
-            if (ruled)
+            const Plaint plaint{plea.bounds, plea.answer, plea.own_eps_px, plea.reach_px, asked_};
+            double& lacks = lacking[std::size_t(&plea - pleas_.data())];
+            if (const auto ruled = summary ? summary->rule(plaint) : std::nullopt)
                 rulings[plea.number] = *ruled;
-            else
-                lacking[std::size_t(&plea - pleas_.data())] =
-                    try_to_hear(plea, near_.of(tile), memories, rulings[plea.number]);
+            else if (!summary || (lacks = summary->lacking_reach_px(plaint)) == 0)
+                lacks = try_to_hear(plea, near_.of(tile), memories, rulings[plea.number]);
         }
     }
 

@@ -9,9 +9,6 @@ namespace zproof {
 
 namespace {
 
-/// Without polygons nobody can tell much beyond this.
-constexpr double widest_square_px = 4;
-
 double value_at(const Affine<double>& f, double x, double y, double dx, double dy) {
     return f.at(x, y) + (dx * f.a + dy * f.b);
 }
@@ -25,20 +22,21 @@ Summary::Summary(const Shared& shared, const Around& tile, std::span<const std::
         renderers_.push_back({bounds, {}, true, {}});
         widest_px_ = std::max(widest_px_, bounds->background_eps_px());
     }
-    std::vector<const BoundedTriangle*> bounded(renderers.size());
     for (const std::uint32_t t : near) {
         const KnownTriangle& known = shared_.acquaintance.of(t);
-        if (known.filter.misses({tile.x, tile.y, tile.half_x + widest_square_px, tile.half_y + widest_square_px}))
-            continue;
-        for (std::size_t r = 0; r < renderers.size(); ++r) {
-            bounded[r] = &shared_.acquaintance.of(t, *renderers[r]);
-            widest_px_ = std::max(widest_px_, bounded[r]->most_eps_px(known.filter, tile));
-            renderers_[r].triangles.push_back(bounded[r]);
-            renderers_[r].is_always_clear &= bounded[r]->is_always_clear;
+        for (Renderer& r : renderers_) {
+            const BoundedTriangle& bounded = shared_.acquaintance.of(t, *r.bounds);
+            widest_px_ = std::max(widest_px_, bounded.most_eps_px(known.filter, tile));
+            r.triangles.push_back(&bounded);
+            r.is_always_clear &= bounded.is_always_clear;
         }
         present_.push_back({t, &known, false});
     }
-    if (!(widest_px_ <= widest_square_px)) return;
+    if (std::isfinite(widest_px_)) sort_out();
+}
+
+/// Keeps what does not certainly miss the tile.
+void Summary::sort_out() {
     tile_.half_x += widest_px_;
     tile_.half_y += widest_px_;
     std::size_t kept = 0;
@@ -62,7 +60,7 @@ Summary::Summary(const Shared& shared, const Around& tile, std::span<const std::
 
 void Summary::look_at(int x, int y) {
     x_ = x, y_ = y;
-    if (!(widest_px_ <= widest_square_px)) return;
+    if (!std::isfinite(widest_px_)) return;
     sight_ = shared_.sights.at(x, y);
     if (all_cover_) return;
     covering_.clear();
@@ -135,11 +133,39 @@ bool Summary::is_seen_at(std::optional<std::size_t> answer, const Offset& at) co
     return std::ranges::all_of(covering_, leaves_free) && std::ranges::all_of(cutting_, leaves_free);
 }
 
+/// The square's corners and the middles of its sides, and for a triangle the middle of its part of the square.
 bool Summary::is_seen_around(std::optional<std::size_t> answer, double half_side_px) const {
     const double h = half_side_px;
     for (const Offset& at : {Offset{-h, -h}, {h, -h}, {-h, h}, {h, h}, {-h, 0}, {h, 0}, {0, -h}, {0, h}})
         if (is_seen_at(answer, at)) return true;
-    return false;
+    if (!answer) return false;
+    const std::optional<Offset> middle = middle_of(*answer, h);
+    return middle && is_seen_at(answer, *middle);
+}
+
+/// The mean of the corners of the triangle's part of the square, but for rounding: clipping, edge by edge.
+auto Summary::middle_of(std::size_t i, double half_side_px) const -> std::optional<Offset> {
+    const double h = half_side_px;
+    std::array<Offset, 8> corners{{{-h, -h}, {h, -h}, {h, h}, {-h, h}}};
+    std::size_t count = 4;
+    for (const Affine<double>& e : filter(i).edge) {
+        std::array<Offset, 8> kept;
+        std::size_t kept_count = 0;
+        const auto value = [&](const Offset& at) { return value_at(e, x_, y_, at.x, at.y); };
+        for (std::size_t k = 0; k < count; ++k) {
+            const Offset &p = corners[k], &q = corners[(k + 1) % count];
+            const double at_p = value(p), at_q = value(q), t = at_p / (at_p - at_q);
+            if (at_p >= 0 && kept_count < kept.size()) kept[kept_count++] = p;
+            if ((at_p >= 0) != (at_q >= 0) && kept_count < kept.size())
+                kept[kept_count++] = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+        }
+        corners = kept;
+        count = kept_count;
+    }
+    if (count < 3) return std::nullopt;
+    Offset sum{0, 0};
+    for (std::size_t k = 0; k < count; ++k) sum = {sum.x + corners[k].x, sum.y + corners[k].y};
+    return Offset{sum.x / double(count), sum.y / double(count)};
 }
 
 bool Summary::are_coplanar(std::size_t a, std::size_t b) const {
@@ -210,8 +236,14 @@ std::optional<Ruled> Summary::visible(const Renderer& renderer, const Plaint& pl
     return is_decided ? std::optional(ruled) : std::nullopt;
 }
 
+double Summary::lacking_reach_px(const Plaint& plaint) {
+    if (!std::isfinite(widest_px_) || plaint.own_eps_px > widest_px_) return 0;
+    const double eps = eps_px(renderer_of(plaint.bounds), plaint);
+    return eps > plaint.reach_px ? eps : 0;
+}
+
 std::optional<Ruled> Summary::rule(const Plaint& plaint) {
-    if (!(widest_px_ <= widest_square_px) || plaint.own_eps_px > widest_px_) return std::nullopt;
+    if (!std::isfinite(widest_px_) || plaint.own_eps_px > widest_px_) return std::nullopt;
     Renderer& renderer = renderer_of(plaint.bounds);
     const bool is_background = plaint.answer == PrimitiveId::none;
     const std::optional<std::size_t> answer = is_background ? std::nullopt : index_of(plaint.answer);

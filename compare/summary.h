@@ -36,6 +36,8 @@ class Summary {
     /// What decide() and displacement_over_eps() would say in the neighbourhood of the pixel. Nothing where
     /// that takes more than this.
     std::optional<Ruled> rule(const Plaint& plaint);
+    /// The reach that a plaint needs, where its own is known to be too short; else 0.
+    double lacking_reach_px(const Plaint& plaint);
 
   private:
     using Place = TriangleFilter::Place;
@@ -57,6 +59,7 @@ class Summary {
         double x, y;
     };
 
+    void sort_out();
     const TriangleFilter& filter(std::size_t i) const { return present_[i].known->filter; }
     Renderer& renderer_of(const ViewBounds* bounds);
     double eps_px(const Renderer& renderer, const Plaint& plaint);
@@ -68,6 +71,7 @@ class Summary {
     bool is_behind(std::size_t back, std::size_t front, const Offset& at) const;
     bool is_seen_at(std::optional<std::size_t> answer, const Offset& at) const;
     bool is_seen_around(std::optional<std::size_t> answer, double half_side_px) const;
+    std::optional<Offset> middle_of(std::size_t i, double half_side_px) const;
     bool are_coplanar(std::size_t a, std::size_t b) const;
     bool is_hidden_in(const Renderer& renderer, std::optional<std::size_t> answer, double half_side_px) const;
     bool hides(const Renderer& renderer, std::size_t front, std::size_t back, const Around& box) const;
