@@ -1,59 +1,85 @@
-#include <algorithm>
-
 #include "texture/methods/families.h"
-#include "texture/methods/tap_rule.h"
-#include "texture/mip_chain.h"
+#include "texture/methods/mip_reads.h"
 
 namespace zproof::texture {
 
 namespace {
 
-/// OpenGL 4.6 core, 8.14.1: the longer of the two steps.
-double gl_maximum(const Footprint& f) {
-    return std::log2(std::max(glm::length(f.per_x), glm::length(f.per_y)));
-}
+/// The level nearest to the LOD, read alone.
+enum class Within { nearest, bilinear };
 
-struct TrilinearRule {
-    std::vector<LinearImage> levels;
-    FilterOptions options;
-
-    void operator()(const Footprint& footprint, auto&& read) const {
-        const double coarsest = double(levels.size()) - 1;
-        const double biased =
-            std::clamp(gl_maximum(footprint) + options.lod_bias, options.lod_min, options.lod_max);
-        const double lod = std::clamp(biased, 0.0, coarsest), finer = std::floor(lod), share = lod - finer;
-        read_level(int(finer), footprint, 1 - share, read);
-        if (share > 0) read_level(int(finer) + 1, footprint, share, read);
-    }
-    void read_level(int level, const Footprint& footprint, double weight, auto&& read) const {
-        const LinearImage& image = levels[std::size_t(level)];
-        const glm::dvec2 scale{double(image.width) / levels[0].width,
-                               double(image.height) / levels[0].height};
-        read_bilinear(image, options.addressing, footprint.centre * scale,
-                      Tap{.image = level, .weight = weight}, read);
-    }
-    glm::dvec4 value(const Tap& tap) const {
-        return glm::dvec4{levels[std::size_t(tap.image)].at(tap.column, tap.row)};
+template <Within within>
+struct NearestLevel {
+    void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
+        const int level = nearest_level(mips.in_chain(lod_gl_maximum(footprint)));
+        if constexpr (within == Within::nearest)
+            mips.nearest(level, footprint.centre, 1, read);
+        else
+            mips.bilinear(level, footprint.centre, 1, read);
     }
 };
 
-Sampler prepare(const LinearImage& image, const FilterOptions& options) {
-    TrilinearRule rule{mip_chain(image, options.mip_kernel), options};
-    std::vector<StoredImage> stored;
-    for (const LinearImage& level : rule.levels)
-        stored.push_back({level.width, level.height, sizeof(glm::vec4), {}});
-    return sampler(std::move(rule), std::move(stored));
+template <LodRule lod>
+struct Trilinear {
+    void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
+        mips.trilinear(mips.in_chain(lod(footprint)), footprint.centre, 1, read);
+    }
+};
+
+Method nearest_level_method(std::string name, std::string taps, decltype(Method::prepare) prepare) {
+    return {
+        .name = std::move(name),
+        .card = {.footprint = "The longer of the pixel's two steps.",
+                 .lod = "log2 of its length in texels, biased, clamped; the level is ceil(LOD + 1/2) - 1.",
+                 .taps = std::move(taps),
+                 .source = "OpenGL 4.6 core, 8.14"},
+        .prepare = std::move(prepare)};
+}
+
+template <LodRule lod>
+Method trilinear_method(std::string name, DefinitionCard card) {
+    card.taps = "Bilinear in the two levels around the LOD, weighted by its fraction.";
+    return {.name = std::move(name), .card = std::move(card), .prepare = prepare_mipped<Trilinear<lod>>};
 }
 
 }  // namespace
 
 std::vector<Method> mip_methods() {
-    return {{.name = "trilinear-gl",
-             .card = {.footprint = "The longer of the pixel's two steps.",
-                      .lod = "log2 of its length in texels.",
-                      .taps = "Bilinear in the two levels around the LOD, blended by its fraction.",
-                      .source = "OpenGL 4.6 core, 8.14"},
-             .prepare = prepare}};
+    return {
+        nearest_level_method("mip-nearest-point", "The texel of that level that holds the place.",
+                             prepare_mipped<NearestLevel<Within::nearest>>),
+        nearest_level_method("mip-nearest-bilinear",
+                             "The four texels of that level whose centres surround the place.",
+                             prepare_mipped<NearestLevel<Within::bilinear>>),
+        trilinear_method<lod_gl_maximum>("trilinear-gl", {.footprint = "The longer of the pixel's two steps.",
+                                                          .lod = "log2 of its length in texels.",
+                                                          .taps = {},
+                                                          .source = "OpenGL 4.6 core, 8.14; Williams 1983"}),
+        trilinear_method<lod_ellipse_major>(
+            "trilinear-ellipse",
+            {.footprint = "The ellipse that the Jacobian makes of the unit circle.",
+             .lod = "log2 of its longer semi-axis, the Jacobian's larger singular value s1.",
+             .taps = {},
+             .source = "Direct3D 11.3 functional specification, 7.18.11"}),
+        trilinear_method<lod_root_mean_square>(
+            "trilinear-rms",
+            {.footprint = "Both of the pixel's steps, equally.",
+             .lod = "log2 of the root mean square of their lengths, sqrt((|per_x|^2 + |per_y|^2) / 2).",
+             .taps = {},
+             .source = "ours; no publication found that gives it a name"}),
+        trilinear_method<lod_area>("trilinear-area",
+                                   {.footprint = "The parallelogram of the pixel's two steps.",
+                                    .lod = "log2 of the square root of its area, |det J|.",
+                                    .taps = {},
+                                    .source = "common in lectures on texture mapping"}),
+        trilinear_method<lod_pbrt>(
+            "trilinear-pbrt",
+            {.footprint = "The Jacobian's largest absolute entry.",
+             .lod =
+                 "1 + log2 of it. pbrt measures in texture coordinates of a square texture; here each entry "
+                 "is in texels of its own axis.",
+             .taps = {},
+             .source = "pbrt-v4, MIPMap::Filter"})};
 }
 
 }  // namespace zproof::texture

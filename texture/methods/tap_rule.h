@@ -30,12 +30,25 @@ Sampler sampler(Rule rule, std::vector<StoredImage> stored) {
             .stored = std::move(stored)};
 }
 
+/// The image itself as a stored image.
+inline StoredImage level_zero(const LinearImage& image) {
+    return {image.width, image.height, sizeof(glm::vec4), [](int column, int row) {
+                return std::vector<Share>{{column, row, 1}};
+            }};
+}
+
+/// Texel coordinates for which a 64-bit index exists: what is not finite or beyond 2^52 reads as 0.
+inline double place_on_line(double place) { return std::abs(place) < 0x1p52 ? place : 0; }
+
+/// The index of the texel that holds a place on the line, before wrapping.
+inline std::int64_t texel_holding(double place) { return std::int64_t(std::floor(place_on_line(place))); }
+
 /// The texel of an image that holds a place, weighted.
 template <class Read>
 void read_nearest(const LinearImage& image, const Addressing& wrap, const glm::dvec2& place, Tap tap,
                   Read&& read) {
-    tap.column = wrapped(wrap.u, std::int64_t(std::floor(place.x)), image.width);
-    tap.row = wrapped(wrap.v, std::int64_t(std::floor(place.y)), image.height);
+    tap.column = wrapped(wrap.u, texel_holding(place.x), image.width);
+    tap.row = wrapped(wrap.v, texel_holding(place.y), image.height);
     read(tap);
 }
 
@@ -44,7 +57,8 @@ void read_nearest(const LinearImage& image, const Addressing& wrap, const glm::d
 template <class Read>
 void read_bilinear(const LinearImage& image, const Addressing& wrap, const glm::dvec2& place, Tap tap,
                    Read&& read) {
-    const glm::dvec2 low = glm::floor(place - 0.5), share = place - 0.5 - low;
+    const glm::dvec2 between{place_on_line(place.x) - 0.5, place_on_line(place.y) - 0.5},
+        low = glm::floor(between), share = between - low;
     for (int down = 0; down < 2; ++down) {
         for (int right = 0; right < 2; ++right) {
             const double across = right == 1 ? share.x : 1 - share.x,
