@@ -14,7 +14,7 @@ struct BilinearMoments {
 };
 
 /// Texel coordinates as quotients: s = S / W in [0, 1], t = T / W likewise. By a rule of degree 5 on pieces
-/// of nearly constant W: each moment's error is at most 4e-10 of the area (docs/area-integral.md,
+/// of nearly constant W: each moment's error is at most 3e-9 of the area (docs/area-integral.md,
 /// "Bilinear").
 BilinearMoments bilinear_moments(const Polygon<double>& piece, const Homography<double>& cell);
 
@@ -22,11 +22,11 @@ BilinearMoments bilinear_moments(const Polygon<double>& piece, const Homography<
 double gaussian_weight(const Point<double>& p);
 
 /// The same under that weight, which must not be negative on the piece. For pieces that fit into a square of
-/// 1/4 px each moment's error is at most 1.4e-5 of the area (docs/area-integral.md, "Gaussian").
+/// 1/4 px each moment's error is at most 1.5e-5 of the area (docs/area-integral.md, "Gaussian").
 BilinearMoments gaussian_moments(const Polygon<double>& piece, const Homography<double>& cell);
 
 /// The same over whole cells, as a series in the slopes p, q of Z per cell: terms left out are smaller than
-/// 4e-10.
+/// 1e-12.
 class WholeCellMoments {
   public:
     explicit WholeCellMoments(const TexelLattice<double>& lattice) : lattice_(lattice) {}

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "math/interval.h"
 #include "math/rational.h"
+#include "oracle/area/bilinear_moments.h"
 #include "oracle/area/surfaces.h"
 #include "oracle/area/texel_walk.h"
 #include "oracle/area/triangle_rules.h"
@@ -122,6 +124,35 @@ TEST(AreaIntegral, IsExactButForRounding) {
     EXPECT_GT(worst, 0);
 }
 
+/// The corners of cell (k, l) in the image.
+Polygon<double> cell_in_image(const Homography<double>& map, const Cell& cell) {
+    Polygon<double> polygon = square(100.0);
+    for (const auto& [along, first] : {std::pair{map.u, cell.column}, {map.v, cell.row}}) {
+        polygon = cut(polygon, from_line(along, first, map.w)).inside;
+        polygon = cut(polygon, -from_line(along, first + 1, map.w)).inside;
+    }
+    return polygon;
+}
+
+/// Slopes of 2^-8 per cell, the steepest that the series takes.
+TEST(BilinearMoments, OfWholeCellsAreThoseOfTheirPolygons) {
+    const Homography<double> map{{0.9, 0.2, 0.3}, {-0.3, 1.1, 0.1}, {0.002, 0.0015, 1}};
+    const TexelLattice<double> lattice(map);
+    const WholeCellMoments whole(lattice);
+    ASSERT_TRUE(whole.holds_for(-3, -2, 3));
+    for (const Cell cell : {Cell{-2, -3}, Cell{1, -3}, Cell{2, -3}}) {
+        const Homography<double> within{from_line(map.u, cell.column, map.w),
+                                        from_line(map.v, cell.row, map.w), map.w};
+        const BilinearMoments a = whole.of(cell), b = bilinear_moments(cell_in_image(map, cell), within);
+        EXPECT_NEAR(a.one, b.one, 3e-9 * b.one);
+        EXPECT_NEAR(a.s, b.s, 3e-9 * b.one);
+        EXPECT_NEAR(a.t, b.t, 3e-9 * b.one);
+        EXPECT_NEAR(a.st, b.st, 3e-9 * b.one);
+        EXPECT_GT(std::abs(a.s / a.one - 0.5), 1e-4);  // or nothing was asked of the slopes
+    }
+    EXPECT_FALSE(whole.holds_for(-3, -2, 300));
+}
+
 double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
 /// Over a triangle of area 1, the integral of b0^i b1^j b2^k is 2 i! j! k! / (i + j + k + 2)!.
@@ -194,6 +225,12 @@ TEST(AreaIntegral, SurfacesThatCrossAreCutWhereTheyCross) {
     EXPECT_EQ(truth.kind.at(2, 1), TruthKind::silhouette);
     EXPECT_NEAR(truth.mean.at(3, 1).g, 1, 1e-14);
     EXPECT_NEAR(truth.mean.at(1, 1).g, 0, 1e-14);
+}
+
+TEST(AreaIntegral, OfCoincidentTrianglesTheFirstIsSeen) {
+    const AreaTruth truth = truth_of(painted(together({wall(2), wall(2), wall(2)})));
+    for (const glm::dvec3& mean : truth.mean.pixels()) EXPECT_EQ(mean, glm::dvec3(1));
+    EXPECT_EQ(std::ranges::count(truth.kind.pixels(), TruthKind::interior), 16);
 }
 
 /// A wall of two triangles whose common edge crosses pixels.

@@ -140,7 +140,7 @@ TEST(AreaIntegral, IsAdditive) {
                 ASSERT_EQ(coarse.kind.at(x, y), TruthKind::interior);
                 worst = std::max(worst, glm::length(sum - coarse.mean.at(x, y)));
             }
-        EXPECT_LT(worst, what == Reconstruction::nearest ? 1e-12 : 2e-9);
+        EXPECT_LT(worst, what == Reconstruction::nearest ? 1e-12 : 1e-8);
     }
 }
 
