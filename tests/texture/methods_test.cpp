@@ -299,13 +299,16 @@ TEST(Anisotropic, GaussianProbesWeighWhatTheirCardsSay) {
 }
 
 TEST(Anisotropic, FelineRoundsItsProbesAndWidensThemWhereTheyAreFewer) {
-    // 2 R / r - 1 = 5.4 rounds to 5 probes, of r = 2 * 9.6 / 6 = 3.2 instead of 3.
-    const Footprint f = flat_footprint({100.5, 100.5}, {9.6, 0}, {0, 3});
-    double lod = 0;
-    const std::vector<Tap> taps = prepared("aniso-feline", random_image(256, 256, 1)).taps(f);
-    for (const Tap& tap : taps) lod += tap.weight * tap.image;
-    EXPECT_EQ(taps.size(), 5u * 8);
-    EXPECT_NEAR(lod, std::log2(3.2), 1e-14);
+    const auto expect = [](double minor, std::size_t count, double width) {
+        const Footprint f = flat_footprint({100.5, 100.5}, {9.6, 0}, {0, minor});
+        const std::vector<Tap> taps = prepared("aniso-feline", random_image(256, 256, 1)).taps(f);
+        double lod = 0;
+        for (const Tap& tap : taps) lod += tap.weight * tap.image;
+        EXPECT_EQ(taps.size(), count * 8);
+        EXPECT_NEAR(lod, std::log2(width), 1e-14);
+    };
+    expect(3, 5, 3.2);    // 2 R / r - 1 = 5.4: fewer probes, so wider ones, 2 * 9.6 / 6
+    expect(2.8, 6, 2.8);  // 5.86: more probes, of their own width
 }
 
 TEST(Anisotropic, Direct3dSparesTapsWhereTheWidthIsBelowATexel) {
