@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "compare/memory.h"
+
 namespace zproof {
 
 namespace {

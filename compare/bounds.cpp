@@ -35,11 +35,12 @@ double largest_defect(const Camera& camera) {
 
 }  // namespace
 
-double PlaneSize::nearness_error(double largest_nearness) const {
-    const double u = gamma(16, unit_roundoff_float64), condition = volume_abs / volume;
-    return u * condition < 0.5
-               ? 2 * u * (numerator_abs / volume + largest_nearness * condition) + 2 * origin_error / volume
-               : unlimited;
+PlaneError::PlaneError(const PlaneSize& size)
+    : rounding_(gamma(16, unit_roundoff_float64)),
+      condition_(size.volume_abs / size.volume),
+      numerator_(size.numerator_abs / size.volume),
+      of_origin_(2 * size.origin_error / size.volume) {
+    is_known_ = rounding_ * condition_ < 0.5;
 }
 
 double TriangleExtent::largest_depth() const {

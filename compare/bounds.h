@@ -33,10 +33,26 @@ struct PlaneSize {
     double volume = 0, volume_abs = 0, numerator_abs = 0;
     /// Parallel projections: what the judge's own rounding of the origin of sight may add to the numerator.
     double origin_error = 0;
+};
 
-    /// Forward error of the judge's own nearness, computed in double by image_of, where |nearness| is at most
-    /// this: absolute sums of both products, 16 roundings at most in each.
-    double nearness_error(double largest_nearness) const;
+/// Forward error of the judge's own nearness, computed in double by image_of: absolute sums of both products,
+/// 16 roundings at most in each.
+class PlaneError {
+  public:
+    PlaneError() = default;
+    explicit PlaneError(const PlaneSize& size);
+
+    /// Is the plane's orientation, as seen, certain?
+    bool is_known() const { return is_known_; }
+    /// Where |nearness| is at most this.
+    double at(double largest_nearness) const {
+        return is_known_ ? 2 * rounding_ * (numerator_ + largest_nearness * condition_) + of_origin_
+                         : unlimited;
+    }
+
+  private:
+    bool is_known_ = false;
+    double rounding_ = 0, condition_ = 0, numerator_ = 0, of_origin_ = 0;
 };
 
 /// A triangle's size as the error analysis sees it, the same for every renderer of a view: sums of absolute

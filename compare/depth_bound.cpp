@@ -68,8 +68,9 @@ TriangleNearness::TriangleNearness(const View& view, const TriangleExtent& exten
     if (edge_on) return;
     nearness = image->nearness;
     gradient = std::abs(nearness.a) + std::abs(nearness.b);
-    own_error = extent.plane_size.nearness_error(std::abs(nearness.c) + std::abs(nearness.a) * view.width +
-                                                 std::abs(nearness.b) * view.height);
+    own_error =
+        PlaneError(extent.plane_size)
+            .at(std::abs(nearness.c) + std::abs(nearness.a) * view.width + std::abs(nearness.b) * view.height);
 }
 
 TriangleDepth::TriangleDepth(const TriangleNearness& nearness, const TriangleBounds& bounds,
