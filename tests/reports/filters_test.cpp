@@ -1,6 +1,7 @@
 // The reports of a study, from results written by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
