@@ -75,7 +75,8 @@ TEST(WorkedSetup, EveryFigureToATenthOfADecibel) {
         EXPECT_EQ(find_score(method, "interior")->pixels, 51'200u);
         EXPECT_NEAR(value_of(results, method, "interior", "psnr"), rows[i].psnr, 0.1) << rows[i].label;
         const Cost cost = cost_of(plan.contestants[i].texturing, textures, counted);
-        if (rows[i].texels != not_held) EXPECT_NEAR(cost.texels, rows[i].texels, 0.1) << rows[i].label;
+        if (rows[i].texels == not_held) continue;
+        EXPECT_NEAR(cost.texels, rows[i].texels, 0.1) << rows[i].label;
     }
 }
 
