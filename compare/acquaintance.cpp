@@ -29,6 +29,7 @@ BoundedTriangle::BoundedTriangle(const ViewBounds& bounds, const Sight<double>& 
                                  const CornersWorld& p_world)
     : of_view(bounds, any, p_world) {
     const TriangleBounds& b = of_view.bounds;
+    is_never_cut = b.nearest > camera.near_depth && b.farthest < camera.far_depth;
     is_always_clear =
         b.nearest > camera.near_depth + b.near_slack && b.farthest < camera.far_depth - b.far_slack;
     most_near = near_limit(camera, b.near_slack);

@@ -123,10 +123,6 @@ class TileSearch {
                     found.push_back({std::uint32_t(tile), triangle});
             }
     }
-    static Around around(const Box& box) {
-        return {box.middle_x() - 0.5, box.middle_y() - 0.5, 0.5 * (box.right - box.left),
-                0.5 * (box.bottom - box.top)};
-    }
     static int clamped(double px, int count) {
         return int(std::clamp(px / Tiles::side_px, 0.0, count - 1.0));
     }
