@@ -53,8 +53,7 @@ class Acquaintance {
         auto& bounded = bounded_[&bounds];
         const auto found = bounded.find(triangle);
         if (found != bounded.end()) return found->second;
-        return bounded
-            .try_emplace(triangle, bounds, any_, view_.camera, corners_of(scene_, triangle))
+        return bounded.try_emplace(triangle, bounds, any_, view_.camera, corners_of(scene_, triangle))
             .first->second;
     }
 

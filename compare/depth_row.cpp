@@ -38,8 +38,19 @@ struct Parallel {
     static double margin(double own_error, double) { return own_error; }
 };
 
+/// The sum of depth's relative errors at a nearness. Most renderers have the same everywhere, and then it costs
+/// no division per pixel.
+struct Everywhere {
+    static double sum(const DepthRow& t, double) { return t.depth_factor; }
+};
+struct ByNearness {
+    static double sum(const DepthRow& t, double nearness) {
+        return t.depth_factor + t.plane_offset / nearness;
+    }
+};
+
 /// Inlined into each instruction set's copy of its callers.
-template <class Projected>
+template <class Projected, class Relative>
 [[gnu::always_inline]] inline void hold_row(const DepthRow& t, int first_x, std::span<const float> depth,
                                             double* ratio) {
     for (std::size_t i = 0; i < depth.size(); ++i) {
@@ -51,7 +62,7 @@ template <class Projected>
         const double nearest = clamped(range.low, t.nearest, t.farthest);
         const double farthest = clamped(range.high, t.nearest, t.farthest);
         const double truth = clamped(range.truth, nearest, farthest);
-        const double sum = t.depth_factor + t.plane_offset / here, relative = sum / (1 - sum);
+        const double sum = Relative::sum(t, here), relative = sum / (1 - sum);
         const double low = nearest - std::abs(nearest) * relative - t.absolute;
         const double high = farthest + std::abs(farthest) * relative + t.absolute;
         const double z = depth[i], margin = Projected::margin(t.own_error, z),
@@ -72,13 +83,19 @@ template <class Projected>
                                                                                int first_x,
                                                                                std::span<const float> depth,
                                                                                double* ratio) {
-    hold_row<Perspective>(row, first_x, depth, ratio);
+    if (row.plane_offset == 0)
+        hold_row<Perspective, Everywhere>(row, first_x, depth, ratio);
+    else
+        hold_row<Perspective, ByNearness>(row, first_x, depth, ratio);
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] void hold_parallel_row(const DepthRow& row, int first_x,
                                                                             std::span<const float> depth,
                                                                             double* ratio) {
-    hold_row<Parallel>(row, first_x, depth, ratio);
+    if (row.plane_offset == 0)
+        hold_row<Parallel, Everywhere>(row, first_x, depth, ratio);
+    else
+        hold_row<Parallel, ByNearness>(row, first_x, depth, ratio);
 }
 
 }  // namespace zproof

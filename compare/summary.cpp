@@ -109,7 +109,8 @@ bool Summary::is_uncut(const Renderer& renderer) const {
 
 /// All of the box, between near and far.
 bool Summary::covers(const Renderer& renderer, std::size_t i, const Around& box) const {
-    return filter(i).place_of(box) == Place::covers && renderer.triangles[i]->is_clear_of_planes(filter(i), box);
+    return filter(i).place_of(box) == Place::covers &&
+           renderer.triangles[i]->is_clear_of_planes(filter(i), box);
 }
 
 bool Summary::is_inside(std::size_t i, const Offset& at) const {
@@ -141,7 +142,8 @@ bool Summary::is_seen_at(std::optional<std::size_t> answer, const Offset& at) co
     return std::ranges::all_of(covering_, leaves_free) && std::ranges::all_of(cutting_, leaves_free);
 }
 
-/// The square's corners and the middles of its sides, and for a triangle the middle of its part of the square.
+/// The square's corners and the middles of its sides, and for a triangle the middle of its part of the
+/// square.
 bool Summary::is_seen_around(std::optional<std::size_t> answer, double half_side_px) const {
     const double h = half_side_px;
     for (const Offset& at : {Offset{-h, -h}, {h, -h}, {-h, h}, {h, h}, {-h, 0}, {h, 0}, {0, -h}, {0, h}})
@@ -263,12 +265,12 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint) {
     if (answer && standing_in_tile(renderer, *answer) == Standing::tied)
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
     if (is_seen_at(answer, {0, 0})) return Ruled{{Standing::visible, false}, eps, std::nullopt};
-    if (is_seen_around(answer, plaint.own_eps_px)) return visible(renderer, plaint, answer, eps);
     const auto may_be_certain = [&](std::size_t i) {
         return may_be_hidden_for_certain(renderer, i, *answer);
     };
     if (answer && cutting_.empty() && is_tied(renderer, *answer, square(widest_px_), may_be_certain))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
+    if (is_seen_around(answer, plaint.own_eps_px)) return visible(renderer, plaint, answer, eps);
     return std::nullopt;
 }
 

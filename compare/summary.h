@@ -50,7 +50,7 @@ class Summary {
     struct Renderer {
         const ViewBounds* bounds;
         std::vector<const BoundedTriangle*> triangles;  ///< of present_, in order
-        bool is_never_cut = true;  ///< any of them
+        bool is_never_cut = true;                       ///< any of them
         std::vector<std::optional<Standing>> standing;  ///< by present_, of all pixels; if all cover the tile
     };
     /// A square around the pixel's centre, or a place in it.

@@ -70,8 +70,8 @@ double TriangleFilters::corner_size(const CornersWorld& p_world) const {
     const glm::dvec3 eye(sight_.origin.x, sight_.origin.y, sight_.origin.z);
     double size = 0;
     for (const glm::vec3& p : p_world)
-        size = std::max(size, perspective_ ? size_of(glm::dvec3(p) - eye)
-                                           : size_of(glm::dvec3(p)) + origin_size_);
+        size = std::max(size,
+                        perspective_ ? size_of(glm::dvec3(p) - eye) : size_of(glm::dvec3(p)) + origin_size_);
     return size;
 }
 

@@ -36,17 +36,16 @@ struct TriangleFilter {
     };
 
     std::array<Affine<double>, 3> edge{};  ///< > 0 inside; of pixel indices
-    double edge_error = 0;  ///< of each, anywhere in the image: this value's and image_of's together
-    Affine<double> nearness{};             ///< of pixel indices
-    double nearness_error = unlimited;     ///< anywhere in the image
-    bool is_trusted = false;               ///< or may it be edge-on? Then only `box` and `corner` hold
-    Box box{};                             ///< around its image in front of half the near depth
+    double edge_error = 0;      ///< of each, anywhere in the image: this value's and image_of's together
+    Affine<double> nearness{};  ///< of pixel indices
+    double nearness_error = unlimited;  ///< anywhere in the image
+    bool is_trusted = false;            ///< or may it be edge-on? Then only `box` and `corner` hold
+    Box box{};                          ///< around its image in front of half the near depth
     /// The corners' images, in pixel indices, where all lie in front of half the near depth.
     std::optional<std::array<Around, 3>> corner;
 
     Place place_of(const Around& at) const {
-        if (!is_trusted)
-            return box.meets(raster_box(at)) && !is_beside(at) ? Place::unknown : Place::misses;
+        if (!is_trusted) return box.meets(raster_box(at)) && !is_beside(at) ? Place::unknown : Place::misses;
         bool covers = true;
         for (const Affine<double>& e : edge) {
             const double middle = e.at(at.x, at.y);
