@@ -19,7 +19,7 @@ struct DepthOfBoth {
 };
 
 /// A tile seldom shows more triangles.
-constexpr std::size_t remembered_triangles = 256;
+constexpr std::size_t remembered_triangles = 512;
 
 /// Pixels [begin, end) of a row at which both name the same triangle, or both none; one pixel where they
 /// differ.

@@ -38,8 +38,8 @@ struct Parallel {
     static double margin(double own_error, double) { return own_error; }
 };
 
-/// The sum of depth's relative errors at a nearness. Most renderers have the same everywhere, and then it costs
-/// no division per pixel.
+/// The sum of depth's relative errors at a nearness. Most renderers have the same everywhere, and then it
+/// costs no division per pixel.
 struct Everywhere {
     static double sum(const DepthRow& t, double) { return t.depth_factor; }
 };
