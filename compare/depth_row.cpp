@@ -49,12 +49,15 @@ struct ByNearness {
     }
 };
 
-/// Inlined into each instruction set's copy of its callers.
+/// Inlined into each instruction set's copy of its callers. The row is a copy, so that what is written cannot
+/// be any of it, and stays in registers.
 template <class Projected, class Relative>
-[[gnu::always_inline]] inline void hold_row(const DepthRow& t, int first_x, std::span<const float> depth,
+[[gnu::always_inline]] inline void hold_row(const DepthRow t, int first_x, std::span<const float> depth,
                                             double* ratio) {
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-        const double nearness = t.nearness_step * (first_x + int(i)) + t.nearness_row + t.nearness_offset;
+    const float* const depths = depth.data();
+    const int count = int(depth.size());
+    for (int i = 0; i < count; ++i) {
+        const double nearness = t.nearness_step * (first_x + i) + t.nearness_row + t.nearness_offset;
         const double here = clamped(nearness, t.least, t.highest);
         const double reach = (t.base + t.per * here) * t.amplification;
         const Range range =
@@ -65,7 +68,7 @@ template <class Projected, class Relative>
         const double sum = Relative::sum(t, here), relative = sum / (1 - sum);
         const double low = nearest - std::abs(nearest) * relative - t.absolute;
         const double high = farthest + std::abs(farthest) * relative + t.absolute;
-        const double z = depth[i], margin = Projected::margin(t.own_error, z),
+        const double z = depths[i], margin = Projected::margin(t.own_error, z),
                      rounding = 8 * unit_roundoff_float64 * z;
         const bool holds = (sum < 1) & (truth < infinite) & (z >= 0) & (low + margin + rounding <= z) &
                            (z <= high - margin - rounding);
