@@ -16,6 +16,7 @@ struct PartyWords {
     std::string candidate, reference, reference_precision;  ///< stored frames
     std::optional<std::vector<std::string>> oracles;        ///< nothing: the usual ones
     std::vector<std::string> required;
+    std::string filter;  ///< of textures; empty: none
     int time_limit_s = 600;
 };
 

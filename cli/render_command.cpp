@@ -8,6 +8,7 @@
 #include "frame/exr.h"
 #include "frame/png.h"
 #include "rasterizer/shading.h"
+#include "rasterizer/texturing.h"
 #include "reports/output_folder.h"
 #include "reports/pictures.h"
 
@@ -20,9 +21,9 @@ void write_frame(const std::filesystem::path& stem, const Frame& frame) {
     write_png(stem.string() + "-depth.png", picture_of_depths(frame.camera_depth));
 }
 
-void write_colours(const std::filesystem::path& stem, const Picture& picture) {
-    write_exr(stem.string() + "-colour.exr", picture);
-    write_png(stem.string() + "-colour.png", picture_of_light(picture));
+void write_colours(const std::string& stem, const Picture& picture) {
+    write_exr(stem + ".exr", picture);
+    write_png(stem + ".png", picture_of_light(picture));
 }
 
 }  // namespace
@@ -36,7 +37,10 @@ ExitCode execute(const RenderArguments& arguments) {
             const std::filesystem::path stem = out.working() / safe_name(view.name);
             const Frame frame = renderer.render(view);
             write_frame(stem, frame);
-            write_colours(stem, rasterizer::shade(loaded.scene, view, frame, Light{}));
+            write_colours(stem.string() + "-colour", rasterizer::shade(loaded.scene, view, frame, Light{}));
+            if (arguments.filter)
+                write_colours(stem.string() + "-filtered",
+                              rasterizer::filtered(loaded.scene, view, frame, arguments.filter->texturing));
         }
     });
     out.publish();

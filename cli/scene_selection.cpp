@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "cli/nearest_word.h"
 #include "scenes/gltf.h"
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
@@ -50,29 +51,11 @@ std::vector<SceneSource> of_folder(const fs::path& folder) {
     return sources;
 }
 
-/// Edits (insert, delete, replace) between two words: Levenshtein's distance.
-std::size_t edits_between(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-        }
-    }
-    return row.back();
-}
-
 SceneError unknown_word(const std::string& word, const std::vector<SuiteEntry>& manifest) {
-    std::string message = word + ": no such file, folder or suite scene";
-    const auto nearest = std::ranges::min_element(
-        manifest, {}, [&](const SuiteEntry& entry) { return edits_between(word, entry.name); });
-    if (nearest != manifest.end() && edits_between(word, nearest->name) <= 2)
-        message += "; did you mean '" + nearest->name + "'?";
-    return SceneError{message + " (zproof list shows the suite)"};
+    std::vector<std::string> names;
+    for (const SuiteEntry& entry : manifest) names.push_back(entry.name);
+    return SceneError{word + ": no such file, folder or suite scene" + did_you_mean(word, names) +
+                      " (zproof list shows the suite)"};
 }
 
 std::optional<SceneSource> single_scene(const std::string& word, const std::vector<SuiteEntry>& manifest) {

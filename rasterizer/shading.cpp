@@ -6,16 +6,13 @@
 #include <algorithm>
 
 #include "rasterizer/surface.h"
+#include "rasterizer/texel_map.h"
+#include "rasterizer/wrap_mode.h"
 #include "texture/point_filters.h"
 
 namespace zproof::rasterizer {
 
 namespace {
-
-texture::Wrap wrap_of(Wrap wrap) {
-    if (wrap == Wrap::clamp_to_edge) return texture::Wrap::clamp_to_edge;
-    return wrap == Wrap::repeat ? texture::Wrap::repeat : texture::Wrap::mirrored_repeat;
-}
 
 /// A triangle and the place on it that a pixel sees.
 struct Point {
@@ -39,7 +36,7 @@ glm::dvec3 texture_colour(const Point& point) {
     const glm::dvec2 place = texture.transform.translation + texture.transform.linear * uv;
     const Image& image = point.scene.images[std::size_t(texture.image)];
     const texture::Texels texels{image.width, image.height, image.texels};
-    const texture::Addressing addressing{wrap_of(texture.sampler.wrap_u), wrap_of(texture.sampler.wrap_v)};
+    const texture::Addressing addressing = addressing_of(texture.sampler);
     const bool is_nearest = texture.sampler.magnification == Magnification::nearest;
     return glm::dvec3(is_nearest ? texture::nearest(texels, addressing, place)
                                  : texture::bilinear(texels, addressing, place));
@@ -88,7 +85,7 @@ class Shader {
         const auto id = std::uint32_t(primitive);
         const glm::uvec3 corners = scene_.triangles[id];
         const SightLine line = sight_line(view_, x + 0.5, y + 0.5);
-        const Point point{scene_, corners, material_of(id), barycentrics(line, from_eye(corners))};
+        const Point point{scene_, corners, material_of(scene_, id), barycentrics(line, from_eye(corners))};
         const double facing =
             std::max(0.0, glm::dot(normal_to_viewer_world(point, line), toward_light_world_));
         return lit(base_colour(point), light_.ambient + light_.diffuse * facing);
@@ -104,11 +101,6 @@ class Shader {
             return glm::dvec3{scene_.vertices.position_world[vertex]} - glm::dvec3{view_.camera.eye_world};
         };
         return {corner(corners.x), corner(corners.y), corner(corners.z)};
-    }
-
-    const Material& material_of(std::uint32_t id) const {
-        const auto after = std::ranges::upper_bound(scene_.parts, id, {}, &Part::first_triangle);
-        return scene_.materials[std::size_t(std::prev(after)->material)];
     }
 
     const Scene& scene_;

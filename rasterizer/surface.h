@@ -16,6 +16,13 @@ struct SightLine {
 
 SightLine sight_line(const View& view, double x_raster, double y_raster);
 
+/// Every line of sight of a view: both parts at raster (0, 0), and what a pixel's step adds to them.
+struct SightLines {
+    SightLine origin, per_x, per_y;
+};
+
+SightLines sight_lines(const View& view);
+
 /// Perspective-correct barycentrics of the point where the line meets the triangle's plane; they add up to 1.
 /// A third each where the triangle is seen edge-on.
 using Barycentrics = std::array<double, 3>;

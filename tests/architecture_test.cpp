@@ -26,10 +26,15 @@ const std::map<std::string, Names> may_include{
     {"texture", {"math"}},
     {"rasterizer", {"math", "frame", "scenes", "texture"}},
     {"oracle", {"math", "frame", "scenes", "texture"}},
-    {"compare", {"math", "frame", "scenes"}},      // judges evidence; never meets a renderer
-    {"measure", {"math", "frame", "scenes"}},      // is handed a renderer as a function; knows none
-    {"reports", {"compare", "measure", "frame"}},  // shows results; never computes one
-    {"cli", {"math", "frame", "scenes", "texture", "rasterizer", "oracle", "compare", "measure", "reports"}},
+    {"compare", {"math", "frame", "scenes"}},  // judges evidence; never meets a renderer
+    {"measure", {"math", "frame", "scenes"}},  // is handed a renderer as a function; knows none
+    {"study",
+     {"math", "frame", "scenes", "texture", "rasterizer", "oracle",
+      "compare"}},                                          // holds a method to its truth
+    {"reports", {"compare", "measure", "study", "frame"}},  // shows results; never computes one
+    {"cli",
+     {"math", "frame", "scenes", "texture", "rasterizer", "oracle", "compare", "measure", "study",
+      "reports"}},
 };
 
 /// Where a foreign library is spoken to; everywhere else it is unknown. <iostream>: library rooms never

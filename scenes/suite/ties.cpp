@@ -33,12 +33,10 @@ void add_posters(MeshBuilder& mesh, Random& random, const Sheet& sheet, const st
     }
 }
 
-/// Two quads that cross in a vertical line at an angle of slope 2^-k.
-void add_crossing(MeshBuilder& mesh, const glm::dvec3& centre, int k) {
-    const double slope = std::ldexp(1.0, -k);
-    const Sheet flat{centre, {1, 0, 0.25}, {0, 1, 0.125}};
+/// A sheet and another that crosses it in a vertical line at an angle of slope 2^-k.
+void add_crossing(MeshBuilder& mesh, const Sheet& flat, int k) {
     add_poster(mesh, flat, {-1, -1}, {1, 1});
-    const Sheet turned{centre, {1, 0, 0.25 + slope}, {0, 1, 0.125}};
+    const Sheet turned{flat.origin, flat.across + glm::dvec3{0, 0, std::ldexp(1.0, -k)}, flat.up};
     add_poster(mesh, turned, {-0.9, -0.9}, {0.9, 0.9});
 }
 
@@ -64,7 +62,9 @@ Loaded interpenetrating(ImageSize size) {
     MeshBuilder mesh("interpenetrating");
     Random random(9);
     mesh.begin_part("pairs", {0.75, 0.7, 0.5});
-    for (int k = 0; k < 24; ++k) add_crossing(mesh, {2.5 * (k % 8) - 8.75, 2.5 * (k / 8) - 2.5, -14}, k);
+    for (int k = 0; k < 24; ++k)
+        add_crossing(mesh, {{2.5 * (k % 8) - 8.75, 2.5 * (k / 8) - 2.5, -14}, {1, 0, 0.25}, {0, 1, 0.125}},
+                     k);
     for (int part = 0; part < 4; ++part) {
         mesh.begin_part("knot " + std::to_string(part), random.color());
         for (int i = 0; i < 60; ++i) {
@@ -78,6 +78,8 @@ Loaded interpenetrating(ImageSize size) {
         const glm::dmat3 axes = random.rotation();
         add_torus(mesh, {{3.0 * i - 7.5, 0.3 * i, -17}, axes * 2.0}, 0.25, {.across = 96, .down = 24});
     }
+    mesh.begin_part("facing pairs", {0.4, 0.7, 0.5});
+    for (int i = 0; i < 8; ++i) add_crossing(mesh, {{2.5 * i - 8.75, 5, -14}, {1, 0, 0}, {0, 1, 0}}, 12 + i);
     return mesh.finish(
         {perspective_view("ahead", size, {}, {.half_height = 0.45, .near_depth = 0.5, .far_depth = 100}),
          perspective_view("aside", size, {.eye_world = {18, 7, -2}, .target_world = {0, 0, -20}},

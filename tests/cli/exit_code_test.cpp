@@ -63,6 +63,8 @@ const std::vector<Case> cases{
     {"UnknownOption", {"run", "--frobnicate"}, 2, "--frobnicate"},
     {"OptionWithoutValue", {"run", "one.gltf", "--out"}, 2, "--out"},
     {"WidthOfZero", {"render", "one.gltf", "--width", "0"}, 2, "--width"},
+    {"UnknownFilter", {"render", "one.gltf", "--filter", "neares"}, 2, "did you mean 'nearest'?"},
+    {"Filter", {"render", "one.gltf", "--width", "8", "--height", "6", "--filter", "nearest"}, 0, ".exr"},
     {"ThreadsInWords", {"run", "one.gltf", "--threads", "two"}, 2, "--threads"},
     {"UnknownColour", {"run", "one.gltf", "--color", "mauve"}, 2, "mauve"},
     {"ExplainWithoutPixel", {"explain", "one.gltf"}, 2, "X"},

@@ -107,5 +107,20 @@ TEST(FolderNames, AreNeverGivenTwice) {
     EXPECT_EQ(names.next("room", "main-2"), "room-main-2-2");
 }
 
+TEST(CommandLine, FiltersAreNamesWithSettings) {
+    const auto render = std::get<RenderArguments>(
+        parsed({"render", "s.glb", "--filter", "trilinear-gl:bias=-0.5:mip=box:derivatives=quad:uv=affine"}));
+    ASSERT_TRUE(render.filter);
+    EXPECT_EQ(render.filter->texturing.method.name, "trilinear-gl");
+    EXPECT_EQ(render.filter->texturing.options.lod_bias, -0.5);
+    EXPECT_EQ(render.filter->texturing.options.mip_kernel, texture::MipKernel::box);
+    EXPECT_EQ(render.filter->texturing.derivatives, texture::Derivatives::quad_differences);
+    EXPECT_EQ(render.filter->texturing.uv, rasterizer::UvInterpolation::affine);
+    for (const char* word :
+         {"neares", "nearest::", "nearest:bias", "nearest:bias=", "nearest:bias=nan", "nearest:bias=1x",
+          "nearest:n=0", "nearest:mip=Box", "nearest:lod-min=3:lod-max=2"})
+        EXPECT_THROW(parsed({"render", "s.glb", "--filter", word}), UsageError) << word;
+}
+
 }  // namespace
 }  // namespace zproof

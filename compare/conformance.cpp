@@ -1,0 +1,199 @@
+#include "compare/conformance.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace zproof {
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+double slack_in(const LinearRgb& colour, const ColourRange& range) {
+    const std::array<double, 3> value{colour.r, colour.g, colour.b};
+    double slack = 0;
+    for (int c = 0; c < 3; ++c) {
+        if (!std::isfinite(value[std::size_t(c)])) return inf;
+        if (range.low[c] == -inf) continue;
+        const double half = (range.high[c] - range.low[c]) / 2, middle = range.low[c] + half;
+        const double off = std::abs(value[std::size_t(c)] - middle);
+        // Inside is inside, whatever the quotient rounds to.
+        const bool is_inside =
+            value[std::size_t(c)] >= range.low[c] && value[std::size_t(c)] <= range.high[c];
+        const double needed = off == 0 ? 0 : half == 0 ? inf : off / half;
+        slack =
+            std::max(slack, is_inside ? std::min(needed, 1.0) : std::max(needed, std::nextafter(1.0, 2.0)));
+    }
+    return slack;
+}
+
+double width_of(const PermittedColours& permitted) {
+    double sum = 0;
+    for (const ColourRange& range : permitted) {
+        const glm::dvec3 width = range.high - range.low;
+        sum += (width.x + width.y + width.z) / 3;
+    }
+    return sum;
+}
+
+/// One rule relaxed until it holds to so many bits only.
+FilterPrecision relaxed(const FilterPrecision& declared, FilterRule rule, double bits) {
+    FilterPrecision p = declared;
+    switch (rule) {
+        case FilterRule::coordinates:
+            p.place_bits = bits;
+            break;
+        case FilterRule::lod:
+            p.lod_bits = bits;
+            break;
+        case FilterRule::weights:
+            p.weight_bits = bits;
+            break;
+        case FilterRule::taps:
+            p.tap_bits = bits;
+            break;
+        case FilterRule::sums:
+            p.colour_bits = bits;
+            break;
+        case FilterRule::other:
+            break;
+    }
+    return p;
+}
+
+/// Evenly taken in raster order.
+std::vector<FilterPixel> some_outside(const Conformance& found) {
+    constexpr std::size_t most = 400;
+    std::vector<FilterPixel> all;
+    for (int y = 0; y < found.slack.size().height; ++y)
+        for (int x = 0; x < found.slack.size().width; ++x)
+            if (found.slack.at(x, y) > 1) all.push_back({x, y});
+    if (all.size() <= most) return all;
+    std::vector<FilterPixel> some;
+    for (std::size_t i = 0; i < most; ++i) some.push_back(all[i * all.size() / most]);
+    return some;
+}
+
+struct Question {
+    const Picture& picture;
+    const PixelLaw& law;
+    const FilterPrecision& declared;
+    std::vector<FilterPixel> pixels;
+};
+
+RuleTrial ask(const Question& q, FilterRule rule, double bits) {
+    const FilterPrecision precision = relaxed(q.declared, rule, bits);
+    std::vector<double> width(q.pixels.size(), -1);
+    tbb::parallel_for(std::size_t{0}, q.pixels.size(), [&](std::size_t i) {
+        const auto [x, y] = q.pixels[i];
+        const PermittedColours permitted = q.law(x, y, precision);
+        if (slack_of(q.picture.at(x, y), permitted) <= 1) width[i] = width_of(permitted);
+    });
+    RuleTrial trial{.rule = rule, .bits = bits};
+    double widths = 0, explained = 0;
+    for (const double w : width)
+        if (w >= 0) ++explained, widths += w;
+    trial.explained = explained / double(q.pixels.size());
+    trial.permissive = explained > 0 ? widths / explained : inf;
+    return trial;
+}
+
+/// The most bits that explain at least 99 in 100 of the pixels, or the fewest tried.
+RuleTrial least_relaxation(const Question& q, FilterRule rule) {
+    constexpr int fewest = -2, most = 24;
+    constexpr double nearly_all = 0.99;
+    RuleTrial best = ask(q, rule, fewest);
+    if (best.explained < nearly_all) return best;
+    int enough = fewest, too_many = most;
+    while (too_many - enough > 1) {
+        const int bits = (enough + too_many) / 2;
+        const RuleTrial trial = ask(q, rule, bits);
+        (trial.explained >= nearly_all ? enough : too_many) = bits;
+        if (trial.explained >= nearly_all) best = trial;
+    }
+    return best;
+}
+
+}  // namespace
+
+std::string name_of(FilterRule rule) {
+    switch (rule) {
+        case FilterRule::coordinates:
+            return "coordinates";
+        case FilterRule::lod:
+            return "LOD";
+        case FilterRule::weights:
+            return "weights";
+        case FilterRule::taps:
+            return "tap placement";
+        case FilterRule::sums:
+            return "texels and sums";
+        case FilterRule::other:
+            break;
+    }
+    return "another rule";
+}
+
+double slack_of(const LinearRgb& colour, const PermittedColours& permitted) {
+    double least = inf;
+    for (const ColourRange& range : permitted) least = std::min(least, slack_in(colour, range));
+    return least;
+}
+
+Conformance conformance(const Picture& picture, const PixelLaw& law, const FilterPrecision& precision) {
+    const Resolution size = picture.size();
+    Conformance found{.judged = size.pixel_count(), .worst = {}, .where = {}, .slack = Plane<float>{size}};
+    Plane<double> width{size};
+    tbb::parallel_for(0, size.height, [&](int y) {
+        for (int x = 0; x < size.width; ++x) {
+            const PermittedColours permitted = law(x, y, precision);
+            const double slack = slack_of(picture.at(x, y), permitted);
+            found.slack.at(x, y) = slack > 1 ? std::nextafter(float(slack), float(inf)) : float(slack);
+            width.at(x, y) = width_of(permitted);
+        }
+    });
+    double widths = 0;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            const double slack = double{found.slack.at(x, y)};
+            if (std::isinf(width.at(x, y)))
+                ++found.anything;
+            else
+                widths += width.at(x, y);
+            if (slack > found.worst_slack) found.worst_slack = slack, found.worst = {x, y};
+            if (!(slack > 1)) continue;
+            ++found.outside;
+            if (!found.where) found.where = Extent{{x, y}, {x, y}};
+            found.where->first.x = std::min(found.where->first.x, x);
+            found.where->last.x = std::max(found.where->last.x, x);
+            found.where->last.y = y;
+        }
+    }
+    found.mean_width = widths / double(std::max<std::uint64_t>(found.judged - found.anything, 1));
+    return found;
+}
+
+std::vector<RuleTrial> rules_at_fault(const Picture& picture, const Conformance& found, const PixelLaw& law,
+                                      const FilterPrecision& precision) {
+    const Question question{picture, law, precision, some_outside(found)};
+    if (question.pixels.empty()) return {};
+    std::vector<RuleTrial> trials;
+    for (const FilterRule rule : {FilterRule::coordinates, FilterRule::lod, FilterRule::weights,
+                                  FilterRule::taps, FilterRule::sums}) {
+        const RuleTrial trial = least_relaxation(question, rule);
+        if (trial.explained > 0) trials.push_back(trial);
+    }
+    // Half of the pixels explained is worth more than any narrowness; then the narrowest.
+    std::ranges::stable_sort(trials, [](const RuleTrial& a, const RuleTrial& b) {
+        const bool a_most = a.explained >= 0.99, b_most = b.explained >= 0.99;
+        if (a_most != b_most) return a_most;
+        return a_most ? a.permissive < b.permissive : a.explained > b.explained;
+    });
+    return trials;
+}
+
+}  // namespace zproof

@@ -1,0 +1,33 @@
+/// What a texture filter promises about its arithmetic: from these the law of filtering derives how far a
+/// faultless picture may stray from the definition (docs/filter-conformance.md).
+///
+/// Bits are those behind the binary point: what is known to b bits may err by 2^-b of its unit. Infinite bits
+/// cost nothing. They are real numbers, so that a search may ask for the least that explains a picture.
+#pragma once
+
+#include <limits>
+
+namespace zproof {
+
+/// How the steps per pixel are known.
+enum class StepRule {
+    analytic,          ///< of the surface's plane, at the pixel's centre
+    quad_differences,  ///< between the pixel's centre and its neighbour in the aligned 2 x 2 pixels
+};
+
+struct FilterPrecision {
+    static constexpr double exact = std::numeric_limits<double>::infinity();
+
+    double arithmetic_bits =
+        53;                      ///< unit roundoff 2^-b of all that leads from the scene to texel coordinates
+    double displacement_px = 0;  ///< the surface may be drawn this far beside its place, in x and in y
+    double place_bits = exact;   ///< place within a level, texels
+    double weight_bits = exact;  ///< each weight of a 2 x 2 read, and of a blend of two levels
+    double lod_bits = exact;     ///< LOD, levels
+    double tap_bits = exact;     ///< where the taps of one lookup stand, in lengths of its axis
+    double sum_bits = 53;        ///< unit roundoff of sums over texels: accumulation, summed-area tables
+    double texel_bits = 24;      ///< unit roundoff of stored texels of every level above 0
+    double colour_bits = 24;     ///< unit roundoff of the picture's numbers
+};
+
+}  // namespace zproof

@@ -1,0 +1,83 @@
+#include "rasterizer/texturing.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "rasterizer/wrap_mode.h"
+
+namespace zproof::rasterizer {
+
+namespace {
+
+/// One sampler per material; none where it has no texture.
+std::vector<std::optional<texture::Sampler>> prepared(const Scene& scene, const Texturing& texturing) {
+    std::vector<std::optional<texture::Sampler>> samplers(scene.materials.size());
+    for (std::size_t i = 0; i < samplers.size(); ++i) {
+        const Texture& texture = scene.materials[i].base_color;
+        if (texture.image == Texture::none) continue;
+        const Image& image = scene.images[std::size_t(texture.image)];
+        texture::FilterOptions options = texturing.options;
+        options.addressing = addressing_of(texture.sampler);
+        samplers[i] = texturing.method.prepare(
+            texture::linear_image({image.width, image.height, image.texels}), options);
+    }
+    return samplers;
+}
+
+/// Reads a row of pixels; a run of one triangle finds its map once.
+class Reader {
+  public:
+    Reader(const Scene& scene, const View& view, const Texturing& texturing)
+        : scene_(scene), view_(view), texturing_(texturing), samplers_(prepared(scene, texturing)) {}
+
+    void read_row(int y, std::span<const PrimitiveId> ids, std::span<LinearRgb> colours) const {
+        PrimitiveId mapped = PrimitiveId::none;
+        std::optional<Homography<double>> map;
+        for (int x = 0; x < int(ids.size()); ++x) {
+            const PrimitiveId id = ids[std::size_t(x)];
+            if (id == PrimitiveId::none) continue;
+            if (id != mapped || texturing_.uv == UvInterpolation::affine)
+                map = map_of(std::uint32_t(id), x, y);
+            mapped = id;
+            colours[std::size_t(x)] = colour(std::uint32_t(id), map, x, y);
+        }
+    }
+
+  private:
+    std::optional<Homography<double>> map_of(std::uint32_t id, int x, int y) const {
+        if (texturing_.uv == UvInterpolation::affine)
+            return affine_texels_from_raster(scene_, view_, id, {x + 0.5, y + 0.5});
+        return texels_from_raster(scene_, view_, id);
+    }
+
+    LinearRgb colour(std::uint32_t id, const std::optional<Homography<double>>& map, int x, int y) const {
+        const Material& material = material_of(scene_, id);
+        glm::dvec4 colour{material.base_color_factor};
+        if (map) {
+            const auto& sampler = samplers_[std::size_t(&material - scene_.materials.data())];
+            colour *= sampler->colour(texture::footprint(*map, x, y, texturing_.derivatives));
+        }
+        return {float(colour.r), float(colour.g), float(colour.b)};
+    }
+
+    const Scene& scene_;
+    const View& view_;
+    const Texturing& texturing_;
+    std::vector<std::optional<texture::Sampler>> samplers_;
+};
+
+}  // namespace
+
+Picture filtered(const Scene& scene, const View& view, const Frame& frame, const Texturing& texturing) {
+    const Reader reader{scene, view, texturing};
+    Picture picture{frame.size()};
+    tbb::parallel_for(tbb::blocked_range<int>{0, view.height}, [&](const tbb::blocked_range<int>& rows) {
+        for (int y = rows.begin(); y != rows.end(); ++y)
+            reader.read_row(y, frame.primitive.row(y), picture.row(y));
+    });
+    return picture;
+}
+
+}  // namespace zproof::rasterizer

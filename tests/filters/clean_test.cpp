@@ -1,0 +1,54 @@
+/// No method of the catalogue is outside of its own law: on every ground, with every option that matters.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "cli/selftest/filter_fault.h"
+#include "texture/catalogue.h"
+
+namespace zproof::selftest {
+namespace {
+
+struct Setting {
+    const char* name;
+    texture::FilterOptions options;
+    texture::Derivatives derivatives = texture::Derivatives::analytic;
+};
+
+std::vector<Setting> settings() {
+    return {{"default", {}},
+            {"biased", {.lod_bias = 0.75, .lod_min = 1.25, .lod_max = 3.5}},
+            {"box", {.mip_kernel = texture::MipKernel::box}},
+            {"lanczos", {.mip_kernel = texture::MipKernel::lanczos3}},
+            {"quad", {}, texture::Derivatives::quad_differences}};
+}
+
+class Clean : public testing::TestWithParam<Ground> {};
+
+TEST_P(Clean, EveryMethodWithALawKeepsToIt) {
+    const FilterStage stage = filter_stage(GetParam());
+    for (const texture::Method& method : texture::methods()) {
+        if (oracle::find_filter_definition(method.name) == nullptr) continue;
+        for (const Setting& setting : settings()) {
+            const Picture picture = rasterizer::filtered(
+                stage.scene, stage.view, stage.frame,
+                {.method = method, .options = setting.options, .derivatives = setting.derivatives});
+            const Conformance found =
+                conformance_of(picture, stage, method.name, setting.options, setting.derivatives);
+            EXPECT_EQ(found.outside, 0u)
+                << method.name << ", " << setting.name << ": slack " << found.worst_slack << " at ("
+                << found.worst.x << ", " << found.worst.y << ")";
+            EXPECT_GT(found.worst_slack, 0.1) << method.name << ": the question is not sharp";
+            EXPECT_LT(found.mean_width, 1e-5) << method.name << ": the question is not sharp";
+            if (std::getenv("ZPROOF_SHOW"))
+                std::cout << method.name << ", " << setting.name << ": slack " << found.worst_slack
+                          << ", width " << found.mean_width << ", undecided " << found.anything << "\n";
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, Clean,
+                         testing::Values(Ground::noise, Ground::odd_sizes, Ground::mirrored, Ground::turned));
+
+}  // namespace
+}  // namespace zproof::selftest

@@ -1,0 +1,26 @@
+#include "texture/catalogue.h"
+
+#include <algorithm>
+
+#include "texture/methods/families.h"
+
+namespace zproof::texture {
+
+std::span<const Method> methods() {
+    static const std::vector<Method> all = [] {
+        std::vector<Method> list;
+        for (const auto& family :
+             {point_methods, mip_methods, ripmap_methods, sat_methods, anisotropic_methods,
+              openimageio_methods, feline_methods, ewa_methods, supersample_methods})
+            for (Method& method : family()) list.push_back(std::move(method));
+        return list;
+    }();
+    return all;
+}
+
+const Method* find_method(std::string_view name) {
+    const auto found = std::ranges::find(methods(), name, &Method::name);
+    return found == methods().end() ? nullptr : &*found;
+}
+
+}  // namespace zproof::texture

@@ -1,0 +1,85 @@
+#include "texture/methods/families.h"
+#include "texture/methods/mip_reads.h"
+
+namespace zproof::texture {
+
+namespace {
+
+/// The level nearest to the LOD, read alone.
+enum class Within { nearest, bilinear };
+
+template <Within within>
+struct NearestLevel {
+    void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
+        const int level = nearest_level(mips.in_chain(lod_gl_maximum(footprint)));
+        if constexpr (within == Within::nearest)
+            mips.nearest(level, footprint.centre, 1, read);
+        else
+            mips.bilinear(level, footprint.centre, 1, read);
+    }
+};
+
+template <LodRule lod>
+struct Trilinear {
+    void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
+        mips.trilinear(mips.in_chain(lod(footprint)), footprint.centre, 1, read);
+    }
+};
+
+Method nearest_level_method(std::string name, std::string taps, decltype(Method::prepare) prepare) {
+    return {
+        .name = std::move(name),
+        .card = {.footprint = "The longer of the pixel's two steps.",
+                 .lod = "log2 of its length in texels, biased, clamped; the level is ceil(LOD + 1/2) - 1.",
+                 .taps = std::move(taps),
+                 .source = "OpenGL 4.6 core, 8.14"},
+        .prepare = std::move(prepare)};
+}
+
+template <LodRule lod>
+Method trilinear_method(std::string name, DefinitionCard card) {
+    card.taps = "Bilinear in the two levels around the LOD, weighted by its fraction.";
+    return {.name = std::move(name), .card = std::move(card), .prepare = prepare_mipped<Trilinear<lod>>};
+}
+
+}  // namespace
+
+std::vector<Method> mip_methods() {
+    return {
+        nearest_level_method("mip-nearest-point", "The texel of that level that holds the place.",
+                             prepare_mipped<NearestLevel<Within::nearest>>),
+        nearest_level_method("mip-nearest-bilinear",
+                             "The four texels of that level whose centres surround the place.",
+                             prepare_mipped<NearestLevel<Within::bilinear>>),
+        trilinear_method<lod_gl_maximum>("trilinear-gl", {.footprint = "The longer of the pixel's two steps.",
+                                                          .lod = "log2 of its length in texels.",
+                                                          .taps = {},
+                                                          .source = "OpenGL 4.6 core, 8.14; Williams 1983"}),
+        trilinear_method<lod_ellipse_major>(
+            "trilinear-ellipse",
+            {.footprint = "The ellipse that the Jacobian makes of the unit circle.",
+             .lod = "log2 of its longer semi-axis, the Jacobian's larger singular value s1.",
+             .taps = {},
+             .source = "Direct3D 11.3 functional specification, 7.18.11"}),
+        trilinear_method<lod_root_mean_square>(
+            "trilinear-rms",
+            {.footprint = "Both of the pixel's steps, equally.",
+             .lod = "log2 of the root mean square of their lengths, sqrt((|per_x|^2 + |per_y|^2) / 2).",
+             .taps = {},
+             .source = "ours; no publication found that gives it a name"}),
+        trilinear_method<lod_area>("trilinear-area",
+                                   {.footprint = "The parallelogram of the pixel's two steps.",
+                                    .lod = "log2 of the square root of its area, |det J|.",
+                                    .taps = {},
+                                    .source = "common in lectures on texture mapping"}),
+        trilinear_method<lod_pbrt>(
+            "trilinear-pbrt",
+            {.footprint = "The Jacobian's largest absolute entry.",
+             .lod =
+                 "1 + log2 of it. pbrt measures in texture coordinates of a square texture; here each entry "
+                 "is in texels of its own axis.",
+             .taps = {},
+             .source = "pbrt-v4, MIPMap::Filter"})};
+}
+
+}  // namespace zproof::texture

@@ -1,0 +1,71 @@
+/// What the methods with a mip chain share: the chain, and reads of one level and of two.
+#pragma once
+
+#include <algorithm>
+
+#include "texture/lod.h"
+#include "texture/methods/tap_rule.h"
+#include "texture/mip_chain.h"
+
+namespace zproof::texture {
+
+/// A tap rule's store: `image` of a tap is a level.
+struct MipReads {
+    std::vector<LinearImage> levels;
+    FilterOptions options;
+
+    MipReads(const LinearImage& image, const FilterOptions& settings)
+        : levels{mip_chain(image, settings.mip_kernel, settings.addressing)}, options{settings} {}
+
+    int coarsest() const { return int(levels.size()) - 1; }
+
+    /// Texels of this level per texel of level 0, along either axis.
+    glm::dvec2 scale(int level) const {
+        const LinearImage& image = levels[std::size_t(level)];
+        return {double(image.width) / levels[0].width, double(image.height) / levels[0].height};
+    }
+
+    /// The LOD biased, clamped, and within the chain.
+    double in_chain(double lod) const { return lod_in_chain(lod, options, levels.size()); }
+
+    /// One level; the place is in texels of level 0.
+    template <class Read>
+    void bilinear(int level, const glm::dvec2& place, double weight, Read&& read) const {
+        read_bilinear(levels[std::size_t(level)], options.addressing, place * scale(level),
+                      Tap{.image = level, .weight = weight}, read);
+    }
+    template <class Read>
+    void nearest(int level, const glm::dvec2& place, double weight, Read&& read) const {
+        read_nearest(levels[std::size_t(level)], options.addressing, place * scale(level),
+                     Tap{.image = level, .weight = weight}, read);
+    }
+
+    /// Bilinear in the levels on either side of an LOD of the chain, weighted by its fraction (OpenGL 4.6
+    /// core, 8.14.3). A level of weight 0 is not read.
+    template <class Read>
+    void trilinear(double lod, const glm::dvec2& place, double weight, Read&& read) const {
+        const double finer = std::floor(lod), share = lod - finer;
+        bilinear(int(finer), place, weight * (1 - share), read);
+        if (share > 0) bilinear(int(finer) + 1, place, weight * share, read);
+    }
+};
+
+/// A tap rule over a mip chain. Reads: `void operator()(const MipReads&, const Footprint&, auto&& read)
+/// const`.
+template <class Reads>
+struct MipRule {
+    MipReads mips;
+
+    void operator()(const Footprint& footprint, auto&& read) const { Reads{}(mips, footprint, read); }
+    glm::dvec4 value(const Tap& tap) const {
+        return glm::dvec4{mips.levels[std::size_t(tap.image)].at(tap.column, tap.row)};
+    }
+};
+
+template <class Reads>
+Sampler prepare_mipped(const LinearImage& image, const FilterOptions& options) {
+    return sampler(MipRule<Reads>{MipReads{image, options}},
+                   stored_mip_chain(image, options.mip_kernel, options.addressing));
+}
+
+}  // namespace zproof::texture
