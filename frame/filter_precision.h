@@ -21,6 +21,7 @@ struct FilterPrecision {
     double arithmetic_bits =
         53;                      ///< unit roundoff 2^-b of all that leads from the scene to texel coordinates
     double displacement_px = 0;  ///< the surface may be drawn this far beside its place, in x and in y
+    double step_bits = exact;     ///< the steps per pixel, in lengths of the longest of their coordinates
     double place_bits = exact;   ///< place within a level, texels
     double weight_bits = exact;  ///< each weight of a 2 x 2 read, and of a blend of two levels
     double lod_bits = exact;     ///< LOD, levels

@@ -86,7 +86,8 @@ Homography<Number> homography(const View& view, const TexturedTriangle& triangle
 
 SeenTexture::SeenTexture(const View& view, const TexturedTriangle& triangle, const FilterPrecision& precision)
     : rounding_(gamma(coordinate_roundings, std::exp2(-precision.arithmetic_bits))),
-      displacement_px_(precision.displacement_px) {
+      displacement_px_(precision.displacement_px),
+      step_error_(std::exp2(-precision.step_bits)) {
     const auto exact = homography<Interval>(view, triangle);
     const auto size = homography<Magnitude>(view, triangle);
     u_ = {exact.u, size.u};
@@ -145,6 +146,13 @@ PixelFootprint SeenTexture::footprint(int x, int y, StepRule rule) const {
         const Interval w = hull(value(w_, cx, cy), w_.exact.at(Interval{cx} + around, Interval{cy} + around));
         f.per_x = step(f.centre, w, &Affine<Interval>::a, &Affine<Magnitude>::a);
         f.per_y = step(f.centre, w, &Affine<Interval>::b, &Affine<Magnitude>::b);
+    }
+    if (step_error_ > 0) {
+        double longest = 0;
+        for (const Interval& a : {f.per_x.u, f.per_x.v, f.per_y.u, f.per_y.v})
+            longest = std::max(longest, magnitude(a).high());
+        for (Interval* a : {&f.per_x.u, &f.per_x.v, &f.per_y.u, &f.per_y.v})
+            *a = widened(*a, step_error_ * longest);
     }
     return f;
 }

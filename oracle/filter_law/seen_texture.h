@@ -71,6 +71,7 @@ class SeenTexture {
     Functional u_, v_, w_;
     double rounding_;  ///< relative to the terms' size
     double displacement_px_;
+    double step_error_;  ///< in lengths of the steps' longest coordinate
 };
 
 }  // namespace zproof::oracle::filter_law
