@@ -29,6 +29,7 @@ BoundedTriangle::BoundedTriangle(const ViewBounds& bounds, const Sight<double>& 
                                  const CornersWorld& p_world)
     : of_view(bounds, any, p_world) {
     const TriangleBounds& b = of_view.bounds;
+    is_never_cut = b.nearest > camera.near_depth && b.farthest < camera.far_depth;
     is_always_clear =
         b.nearest > camera.near_depth + b.near_slack && b.farthest < camera.far_depth - b.far_slack;
     most_near = near_limit(camera, b.near_slack);
@@ -47,10 +48,9 @@ bool BoundedTriangle::is_clear_of_planes(const TriangleFilter& filter, const Aro
 double BoundedTriangle::most_eps_px(const TriangleFilter& filter, const Around& box) const {
     const TriangleBounds& b = of_view.bounds;
     if (b.eps_per_nearness == 0) return b.eps_base_px;
-    if (!filter.is_trusted || !of_view.on_plane) return unlimited;
-    return of_view.on_plane
-        ->at(filter.nearness.at(box.x, box.y) + reach(filter.nearness, box) + filter.nearness_error)
-        .eps_px;
+    if (!of_view.on_plane) return unlimited;
+    const double nearness = filter.nearness.at(box.x, box.y) + reach(filter.nearness, box);
+    return of_view.on_plane->at(filter.is_trusted ? nearness + filter.nearness_error : unlimited).eps_px;
 }
 
 }  // namespace zproof

@@ -21,14 +21,19 @@ struct BoundedTriangle {
     BoundedTriangle(const ViewBounds& bounds, const Sight<double>& any, const Camera& camera,
                     const CornersWorld& p_world);
 
-    /// Is no point of it near the near or far plane anywhere in the box, certainly?
+    /// Does it keep between near and far, each moved inwards by its slack, all over the box, certainly?
     bool is_clear_of_planes(const TriangleFilter& filter, const Around& box) const;
+    /// Does neither plane cut it within the box (AdmissibleSet::is_clipped), certainly?
+    bool is_uncut(const TriangleFilter& filter, const Around& box) const {
+        return is_never_cut || is_clear_of_planes(filter, box);
+    }
     /// At least its eps anywhere in the box.
     double most_eps_px(const TriangleFilter& filter, const Around& box) const;
 
     TriangleOfView of_view;
-    bool is_always_clear;       ///< no corner is near a plane
-    double most_near, most_far; ///< nearness that the near and far plane, moved inwards, leave: at most, at least
+    bool is_never_cut;           ///< no corner reaches a plane
+    bool is_always_clear;        ///< nor comes within the slack of one
+    double most_near, most_far;  ///< the nearness of the near and far plane, moved inwards by their slack
 };
 
 class Acquaintance {
@@ -48,8 +53,7 @@ class Acquaintance {
         auto& bounded = bounded_[&bounds];
         const auto found = bounded.find(triangle);
         if (found != bounded.end()) return found->second;
-        return bounded
-            .try_emplace(triangle, bounds, any_, view_.camera, corners_of(scene_, triangle))
+        return bounded.try_emplace(triangle, bounds, any_, view_.camera, corners_of(scene_, triangle))
             .first->second;
     }
 

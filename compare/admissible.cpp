@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <type_traits>
 
 #include "compare/coplanar.h"
 #include "math/interval.h"
@@ -73,7 +74,23 @@ auto AdmissibleSet<Number>::edge_line(const Affine<Number>& f, const CornersWorl
     const auto [low, high] =
         std::minmax({corner_id(p_world[(edge + 1) % 3]), corner_id(p_world[(edge + 2) % 3])});
     const int id = edge_ids_.try_emplace({low, high}, int(edge_ids_.size())).first->second;
-    return &lines_.emplace_back(Line<Number>{f, id, {low, high}});
+    return &lines_.emplace_back(Line<Number>{f, id, {low, high}, locus_of(std::size_t(id), {low, high})});
+}
+
+/// The estimates in double are left as they are.
+template <class Number>
+int AdmissibleSet<Number>::locus_of(std::size_t edge_id, const std::array<int, 2>& ends) {
+    if constexpr (std::is_same_v<Number, double>) return -1;
+    if (edge_id < edges_.size()) return edges_[edge_id].locus;
+    const auto place = [&](int corner) { return corners_[std::size_t(corner)].p_world; };
+    const auto along = [&](const MeshEdge& other) {
+        return collinear(place(other.ends[0]), place(other.ends[1]), place(ends[0])) &&
+               collinear(place(other.ends[0]), place(other.ends[1]), place(ends[1]));
+    };
+    const auto found = std::ranges::find_if(edges_, along);
+    const int locus = found == edges_.end() ? int(edge_id) : found->locus;
+    edges_.push_back({ends, locus});
+    return locus;
 }
 
 template <class Number>

@@ -71,6 +71,7 @@ class AdmissibleSet {
     LinePointer new_line(const Affine<Number>& f);
     LinePointer edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge);
     int corner_id(const glm::vec3& p_world);
+    int locus_of(std::size_t edge_id, const std::array<int, 2>& ends);
     Drawn draw(const Neighbour& neighbour);
     Region<Number> square();
 
@@ -112,6 +113,11 @@ class AdmissibleSet {
     std::vector<CornerOfMesh> corners_;
     std::array<int, 256> corners_by_hash_{};
     std::map<std::pair<int, int>, int> edge_ids_;
+    struct MeshEdge {
+        std::array<int, 2> ends;
+        int locus;
+    };
+    std::vector<MeshEdge> edges_;  ///< by id
     std::vector<std::optional<Drawn>> drawn_;
     std::vector<size_t> nearest_first_;
     std::map<std::pair<size_t, size_t>, bool> coplanar_;  ///< asked so far

@@ -127,6 +127,8 @@ class ViewBounds {
     TriangleExtent extent_of(const CornersWorld& p_world) const;
     TriangleBounds of(const TriangleExtent& extent) const;
     TriangleBounds of(const CornersWorld& p_world) const { return of(extent_of(p_world)); }
+    /// What depth needs of it; eps and slack may be missing.
+    TriangleBounds of_depth(const TriangleExtent& extent) const;
     /// Barycentrics of a snapped triangle stay between its corners' depths; a ray and a plane equation meet
     /// the plane.
     bool keeps_to_corners() const;
@@ -139,6 +141,9 @@ class ViewBounds {
     /// Replaces the terms of interpolated depth by those of a reversed z from a plane equation.
     void set_reversed_z(TriangleBounds& bounds, const TriangleExtent& extent) const;
     TriangleBounds bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const;
+    TriangleBounds hit_depth_by(const TriangleExtent& extent, const RayPrecision& precision) const;
+    static double framing_by(const RayPrecision& precision);
+    TriangleBounds between_the_planes(TriangleBounds bounds, const TriangleExtent& extent) const;
     TriangleBounds bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
     /// How far a point that a ray met may seem to lie from where it is on its triangle, scene units.
     double plane_test_error(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 
 #include "compare/displacement.h"
 #include "compare/summary.h"
@@ -16,6 +17,26 @@ namespace {
 
 /// In own eps. Few squares grow beyond it, and a triangle that is found and meets no square changes nothing.
 constexpr double first_reach = 2;
+
+/// The triangles of the latest answers: neighbouring pixels give the same.
+class LatestTriangles {
+  public:
+    const TriangleOfView& of(Acquaintance& acquaintance, std::uint32_t triangle, const ViewBounds& bounds) {
+        const std::size_t mixed = triangle ^ std::hash<const ViewBounds*>{}(&bounds) >> 6;
+        Latest& latest = latest_[mixed % latest_.size()];
+        if (latest.bounds != &bounds || latest.triangle != triangle)
+            latest = {triangle, &bounds, &acquaintance.of(triangle, bounds).of_view};
+        return *latest.found;
+    }
+
+  private:
+    struct Latest {
+        std::uint32_t triangle = 0;
+        const ViewBounds* bounds = nullptr;
+        const TriangleOfView* found = nullptr;
+    };
+    std::array<Latest, 16> latest_;
+};
 
 }  // namespace
 
@@ -74,8 +95,9 @@ class Hearing::Session {
             if (!std::ranges::count(renderers, plea.bounds)) renderers.push_back(plea.bounds);
         std::optional<Summary> summary;
         if (!hearing_.amendment_)
-            summary.emplace(Summary::Shared{hearing_.view_, sights_, memories.acquaintance, memories.coplanar},
-                            centres(pleas), near_.of(tile), renderers);
+            summary.emplace(
+                Summary::Shared{hearing_.view_, sights_, memories.acquaintance, memories.coplanar},
+                centres(pleas), near_.of(tile), renderers);
         const Plea* latest = nullptr;
         for (const Plea& plea : pleas) {
             if (summary && !(latest && latest->x == plea.x && latest->y == plea.y))
@@ -97,10 +119,10 @@ class Hearing::Session {
         for (const std::uint32_t t : near)
             if (memories.acquaintance.of(t).filter.is_near(plea.x, plea.y, plea.reach_px))
                 site.triangles.push_back(t);
-        Neighbourhood around = neighbourhood_of(
-            hearing_.view_, site, plea.own_eps_px, [&](std::uint32_t t) -> const TriangleOfView& {
-                return memories.acquaintance.of(t, *plea.bounds).of_view;
-            });
+        Neighbourhood around = neighbourhood_of(hearing_.view_, site, plea.own_eps_px,
+                                                [&](std::uint32_t t) -> const TriangleOfView& {
+                                                    return memories.acquaintance.of(t, *plea.bounds).of_view;
+                                                });
         if (around.eps_px > plea.reach_px) return around.eps_px;
         if (hearing_.amendment_) hearing_.amendment_(around, plea.answer);
         ruled = {decide(around, plea.answer, memories.coplanar), around.eps_px, std::nullopt};
@@ -130,12 +152,13 @@ std::vector<Ruled> Hearing::hear(Asked asked) {
     const Sights<double> sights(view_);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pleas_.size(), 256), [&](const auto& some) {
         Acquaintance& acquaintance = memories.local().acquaintance;
+        LatestTriangles latest;
         for (std::size_t i = some.begin(); i < some.end(); ++i) {
             Plea& plea = pleas_[i];
             plea.own_eps_px = plea.answer == PrimitiveId::none
                                   ? plea.bounds->background_eps_px()
-                                  : acquaintance.of(std::uint32_t(plea.answer), *plea.bounds)
-                                        .of_view.eps_px(sights.at(plea.x, plea.y));
+                                  : latest.of(acquaintance, std::uint32_t(plea.answer), *plea.bounds)
+                                        .eps_px(sights.at(plea.x, plea.y));
             plea.reach_px = first_reach * plea.own_eps_px;
         }
     });

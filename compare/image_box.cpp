@@ -64,8 +64,8 @@ void BoxProjection::add(Box& box, const glm::dvec3& p) const {
 
 /// Scaling and the window's offset add a few ulps of the result.
 Box BoxProjection::widened(Box box, double size) const {
-    const double reach = std::max(
-        {std::abs(box.left), std::abs(box.right), std::abs(box.top), std::abs(box.bottom), 65536.0});
+    const double reach =
+        std::max({std::abs(box.left), std::abs(box.right), std::abs(box.top), std::abs(box.bottom), 65536.0});
     box.widen(px_of_rounding_ * size + 16 * unit_roundoff_float64 * reach);
     return box;
 }

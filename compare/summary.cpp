@@ -28,7 +28,7 @@ Summary::Summary(const Shared& shared, const Around& tile, std::span<const std::
             const BoundedTriangle& bounded = shared_.acquaintance.of(t, *r.bounds);
             widest_px_ = std::max(widest_px_, bounded.most_eps_px(known.filter, tile));
             r.triangles.push_back(&bounded);
-            r.is_always_clear &= bounded.is_always_clear;
+            r.is_never_cut &= bounded.is_never_cut;
         }
         present_.push_back({t, &known, false});
     }
@@ -42,7 +42,8 @@ void Summary::sort_out() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < present_.size(); ++i) {
         const Place place = filter(i).place_of(tile_);
-        if (place == Place::misses) continue;
+        if (place == Place::misses && filter(i).is_trusted) continue;
+        if (!filter(i).is_trusted) untrusted_.push_back(kept);
         present_[kept] = present_[i];
         present_[kept].covers_tile = place == Place::covers;
         all_cover_ &= place == Place::covers;
@@ -83,25 +84,33 @@ std::optional<std::size_t> Summary::index_of(PrimitiveId answer) const {
     return std::size_t(found - present_.begin());
 }
 
-/// As neighbourhood_of has it.
+/// As neighbourhood_of has it. The image of a triangle that is not trusted may say anything.
 double Summary::eps_px(const Renderer& renderer, const Plaint& plaint) {
     double eps = plaint.own_eps_px;
     for (const std::size_t i : covering_) eps = std::max(eps, renderer.triangles[i]->of_view.eps_px(sight_));
-    for (const std::size_t i : cutting_) {
+    const auto count_in = [&](std::size_t i) {
         const TriangleOfView& triangle = renderer.triangles[i]->of_view;
         const auto image = triangle.image.at(sight_);
         if (image && comes_within(*image, plaint.own_eps_px) && filter(i).is_near(x_, y_, plaint.reach_px))
             eps = std::max(eps, triangle.eps_px(sight_));
-    }
+    };
+    std::ranges::for_each(cutting_, count_in);
+    std::ranges::for_each(untrusted_, count_in);
     return eps;
 }
 
-bool Summary::is_clear_of_planes(const Renderer& renderer) const {
-    if (renderer.is_always_clear) return true;
-    const auto is_clear = [&](std::size_t i) {
-        return renderer.triangles[i]->is_clear_of_planes(filter(i), square(widest_px_));
+bool Summary::is_uncut(const Renderer& renderer) const {
+    if (renderer.is_never_cut) return true;
+    const auto is_uncut = [&](std::size_t i) {
+        return renderer.triangles[i]->is_uncut(filter(i), square(widest_px_));
     };
-    return std::ranges::all_of(covering_, is_clear) && std::ranges::all_of(cutting_, is_clear);
+    return std::ranges::all_of(covering_, is_uncut) && std::ranges::all_of(cutting_, is_uncut);
+}
+
+/// All of the box, between near and far.
+bool Summary::covers(const Renderer& renderer, std::size_t i, const Around& box) const {
+    return filter(i).place_of(box) == Place::covers &&
+           renderer.triangles[i]->is_clear_of_planes(filter(i), box);
 }
 
 bool Summary::is_inside(std::size_t i, const Offset& at) const {
@@ -133,7 +142,8 @@ bool Summary::is_seen_at(std::optional<std::size_t> answer, const Offset& at) co
     return std::ranges::all_of(covering_, leaves_free) && std::ranges::all_of(cutting_, leaves_free);
 }
 
-/// The square's corners and the middles of its sides, and for a triangle the middle of its part of the square.
+/// The square's corners and the middles of its sides, and for a triangle the middle of its part of the
+/// square.
 bool Summary::is_seen_around(std::optional<std::size_t> answer, double half_side_px) const {
     const double h = half_side_px;
     for (const Offset& at : {Offset{-h, -h}, {h, -h}, {-h, h}, {h, h}, {-h, 0}, {h, 0}, {0, -h}, {0, h}})
@@ -189,8 +199,7 @@ bool Summary::is_hidden_in(const Renderer& renderer, std::optional<std::size_t> 
     const Around box = square(half_side_px);
     if (answer && filter(*answer).misses(box)) return true;
     const auto hides_all = [&](std::size_t i) {
-        return i != answer && filter(i).place_of(box) == Place::covers &&
-               (!answer || hides(renderer, i, *answer, box));
+        return i != answer && covers(renderer, i, box) && (!answer || hides(renderer, i, *answer, box));
     };
     return std::ranges::any_of(covering_, hides_all) || std::ranges::any_of(cutting_, hides_all);
 }
@@ -203,9 +212,11 @@ bool Summary::may_be_hidden_for_certain(const Renderer& renderer, std::size_t fr
 /// Where all that is present covers the box: is some of it not behind, and none in front for certain? Of two
 /// in one plane neither is, and what is behind is not.
 template <class IsCertain>
-bool Summary::is_tied(std::size_t answer, const Around& box, const IsCertain& may_be_certain) const {
+bool Summary::is_tied(const Renderer& renderer, std::size_t answer, const Around& box,
+                      const IsCertain& may_be_certain) const {
     bool is_tied = false;
     for (const std::size_t i : covering_) {
+        if (!renderer.triangles[i]->is_clear_of_planes(filter(i), box)) return false;
         if (i == answer) continue;
         const int order = order_in(box, filter(i), filter(answer));
         if (order < 0) continue;
@@ -219,7 +230,7 @@ std::optional<Standing> Summary::standing_in_tile(Renderer& renderer, std::size_
     if (!all_cover_) return std::nullopt;
     std::optional<Standing>& known = renderer.standing[answer];
     const auto always = [](std::size_t) { return true; };
-    if (!known) known = is_tied(answer, tile_, always) ? Standing::tied : Standing::outside;
+    if (!known) known = is_tied(renderer, answer, tile_, always) ? Standing::tied : Standing::outside;
     return known;
 }
 
@@ -248,18 +259,18 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint) {
     const bool is_background = plaint.answer == PrimitiveId::none;
     const std::optional<std::size_t> answer = is_background ? std::nullopt : index_of(plaint.answer);
     if (!is_background && !answer) return std::nullopt;
-    if (!is_clear_of_planes(renderer)) return std::nullopt;
+    if (!is_uncut(renderer)) return std::nullopt;
     const double eps = eps_px(renderer, plaint);
     if (eps > plaint.reach_px) return std::nullopt;
     if (answer && standing_in_tile(renderer, *answer) == Standing::tied)
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
     if (is_seen_at(answer, {0, 0})) return Ruled{{Standing::visible, false}, eps, std::nullopt};
-    if (is_seen_around(answer, plaint.own_eps_px)) return visible(renderer, plaint, answer, eps);
     const auto may_be_certain = [&](std::size_t i) {
         return may_be_hidden_for_certain(renderer, i, *answer);
     };
-    if (answer && cutting_.empty() && is_tied(*answer, square(widest_px_), may_be_certain))
+    if (answer && cutting_.empty() && is_tied(renderer, *answer, square(widest_px_), may_be_certain))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
+    if (is_seen_around(answer, plaint.own_eps_px)) return visible(renderer, plaint, answer, eps);
     return std::nullopt;
 }
 

@@ -50,7 +50,7 @@ class Summary {
     struct Renderer {
         const ViewBounds* bounds;
         std::vector<const BoundedTriangle*> triangles;  ///< of present_, in order
-        bool is_always_clear = true;
+        bool is_never_cut = true;                       ///< any of them
         std::vector<std::optional<Standing>> standing;  ///< by present_, of all pixels; if all cover the tile
     };
     /// A square around the pixel's centre, or a place in it.
@@ -63,7 +63,8 @@ class Summary {
     const TriangleFilter& filter(std::size_t i) const { return present_[i].known->filter; }
     Renderer& renderer_of(const ViewBounds* bounds);
     double eps_px(const Renderer& renderer, const Plaint& plaint);
-    bool is_clear_of_planes(const Renderer& renderer) const;
+    bool is_uncut(const Renderer& renderer) const;
+    bool covers(const Renderer& renderer, std::size_t i, const Around& box) const;
     std::optional<std::size_t> index_of(PrimitiveId answer) const;
 
     bool is_inside(std::size_t i, const Offset& at) const;
@@ -77,7 +78,8 @@ class Summary {
     bool hides(const Renderer& renderer, std::size_t front, std::size_t back, const Around& box) const;
     bool may_be_hidden_for_certain(const Renderer& renderer, std::size_t front, std::size_t back) const;
     template <class IsCertain>
-    bool is_tied(std::size_t answer, const Around& box, const IsCertain& may_be_certain) const;
+    bool is_tied(const Renderer& renderer, std::size_t answer, const Around& box,
+                 const IsCertain& may_be_certain) const;
     std::optional<Standing> standing_in_tile(Renderer& renderer, std::size_t answer);
     std::optional<Ruled> visible(const Renderer& renderer, const Plaint& plaint,
                                  std::optional<std::size_t> answer, double eps_px);
@@ -91,6 +93,7 @@ class Summary {
     int x_ = 0, y_ = 0;
     Sight<double> sight_;
     std::vector<std::size_t> covering_, cutting_;  ///< the pixel's widest square
+    std::vector<std::size_t> untrusted_;           ///< of present_
 };
 
 }  // namespace zproof

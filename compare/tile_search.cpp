@@ -123,10 +123,6 @@ class TileSearch {
                     found.push_back({std::uint32_t(tile), triangle});
             }
     }
-    static Around around(const Box& box) {
-        return {box.middle_x() - 0.5, box.middle_y() - 0.5, 0.5 * (box.right - box.left),
-                0.5 * (box.bottom - box.top)};
-    }
     static int clamped(double px, int count) {
         return int(std::clamp(px / Tiles::side_px, 0.0, count - 1.0));
     }
@@ -149,13 +145,10 @@ void AskedBoxes::add(std::size_t tile, const Box& square, double reach_px) {
     const auto has_its_place = [&](const Box& b) {
         return b.middle_x() == square.middle_x() && b.middle_y() == square.middle_y();
     };
-    const auto same = std::ranges::find_if(boxes, has_its_place);
-    if (same != boxes.end())
-        same->add(square);
-    else if (boxes.size() < most)
-        boxes.push_back(square);
-    else
+    if (boxes.size() == most || (!boxes.empty() && has_its_place(boxes.back())))
         boxes.back().add(square);
+    else
+        boxes.push_back(square);
 }
 
 TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const AskedBoxes& asked)

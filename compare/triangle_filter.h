@@ -23,6 +23,11 @@ inline Box raster_box(const Around& at) {
     return {x - at.half_x, y - at.half_y, x + at.half_x, y + at.half_y};
 }
 
+inline Around around(const Box& raster) {
+    return {raster.middle_x() - 0.5, raster.middle_y() - 0.5, 0.5 * (raster.right - raster.left),
+            0.5 * (raster.bottom - raster.top)};
+}
+
 struct TriangleFilter {
     enum class Place {
         misses,   ///< no point of the box is on the closed triangle, certainly
@@ -31,14 +36,16 @@ struct TriangleFilter {
     };
 
     std::array<Affine<double>, 3> edge{};  ///< > 0 inside; of pixel indices
-    double edge_error = 0;  ///< of each, anywhere in the image: this value's and image_of's together
-    Affine<double> nearness{};             ///< of pixel indices
-    double nearness_error = unlimited;     ///< anywhere in the image
-    bool is_trusted = false;               ///< or may it be edge-on? Then only `box` holds
-    Box box{};                             ///< around its image in front of half the near depth
+    double edge_error = 0;      ///< of each, anywhere in the image: this value's and image_of's together
+    Affine<double> nearness{};  ///< of pixel indices
+    double nearness_error = unlimited;  ///< anywhere in the image
+    bool is_trusted = false;            ///< or may it be edge-on? Then only `box` and `corner` hold
+    Box box{};                          ///< around its image in front of half the near depth
+    /// The corners' images, in pixel indices, where all lie in front of half the near depth.
+    std::optional<std::array<Around, 3>> corner;
 
     Place place_of(const Around& at) const {
-        if (!is_trusted) return box.meets(raster_box(at)) ? Place::unknown : Place::misses;
+        if (!is_trusted) return box.meets(raster_box(at)) && !is_beside(at) ? Place::unknown : Place::misses;
         bool covers = true;
         for (const Affine<double>& e : edge) {
             const double middle = e.at(at.x, at.y);
@@ -52,8 +59,12 @@ struct TriangleFilter {
     /// May it come within reach_px of the pixel's centre, in x and in y?
     bool is_near(int x, int y, double reach_px) const {
         return box.meets(square_around(x, y, reach_px)) &&
-               !misses({double(x), double(y), reach_px, reach_px});
+               !(is_trusted && misses({double(x), double(y), reach_px, reach_px}));
     }
+
+  private:
+    /// Does a line along one of the sides part the box from all three corners?
+    bool is_beside(const Around& at) const;
 };
 
 /// Is `front` nearer than `back` at every point of the box, certainly: +1; farther at every point: -1; or

@@ -19,8 +19,8 @@ namespace {
 using namespace area;
 
 /// Beyond, samples are cheaper (docs/area-integral.md, "Cost").
-constexpr double most_texels = 0x1p16;
-constexpr double gaussian_cost = 8;  ///< beside a mean without weights
+constexpr double most_texels = 0x1p17;
+constexpr double gaussian_cost = 4;  ///< beside a mean without weights
 constexpr double half_px = 0.5;
 
 struct PixelTruth {

@@ -27,17 +27,18 @@ Estimate estimate_from(const Sums& sums, int points) {
     return {mean, std::max(student, 3.0 / (replicates * points))};
 }
 
-std::int64_t column_at(double place) { return std::int64_t(std::floor(place)); }
+std::int64_t whole(double place) { return std::int64_t(std::floor(place)); }
 
 glm::dvec3 nearest_at(const SurfaceColour& colour, double u, double v) {
-    return colour.texel(column_at(u), column_at(v));
+    return colour.texel(colour.column(whole(u)), colour.row(whole(v)));
 }
 
 glm::dvec3 bilinear_at(const SurfaceColour& colour, double u, double v) {
-    const std::int64_t k = column_at(u - 0.5), l = column_at(v - 0.5);
+    const std::int64_t k = whole(u - 0.5), l = whole(v - 0.5);
     const double s = u - 0.5 - double(k), t = v - 0.5 - double(l);
-    return (1 - t) * ((1 - s) * colour.texel(k, l) + s * colour.texel(k + 1, l)) +
-           t * ((1 - s) * colour.texel(k, l + 1) + s * colour.texel(k + 1, l + 1));
+    const int left = colour.column(k), right = colour.column(k + 1);
+    const auto row = [&](int r) { return (1 - s) * colour.texel(left, r) + s * colour.texel(right, r); };
+    return (1 - t) * row(colour.row(l)) + t * row(colour.row(l + 1));
 }
 
 }  // namespace

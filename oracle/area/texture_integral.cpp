@@ -18,12 +18,14 @@ struct NearestSum {
     glm::dvec3 sum{0};
 
     void part(const Cell& cell, const Polygon<double>& polygon) {
-        sum += area_of(polygon) * colour.texel(base.column + cell.column, base.row + cell.row);
+        sum += area_of(polygon) *
+               colour.texel(colour.column(base.column + cell.column), colour.row(base.row + cell.row));
     }
     static bool takes(const TexelLattice<double>&, std::int64_t, std::int64_t, std::int64_t) { return true; }
     void whole(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first, std::int64_t last) {
+        const int in_row = colour.row(base.row + row);
         lattice.visit_run(row, first, last, [&](const Cell& cell, double area) {
-            sum += area * colour.texel(base.column + cell.column, base.row + cell.row);
+            sum += area * colour.texel(colour.column(base.column + cell.column), in_row);
         });
     }
 };
@@ -39,9 +41,12 @@ struct BilinearSum {
     glm::dvec3 sum{0};
 
     void add(const Cell& cell, const BilinearMoments& m) {
-        const std::int64_t k = base.column + cell.column, l = base.row + cell.row;
-        sum += (m.one - m.s - m.t + m.st) * colour.texel(k, l) + (m.s - m.st) * colour.texel(k + 1, l) +
-               (m.t - m.st) * colour.texel(k, l + 1) + m.st * colour.texel(k + 1, l + 1);
+        const int left = colour.column(base.column + cell.column), low = colour.row(base.row + cell.row),
+                  right = colour.column(base.column + cell.column + 1),
+                  high = colour.row(base.row + cell.row + 1);
+        sum += (m.one - m.s - m.t + m.st) * colour.texel(left, low) +
+               (m.s - m.st) * colour.texel(right, low) + (m.t - m.st) * colour.texel(left, high) +
+               m.st * colour.texel(right, high);
     }
     void part(const Cell& cell, const Polygon<double>& polygon) {
         const Homography<double> within{from_line(map.u, cell.column, map.w),
