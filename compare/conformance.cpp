@@ -11,6 +11,8 @@ namespace zproof {
 
 namespace {
 
+/// Of the wrong pixels, for an explanation.
+constexpr double nearly_all = 0.99;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 double slack_in(const LinearRgb& colour, const ColourRange& range) {
@@ -46,6 +48,9 @@ FilterPrecision relaxed(const FilterPrecision& declared, FilterRule rule, double
     switch (rule) {
         case FilterRule::coordinates:
             p.place_bits = bits;
+            break;
+        case FilterRule::footprint:
+            p.step_bits = bits;
             break;
         case FilterRule::lod:
             p.lod_bits = bits;
@@ -105,7 +110,6 @@ RuleTrial ask(const Question& q, FilterRule rule, double bits) {
 /// The most bits that explain at least 99 in 100 of the pixels, or the fewest tried.
 RuleTrial least_relaxation(const Question& q, FilterRule rule) {
     constexpr int fewest = -2, most = 24;
-    constexpr double nearly_all = 0.99;
     RuleTrial best = ask(q, rule, fewest);
     if (best.explained < nearly_all) return best;
     int enough = fewest, too_many = most;
@@ -124,6 +128,8 @@ std::string name_of(FilterRule rule) {
     switch (rule) {
         case FilterRule::coordinates:
             return "coordinates";
+        case FilterRule::footprint:
+            return "footprint";
         case FilterRule::lod:
             return "LOD";
         case FilterRule::weights:
@@ -182,16 +188,18 @@ std::vector<RuleTrial> rules_at_fault(const Picture& picture, const Conformance&
     const Question question{picture, law, precision, some_outside(found)};
     if (question.pixels.empty()) return {};
     std::vector<RuleTrial> trials;
-    for (const FilterRule rule : {FilterRule::coordinates, FilterRule::lod, FilterRule::weights,
-                                  FilterRule::taps, FilterRule::sums}) {
+    for (const FilterRule rule : {FilterRule::coordinates, FilterRule::footprint, FilterRule::lod,
+                                  FilterRule::weights, FilterRule::taps, FilterRule::sums}) {
         const RuleTrial trial = least_relaxation(question, rule);
         if (trial.explained > 0) trials.push_back(trial);
     }
-    // Half of the pixels explained is worth more than any narrowness; then the narrowest.
-    std::ranges::stable_sort(trials, [](const RuleTrial& a, const RuleTrial& b) {
-        const bool a_most = a.explained >= 0.99, b_most = b.explained >= 0.99;
-        if (a_most != b_most) return a_most;
-        return a_most ? a.permissive < b.permissive : a.explained > b.explained;
+    const auto rank = [](const RuleTrial& trial) {
+        if (trial.explained < nearly_all) return 2;
+        return trial.rule == FilterRule::sums ? 1 : 0;
+    };
+    std::ranges::stable_sort(trials, [&](const RuleTrial& a, const RuleTrial& b) {
+        if (rank(a) != rank(b)) return rank(a) < rank(b);
+        return rank(a) < 2 ? a.permissive < b.permissive : a.explained > b.explained;
     });
     return trials;
 }

@@ -21,10 +21,11 @@ using PixelLaw = std::function<PermittedColours(int x, int y, const FilterPrecis
 /// The part of a definition that a wrong pixel points at.
 enum class FilterRule {
     coordinates,  ///< where on the texture
+    footprint,    ///< how far the texture runs on per pixel
     lod,          ///< which level
     weights,      ///< how texels and levels are weighted
     taps,         ///< where the reads of one lookup stand
-    sums,         ///< how texels are stored and added up
+    sums,         ///< how texels are stored and added up, or anything else: it bounds any error
     other,        ///< none of these, relaxed alone, explains it
 };
 /// "coordinates", "LOD", ...

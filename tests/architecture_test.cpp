@@ -41,7 +41,7 @@ const std::map<std::string, Names> may_include{
 /// print.
 const std::map<std::string, Names> spoken_to_in{
     {"embree3/", {"oracle"}},    {"EGL/", {"oracle"}},        {"GL/", {"oracle"}},
-    {"OpenImageIO/", {"frame"}}, {"tiny_gltf.h", {"scenes"}}, {"nlohmann/", {"frame", "scenes", "reports"}},
+    {"OpenImageIO/", {"frame", "oracle"}}, {"tiny_gltf.h", {"scenes"}}, {"nlohmann/", {"frame", "scenes", "reports"}},
     {"CLI/", {"cli"}},           {"iostream", {"cli"}},       {"cstdio", {}},
 };
 

@@ -11,7 +11,10 @@ namespace {
 constexpr int bar_width = 24;
 constexpr const char* erase_line = "\r\x1b[K";
 
-std::string two_digits(int value) { return (value < 10 ? "0" : "") + std::to_string(value); }
+std::string two_digits(int value) {
+    const std::string digits = std::to_string(value);
+    return value < 10 ? "0" + digits : digits;
+}
 
 }  // namespace
 

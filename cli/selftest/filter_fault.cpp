@@ -1,6 +1,12 @@
 #include "cli/selftest/filter_fault.h"
 
+#include <iomanip>
+#include <map>
+#include <ostream>
+#include <sstream>
 #include <stdexcept>
+
+#include "texture/catalogue.h"
 
 namespace zproof::selftest {
 
@@ -18,11 +24,17 @@ oracle::FilterSettings law_settings(const texture::FilterOptions& o) {
             .subdivisions = o.subdivisions};
 }
 
+FilterPrecision filter_precision(const texture::FilterOptions& o) {
+    const bool is_short = o.sat_storage == texture::SatStorage::float32 ||
+                          o.sat_storage == texture::SatStorage::float32_less_mean;
+    return {.sum_bits = is_short ? 24.0 : 53.0};
+}
+
 StepRule step_rule(texture::Derivatives derivatives) {
     return derivatives == texture::Derivatives::analytic ? StepRule::analytic : StepRule::quad_differences;
 }
 
-Conformance conformance_of(const Picture& picture, const FilterStage& stage, const std::string& method,
+FilterTrial conformance_of(const Picture& picture, const FilterStage& stage, const std::string& method,
                            const texture::FilterOptions& options, texture::Derivatives derivatives) {
     const auto* definition = oracle::find_filter_definition(method);
     if (definition == nullptr) throw std::logic_error("no law for the method '" + method + "'");
@@ -31,7 +43,60 @@ Conformance conformance_of(const Picture& picture, const FilterStage& stage, con
     const PixelLaw of_pixel = [&](int x, int y, const FilterPrecision& precision) {
         return law.at(x, y, stage.frame.primitive.at(x, y), precision);
     };
-    return conformance(picture, of_pixel, FilterPrecision{});
+    const FilterPrecision precision = filter_precision(options);
+    FilterTrial trial{conformance(picture, of_pixel, precision), {}};
+    trial.rules = rules_at_fault(picture, trial.found, of_pixel, precision);
+    return trial;
+}
+
+FilterTrial try_filter_fault(const FilterFault& fault, const FilterStage& stage) {
+    const texture::Method* method = texture::find_method(fault.method);
+    if (method == nullptr) throw std::logic_error("no method '" + fault.method + "'");
+    const Picture picture = fault.inject(stage, {.method = *method, .options = fault.options});
+    return conformance_of(picture, stage, fault.method, fault.options);
+}
+
+std::string in_words(const FilterTrial& trial) {
+    if (!trial.is_caught()) return "no pixel outside";
+    std::ostringstream text;
+    text << trial.found.outside << " of " << trial.found.judged << " pixels outside, slack "
+         << std::setprecision(2) << trial.found.worst_slack;
+    if (!trial.rules.empty() && trial.rules.front().explained >= 0.99)
+        text << "; likeliest: " << name_of(trial.rules.front().rule) << ", to " << std::setprecision(3)
+             << trial.rules.front().bits << " bits";
+    else
+        text << "; no rule alone explains it";
+    return text.str();
+}
+
+Score try_filters(std::ostream& out) {
+    std::map<Ground, FilterStage> stages;
+    const auto stage_of = [&](Ground ground) -> const FilterStage& {
+        const auto found = stages.find(ground);
+        return found != stages.end() ? found->second
+                                     : stages.emplace(ground, filter_stage(ground)).first->second;
+    };
+    const auto tell = [&](const char* mark, const std::string& name, const std::string& words) {
+        out << mark << "  " << std::left << std::setw(32) << name << words << "\n";
+    };
+    Score score;
+    for (const texture::Method& method : texture::methods()) {
+        const FilterStage& stage = stage_of(Ground::noise);
+        const Picture picture =
+            rasterizer::filtered(stage.scene, stage.view, stage.frame, {.method = method});
+        const FilterTrial trial = conformance_of(picture, stage, method.name, {});
+        tell(trial.is_caught() ? "FAILED" : "passed", "filter " + method.name, in_words(trial));
+        ++score.controls;
+        score.passed += !trial.is_caught();
+    }
+    for (const FilterFault& fault : filter_faults()) {
+        const FilterTrial trial = try_filter_fault(fault, stage_of(fault.ground));
+        tell(trial.is_caught() ? "caught" : "MISSED", fault.name,
+             in_words(trial) + " (" + fault.sentence + ")");
+        ++score.faults;
+        score.caught += trial.is_caught();
+    }
+    return score;
 }
 
 }  // namespace zproof::selftest

@@ -1,20 +1,52 @@
 /// A filter fault: one way in which a filtered picture can be wrong, and the trial that must find it.
 #pragma once
 
+#include <iosfwd>
+
 #include "cli/selftest/filter_stage.h"
+#include "cli/selftest/score.h"
 #include "compare/conformance.h"
 #include "oracle/filter_law/filter_law.h"
 #include "rasterizer/texturing.h"
 
 namespace zproof::selftest {
 
-/// The options of a method, as its law knows them.
+/// The options of a method, as its law knows them, and what they promise.
 oracle::FilterSettings law_settings(const texture::FilterOptions& options);
+FilterPrecision filter_precision(const texture::FilterOptions& options);
 StepRule step_rule(texture::Derivatives derivatives);
 
-/// A picture of a stage held against the law of a method.
-Conformance conformance_of(const Picture& picture, const FilterStage& stage, const std::string& method,
+struct FilterFault {
+    std::string name;      ///< letters, digits and '_'
+    std::string sentence;  ///< what is wrong, for people
+    std::string method;    ///< by whose law the picture is judged
+    std::function<Picture(const FilterStage&, const rasterizer::Texturing& right)> inject;
+    texture::FilterOptions options{};
+    Ground ground = Ground::noise;
+};
+
+/// Every filter fault, in the order in which they are told: places, levels, weights, taps, textures.
+std::vector<FilterFault> filter_faults();
+
+struct FilterTrial {
+    Conformance found;
+    std::vector<RuleTrial> rules;  ///< the likeliest first
+
+    bool is_caught() const { return found.outside > 0; }
+};
+
+/// What the law of a method says of a picture of a stage.
+FilterTrial conformance_of(const Picture& picture, const FilterStage& stage, const std::string& method,
                            const texture::FilterOptions& options,
                            texture::Derivatives derivatives = texture::Derivatives::analytic);
+
+/// Injects the fault into the stage and asks the law.
+FilterTrial try_filter_fault(const FilterFault& fault, const FilterStage& stage);
+
+/// "7310 of 11520 pixels outside, slack 1.2e+06; likeliest: LOD, to 0 bits"
+std::string in_words(const FilterTrial& trial);
+
+/// Tries every filter fault, and each method of the catalogue as a control; a line for each goes to `out`.
+Score try_filters(std::ostream& out);
 
 }  // namespace zproof::selftest

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "math/homography.h"
+#include "math/sign.h"
 #include "math/vector3.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
@@ -37,7 +38,7 @@ struct LinesOfSight {
         const Camera& c = view.camera;
         const auto right = exactly<Number>(c.right), up = exactly<Number>(c.up),
                    back = exactly<Number>(c.back);
-        const Number left = c.window.left, top = c.window.top;
+        const Number left(c.window.left), top(c.window.top);
         eye = exactly<Number>(glm::dvec3(c.eye_world));
         window = {((Number(c.window.right) - left) / Number(view.width)) * right,
                   ((Number(c.window.bottom) - top) / Number(view.height)) * up, left * right + top * up};
@@ -101,7 +102,7 @@ std::optional<SeenTriangle<Number>> seen(const LinesOfSight<Number>& sight, cons
     const auto normal = cross(v[1] - v[0], v[2] - v[0]);
     const bool perspective = sight.projection == Projection::perspective;
     const Number volume = dot(normal, perspective ? v[0] : sight.axis);
-    if (volume == 0) return std::nullopt;
+    if (is_certainly_zero(volume)) return std::nullopt;
     auto result = perspective ? detail::seen_in_perspective(sight, v, volume)
                               : detail::seen_in_parallel(sight, v, volume);
     const auto interpolated = [&](std::size_t axis) {

@@ -1,6 +1,7 @@
 /// The scene as the image sees it: triangles as half-planes, and the colours on them.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -17,14 +18,19 @@ struct SurfaceColour {
     const texture::LinearImage* image = nullptr;  ///< owned by Surfaces
     texture::Addressing addressing{};
 
-    /// Linear RGB without the factor, anywhere on the endless lines of columns and rows.
-    glm::dvec3 texel(std::int64_t column, std::int64_t row) const {
-        return glm::dvec3(glm::vec3(
-            image->at(inside(addressing.u, column, image->width), inside(addressing.v, row, image->height))));
-    }
-    /// The column (or row) within the image.
+    /// Where a column, or row, of the endless line stands in the image.
+    int column(std::int64_t index) const { return inside(addressing.u, index, image->width); }
+    int row(std::int64_t index) const { return inside(addressing.v, index, image->height); }
+    /// Linear RGB without the factor; within the image.
+    glm::dvec3 texel(int column, int row) const { return glm::dvec3(glm::vec3(image->at(column, row))); }
+
+    /// For |index| < 2^52, where the quotient's rounding reaches no whole number that it does not equal.
     static int inside(texture::Wrap wrap, std::int64_t index, int size) {
-        return index >= 0 && index < size ? int(index) : texture::wrapped(wrap, index, size);
+        if (index >= 0 && index < size) return int(index);
+        if (wrap == texture::Wrap::clamp_to_edge) return index < 0 ? 0 : size - 1;
+        const int period = wrap == texture::Wrap::repeat ? size : 2 * size;
+        const int within = int(index - std::int64_t(std::floor(double(index) / period)) * period);
+        return within < size ? within : period - 1 - within;
     }
 };
 

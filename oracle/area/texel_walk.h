@@ -41,6 +41,10 @@ class TexelLattice {
         half_per_det_ = (det < 0 ? Number(-1) : Number(1)) / (Number(2) * det);
     }
 
+    /// Of (u, v); 1 / W there.
+    const Affine<Number>& z() const { return z_; }
+    /// |d(x, y) / d(u, v)| times Z^3.
+    Number per_det() const { return Number(2) * half_per_det_; }
     Number z(std::int64_t u, std::int64_t v) const { return z_.at(Number(double(u)), Number(double(v))); }
 
     /// visit(cell, area) for the columns [first, last) of a row.
@@ -59,8 +63,8 @@ class TexelLattice {
     Number half_per_det_ = 0;
 };
 
-/// Visits cells through `visit.part(cell, polygon)`, for a part of a cell, and `visit.whole(lattice, row,
-/// first, last)`, for a run of whole ones.
+/// Visits cells through `visit.part(cell, polygon)`, for a part of a cell, and, where `visit.takes(lattice,
+/// row, first, last)`, through `visit.whole` of the same, for the whole ones of columns [first, last).
 template <class Number, class Visit>
 class TexelWalk {
   public:
@@ -115,7 +119,8 @@ class TexelWalk {
     void columns(const Polygon<Number>& strip, std::int64_t row, Run whole) {
         if (strip.size() < 3) return;
         constexpr std::int64_t worth_it = 2;
-        if (whole.second - whole.first < worth_it) return parts(strip, row);
+        if (whole.second - whole.first < worth_it || !visit_.takes(lattice_, row, whole.first, whole.second))
+            return parts(strip, row);
         const Halves<Number> left = cut(strip, from_line(map_.u, whole.first, map_.w));
         const Halves<Number> right = cut(strip, from_line(map_.u, whole.second, map_.w));
         parts(left.outside, row);

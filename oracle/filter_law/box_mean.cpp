@@ -79,7 +79,10 @@ BoxMean::BoxMean(const texture::LinearImage& image, const WrapRules& wrap)
 
 /// Moving an edge by r changes the mean by at most r spread / width: the mean of the strip it gains less the
 /// box's own.
-ColourRange BoxMean::over(const Box& box, const FilterPrecision& precision) const {
+ColourRange BoxMean::over(const Box& stated, const FilterPrecision& precision) const {
+    const double error = std::exp2(-precision.place_bits);
+    const Box box{widened(stated.left, error), widened(stated.right, error), widened(stated.top, error),
+                  widened(stated.bottom, error)};
     const double left = middle(box.left), right = middle(box.right), top = middle(box.top),
                  bottom = middle(box.bottom);
     const double area = (right - left) * (bottom - top);

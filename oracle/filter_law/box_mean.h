@@ -16,7 +16,7 @@ class BoxMean {
     BoxMean(const texture::LinearImage& image, const WrapRules& wrap);
 
     /// All means that the box may have, and what sums stored at the unit 2^-sum_bits may cost.
-    ColourRange over(const Box& box, const FilterPrecision& precision) const;
+    ColourRange over(const Box& stated, const FilterPrecision& precision) const;
 
   private:
     using Sum = glm::vec<3, std::int64_t>;

@@ -22,7 +22,7 @@ constexpr int most_terms = 4096;
 /// Factor, sum and the picture's format.
 ColourRange as_shown(const ColourRange& filtered, const glm::dvec3& factor,
                      const FilterPrecision& precision) {
-    const double sums = 2 * (gamma(most_terms, std::exp2(-precision.sum_bits)) + gamma(most_terms, 0x1p-53));
+    const double sums = 2 * (gamma(precision.sum_roundings, std::exp2(-precision.sum_bits)) + gamma(most_terms, 0x1p-53));
     const glm::dvec3 low = factor * (filtered.low - sums), high = factor * (filtered.high + sums);
     // The factor's product in double, and one rounding to the picture's numbers.
     const double rounding = std::exp2(-precision.colour_bits) * (1 + 0x1p-50);
@@ -58,44 +58,22 @@ FilterLaw::FilterLaw(const Scene& scene, const View& view, const Definition& def
     : scene_(scene), view_(view), steps_(steps) {
     for (const Material& material : scene.materials) {
         const Texture& texture = material.base_color;
-        const bool has_one =
-            texture.image != Texture::none && std::size_t(texture.uv_set) < scene.vertices.uv.size();
         FilterSettings own = settings;
         own.wrap = {texture.sampler.wrap_u, texture.sampler.wrap_v};
-        by_material_.push_back(
-            has_one ? definition.prepare(linear(scene.images[std::size_t(texture.image)]), own) : Law{});
+        by_material_.push_back(is_textured(scene, material)
+                                   ? definition.prepare(linear(scene.images[std::size_t(texture.image)]), own)
+                                   : Law{});
     }
-}
-
-const Material& FilterLaw::material_of(std::uint32_t triangle) const {
-    const auto after = std::ranges::upper_bound(scene_.parts, triangle, {}, &Part::first_triangle);
-    return scene_.materials[std::size_t(std::prev(after)->material)];
-}
-
-SeenTexture FilterLaw::seen_by(std::uint32_t triangle, const Texture& texture,
-                               const FilterPrecision& precision) const {
-    const glm::uvec3 corners = scene_.triangles[triangle];
-    const auto& uv = scene_.vertices.uv[std::size_t(texture.uv_set)];
-    const Image& image = scene_.images[std::size_t(texture.image)];
-    TexturedTriangle seen{.corners_world = {},
-                          .uv = {},
-                          .transform = texture.transform,
-                          .texture_size = {image.width, image.height}};
-    for (int i = 0; i < 3; ++i) {
-        seen.corners_world[std::size_t(i)] = scene_.vertices.position_world[corners[i]];
-        seen.uv[std::size_t(i)] = uv[corners[i]];
-    }
-    return {view_, seen, precision};
 }
 
 PermittedColours FilterLaw::at(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const {
     if (seen == PrimitiveId::none) return {ColourRange{}};
-    const Material& material = material_of(std::uint32_t(seen));
+    const Material& material = material_of(scene_, std::uint32_t(seen));
     const Law& law = by_material_[std::size_t(&material - scene_.materials.data())];
     const glm::dvec3 factor{glm::vec3{material.base_color_factor}};
     if (!law) return {as_shown({glm::dvec3{1}, glm::dvec3{1}}, factor, precision)};
     try {
-        const SeenTexture texture = seen_by(std::uint32_t(seen), material.base_color, precision);
+        const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
         PermittedColours permitted = law({texture, x, y, steps_, precision});
         for (ColourRange& range : permitted) range = as_shown(range, factor, precision);
         return permitted;

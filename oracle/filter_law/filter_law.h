@@ -35,10 +35,6 @@ class FilterLaw {
     PermittedColours at(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const;
 
   private:
-    const Material& material_of(std::uint32_t triangle) const;
-    filter_law::SeenTexture seen_by(std::uint32_t triangle, const Texture& texture,
-                                    const FilterPrecision& precision) const;
-
     const Scene& scene_;
     const View& view_;
     StepRule steps_;

@@ -73,7 +73,7 @@ LawImage exact_image(const texture::LinearImage& image) {
 
 Place place_in(const LawImage& level, const LawImage& finest, const Place& place,
                const FilterPrecision& precision) {
-    const double unit = std::exp2(-precision.arithmetic_bits), error = std::exp2(-precision.place_bits);
+    const double unit = std::exp2(-precision.coordinate_bits), error = std::exp2(-precision.place_bits);
     const auto scaled = [&](const Interval& p, int size, int full) {
         const Interval at = size == full ? p : p * (Interval{double(size)} / Interval{double(full)});
         // Of an implementation: quotient, product, half a texel taken away, and the fraction.

@@ -37,7 +37,7 @@ Interval lod(LodRule rule, const PixelFootprint& f) {
 /// levels (d log2 x = dx / (x ln 2)); the logarithm, bias and sum of levels four more of themselves.
 Interval level_of(const Interval& lod, const Settings& settings, std::size_t level_count,
                   const FilterPrecision& precision) {
-    const double unit = std::exp2(-precision.arithmetic_bits);
+    const double unit = std::exp2(-precision.coordinate_bits);
     const double size =
         std::max(std::abs(std::max(lod.low(), -64.0)), std::abs(lod.high())) + std::abs(settings.lod_bias);
     const double rounding = unit * (16 / std::log(2.0) + 4 * size);

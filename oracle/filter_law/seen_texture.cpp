@@ -1,5 +1,7 @@
 #include "oracle/filter_law/seen_texture.h"
 
+#include <algorithm>
+
 #include "math/rounding.h"
 #include "math/vector3.h"
 
@@ -84,9 +86,37 @@ Homography<Number> homography(const View& view, const TexturedTriangle& triangle
 
 }  // namespace
 
+const Material& material_of(const Scene& scene, std::uint32_t triangle) {
+    const auto after = std::ranges::upper_bound(scene.parts, triangle, {}, &Part::first_triangle);
+    return scene.materials[std::size_t(std::prev(after)->material)];
+}
+
+bool is_textured(const Scene& scene, const Material& material) {
+    return material.base_color.image != Texture::none &&
+           std::size_t(material.base_color.uv_set) < scene.vertices.uv.size();
+}
+
+TexturedTriangle textured_triangle(const Scene& scene, std::uint32_t triangle) {
+    const Texture& texture = material_of(scene, triangle).base_color;
+    const glm::uvec3 corners = scene.triangles[triangle];
+    const auto& uv = scene.vertices.uv[std::size_t(texture.uv_set)];
+    const Image& image = scene.images[std::size_t(texture.image)];
+    TexturedTriangle seen{.corners_world = {},
+                          .uv = {},
+                          .transform = texture.transform,
+                          .texture_size = {image.width, image.height}};
+    for (int i = 0; i < 3; ++i) {
+        seen.corners_world[std::size_t(i)] = scene.vertices.position_world[corners[i]];
+        seen.uv[std::size_t(i)] = uv[corners[i]];
+    }
+    return seen;
+}
+
 SeenTexture::SeenTexture(const View& view, const TexturedTriangle& triangle, const FilterPrecision& precision)
     : rounding_(gamma(coordinate_roundings, std::exp2(-precision.arithmetic_bits))),
-      displacement_px_(precision.displacement_px) {
+      displacement_px_(precision.displacement_px),
+      step_error_(std::exp2(-precision.step_bits)),
+      coordinate_unit_(std::exp2(-precision.coordinate_bits)) {
     const auto exact = homography<Interval>(view, triangle);
     const auto size = homography<Magnitude>(view, triangle);
     u_ = {exact.u, size.u};
@@ -146,6 +176,11 @@ PixelFootprint SeenTexture::footprint(int x, int y, StepRule rule) const {
         f.per_x = step(f.centre, w, &Affine<Interval>::a, &Affine<Magnitude>::a);
         f.per_y = step(f.centre, w, &Affine<Interval>::b, &Affine<Magnitude>::b);
     }
+    double longest = 0;
+    for (const Interval* a : {&f.per_x.u, &f.per_x.v, &f.per_y.u, &f.per_y.v})
+        longest = std::max(longest, magnitude(*a).high());
+    for (Interval* a : {&f.per_x.u, &f.per_x.v, &f.per_y.u, &f.per_y.v})
+        *a = widened(*a, step_error_ * longest + coordinate_unit_ * magnitude(*a).high());
     return f;
 }
 

@@ -45,6 +45,12 @@ struct TexturedTriangle {
     glm::ivec2 texture_size;
 };
 
+/// The material of a triangle, and the triangle with its texture; the material must have one.
+const Material& material_of(const Scene& scene, std::uint32_t triangle);
+TexturedTriangle textured_triangle(const Scene& scene, std::uint32_t triangle);
+/// Does the material have a texture, and do the scene's vertices have coordinates for it?
+bool is_textured(const Scene& scene, const Material& material);
+
 class SeenTexture {
   public:
     SeenTexture(const View& view, const TexturedTriangle& triangle, const FilterPrecision& precision);
@@ -71,6 +77,8 @@ class SeenTexture {
     Functional u_, v_, w_;
     double rounding_;  ///< relative to the terms' size
     double displacement_px_;
+    double step_error_;  ///< in lengths of the steps' longest coordinate
+    double coordinate_unit_;
 };
 
 }  // namespace zproof::oracle::filter_law

@@ -1,4 +1,5 @@
 /// Stands in where zproof was built without OpenGL.
+#include "oracle/filter_peers.h"
 #include "oracle/opengl.h"
 #include "oracle/oracle_error.h"
 
@@ -31,5 +32,12 @@ std::optional<std::string> opengl_is_missing() { return not_built_in; }
 Precision opengl_precision() { throw OracleError(not_built_in); }
 
 std::string opengl_version() { throw OracleError(not_built_in); }
+
+Picture opengl_filtered(const Scene&, const View&, const Frame&, PeerFilter, const FilterSettings&,
+                        StepRule) {
+    throw OracleError(not_built_in);
+}
+
+FilterPrecision opengl_filter_precision() { throw OracleError(not_built_in); }
 
 }  // namespace zproof::oracle

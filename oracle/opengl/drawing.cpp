@@ -60,12 +60,6 @@ Shader compiled(GLenum stage, const char* source) {
     return shader;
 }
 
-GLuint created(void(APIENTRY* create)(GLsizei, GLuint*)) {
-    GLuint name = 0;
-    create(1, &name);
-    return name;
-}
-
 GLsizei index_count_of(const Scene& scene) {
     if (scene.triangles.size() > std::size_t(std::numeric_limits<GLsizei>::max()) / 3)
         throw OracleError("OpenGL: the scene '" + scene.name + "' has " +
@@ -92,9 +86,17 @@ void raise_if_too_large(Resolution size) {
 
 }  // namespace
 
-Program id_program() {
-    const Shader vertex = compiled(GL_VERTEX_SHADER, vertex_source);
-    const Shader fragment = compiled(GL_FRAGMENT_SHADER, fragment_source);
+GLuint created(void(APIENTRY* create)(GLsizei, GLuint*)) {
+    GLuint name = 0;
+    create(1, &name);
+    return name;
+}
+
+Program id_program() { return linked_program(vertex_source, fragment_source); }
+
+Program linked_program(const char* of_vertex, const char* of_fragment) {
+    const Shader vertex = compiled(GL_VERTEX_SHADER, of_vertex);
+    const Shader fragment = compiled(GL_FRAGMENT_SHADER, of_fragment);
     Program program(glCreateProgram());
     glAttachShader(program.name(), vertex.name());
     glAttachShader(program.name(), fragment.name());

@@ -41,6 +41,14 @@ using VertexArray = Owned<free_one<glDeleteVertexArrays>>;
 using Renderbuffer = Owned<free_one<glDeleteRenderbuffers>>;
 using Framebuffer = Owned<free_one<glDeleteFramebuffers>>;
 
+using Texture2d = Owned<free_one<glDeleteTextures>>;
+
+/// One object made by the driver's list-making function.
+GLuint created(void(APIENTRY* create)(GLsizei, GLuint*));
+
+/// Throws OracleError with the driver's log where it does not compile or link.
+Program linked_program(const char* vertex_source, const char* fragment_source);
+
 /// Writes gl_PrimitiveID at gl_Position = rows times p_world, all in float32. Throws OracleError with the
 /// driver's log where it does not compile.
 Program id_program();

@@ -16,6 +16,7 @@ constexpr double left = 62, right = 560, top = 34, width = 760, name_height = 13
 /// Okabe and Ito 2008, yellow left out: it does not stand out from white.
 constexpr std::array palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"};
 constexpr const char* quiet_colour = "#b8b8b8";
+constexpr const char* muted_colour = "#8a8a8a";
 
 /// Two decimals are a hundredth of a unit.
 std::string place(double value) { return shortest(std::round(100 * value) / 100); }
@@ -56,7 +57,8 @@ struct Frame2D {
 };
 
 Frame2D framed(const Chart& chart) {
-    const auto marked = std::ranges::count(chart.series, SeriesStyle::marked, &Series::style);
+    const auto named = std::ranges::count_if(
+        chart.series, [](const Series& series) { return series.style != SeriesStyle::quiet; });
     Range x, y;
     for (const Series& series : chart.series)
         for (const auto& p : series.points) {
@@ -64,7 +66,7 @@ Frame2D framed(const Chart& chart) {
             x.reach(scaled(chart.x, p.first));
             y.reach(scaled(chart.y, p.second));
         }
-    return {chart, widened(x), widened(y), top + std::max(330.0, name_height * double(marked))};
+    return {chart, widened(x), widened(y), top + std::max(330.0, name_height * double(named))};
 }
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& colour) {
@@ -150,11 +152,18 @@ std::string path_of(const Series& series, const Frame2D& frame) {
     return path;
 }
 
-std::string drawn(const Series& series, const Frame2D& frame, const std::string& colour) {
+/// How a series is inked.
+struct Ink {
+    std::string colour, dashes;
+};
+
+std::string drawn(const Series& series, const Frame2D& frame, const Ink& ink) {
+    const auto& [colour, dashes] = ink;
     std::string svg;
     if (series.joining != Joining::points)
         svg += "<path d=\"" + path_of(series, frame) + "\" fill=\"none\" stroke=\"" + colour +
-               "\" stroke-width=\"" + (series.style == SeriesStyle::marked ? "1.6" : "1") + "\"/>";
+               "\" stroke-width=\"" + (series.style == SeriesStyle::marked ? "1.6" : "1") + "\"" + dashes +
+               "/>";
     for (const auto& p : series.points)
         if (frame.shows(p))
             svg += "<circle cx=\"" + place(frame.across(p.first)) + "\" cy=\"" + place(frame.down(p.second)) +
@@ -196,20 +205,28 @@ std::string set(std::vector<Label> labels, double bottom) {
     return svg;
 }
 
+Ink ink_of(SeriesStyle style, std::size_t marked_before) {
+    if (style == SeriesStyle::quiet) return {quiet_colour, ""};
+    if (style == SeriesStyle::muted) return {muted_colour, ""};
+    return {palette[marked_before % palette.size()],
+            marked_before < palette.size() ? "" : " stroke-dasharray=\"6 3\""};
+}
+
 std::string all_series(const Frame2D& frame) {
-    std::string quiet, marked;
+    std::string below, above;
     std::vector<Label> labels;
-    std::size_t next_colour = 0;
+    std::size_t marked = 0;
     for (const Series& series : frame.chart.series) {
-        const bool is_quiet = series.style == SeriesStyle::quiet;
-        const std::string colour = is_quiet ? quiet_colour : palette[next_colour++ % palette.size()];
-        (is_quiet ? quiet : marked) += drawn(series, frame, colour);
+        const bool is_marked = series.style == SeriesStyle::marked;
+        const Ink ink = ink_of(series.style, marked);
+        marked += is_marked ? 1 : 0;
+        (is_marked ? above : below) += drawn(series, frame, ink);
         const auto last = std::ranges::find_if(series.points.rbegin(), series.points.rend(),
                                                [&](const auto& p) { return frame.shows(p); });
-        if (!is_quiet && last != series.points.rend())
-            labels.push_back({series.name, colour, frame.across(last->first), frame.down(last->second)});
+        if (series.style != SeriesStyle::quiet && last != series.points.rend())
+            labels.push_back({series.name, ink.colour, frame.across(last->first), frame.down(last->second)});
     }
-    return quiet + marked + set(std::move(labels), frame.bottom);
+    return below + above + set(std::move(labels), frame.bottom);
 }
 
 }  // namespace

@@ -14,7 +14,9 @@ enum class Scale {
 };
 
 enum class SeriesStyle {
-    marked,  ///< in a colour of its own, named at the right margin
+    marked,  ///< in a colour of its own, dashed where the colours have all been used; named at the right
+             ///< margin
+    muted,   ///< grey, named
     quiet,   ///< grey, without a name
 };
 

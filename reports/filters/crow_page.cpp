@@ -158,8 +158,7 @@ std::string oblong(const CrowQuestion& straight, const CrowQuestion& turned) {
                        "). A summed-area table takes the rectangle as it is (" +
                        error(straight, "sat-affine") +
                        "). Turned by 45 degrees, the rectangle's bounding box is a square again, and the "
-                       "table is no better off "
-                       "than the mip map (" +
+                       "table is hardly better off than the mip map (" +
                        error(turned, "sat-affine") + " against " + error(turned, "trilinear-gl") +
                        "): Crow's method is exact along the texture's axes only. Methods that read along the "
                        "region's own longer "

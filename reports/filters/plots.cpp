@@ -90,8 +90,8 @@ std::vector<std::string> stars(const Pool& pool, const std::vector<std::string>&
     return labels;
 }
 
-SeriesStyle style_of(const std::vector<std::string>& stars, const std::string& label) {
-    return std::ranges::find(stars, label) == stars.end() ? SeriesStyle::quiet : SeriesStyle::marked;
+bool is_among(const std::vector<std::string>& labels, const std::string& label) {
+    return std::ranges::find(labels, label) != labels.end();
 }
 
 std::string titled(const std::string& what, const std::string& where) {
@@ -101,13 +101,20 @@ std::string titled(const std::string& what, const std::string& where) {
 Plot pareto(const Pool& pool, const std::string& where) {
     const std::vector<Standing> all = standings(pool);
     Series front{.name = "", .points = {}, .style = SeriesStyle::quiet, .joining = Joining::steps};
-    for (const Standing& s : front_of(all)) front.points.emplace_back(s.cost, s.error);
+    std::vector<std::string> unbeaten;
+    for (const Standing& s : front_of(all)) {
+        front.points.emplace_back(s.cost, s.error);
+        unbeaten.push_back(s.label);
+    }
     Chart chart{.title = titled("Cost and error", where),
                 .x = {"texels read per pixel", Scale::logarithmic, {}},
                 .y = {"RMSE against GT-" + pool.results().truth + ", interior", Scale::logarithmic, {}},
                 .series = {front}};
     for (const Standing& s : all)
-        chart.series.push_back({s.label, {{s.cost, s.error}}, SeriesStyle::marked, Joining::points});
+        chart.series.push_back({s.label,
+                                {{s.cost, s.error}},
+                                is_among(unbeaten, s.label) ? SeriesStyle::marked : SeriesStyle::muted,
+                                Joining::points});
     return {"pareto",
             "What a method reads, and how far it is off. The line joins those that no other beats in both.",
             chart_svg(chart)};
@@ -126,7 +133,10 @@ Chart by_region(const Pool& pool, const std::string& prefix, const std::vector<s
         chart.x.names.push_back(card.name.substr(prefix.size()));
     }
     for (const MethodCard& card : pool.results().methods) {
-        Series series{card.label, {}, style_of(stars, card.label), Joining::line};
+        Series series{card.label,
+                      {},
+                      is_among(stars, card.label) ? SeriesStyle::marked : SeriesStyle::quiet,
+                      Joining::line};
         for (std::size_t i = 0; i < regions.size(); ++i)
             series.points.emplace_back(double(i), pool.rmse(card.label, regions[i]));
         chart.series.push_back(std::move(series));

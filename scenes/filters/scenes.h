@@ -30,7 +30,8 @@ class TexturedMesh {
   public:
     explicit TexturedMesh(const std::string& scene_name) : mesh_(scene_name) {}
 
-    /// A new part with a texture of its own; its image is an index into finish's images.
+    /// A new part; the texture's image is an index into finish's images. Parts that show the same share a
+    /// material.
     void begin_part(const std::string& node, const Texture& texture);
     void triangle(const std::array<Corner, 3>& corners);
     void quad(const std::array<Corner, 4>& corners);

@@ -1,5 +1,7 @@
 #include "scenes/filters/scenes.h"
 
+#include <algorithm>
+
 namespace zproof::filters {
 
 void TexturedMesh::begin_part(const std::string& node, const Texture& texture) {
@@ -22,11 +24,32 @@ void TexturedMesh::quad(const std::array<Corner, 4>& corners) {
     mesh_.quad({vertex_count_ - 4, vertex_count_ - 3, vertex_count_ - 2, vertex_count_ - 1});
 }
 
+namespace {
+
+bool show_alike(const Texture& a, const Texture& b) {
+    return a.image == b.image && a.sampler.wrap_u == b.sampler.wrap_u &&
+           a.sampler.wrap_v == b.sampler.wrap_v && a.transform.linear == b.transform.linear &&
+           a.transform.translation == b.transform.translation;
+}
+
+}  // namespace
+
 Loaded TexturedMesh::finish(std::vector<Image> images, std::vector<View> views) {
     Loaded loaded = mesh_.finish(std::move(views));
-    loaded.scene.vertices.uv.push_back(std::move(uv_));
-    loaded.scene.images = std::move(images);
-    for (std::size_t i = 0; i < textures_.size(); ++i) loaded.scene.materials[i].base_color = textures_[i];
+    Scene& scene = loaded.scene;
+    scene.vertices.uv.push_back(std::move(uv_));
+    scene.images = std::move(images);
+    std::vector<Material> distinct;
+    for (std::size_t i = 0; i < textures_.size(); ++i) {
+        const auto shared = std::ranges::find_if(
+            distinct, [&](const Material& other) { return show_alike(other.base_color, textures_[i]); });
+        scene.parts[i].material = int(shared - distinct.begin());
+        if (shared != distinct.end()) continue;
+        distinct.push_back(scene.materials[i]);
+        distinct.back().base_color = textures_[i];
+        distinct.back().name = scene.images[std::size_t(textures_[i].image)].name;
+    }
+    scene.materials = std::move(distinct);
     return loaded;
 }
 

@@ -72,7 +72,7 @@ TEST(Filters, TableAndFigureReadAStudyAgain) {
     ASSERT_EQ(run(folder, small).exit_code, 0);
     const Ran table = run(folder, {"filters", "table", "study", "--region", "all"});
     EXPECT_EQ(table.exit_code, 0) << table.err;
-    EXPECT_NE(table.out.find("region 'all' (1024 pixels)"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("region 'all' (1,024 pixels)"), std::string::npos) << table.out;
     EXPECT_EQ(run(folder, {"filters", "table", "study", "--csv"}).out, folder.read("study/filters.csv"));
     EXPECT_EQ(run(folder, {"filters", "table", "study", "--latex"}).out, folder.read("study/table.tex"));
     fs::remove(folder.path() / "study/filters.html");

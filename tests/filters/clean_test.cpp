@@ -34,7 +34,7 @@ TEST_P(Clean, EveryMethodWithALawKeepsToIt) {
                 stage.scene, stage.view, stage.frame,
                 {.method = method, .options = setting.options, .derivatives = setting.derivatives});
             const Conformance found =
-                conformance_of(picture, stage, method.name, setting.options, setting.derivatives);
+                conformance_of(picture, stage, method.name, setting.options, setting.derivatives).found;
             EXPECT_EQ(found.outside, 0u)
                 << method.name << ", " << setting.name << ": slack " << found.worst_slack << " at ("
                 << found.worst.x << ", " << found.worst.y << ")";

@@ -44,7 +44,8 @@ TEST_P(EveryFilterScene, IsWhole) {
     const Loaded loaded = generate_filter_scene(GetParam().name, 96, 64);
     const Scene& scene = loaded.scene;
     EXPECT_EQ(scene.name, GetParam().name);
-    EXPECT_EQ(scene.parts.size(), scene.materials.size());
+    for (const Part& part : scene.parts)
+        EXPECT_TRUE(0 <= part.material && std::size_t(part.material) < scene.materials.size()) << part.node;
     ASSERT_EQ(scene.vertices.uv.size(), 1u);
     EXPECT_EQ(scene.vertices.uv[0].size(), scene.vertices.position_world.size());
     for (const glm::uvec3& triangle : scene.triangles)
@@ -143,6 +144,13 @@ TEST(FilterScenes, WorkedIsTheWorkedSetUp) {
     const texture::LinearImage expected = texture::worked::checks();
     for (std::size_t i = 0; i < expected.texels.size(); ++i)
         ASSERT_EQ(checks.texels[4 * i], 255 * int(expected.texels[i].r));
+}
+
+/// What a filter keeps of a texture is counted once per material.
+TEST(FilterScenes, ShareMaterialsBetweenFieldsOfOneTexture) {
+    EXPECT_EQ(generate_filter_scene("tilted_quads", 96, 64).scene.materials.size(), 1u);
+    EXPECT_EQ(generate_filter_scene("magnification", 96, 64).scene.materials.size(), 3u);
+    EXPECT_EQ(generate_filter_scene("seams", 96, 64).scene.materials.size(), 9u);
 }
 
 TEST(FilterScenes, TakeAPhotograph) {

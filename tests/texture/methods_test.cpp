@@ -109,10 +109,16 @@ TEST_P(EveryMethod, StaysWithinTheTexelsRangeUnlessItsCardSaysOtherwise) {
     }
 }
 
-/// Repetition by whole sizes and reflection change nothing; centres stay multiples of 2^-20 texels, so that
-/// moving them is exact.
+/// Repetition by whole sizes and reflection change nothing; coordinates are multiples of 2^-10 texels, so
+/// that moving them is exact.
 TEST_P(EveryMethod, WrapsAsItIsTold) {
     const LinearImage image = random_image(16, 16, 4);
+    const auto sampler = [&](Wrap wrap) {
+        return method().prepare(image, {.addressing = {wrap, wrap}, .mip_kernel = MipKernel::box});
+    };
+    const Sampler repeat = sampler(Wrap::repeat), mirror = sampler(Wrap::mirrored_repeat),
+                  clamp = sampler(Wrap::clamp_to_edge);
+    const double slack = 1000 * unit_roundoff;
     for (std::uint32_t seed = 0; seed < footprints; ++seed) {
         SCOPED_TRACE(seed);
         Dice dice{seed};
@@ -120,17 +126,11 @@ TEST_P(EveryMethod, WrapsAsItIsTold) {
             return std::floor(dice.between(-most, most) * 0x1p10) * 0x1p-10;
         };
         const glm::dvec2 centre{grid(16), grid(16)}, x{grid(8), grid(8)}, y{grid(8), grid(8)};
-        const auto colour = [&](Wrap wrap, const glm::dvec2& moved) {
-            return method()
-                .prepare(image, {.addressing = {wrap, wrap}, .mip_kernel = MipKernel::box})
-                .colour(flat_footprint(centre + moved, x, y));
-        };
-        const double slack = 1000 * unit_roundoff;
-        EXPECT_LE(distance(colour(Wrap::repeat, {0, 0}), colour(Wrap::repeat, {-32, 16})), slack);
-        EXPECT_LE(distance(colour(Wrap::mirrored_repeat, {0, 0}), colour(Wrap::mirrored_repeat, {32, -64})),
-                  slack);
-        EXPECT_LE(distance(colour(Wrap::clamp_to_edge, {4096, 4096}), glm::dvec4{image.at(15, 15)}), 1)
-            << "beyond the edge only the edge is seen";
+        const auto seen = [&](const glm::dvec2& moved) { return flat_footprint(centre + moved, x, y); };
+        EXPECT_LE(distance(repeat.colour(seen({0, 0})), repeat.colour(seen({-32, 16}))), slack);
+        EXPECT_LE(distance(mirror.colour(seen({0, 0})), mirror.colour(seen({32, -64}))), slack);
+        const Footprint corner = flat_footprint({4096, -4096}, {0.5, 0}, {0, 0.5});
+        EXPECT_LE(distance(clamp.colour(corner), glm::dvec4{image.at(15, 0)}), slack);
     }
 }
 
@@ -245,38 +245,108 @@ TEST(Anisotropic, OfOneTapIsTrilinear) {
               roundings(8));
 }
 
-/// Where the trilinear taps stand: the centroids of the reads of one level.
-std::vector<glm::dvec2> tap_places(const char* name, const Footprint& f, const FilterOptions& options) {
-    std::vector<glm::dvec2> places;
-    const std::vector<Tap> taps = prepared(name, constant_image(256, 256, glm::vec4{1}), options).taps(f);
+/// Where the bilinear reads of one level stand, and what they weigh.
+struct Probe {
+    glm::dvec2 place{0};
+    double weight = 0;
+};
+
+std::vector<Probe> probes(const Sampler& sampler, const Footprint& f, int level) {
+    std::vector<Probe> found;
+    const std::vector<Tap> taps = sampler.taps(f);
     for (std::size_t i = 0; i + 4 <= taps.size(); i += 4) {
-        if (taps[i].image != 0) continue;
-        glm::dvec2 sum{0};
-        double weight = 0;
+        if (taps[i].image != level) continue;
+        Probe& probe = found.emplace_back();
         for (std::size_t j = i; j < i + 4; ++j) {
-            sum += taps[j].weight * glm::dvec2{taps[j].column + 0.5, taps[j].row + 0.5};
-            weight += taps[j].weight;
+            probe.place += taps[j].weight * glm::dvec2{taps[j].column + 0.5, taps[j].row + 0.5};
+            probe.weight += taps[j].weight;
         }
-        places.push_back(sum / weight);
+        probe.place /= probe.weight;
     }
-    return places;
+    return found;
+}
+
+std::vector<Probe> probes_of_level_0(const char* name, const Footprint& f) {
+    return probes(prepared(name, constant_image(256, 256, glm::vec4{1})), f, 0);
 }
 
 TEST(Anisotropic, TapsStandWhereTheirCardsSay) {
     const Footprint f = flat_footprint({100.5, 100.5}, {4, 0}, {0, 1});
-    const auto expect = [&](const char* name, const std::vector<double>& offsets, int anisotropy) {
-        const auto places = tap_places(name, f, {.max_anisotropy = anisotropy});
-        ASSERT_EQ(places.size(), offsets.size()) << name;
+    const auto expect = [&](const char* name, const std::vector<double>& offsets) {
+        const std::vector<Probe> found = probes_of_level_0(name, f);
+        ASSERT_EQ(found.size(), offsets.size()) << name;
         for (std::size_t i = 0; i < offsets.size(); ++i) {
-            EXPECT_NEAR(places[i].x, 100.5 + offsets[i], 1e-12) << name;
-            EXPECT_NEAR(places[i].y, 100.5, 1e-12) << name;
+            EXPECT_NEAR(found[i].place.x, 100.5 + offsets[i], 1e-12) << name;
+            EXPECT_NEAR(found[i].place.y, 100.5, 1e-12) << name;
         }
     };
-    expect("aniso-ext", {-1.2, -0.4, 0.4, 1.2}, 16);
-    expect("aniso-midpoint", {-1.5, -0.5, 0.5, 1.5}, 16);
-    expect("aniso-d3d11", {-1.5, -0.5, 0.5, 1.5}, 16);
-    expect("aniso-oiio", {-18 / 7.0, -12 / 7.0, -6 / 7.0, 0, 6 / 7.0, 12 / 7.0, 18 / 7.0}, 16);
-    expect("aniso-feline", {-3, -2, -1, 0, 1, 2, 3}, 16);
+    expect("aniso-ext", {-1.2, -0.4, 0.4, 1.2});
+    expect("aniso-midpoint", {-1.5, -0.5, 0.5, 1.5});
+    expect("aniso-d3d11", {-1.5, -0.5, 0.5, 1.5});
+    expect("aniso-oiio", {-18 / 7.0, -12 / 7.0, -6 / 7.0, 0, 6 / 7.0, 12 / 7.0, 18 / 7.0});
+    expect("aniso-feline", {-3, -2, -1, 0, 1, 2, 3});
+}
+
+TEST(Anisotropic, GaussianProbesWeighWhatTheirCardsSay) {
+    const Footprint f = flat_footprint({100.5, 100.5}, {4, 0}, {0, 1});
+    const auto ratio = [&](const char* name) {
+        const std::vector<Probe> found = probes_of_level_0(name, f);
+        return found.front().weight / found[3].weight;
+    };
+    const double d = 3 / 4.0, x = 6 / 7.0 * 4 / (2 * 3);
+    EXPECT_NEAR(ratio("aniso-feline"), std::exp(-2 * d * d), 1e-14);
+    EXPECT_NEAR(ratio("aniso-oiio"), std::exp(-2 * x * x), 1e-14);
+}
+
+TEST(Anisotropic, FelineRoundsItsProbesAndWidensThemWhereTheyAreFewer) {
+    const auto expect = [](double minor, std::size_t count, double width) {
+        const Footprint f = flat_footprint({100.5, 100.5}, {9.6, 0}, {0, minor});
+        const std::vector<Tap> taps = prepared("aniso-feline", random_image(256, 256, 1)).taps(f);
+        double lod = 0;
+        for (const Tap& tap : taps) lod += tap.weight * tap.image;
+        EXPECT_EQ(taps.size(), count * 8);
+        EXPECT_NEAR(lod, std::log2(width), 1e-14);
+    };
+    expect(3, 5, 3.2);    // 2 R / r - 1 = 5.4: fewer probes, so wider ones, 2 * 9.6 / 6
+    expect(2.8, 6, 2.8);  // 5.86: more probes, of their own width
+}
+
+TEST(Anisotropic, Direct3dSparesTapsWhereTheWidthIsBelowATexel) {
+    const Footprint f = flat_footprint({100.5, 100.5}, {4, 0}, {0, 0.5});
+    EXPECT_EQ(probes_of_level_0("aniso-d3d11", f).size(), 4u);
+    EXPECT_EQ(probes_of_level_0("aniso-midpoint", f).size(), 8u);
+}
+
+/// 64 x 32 texels: s = u / 64, t = v / 32. Aspect 24 exceeds 16: s1 = (0.75 + 16 / 32) / 2 = 0.625, s2 =
+/// 0.625 / 16; 31 probes; 1.25 texels of level 0, 0.625 of level 1, which so weighs 1/4.
+TEST(OpenImageIo, LimitsAnisotropyByTheMeanOfBothMajors) {
+    const Sampler sampler = prepared("aniso-oiio", constant_image(64, 32, glm::vec4{1}));
+    const Footprint f = flat_footprint({31.5, 15.5}, {48, 0}, {0, 1});
+    const std::vector<Tap> taps = sampler.taps(f);
+    ASSERT_EQ(taps.size(), 31u * 8);
+    double coarser = 0;
+    for (const Tap& tap : taps) coarser += tap.image == 1 ? tap.weight : 0;
+    EXPECT_NEAR(coarser, 0.25, 1e-14);
+}
+
+/// Steps that are equal in texels are not in the unit square: across it is half as long as down.
+TEST(OpenImageIo, MeasuresInTheUnitSquare) {
+    const Sampler sampler = prepared("aniso-oiio", constant_image(64, 32, glm::vec4{1}));
+    const std::vector<Probe> found = probes(sampler, flat_footprint({31.5, 15.5}, {1, 0}, {0, 1.5}), 0);
+    ASSERT_EQ(found.size(), 5u);  // aspect 3; the width is 1 / 64, half a texel of the shorter side
+    const double reach = (1.5 / 32 - 1 / 64.0) * 32;
+    EXPECT_NEAR(found[0].place.y, 15.5 - 0.8 * reach, 1e-12);
+    EXPECT_NEAR(found[0].place.x, 31.5, 1e-12);
+    EXPECT_EQ(prepared("trilinear-oiio", constant_image(64, 32, glm::vec4{1}))
+                  .taps(flat_footprint({31.5, 15.5}, {2, 0}, {0, 0}))
+                  .size(),
+              4u);  // 2 / 64 of 32 texels is one: level 0 alone
+}
+
+/// s1 = 4 texels and s2 = 0.1 become 2.8 and 0.175; s2 counts as half a texel: aspect 5.6, ten probes.
+TEST(OpenImageIo, SparesProbesOfAWidthBelowHalfATexel) {
+    const Sampler sampler = prepared("aniso-oiio", constant_image(64, 64, glm::vec4{1}));
+    EXPECT_EQ(probes(sampler, flat_footprint({31.5, 15.5}, {4, 0}, {0, 0.1}), 0).size(), 10u);
 }
 
 TEST(Anisotropic, TakesAtMostTheAllowedTaps) {
@@ -301,6 +371,14 @@ TEST(Ripmap, OfABoxOnTheGridIsItsMean) {
         for (int column = 16; column < 32; ++column) sum += glm::dvec4{image.at(column, row)};
     // Four halvings across and two down, each rounded to float32.
     EXPECT_LE(distance(prepared("ripmap", image).colour(f), sum / 64.0), 6 * 0x1p-24);
+}
+
+TEST(Ripmap, TakesTheLongerShareOfEitherStep) {
+    const LinearImage image = random_image(64, 64, 9);
+    const auto colour = [&](const glm::dvec2& x, const glm::dvec2& y) {
+        return prepared("ripmap", image).colour(flat_footprint({24.3, 34.9}, x, y));
+    };
+    EXPECT_EQ(colour({16, 3}, {-5, 6}), colour({5, 6}, {16, -1}));
 }
 
 /// By the definition alone: every texel of the level, far and wide.
@@ -348,6 +426,41 @@ TEST(Ewa, BiasScalesTheEllipse) {
             distance(prepared(name, image, {.lod_bias = 1}).colour(f), prepared(name, image).colour(twice)),
             1e-12)
             << name;
+}
+
+TEST(Ewa, ClampScalesTheEllipseDownAndNeverUp) {
+    const LinearImage image = random_image(32, 32, 10);
+    const Footprint f = flat_footprint({7.3, 9.1}, {0, 6}, {-4, 0}),
+                    quarter = flat_footprint(f.centre, f.per_x / 4.0, f.per_y / 4.0);
+    for (const char* name : {"ewa-pbrt", "ewa-pbrt-table", "ewa-true"}) {
+        EXPECT_LE(
+            distance(prepared(name, image, {.lod_max = 0}).colour(f), prepared(name, image).colour(quarter)),
+            1e-12)
+            << name;
+        for (const Tap& tap : prepared(name, image, {.lod_min = 2}).taps(quarter))
+            EXPECT_EQ(tap.image, 2) << name;
+    }
+}
+
+TEST(Ewa, LimitsAnisotropyByWideningTheEllipse) {
+    const LinearImage image = random_image(32, 32, 10);
+    const Footprint narrow = flat_footprint({7.3, 9.1}, {12, 0}, {0, 1}),
+                    wide = flat_footprint(narrow.centre, {12, 0}, {0, 3});
+    for (const char* name : {"ewa-pbrt", "ewa-pbrt-table", "ewa-true"})
+        EXPECT_LE(distance(prepared(name, image, {.max_anisotropy = 4}).colour(narrow),
+                           prepared(name, image, {.max_anisotropy = 4}).colour(wide)),
+                  1e-12)
+            << name;
+}
+
+/// Of a step of no length pbrt reads a point; true axes keep a width of 1 / anisotropy.
+TEST(Ewa, OfALineIsAPointForPbrt) {
+    const LinearImage image = random_image(32, 32, 10);
+    const Footprint f = flat_footprint({7.3, 9.1}, {12, 0}, {0, 0});
+    EXPECT_EQ(prepared("ewa-pbrt", image).taps(f).size(), 4u);
+    EXPECT_LE(distance(prepared("ewa-true", image, {.max_anisotropy = 6}).colour(f),
+                       prepared("ewa-true", image).colour(flat_footprint(f.centre, {12, 0}, {0, 2}))),
+              1e-12);
 }
 
 TEST(Bicubic, HitsTexelsAndKeepsALine) {

@@ -131,6 +131,15 @@ TEST(MipChain, OfAConstantIsConstant) {
                 EXPECT_LE(distance(glm::dvec4{texel}, glm::dvec4{value}), 6 * float_roundoff);
 }
 
+TEST(MipChain, BoxesAreToldAsOneRectangle) {
+    const auto made_of = stored_mip_chain(random_image(32, 16, 6), MipKernel::box)[3].made_of(1, 1);
+    ASSERT_EQ(made_of.size(), 1u);
+    EXPECT_EQ(made_of[0].column, 8);
+    EXPECT_EQ(made_of[0].columns, 8);
+    EXPECT_EQ(made_of[0].rows, 8);
+    EXPECT_EQ(made_of[0].weight, 1 / 64.0);
+}
+
 /// Level 0 weighted by what a stored value says it is made of gives that value, but for one rounding a level
 /// (Lanczos: of values up to 2, by absolute weights that sum to less than 2 an axis a level).
 TEST(MipChain, StoredImagesTellWhatTheyAreMadeOf) {

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "tests/support/footprints.h"
 #include "tests/support/worked_setup.h"
 #include "texture/catalogue.h"
 
@@ -13,28 +14,14 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-/// A footprint of the flat plane u = x, v = y.
-Footprint flat(const glm::dvec2& centre, const glm::dvec2& per_x, const glm::dvec2& per_y) {
-    const glm::dvec2 corner = centre - 0.5 * (per_x + per_y);
-    return footprint({{per_x.x, per_y.x, corner.x}, {per_x.y, per_y.y, corner.y}, {0, 0, 1}}, 0, 0,
-                     Derivatives::analytic);
-}
-
-LinearImage noise(int width, int height) {
-    std::mt19937 dice(3);
-    LinearImage image{width, height, {}};
-    for (int i = 0; i < width * height; ++i) image.texels.emplace_back(float(dice() >> 8) * 0x1p-24f);
-    return image;
-}
-
 constexpr Ground square{64, 64, {}};
 
 Kernel kernel_of(const char* method, const Footprint& footprint) {
-    return record(find_method(method)->prepare(noise(64, 64), {}), footprint, square);
+    return record(find_method(method)->prepare(random_image(64, 64, 3), {}), footprint, square);
 }
 
 TEST(Recorder, BilinearsKernelIsFourTexels) {
-    const Kernel kernel = kernel_of("bilinear", flat({10.75, 20.625}, {1, 0}, {0, 1}));
+    const Kernel kernel = kernel_of("bilinear", flat_footprint({10.75, 20.625}, {1, 0}, {0, 1}));
     EXPECT_EQ(kernel.first_column, 10);
     EXPECT_EQ(kernel.first_row, 20);
     ASSERT_EQ(kernel.width, 2);
@@ -52,13 +39,13 @@ TEST(Recorder, BilinearsKernelIsFourTexels) {
 TEST(Recorder, TrilinearsKernelIsMadeOfBoxes) {
     // Steps of 2^1.5 texels: level 1 and 2 by halves, at the centre of a texel of level 2 at (22, 22).
     const double step = std::exp2(1.5);
-    const Kernel kernel = kernel_of("trilinear-gl", flat({22, 22}, {step, 0}, {0, step}));
+    const Kernel kernel = kernel_of("trilinear-gl", flat_footprint({22, 22}, {step, 0}, {0, step}));
     // Level 2: texel [20, 24)^2. Level 1 meets four texels, the same 4 x 4 of level 0.
     EXPECT_EQ(kernel.first_column, 20);
     EXPECT_EQ(kernel.width, 4);
     EXPECT_EQ(kernel.height, 4);
     for (const double weight : kernel.weights) EXPECT_NEAR(weight, 1.0 / 16, 8 * unit_roundoff);
-    const Kernel aside = kernel_of("trilinear-gl", flat({23, 22}, {step, 0}, {0, step}));
+    const Kernel aside = kernel_of("trilinear-gl", flat_footprint({23, 22}, {step, 0}, {0, step}));
     EXPECT_EQ(aside.first_column, 20);
     EXPECT_EQ(aside.width, 8);
     // Level 1's texels [20, 22), [22, 24) and [24, 26) lie 2, 0 and 2 texels away: it takes [22, 24) alone.
@@ -70,7 +57,7 @@ TEST(Recorder, TrilinearsKernelIsMadeOfBoxes) {
 }
 
 TEST(Recorder, SummedAreasKernelIsItsBox) {
-    const Kernel kernel = kernel_of("sat-affine", flat({20.25, 30}, {8.5, 0}, {0, 4}));
+    const Kernel kernel = kernel_of("sat-affine", flat_footprint({20.25, 30}, {8.5, 0}, {0, 4}));
     EXPECT_EQ(kernel.first_column, 16);
     EXPECT_EQ(kernel.first_row, 28);
     ASSERT_EQ(kernel.width, 9);  // 16 to 24.5
@@ -81,7 +68,7 @@ TEST(Recorder, SummedAreasKernelIsItsBox) {
 }
 
 TEST(Recorder, ABoxOfWholeTexelsHasAUniformBoxsVarianceLessATexels) {
-    const Footprint f = flat({20, 30}, {8, 0}, {0, 4});
+    const Footprint f = flat_footprint({20, 30}, {8, 0}, {0, 4});
     const KernelShape shape = shape_of(kernel_of("sat-moment", f));
     const glm::dmat2 footprint = footprint_covariance(f);
     EXPECT_NEAR(shape.covariance[0][0], (64 - 1) / 12.0, 1e3 * unit_roundoff);
@@ -92,7 +79,7 @@ TEST(Recorder, ABoxOfWholeTexelsHasAUniformBoxsVarianceLessATexels) {
 }
 
 TEST(Recorder, UnwrapsARepeatedAxis) {
-    const Kernel kernel = kernel_of("sat-affine", flat({-1, 66}, {8, 0}, {0, 6}));
+    const Kernel kernel = kernel_of("sat-affine", flat_footprint({-1, 66}, {8, 0}, {0, 6}));
     EXPECT_EQ(kernel.first_column, -5);
     EXPECT_EQ(kernel.width, 8);
     EXPECT_EQ(kernel.first_row, 63);
@@ -103,25 +90,29 @@ TEST(Recorder, UnwrapsARepeatedAxis) {
 
 TEST(Recorder, LeavesAClampedAxisAlone) {
     const Addressing clamp{Wrap::clamp_to_edge, Wrap::clamp_to_edge};
-    const Sampler sat = find_method("sat-affine")->prepare(noise(64, 64), {.addressing = clamp});
-    const Kernel kernel = record(sat, flat({-1, 10}, {8, 0}, {0, 6}), {64, 64, clamp});
+    const Sampler sat = find_method("sat-affine")->prepare(random_image(64, 64, 3), {.addressing = clamp});
+    const Kernel kernel = record(sat, flat_footprint({-1, 10}, {8, 0}, {0, 6}), {64, 64, clamp});
     EXPECT_EQ(kernel.first_column, 0);
     EXPECT_EQ(kernel.width, 3);
     EXPECT_NEAR(kernel.at(0, 10), 6 / 48.0, 64 * unit_roundoff);  // five texels beyond the edge and its own
+    const Kernel beyond = record(sat, flat_footprint({-70, 10}, {8, 0}, {0, 6}), {64, 64, clamp});
+    EXPECT_EQ(beyond.first_column, 0);
+    EXPECT_EQ(beyond.width, 1);
 }
 
 TEST(Recorder, CountsReadsTexelsAndLines) {
-    const LinearImage image = noise(64, 64);
-    const ReadCost one = read_cost(find_method("nearest")->prepare(image, {}), flat({5, 5}, {1, 0}, {0, 1}));
+    const LinearImage image = random_image(64, 64, 3);
+    const ReadCost one =
+        read_cost(find_method("nearest")->prepare(image, {}), flat_footprint({5, 5}, {1, 0}, {0, 1}));
     EXPECT_EQ(one.reads, 1u);
     EXPECT_EQ(one.cache_lines, 1u);
-    // 16 bytes a texel, 4 to a line: columns 5 and 6 share one, 7 and 8 do not; every row begins with one.
+    // 16 bytes a texel, 4 to a line: columns 5 and 6 share one, 3 and 4 do not; every row begins with one.
     const Sampler bilinear = find_method("bilinear")->prepare(image, {});
-    EXPECT_EQ(read_cost(bilinear, flat({6, 5}, {1, 0}, {0, 1})).cache_lines, 2u);
-    EXPECT_EQ(read_cost(bilinear, flat({8, 5}, {1, 0}, {0, 1})).cache_lines, 4u);
+    EXPECT_EQ(read_cost(bilinear, flat_footprint({6, 5}, {1, 0}, {0, 1})).cache_lines, 2u);
+    EXPECT_EQ(read_cost(bilinear, flat_footprint({4, 5}, {1, 0}, {0, 1})).cache_lines, 4u);
     // Over one texel both ends of a box share their sums in the middle: 16 reads of 9 sums.
-    const ReadCost box =
-        read_cost(find_method("sat-affine")->prepare(image, {}), flat({8.25, 5.25}, {1, 0}, {0, 1}));
+    const ReadCost box = read_cost(find_method("sat-affine")->prepare(image, {}),
+                                   flat_footprint({8.25, 5.25}, {1, 0}, {0, 1}));
     EXPECT_EQ(box.reads, 16u);
     EXPECT_EQ(box.stored_texels, 9u);
 }
@@ -138,7 +129,7 @@ class EveryKernel : public testing::TestWithParam<Method> {};
 
 /// The recorder's kernel, applied to the texture, is what the method gives: for odd sizes and all wraps.
 TEST_P(EveryKernel, TimesTheTextureIsTheColour) {
-    const LinearImage image = noise(37, 22);
+    const LinearImage image = random_image(37, 22, 3);
     const Homography<double> map = worked::texels_from_raster(35);
     for (const Wrap wrap : {Wrap::repeat, Wrap::clamp_to_edge, Wrap::mirrored_repeat}) {
         const Addressing addressing{wrap, wrap};

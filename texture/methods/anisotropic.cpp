@@ -53,8 +53,9 @@ struct Taps {
 };
 
 constexpr const char* longer_step_footprint =
-    "The longer of the pixel's two steps, P_max, by the shorter, P_min; N = min(ceil(P_max / P_min), maximum "
-    "anisotropy).";
+    "The longer of the pixel's two steps, P_max (the one in y where they are equal), by the shorter, P_min; "
+    "N = "
+    "min(ceil(P_max / P_min), maximum anisotropy), 1 where P_max is 0.";
 constexpr const char* longer_step_lod = "log2(P_max / N).";
 
 }  // namespace

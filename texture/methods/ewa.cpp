@@ -76,12 +76,17 @@ template <Profile profile>
 void read_ellipse(const MipReads& mips, int level, const LevelEllipse& ellipse, double weight, auto&& read) {
     const LinearImage& image = mips.levels[std::size_t(level)];
     const Addressing& wrap = mips.options.addressing;
+    std::vector<Tap> inside;
     double sum = 0;
-    ellipse.each([&](std::int64_t, std::int64_t, double r2) { sum += profile(r2); });
     ellipse.each([&](std::int64_t column, std::int64_t row, double r2) {
-        read(Tap{level, wrapped(wrap.u, column, image.width), wrapped(wrap.v, row, image.height),
-                 weight * profile(r2) / sum});
+        inside.push_back(
+            {level, wrapped(wrap.u, column, image.width), wrapped(wrap.v, row, image.height), profile(r2)});
+        sum += inside.back().weight;
     });
+    for (Tap tap : inside) {
+        tap.weight = weight * tap.weight / sum;
+        read(tap);
+    }
 }
 
 /// The ellipse at the LOD of its shorter radius, made no longer than max_anisotropy times that. The user's

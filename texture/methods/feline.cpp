@@ -53,11 +53,11 @@ std::vector<Method> feline_methods() {
     return {
         {.name = "aniso-feline",
          .card =
-             {.footprint = "The ellipse of the Jacobian's singular values, both raised to at least 1 texel: "
-                           "radii R and "
-                           "r. N = 2 R / r - 1 rounded half up, at most 2 a - 1, a: maximum anisotropy; "
-                           "where N fell, r = "
-                           "2 R / (N + 1).",
+             {.footprint =
+                  "The ellipse of the Jacobian's singular values, both raised to at least 1 texel: radii R "
+                  ">= r. "
+                  "N = 2 R / r - 1 rounded half up, at most 2 a - 1, a: maximum anisotropy; where N is less "
+                  "than 2 R / r - 1, r = 2 R / (N + 1).",
               .lod = "log2 r.",
               .taps =
                   "N trilinear probes, evenly from -(R - r) to R - r along the longer axis, linear about "

@@ -94,7 +94,7 @@ std::vector<Method> ripmap_methods() {
                          "itself.",
                   .taps = "Bilinear in the four images around the pair of LODs, weighted by the product of "
                           "their fractions.",
-                  .source = "Larson and Shah 1990 (rip maps); McReynolds and Blythe, course notes"},
+                  .source = "McReynolds and Blythe 1999, course notes (attribution from memory)"},
          .prepare = prepare}};
 }
 

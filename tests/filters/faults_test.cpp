@@ -1,0 +1,40 @@
+/// Every planted filter defect is caught by the law of the method that it pretends to be.
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <set>
+
+#include "cli/selftest/filter_fault.h"
+#include "texture/catalogue.h"
+
+namespace zproof::selftest {
+
+void PrintTo(const FilterFault& fault, std::ostream* out) { *out << fault.sentence; }
+
+namespace {
+
+class PlantedFilterDefect : public testing::TestWithParam<FilterFault> {};
+
+TEST_P(PlantedFilterDefect, IsCaught) {
+    const FilterTrial trial = try_filter_fault(GetParam(), filter_stage(GetParam().ground));
+    EXPECT_TRUE(trial.is_caught());
+    std::cout << GetParam().name << ": " << in_words(trial) << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, PlantedFilterDefect, testing::ValuesIn(filter_faults()),
+                         [](const auto& fault) { return fault.param.name; });
+
+TEST(FilterFaults, AreManyAndHaveNamesOfTheirOwn) {
+    std::set<std::string> names;
+    for (const FilterFault& fault : filter_faults())
+        EXPECT_TRUE(names.insert(fault.name).second) << fault.name;
+    EXPECT_GE(names.size(), 25u);
+}
+
+TEST(FilterFaults, EveryMethodHasALaw) {
+    for (const texture::Method& method : texture::methods())
+        EXPECT_NE(oracle::find_filter_definition(method.name), nullptr) << method.name;
+}
+
+}  // namespace
+}  // namespace zproof::selftest
