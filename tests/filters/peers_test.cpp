@@ -52,12 +52,9 @@ TEST(OpenGlFilter, IsHeldAgainstItsOwnLaw) {
     const FilterPrecision precision = oracle::opengl_filter_precision();
     const StepRule exact = StepRule::analytic, quad = StepRule::quad_differences;
     EXPECT_FALSE(held(drawn(PeerFilter::bilinear, exact), stage, "bilinear", precision).is_caught());
-    held(drawn(PeerFilter::trilinear, exact), stage, "trilinear-gl", precision);
-    held(drawn(PeerFilter::trilinear, exact), stage, "trilinear-oiio", precision);
-    held(drawn(PeerFilter::trilinear, quad), stage, "trilinear-gl", precision, quad);
-    held(drawn(PeerFilter::anisotropic, exact), stage, "aniso-ext", precision);
-    held(drawn(PeerFilter::anisotropic, exact), stage, "aniso-midpoint", precision);
-    held(drawn(PeerFilter::anisotropic, exact), stage, "ewa-pbrt", precision);
+    held(drawn(PeerFilter::trilinear, exact), stage, "trilinear-mesa", precision);
+    held(drawn(PeerFilter::trilinear, quad), stage, "trilinear-mesa", precision, quad);
+    held(drawn(PeerFilter::anisotropic, exact), stage, "ewa-mesa", precision);
 }
 
 }  // namespace
