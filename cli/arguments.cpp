@@ -6,6 +6,7 @@
 #include <sstream>
 #include <thread>
 
+#include "cli/filters/command_line.h"
 #include "cli/party_words.h"
 #include "cli/usage_error.h"
 #include "cli/version.h"
@@ -23,6 +24,7 @@ constexpr const char* examples = R"(Proves a z-buffer rasterizer right, pixel by
   zproof explain model.glb 812 344      tell the whole story of one pixel
   zproof measure zproof                 measure what a renderer really does
   zproof selftest                       see the gate fail: inject known faults into good frames
+  zproof filters run worked -o study    how far texture filters are from the truth, and at what cost
 
 Exit status: 0 proven, 1 a defect, 2 usage, 3 unreadable input, 4 nothing judged, 70 internal error,
 130 interrupted.)";
@@ -222,6 +224,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     ContractCheckArguments contract_check;
     SelftestArguments selftest;
     GenerateArguments generate;
+    FiltersWords filters;
+    filters.run.typed = run.report.typed;
 
     CLI::App& run_app = *app.add_subcommand("run", "render, ask the reference, judge, write the reports");
     CLI::App& compare_app = *app.add_subcommand("compare", "judge frames that were rendered elsewhere");
@@ -239,6 +243,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     CLI::App& generate_app =
         *scenes_app.add_subcommand("generate", "write suite scenes as .glb and .view.json");
     scenes_app.require_subcommand(0, 1);
+    CLI::App& filters_app = *app.add_subcommand(
+        "filters", "texture filters held to the exact area integral: run, list, table, figure, crow");
     add_run(run_app, run, words);
     add_compare(compare_app, compare, words);
     add_explain(explain_app, explain, words);
@@ -247,6 +253,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_contract_check(contract_app, contract_check, words);
     add_threads(selftest_app, selftest.threads);
     add_generate(generate_app, generate);
+    add_filters(filters_app, filters);
 
     try {
         app.parse(argc, argv);
@@ -262,6 +269,9 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (selftest_app.parsed()) return selftest;
     if (list_app.parsed()) return ListArguments{};
     if (generate_app.parsed()) return generate;
+    if (filters_app.parsed())
+        return std::visit([](auto chosen) { return Command{std::move(chosen)}; },
+                          chosen_filters_command(filters_app, filters));
     if (scenes_app.parsed()) throw UsageError{"scenes: 'generate' expected (see: zproof scenes --help)"};
     throw UsageError{"a command is expected, such as: zproof run (see: zproof --help)"};
 }

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "cli/filter_choice.h"
+#include "cli/filters/arguments.h"
 #include "cli/renderers/choice.h"
-#include "frame/plane.h"
+#include "cli/settings.h"
 
 namespace zproof {
 
@@ -24,30 +25,10 @@ enum class MeasurementFormat {
     json,   ///< for programs: docs/measure.md
 };
 
-enum class ProgressStyle {
-    automatic,  ///< a bar on a terminal, lines elsewhere
-    bar,        ///< one line that is redrawn
-    lines,      ///< a line per judged view
-    none,
-};
-
 enum class Detail {
     verdict,  ///< the last line only
     table,    ///< a row per view and the verdict
     times,    ///< the same, and where the time went
-};
-
-/// The resolution at which the suite's expectations hold.
-inline constexpr Resolution default_resolution{.width = 1920, .height = 1080};
-
-/// Threads that the machine offers, 1 to 1024.
-int available_threads();
-
-/// How views are made; shared by every command that renders.
-struct RenderSettings {
-    Resolution resolution =
-        default_resolution;  ///< of suite scenes and glTF files; a view file states its own
-    int threads = available_threads();
 };
 
 enum class PictureWish {
@@ -122,9 +103,10 @@ struct Answered {
     std::string text;
 };
 
-using Command =
-    std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
-                 ContractCheckArguments, SelftestArguments, ListArguments, GenerateArguments, Answered>;
+using Command = std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments,
+                             MeasureArguments, ContractCheckArguments, SelftestArguments, ListArguments,
+                             GenerateArguments, FiltersRunArguments, FiltersListArguments,
+                             FiltersTableArguments, FiltersFigureArguments, FiltersCrowArguments, Answered>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

@@ -39,6 +39,22 @@ ExitCode execute(const ListArguments& arguments);
 /// Writes suite scenes as NAME.glb and NAME.view.json.
 ExitCode execute(const GenerateArguments& arguments);
 
+/// Holds texture filters to the truth, scene by scene, and writes a study (docs/filters.md). UsageError for a
+/// scene that there is not. An interrupt ends it after the method in hand; what was done is written.
+ExitCode execute(const FiltersRunArguments& arguments);
+
+/// Prints the filter methods with their definitions, the metrics and the filter scenes.
+ExitCode execute(const FiltersListArguments& arguments);
+
+/// Prints a study's table.
+ExitCode execute(const FiltersTableArguments& arguments);
+
+/// Makes a study's figures and page again, as chosen.
+ExitCode execute(const FiltersFigureArguments& arguments);
+
+/// Writes the page that answers the lecture's questions about Crow 1984.
+ExitCode execute(const FiltersCrowArguments& arguments);
+
 /// Prints the text that was asked for.
 ExitCode execute(const Answered& answered);
 

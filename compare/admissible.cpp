@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <type_traits>
 
 #include "compare/coplanar.h"
 #include "math/interval.h"
@@ -33,12 +34,18 @@ AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around)
       drawn_(around.neighbours.size()),
       nearest_first_(around.neighbours.size()) {
     corners_by_hash_.fill(-1);
-    const Number h(around.eps_px), zero(0), one(1);
-    sides_ = {new_line({zero, one, h}), new_line({-one, zero, h}), new_line({zero, -one, h}),
-              new_line({one, zero, h})};
+    set_half_side(around.eps_px);
     std::iota(nearest_first_.begin(), nearest_first_.end(), size_t(0));
     std::ranges::stable_sort(nearest_first_, std::greater<>{},
                              [&](size_t i) { return around_.neighbours[i].least_nearness; });
+}
+
+template <class Number>
+void AdmissibleSet<Number>::set_half_side(double half_side_px) {
+    half_side_px_ = half_side_px;
+    const Number h(half_side_px), zero(0), one(1);
+    sides_ = {new_line({zero, one, h}), new_line({-one, zero, h}), new_line({zero, -one, h}),
+              new_line({one, zero, h})};
 }
 
 template <class Number>
@@ -67,7 +74,23 @@ auto AdmissibleSet<Number>::edge_line(const Affine<Number>& f, const CornersWorl
     const auto [low, high] =
         std::minmax({corner_id(p_world[(edge + 1) % 3]), corner_id(p_world[(edge + 2) % 3])});
     const int id = edge_ids_.try_emplace({low, high}, int(edge_ids_.size())).first->second;
-    return &lines_.emplace_back(Line<Number>{f, id, {low, high}});
+    return &lines_.emplace_back(Line<Number>{f, id, {low, high}, locus_of(std::size_t(id), {low, high})});
+}
+
+/// The estimates in double are left as they are.
+template <class Number>
+int AdmissibleSet<Number>::locus_of(std::size_t edge_id, const std::array<int, 2>& ends) {
+    if constexpr (std::is_same_v<Number, double>) return -1;
+    if (edge_id < edges_.size()) return edges_[edge_id].locus;
+    const auto place = [&](int corner) { return corners_[std::size_t(corner)].p_world; };
+    const auto along = [&](const MeshEdge& other) {
+        return collinear(place(other.ends[0]), place(other.ends[1]), place(ends[0])) &&
+               collinear(place(other.ends[0]), place(other.ends[1]), place(ends[1]));
+    };
+    const auto found = std::ranges::find_if(edges_, along);
+    const int locus = found == edges_.end() ? int(edge_id) : found->locus;
+    edges_.push_back({ends, locus});
+    return locus;
 }
 
 template <class Number>
@@ -80,7 +103,7 @@ auto AdmissibleSet<Number>::draw(const Neighbour& neighbour) -> Drawn {
 
 template <class Number>
 Region<Number> AdmissibleSet<Number>::square() {
-    return Region<Number>::square(sides_, Number(around_.eps_px));
+    return Region<Number>::square(sides_, Number(half_side_px_));
 }
 
 /// The half-plane on the lawful side of the near or far plane. `admit` moves the plane outwards by its slack,
@@ -168,7 +191,7 @@ bool AdmissibleSet<Number>::continues(LinePointer edge, const std::vector<size_t
 template <class Number>
 auto AdmissibleSet<Number>::moved_inwards(LinePointer edge) -> LinePointer {
     Affine<Number> moved = edge->f;
-    moved.c = moved.c - Number(around_.eps_px) * (magnitude(moved.a) + magnitude(moved.b));
+    moved.c = moved.c - Number(half_side_px_) * (magnitude(moved.a) + magnitude(moved.b));
     return new_line(moved);
 }
 
@@ -181,7 +204,7 @@ bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule 
     if (rule == DepthRule::bounded || front.greatest_nearness < back.least_nearness) return false;
     if (!drawn(seen).image || !drawn(occluder).image) return false;
     if (stands_apart(occluder, seen)) return false;  // and so hides none of it: their depths may be equal
-    if (meet_at_the_centre(occluder, seen) || coplanar(front.p_world, back.p_world)) return true;
+    if (meet_at_the_centre(occluder, seen) || are_coplanar(occluder, seen)) return true;
     return sign(drawn(occluder).image->nearness.c - drawn(seen).image->nearness.c) >= 0;
 }
 
@@ -235,6 +258,13 @@ bool AdmissibleSet<Number>::meet_at_the_centre(size_t occluder, size_t seen) {
     return false;
 }
 
+template <class Number>
+bool AdmissibleSet<Number>::are_coplanar(size_t a, size_t b) {
+    const auto [known, is_new] = coplanar_.try_emplace({a, b}, false);
+    if (is_new) known->second = coplanar(around_.neighbours[a].p_world, around_.neighbours[b].p_world);
+    return known->second;
+}
+
 /// Nearest first: most squares are covered by the first.
 template <class Number>
 template <class Occludes, class Stays>
@@ -278,12 +308,12 @@ bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
 template <class Number>
 std::optional<HalfPlanes<Number>> AdmissibleSet<Number>::true_cover(size_t occluder, const Piece& seen) {
     const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen.index];
-    const double slope = around_.eps_px * (front.gradient + back.gradient);  // what the ranges may lack
+    const double slope = half_side_px_ * (front.gradient + back.gradient);  // what the ranges may lack
     if (front.greatest_nearness + slope < back.least_nearness) return std::nullopt;
     HalfPlanes<Number> half_planes(drawn(occluder).edge.begin(), drawn(occluder).edge.end());
     push_planes(half_planes, occluder);
     const bool certain = front.least_nearness - slope > back.greatest_nearness;
-    if (!certain && !coplanar(front.p_world, back.p_world))
+    if (!certain && !are_coplanar(occluder, seen.index))
         half_planes.push_back(new_line(drawn(occluder).image->nearness - seen.nearness));
     return half_planes;
 }

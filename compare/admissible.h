@@ -31,6 +31,9 @@ class AdmissibleSet {
   public:
     explicit AdmissibleSet(const Neighbourhood& neighbourhood);
 
+    /// Another half-side than the neighbourhood's eps_px, from here on.
+    void set_half_side(double half_side_px);
+
     /// Is the triangle (an index into neighbours) truly visible somewhere in the square?
     bool is_visible(size_t index);
     /// Can it be answered by a renderer that moves corners by up to eps: does it meet the square, and is the
@@ -68,6 +71,7 @@ class AdmissibleSet {
     LinePointer new_line(const Affine<Number>& f);
     LinePointer edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge);
     int corner_id(const glm::vec3& p_world);
+    int locus_of(std::size_t edge_id, const std::array<int, 2>& ends);
     Drawn draw(const Neighbour& neighbour);
     Region<Number> square();
 
@@ -85,6 +89,7 @@ class AdmissibleSet {
     LinePointer moved_inwards(LinePointer edge);
     bool stands_apart(size_t occluder, size_t seen);
     bool meet_at_the_centre(size_t occluder, size_t seen);
+    bool are_coplanar(size_t a, size_t b);
 
     bool is_in_front(size_t occluder, size_t seen, DepthRule rule);
     void push_planes(HalfPlanes<Number>& half_planes, size_t occluder);
@@ -97,6 +102,7 @@ class AdmissibleSet {
     bool leaves_bare_by(EdgeRule rule, std::optional<size_t> seen, const Occludes& occludes);
 
     const Neighbourhood& around_;
+    double half_side_px_;
     Sight<Number> sight_;
     std::deque<Line<Number>> lines_;  ///< regions point at lines: all live as long as the set
     std::array<LinePointer, 4> sides_{};
@@ -107,8 +113,14 @@ class AdmissibleSet {
     std::vector<CornerOfMesh> corners_;
     std::array<int, 256> corners_by_hash_{};
     std::map<std::pair<int, int>, int> edge_ids_;
+    struct MeshEdge {
+        std::array<int, 2> ends;
+        int locus;
+    };
+    std::vector<MeshEdge> edges_;  ///< by id
     std::vector<std::optional<Drawn>> drawn_;
     std::vector<size_t> nearest_first_;
+    std::map<std::pair<size_t, size_t>, bool> coplanar_;  ///< asked so far
 };
 
 }  // namespace zproof

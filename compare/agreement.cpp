@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "compare/memory.h"
+
 namespace zproof {
 
 namespace {
@@ -37,6 +39,28 @@ Run run_at(std::span<const PrimitiveId> candidate, std::span<const PrimitiveId> 
     return run;
 }
 
+/// A record in the making. Neighbouring pixels often fall into one bin: they are counted side by side.
+class Count {
+  public:
+    void add(std::span<const double> error_over_bound) {
+        for (std::size_t i = 0; i < error_over_bound.size(); ++i) {
+            const double bin = std::min(error_over_bound[i] * 20, 20.0);
+            ++bins_[i % lanes][bin >= 0 ? std::size_t(int(bin)) : 20];
+            most_ = std::max(most_, error_over_bound[i]);
+        }
+    }
+    void add_to(BoundRecord& record) const {
+        record.max_error_over_bound = std::max(record.max_error_over_bound, most_);
+        for (const BoundHistogram& bins : bins_)
+            for (std::size_t i = 0; i < bins.size(); ++i) record.histogram[i] += bins[i];
+    }
+
+  private:
+    static constexpr std::size_t lanes = 4;
+    std::array<BoundHistogram, lanes> bins_{};
+    double most_ = 0;
+};
+
 /// A look at both witnesses, tile by tile or at one pixel.
 class Comparison {
   public:
@@ -54,6 +78,12 @@ class Comparison {
             compare(run, y, found);
             x = run.end;
         }
+    }
+
+    /// Adds what was counted at pixels that double precision settled.
+    void add_to(Tally& tally) const {
+        candidate_count_.add_to(tally.candidate);
+        reference_count_.add_to(tally.reference);
     }
 
     OpenPixel look_at(int x, int y) {
@@ -120,13 +150,16 @@ class Comparison {
         const DepthOfBoth& triangle = depth_of_both(run.candidate);
         triangle.candidate.hold(run.begin, y, depths(candidate_), ours.data());
         triangle.reference.hold(run.begin, y, depths(reference_), theirs.data());
+        std::size_t settled = 0;
         for (std::size_t i = 0; i < count_of_run; ++i)
             if (ours[i] == unsettled || theirs[i] == unsettled) {
                 settle(look_at(run.begin + int(i), y), found);
             } else {
-                count(found.tally.candidate, ours[i]);
-                count(found.tally.reference, theirs[i]);
+                ours[settled] = ours[i];
+                theirs[settled++] = theirs[i];
             }
+        candidate_count_.add(std::span(ours).first(settled));
+        reference_count_.add(std::span(theirs).first(settled));
     }
 
     /// Double precision did not say that both depths are lawful.
@@ -140,6 +173,7 @@ class Comparison {
 
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
+    Count candidate_count_, reference_count_;
     Memory<std::uint32_t, DepthOfBoth> triangles_;
 };
 
@@ -169,10 +203,15 @@ Findings compare_rows(const Scene& scene, const View& view, const Witness& candi
                       const Witness& reference, int top, int bottom) {
     Findings found;
     Comparison comparison(scene, candidate, reference);
+    std::vector<Findings> rows(std::size_t(bottom - top));
     for (int left = 0; left < view.width; left += tile_width)
         for (int y = top; y < bottom; ++y)
-            comparison.compare(left, std::min(left + tile_width, view.width), y, found);
-    std::ranges::sort(found.open, {}, [](const OpenPixel& p) { return std::pair{p.finding.y, p.finding.x}; });
+            comparison.compare(left, std::min(left + tile_width, view.width), y, rows[std::size_t(y - top)]);
+    for (const Findings& row : rows) {
+        add(found.tally, row.tally);
+        found.open.insert(found.open.end(), row.open.begin(), row.open.end());
+    }
+    comparison.add_to(found.tally);
     return found;
 }
 

@@ -17,6 +17,22 @@ double unit_of(Arithmetic arithmetic) {
     return arithmetic == Arithmetic::float32 ? unit_roundoff_float32 : unit_roundoff_float64;
 }
 
+/// gamma(k) for the small k that every triangle asks for.
+class Gammas {
+  public:
+    explicit Gammas(double unit) {
+        for (std::size_t k = 0; k < values_.size(); ++k) values_[k] = gamma(int(k), unit);
+    }
+    double operator[](std::size_t k) const { return values_[k]; }
+
+  private:
+    std::array<double, 17> values_{};
+};
+const Gammas& gammas_of(double unit) {
+    static const Gammas single(unit_roundoff_float32), wide(unit_roundoff_float64);
+    return unit == unit_roundoff_float32 ? single : wide;
+}
+
 glm::dvec3 abs_cross(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 p = glm::abs(a), q = glm::abs(b);
     return {p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x};
@@ -35,11 +51,12 @@ double largest_defect(const Camera& camera) {
 
 }  // namespace
 
-double PlaneSize::nearness_error(double largest_nearness) const {
-    const double u = gamma(16, unit_roundoff_float64), condition = volume_abs / volume;
-    return u * condition < 0.5
-               ? 2 * u * (numerator_abs / volume + largest_nearness * condition) + 2 * origin_error / volume
-               : unlimited;
+PlaneError::PlaneError(const PlaneSize& size)
+    : rounding_(gammas_of(unit_roundoff_float64)[16]),
+      condition_(size.volume_abs / size.volume),
+      numerator_(size.numerator_abs / size.volume),
+      of_origin_(2 * size.origin_error / size.volume) {
+    is_known_ = rounding_ * condition_ < 0.5;
 }
 
 double TriangleExtent::largest_depth() const {
@@ -91,19 +108,18 @@ void ViewBounds::set_aim(double unit, double offset_px) {
 
 TriangleExtent ViewBounds::extent_of(const CornersWorld& p_world) const {
     const Camera& c = view_.camera;
-    const std::array axes{c.right, c.up, c.back};
-    const glm::dvec3 eye(c.eye_world);
+    const std::array axes{glm::abs(c.right), glm::abs(c.up), glm::abs(c.back)};
+    const glm::dvec3 eye(c.eye_world), eye_abs = glm::abs(eye);
     TriangleExtent extent;
     for (int i = 0; i < 3; ++i) {
         const glm::dvec3 p(p_world[size_t(i)]);
         extent.v_world[size_t(i)] = p - eye;
         extent.depth[size_t(i)] = -glm::dot(c.back, p - eye);
+        const glm::dvec3 away_abs = glm::abs(p - eye) + origin_abs_, p_abs = glm::abs(p) + eye_abs;
         for (int axis = 0; axis < 3; ++axis) {
-            const glm::dvec3 a = glm::abs(axes[size_t(axis)]);
-            extent.from_eye[axis] =
-                std::max(extent.from_eye[axis], glm::dot(a, glm::abs(p - eye) + origin_abs_));
-            extent.from_origin[axis] =
-                std::max(extent.from_origin[axis], glm::dot(a, glm::abs(p) + glm::abs(eye)));
+            const glm::dvec3& a = axes[size_t(axis)];
+            extent.from_eye[axis] = std::max(extent.from_eye[axis], glm::dot(a, away_abs));
+            extent.from_origin[axis] = std::max(extent.from_origin[axis], glm::dot(a, p_abs));
         }
     }
     extent.plane_size = plane_size_of(extent, p_world);
@@ -120,14 +136,25 @@ PlaneSize ViewBounds::plane_size_of(const TriangleExtent& extent, const CornersW
     const double along_sight = glm::dot(direction_abs_, normal_abs);
     if (perspective_) return {std::abs(glm::dot(extent.v_world[0], normal)), from_corner, along_sight, 0};
     const glm::dvec3 direction = c.shear.x * c.right + c.shear.y * c.up - c.back;
-    const double origin_error = gamma(6, unit_roundoff_float64) *
+    const double origin_error = gammas_of(unit_roundoff_float64)[6] *
                                 glm::dot(glm::abs(glm::dvec3(c.eye_world)) + origin_abs_, normal_abs);
     return {std::abs(glm::dot(direction, normal)), along_sight, from_corner, origin_error};
 }
 
 TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
-    TriangleBounds bounds =
-        std::visit([&](const auto& precision) { return bounds_by(extent, precision); }, precision_);
+    return between_the_planes(
+        std::visit([&](const auto& precision) { return bounds_by(extent, precision); }, precision_), extent);
+}
+
+TriangleBounds ViewBounds::of_depth(const TriangleExtent& extent) const {
+    const auto* ray = std::get_if<RayPrecision>(&precision_);
+    if (!ray) return of(extent);
+    TriangleBounds bounds = hit_depth_by(extent, *ray);
+    bounds.depth_factor += framing_by(*ray);
+    return between_the_planes(bounds, extent);
+}
+
+TriangleBounds ViewBounds::between_the_planes(TriangleBounds bounds, const TriangleExtent& extent) const {
     const Camera& c = view_.camera;
     const auto [low, high] = std::minmax({extent.depth[0], extent.depth[1], extent.depth[2]});
     bounds.nearest = std::clamp(low, c.near_depth, c.far_depth);
@@ -151,12 +178,14 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RasterP
     // a new corner: 4 roundings of its place on the edge, each at most twice the corners' size, then 5
     const bool in_volume = precision.clipping == Clipping::view_volume;
     const int clip_roundings = in_volume ? 13 * cut_count(extent) : 0;
-    const double transform = gamma(roundings + clip_roundings, u) + orthonormality_;
+    const double rounding =
+        clip_roundings == 0 ? gammas_of(u)[std::size_t(roundings)] : gamma(roundings + clip_roundings, u);
+    const double transform = rounding + orthonormality_;
     const glm::dvec3& size = from_eye ? extent.from_eye : extent.from_origin;
     // division, scale, offset; clipping's interpolation. In float64 the whole guard band costs 3e-11 px
     const bool is_coarse = precision.transform == Arithmetic::float32;
     const double limit = in_volume ? window_reach_px() : guard_band_px;
-    const double viewport = gamma(8, u) * (is_coarse ? reach_px(extent, limit) : limit);
+    const double viewport = gammas_of(u)[8] * (is_coarse ? reach_px(extent, limit) : limit);
     const double snap = background_eps_px_;
     const double lateral = transform * lateral_px(size);
 
@@ -167,9 +196,9 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RasterP
     bounds.depth_eps_per_nearness = bounds.eps_per_nearness;
     bounds.depth_factor = gamma(precision.depth_roundings, unit_roundoff_float32);
     bounds.depth_absolute = transform * size.z;
-    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gamma(8, u) * extent.largest_depth();
+    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gammas_of(u)[8] * extent.largest_depth();
     if (precision.depth_buffer == DepthBuffer::camera_depth)
-        bounds.depth_factor += gamma(8, unit_of(precision.interpolation));
+        bounds.depth_factor += gammas_of(unit_of(precision.interpolation))[8];
     else
         set_reversed_z(bounds, extent);
     return bounds;
@@ -235,7 +264,7 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
     const double u_per_px = 1 / px_per_u_, v_per_px = 1 / px_per_v_;
     const glm::dvec3 difference = to - from, sum = to + from;
     const glm::dvec3 sum_abs = glm::abs(sum) + 2.0 * origin_abs_;
-    const double error = gamma(7, unit) * glm::dot(abs_cross(difference, sum_abs), direction_abs_);
+    const double error = gammas_of(unit)[7] * glm::dot(abs_cross(difference, sum_abs), direction_abs_);
     // |d/dx| + |d/dy| of (difference x sum) . direction
     const glm::dvec3 toward_x = u_per_px * c.right, toward_y = v_per_px * c.up;
     const glm::dvec3 direction = c.shear.x * c.right + c.shear.y * c.up - c.back;
@@ -245,35 +274,49 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
     return gradient > 0 ? error / gradient : 0;  // an edge without extent in the image bounds no area
 }
 
-TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const {
+/// Of the hit itself; on the way to a float32 more may be lost.
+TriangleBounds ViewBounds::hit_depth_by(const TriangleExtent& extent, const RayPrecision& precision) const {
     const double u = unit_of(precision.arithmetic);
     // a corner is rounded once when the origin is subtracted
     const double corner = u * lateral_px(extent.from_eye);
     const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
-    double edges = 0;
-    for (int edge = 0; edge < 3; ++edge) edges = std::max(edges, edge_test_eps_px(extent, edge, u));
-
     TriangleBounds bounds;
     bounds.depth_eps_base_px = aim + (perspective_ ? 0 : corner);
     bounds.depth_eps_per_nearness = perspective_ ? corner : 0;
-    // the robust test admits barycentrics down to -2u: a step of at most 2u (|v_i| + |q|)
-    bounds.eps_base_px = aim + edges + (perspective_ ? 0 : 5 * corner);
-    bounds.eps_per_nearness = perspective_ ? 5 * corner : 0;
 
     // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and the
     // product
+    const Gammas& gammas = gammas_of(u);
     const PlaneSize& size = extent.plane_size;
     const auto over_volume = [&](double sum_abs) {  // unlimited where the plane holds the origin of sight
-        return size.volume > 0 ? gamma(8, u) * sum_abs / size.volume : unlimited;
+        return size.volume > 0 ? gammas[8] * sum_abs / size.volume : unlimited;
     };
     const double volume_factor = over_volume(size.volume_abs);
     const double numerator_error = over_volume(size.numerator_abs);
-    bounds.depth_factor = gamma(4, u) + aim_depth_relative_ + volume_factor;
+    bounds.depth_factor = gammas[4] + aim_depth_relative_ + volume_factor;
     bounds.depth_absolute = u * extent.from_eye.z + aim_depth_absolute_;
     if (perspective_)
         bounds.plane_offset = numerator_error;
     else
         bounds.depth_absolute += numerator_error * (1 + BoundsOnPlane::compounded(volume_factor));
+    return bounds;
+}
+
+/// Frames hold float32: a wider depth is rounded once more on its way there.
+double ViewBounds::framing_by(const RayPrecision& precision) {
+    return precision.arithmetic == Arithmetic::float64 ? unit_roundoff_float32 : 0;
+}
+
+TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const {
+    const double u = unit_of(precision.arithmetic);
+    TriangleBounds bounds = hit_depth_by(extent, precision);
+    const double corner = u * lateral_px(extent.from_eye);
+    const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
+    double edges = 0;
+    for (int edge = 0; edge < 3; ++edge) edges = std::max(edges, edge_test_eps_px(extent, edge, u));
+    // the robust test admits barycentrics down to -2u: a step of at most 2u (|v_i| + |q|)
+    bounds.eps_base_px = aim + edges + (perspective_ ? 0 : 5 * corner);
+    bounds.eps_per_nearness = perspective_ ? 5 * corner : 0;
     const auto slack = [&](double plane_depth) {
         const double share =
             BoundsOnPlane::compounded(u + bounds.depth_factor + bounds.plane_offset * plane_depth);
@@ -282,8 +325,7 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RayPrec
     const Camera& c = view_.camera;
     bounds.near_slack = slack(c.near_depth);
     bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
-    // frames hold float32: a wider depth is rounded once more on its way there
-    if (precision.arithmetic == Arithmetic::float64) bounds.depth_factor += unit_roundoff_float32;
+    bounds.depth_factor += framing_by(precision);
     return bounds;
 }
 

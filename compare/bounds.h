@@ -33,10 +33,26 @@ struct PlaneSize {
     double volume = 0, volume_abs = 0, numerator_abs = 0;
     /// Parallel projections: what the judge's own rounding of the origin of sight may add to the numerator.
     double origin_error = 0;
+};
 
-    /// Forward error of the judge's own nearness, computed in double by image_of, where |nearness| is at most
-    /// this: absolute sums of both products, 16 roundings at most in each.
-    double nearness_error(double largest_nearness) const;
+/// Forward error of the judge's own nearness, computed in double by image_of: absolute sums of both products,
+/// 16 roundings at most in each.
+class PlaneError {
+  public:
+    PlaneError() = default;
+    explicit PlaneError(const PlaneSize& size);
+
+    /// Is the plane's orientation, as seen, certain?
+    bool is_known() const { return is_known_; }
+    /// Where |nearness| is at most this.
+    double at(double largest_nearness) const {
+        return is_known_ ? 2 * rounding_ * (numerator_ + largest_nearness * condition_) + of_origin_
+                         : unlimited;
+    }
+
+  private:
+    bool is_known_ = false;
+    double rounding_ = 0, condition_ = 0, numerator_ = 0, of_origin_ = 0;
 };
 
 /// A triangle's size as the error analysis sees it, the same for every renderer of a view: sums of absolute
@@ -111,6 +127,8 @@ class ViewBounds {
     TriangleExtent extent_of(const CornersWorld& p_world) const;
     TriangleBounds of(const TriangleExtent& extent) const;
     TriangleBounds of(const CornersWorld& p_world) const { return of(extent_of(p_world)); }
+    /// What depth needs of it; eps and slack may be missing.
+    TriangleBounds of_depth(const TriangleExtent& extent) const;
     /// Barycentrics of a snapped triangle stay between its corners' depths; a ray and a plane equation meet
     /// the plane.
     bool keeps_to_corners() const;
@@ -123,6 +141,9 @@ class ViewBounds {
     /// Replaces the terms of interpolated depth by those of a reversed z from a plane equation.
     void set_reversed_z(TriangleBounds& bounds, const TriangleExtent& extent) const;
     TriangleBounds bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const;
+    TriangleBounds hit_depth_by(const TriangleExtent& extent, const RayPrecision& precision) const;
+    static double framing_by(const RayPrecision& precision);
+    TriangleBounds between_the_planes(TriangleBounds bounds, const TriangleExtent& extent) const;
     TriangleBounds bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
     /// How far a point that a ray met may seem to lie from where it is on its triangle, scene units.
     double plane_test_error(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;

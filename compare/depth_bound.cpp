@@ -25,7 +25,9 @@ DepthRange shifted(double nearness, double shift, bool perspective) {
 DepthBound with_rounding(DepthRange range, double truth, const LocalBounds& local) {
     const double r = local.depth_relative, a = local.depth_absolute;
     if (!std::isfinite(r + a + local.nearness_error)) return {0, truth, unlimited};
-    return {range.low - std::abs(range.low) * r - a, truth, range.high + std::abs(range.high) * r + a};
+    // beyond the plane's horizon no depth is near enough
+    const double low = std::isinf(range.low) ? range.low : range.low - std::abs(range.low) * r - a;
+    return {low, truth, range.high + std::abs(range.high) * r + a};
 }
 
 /// depth + a >= low - |low| r at the nearness closest to the viewer, without division by nearness.
@@ -60,16 +62,17 @@ CornerLimits corner_limits(const Neighbour& n, double z) {
 
 }  // namespace
 
-TriangleNearness::TriangleNearness(const View& view, const TriangleExtent& extent,
-                                   const CornersWorld& p_world)
-    : perspective(view.camera.projection == Projection::perspective) {
-    const auto image = image_of(Sight<double>(view, 0, 0), corners<double>(p_world));
-    edge_on = !image;
+TriangleNearness::TriangleNearness(const Sight<double>& first_pixel, const Resolution& size,
+                                   const TriangleExtent& extent, const CornersWorld& p_world)
+    : perspective(first_pixel.projection == Projection::perspective) {
+    const auto plane = nearness_of(first_pixel, corners<double>(p_world));
+    edge_on = !plane;
     if (edge_on) return;
-    nearness = image->nearness;
+    nearness = *plane;
     gradient = std::abs(nearness.a) + std::abs(nearness.b);
-    own_error = extent.plane_size.nearness_error(std::abs(nearness.c) + std::abs(nearness.a) * view.width +
-                                                 std::abs(nearness.b) * view.height);
+    own_error = PlaneError(extent.plane_size)
+                    .at(std::abs(nearness.c) + std::abs(nearness.a) * size.width +
+                        std::abs(nearness.b) * size.height);
 }
 
 TriangleDepth::TriangleDepth(const TriangleNearness& nearness, const TriangleBounds& bounds,
@@ -116,7 +119,7 @@ DepthBound TriangleDepth::at(int x, int y) const {
 }
 
 TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds) {
-    return {triangle.nearness, bounds.of(triangle.extent), bounds.keeps_to_corners()};
+    return {triangle.nearness, bounds.of_depth(triangle.extent), bounds.keeps_to_corners()};
 }
 
 bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world, int x, int y,

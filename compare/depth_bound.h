@@ -13,7 +13,9 @@ namespace zproof {
 /// The nearness of one triangle over the whole image, in double with a forward error bound. Made once per
 /// triangle; the same for every renderer of the view.
 struct TriangleNearness {
-    TriangleNearness(const View& view, const TriangleExtent& extent, const CornersWorld& p_world);
+    /// `first_pixel` is the sight of pixel (0, 0).
+    TriangleNearness(const Sight<double>& first_pixel, const Resolution& size, const TriangleExtent& extent,
+                     const CornersWorld& p_world);
 
     bool perspective;
     bool edge_on = false;
@@ -55,7 +57,11 @@ class TriangleDepth {
 /// What renderers of one view share about one triangle.
 struct TriangleInView {
     TriangleInView(const View& view, const ViewBounds& any_bounds, const CornersWorld& p_world)
-        : extent(any_bounds.extent_of(p_world)), nearness(view, extent, p_world) {}
+        : TriangleInView(Sight<double>(view, 0, 0), {view.width, view.height}, any_bounds, p_world) {}
+    /// `first_pixel` is the sight of pixel (0, 0).
+    TriangleInView(const Sight<double>& first_pixel, const Resolution& size, const ViewBounds& any_bounds,
+                   const CornersWorld& p_world)
+        : extent(any_bounds.extent_of(p_world)), nearness(first_pixel, size, extent, p_world) {}
 
     TriangleExtent extent;
     TriangleNearness nearness;

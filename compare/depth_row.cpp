@@ -38,12 +38,26 @@ struct Parallel {
     static double margin(double own_error, double) { return own_error; }
 };
 
-/// Inlined into each instruction set's copy of its callers.
-template <class Projected>
-[[gnu::always_inline]] inline void hold_row(const DepthRow& t, int first_x, std::span<const float> depth,
+/// The sum of depth's relative errors at a nearness. Most renderers have the same everywhere, and then it
+/// costs no division per pixel.
+struct Everywhere {
+    static double sum(const DepthRow& t, double) { return t.depth_factor; }
+};
+struct ByNearness {
+    static double sum(const DepthRow& t, double nearness) {
+        return t.depth_factor + t.plane_offset / nearness;
+    }
+};
+
+/// Inlined into each instruction set's copy of its callers. The row is a copy, so that what is written cannot
+/// be any of it, and stays in registers.
+template <class Projected, class Relative>
+[[gnu::always_inline]] inline void hold_row(const DepthRow t, int first_x, std::span<const float> depth,
                                             double* ratio) {
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-        const double nearness = t.nearness_step * (first_x + int(i)) + t.nearness_row + t.nearness_offset;
+    const float* const depths = depth.data();
+    const int count = int(depth.size());
+    for (int i = 0; i < count; ++i) {
+        const double nearness = t.nearness_step * (first_x + i) + t.nearness_row + t.nearness_offset;
         const double here = clamped(nearness, t.least, t.highest);
         const double reach = (t.base + t.per * here) * t.amplification;
         const Range range =
@@ -51,10 +65,10 @@ template <class Projected>
         const double nearest = clamped(range.low, t.nearest, t.farthest);
         const double farthest = clamped(range.high, t.nearest, t.farthest);
         const double truth = clamped(range.truth, nearest, farthest);
-        const double sum = t.depth_factor + t.plane_offset / here, relative = sum / (1 - sum);
+        const double sum = Relative::sum(t, here), relative = sum / (1 - sum);
         const double low = nearest - std::abs(nearest) * relative - t.absolute;
         const double high = farthest + std::abs(farthest) * relative + t.absolute;
-        const double z = depth[i], margin = Projected::margin(t.own_error, z),
+        const double z = depths[i], margin = Projected::margin(t.own_error, z),
                      rounding = 8 * unit_roundoff_float64 * z;
         const bool holds = (sum < 1) & (truth < infinite) & (z >= 0) & (low + margin + rounding <= z) &
                            (z <= high - margin - rounding);
@@ -72,13 +86,19 @@ template <class Projected>
                                                                                int first_x,
                                                                                std::span<const float> depth,
                                                                                double* ratio) {
-    hold_row<Perspective>(row, first_x, depth, ratio);
+    if (row.plane_offset == 0)
+        hold_row<Perspective, Everywhere>(row, first_x, depth, ratio);
+    else
+        hold_row<Perspective, ByNearness>(row, first_x, depth, ratio);
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] void hold_parallel_row(const DepthRow& row, int first_x,
                                                                             std::span<const float> depth,
                                                                             double* ratio) {
-    hold_row<Parallel>(row, first_x, depth, ratio);
+    if (row.plane_offset == 0)
+        hold_row<Parallel, Everywhere>(row, first_x, depth, ratio);
+    else
+        hold_row<Parallel, ByNearness>(row, first_x, depth, ratio);
 }
 
 }  // namespace zproof

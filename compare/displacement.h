@@ -16,4 +16,19 @@ namespace zproof {
 /// hide there, or for background, how far those others must have moved aside.
 std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer);
 
+/// The same where is_seen_within(half_side_px) says whether it is. What is seen in a square is seen in every
+/// larger one: bisection.
+template <class IsSeenWithin>
+std::optional<double> least_step(double eps_px, const IsSeenWithin& is_seen_within) {
+    constexpr int steps = 1024;
+    const auto is_seen = [&](int step) { return is_seen_within(eps_px * step / steps); };
+    if (is_seen(1)) return std::nullopt;
+    int too_small = 1, enough = steps;
+    while (enough - too_small > 1) {
+        const int middle = (too_small + enough) / 2;
+        (is_seen(middle) ? enough : too_small) = middle;
+    }
+    return double(too_small) / steps;
+}
+
 }  // namespace zproof

@@ -6,23 +6,10 @@
 #include <optional>
 #include <span>
 
-#include "compare/nearby_triangles.h"
-#include "compare/standing.h"
+#include "compare/ruled.h"
+#include "scenes/scene.h"
 
 namespace zproof {
-
-/// What an answer earned.
-struct Ruled {
-    Decision decision;
-    double eps_px = 0;  ///< half-side of the square that it was judged in
-    /// Of an answer that is lawful by its place (Standing::visible), where it was asked for.
-    std::optional<double> displacement_over_eps;
-};
-
-enum class Asked {
-    standing,
-    standing_and_displacement,  ///< Ruled::displacement_over_eps as well
-};
 
 /// Changes what stands around an answer before it is decided: another rule of drawing than the law.
 using Amendment = std::function<void(Neighbourhood& around, PrimitiveId answer)>;
@@ -44,22 +31,20 @@ class Hearing {
         const ViewBounds* bounds = nullptr;
         PrimitiveId answer = PrimitiveId::none;
         int x = 0, y = 0;
-        double own_eps_px = 0;
+        double own_eps_px = 0, reach_px = 0;
         std::size_t number = 0;
     };
-
     /// What one thread remembers of a hearing.
     struct Memories;
+    /// One go at the pleas that are left.
+    class Session;
 
-    double own_eps_of(const Plea& plea, Memories& memories) const;
-    double try_to_hear(std::size_t i, Asked asked, Memories& memories, Ruled& ruled) const;
-    void keep_lacking(std::span<const double> lacking);
+    void sort_by_tile();
 
     const Scene& scene_;
     const View& view_;
     Amendment amendment_;
     std::vector<Plea> pleas_;
-    std::vector<Site> sites_;
 };
 
 }  // namespace zproof

@@ -23,6 +23,9 @@ std::vector<OpenPixel> first_pass(const Scene& scene, const View& view, const Wi
     });
     Tally sum;
     std::vector<OpenPixel> open;
+    std::size_t open_count = 0;
+    for (const Findings& band : bands) open_count += band.open.size();
+    open.reserve(open_count);
     for (const Findings& band : bands) {
         add(sum, band.tally);
         open.insert(open.end(), band.open.begin(), band.open.end());
@@ -62,6 +65,7 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
     const std::vector<OpenPixel> open = first_pass(scene, view, ours, theirs, verdict);
     const std::vector<Ruling> rulings = rule_on(scene, view, ours, theirs, open);
+    verdict.findings.reserve(open.size());
     for (std::size_t i = 0; i < open.size(); ++i) record(verdict, open[i], rulings[i]);
     verdict.counts[std::size_t(PixelClass::agree)] = size.pixel_count() - verdict.findings.size();
     for (const Finding& finding : verdict.findings) ++verdict.counts[std::size_t(finding.verdict)];

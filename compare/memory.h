@@ -1,6 +1,8 @@
 /// Results asked for lately, so that neighbouring pixels need not work them out again.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -8,17 +10,20 @@
 
 namespace zproof {
 
-/// Keeps the latest result per place; a key's place is its hash modulo their number. What it answers never
-/// depends on what it remembers. One thread at a time.
+/// Keeps the latest result per place; a key's place is given by the upper bits of its hash, mixed. What it
+/// answers never depends on what it remembers. One thread at a time.
 template <class Key, class Value>
 class Memory {
   public:
-    explicit Memory(std::size_t places) : places_(places) {}
+    /// At least this many places.
+    explicit Memory(std::size_t places)
+        : places_(std::bit_ceil(std::max<std::size_t>(places, 2))),
+          shift_(64 - int(std::bit_width(places_.size() - 1))) {}
 
     /// The value of the key, made by make() unless remembered. Holds until the next call.
     template <class Make>
     const Value& operator()(const Key& key, const Make& make) {
-        Place& place = places_[std::hash<Key>{}(key) % places_.size()];
+        Place& place = places_[std::hash<Key>{}(key)*0x9E3779B97F4A7C15u >> shift_];
         if (!place.value || !(place.key == key)) {
             place.value.emplace(make());
             place.key = key;
@@ -32,6 +37,7 @@ class Memory {
         std::optional<Value> value;
     };
     std::vector<Place> places_;
+    int shift_;
 };
 
 }  // namespace zproof

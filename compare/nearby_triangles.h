@@ -1,10 +1,9 @@
-/// Which triangles come near which pixels: the judge's own search, independent of any renderer.
+/// Which triangles come near which pixels.
 #pragma once
 
 #include <span>
 
 #include "compare/neighbourhood.h"
-#include "scenes/scene.h"
 
 namespace zproof {
 

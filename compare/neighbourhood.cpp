@@ -53,13 +53,12 @@ double edge_error(const Sight<double>& sight, const CornersWorld& p_world) {
     return gamma(16, unit_roundoff_float64) * 4 * from_eye * from_eye * (size(sight.direction) + steps);
 }
 
-/// Does the image come within eps of the centre? An estimate in double: it only decides whose eps counts.
+}  // namespace
+
 bool comes_within(const TriangleImage<double>& image, double eps_px) {
     return std::ranges::all_of(image.edge,
                                [&](const Affine<double>& e) { return e.c + eps_px * steepness(e) >= 0; });
 }
-
-}  // namespace
 
 std::optional<std::size_t> Neighbourhood::index_of(PrimitiveId triangle) const {
     const auto found = std::ranges::find(neighbours, std::uint32_t(triangle), &Neighbour::triangle);
@@ -73,30 +72,39 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
     return {p[index.x], p[index.y], p[index.z]};
 }
 
-TriangleOfView::TriangleOfView(const ViewBounds& of_view, const CornersWorld& p)
-    : p_world(p), keeps_to_corners(of_view.keeps_to_corners()) {
+TriangleOfView::TriangleOfView(const ViewBounds& of_view, const Sight<double>& any, const CornersWorld& p)
+    : p_world(p), image(any, p), keeps_to_corners(of_view.keeps_to_corners()) {
     const TriangleExtent extent = of_view.extent_of(p);
-    plane_size = extent.plane_size;
+    plane_error = PlaneError(extent.plane_size);
     bounds = of_view.of(extent);
+    if (any.projection != Projection::perspective) return;
+    const auto here = image.at(any);
+    on_plane.emplace(bounds, here ? steepness(here->nearness) : 0);
+}
+
+double TriangleOfView::eps_px(const Sight<double>& sight) const {
+    if (bounds.eps_per_nearness == 0) return bounds.eps_base_px;
+    return on_plane && !image.is_edge_on() ? on_plane->at(image.nearness_at(sight)).eps_px
+                                           : neighbour_of(sight, *this).bounds.eps_px;
 }
 
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world) {
-    return neighbour_of(sight, TriangleOfView(bounds, p_world));
+    return neighbour_of(sight, TriangleOfView(bounds, sight, p_world));
 }
 
 Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangle) {
     Neighbour n;
     n.p_world = triangle.p_world;
     const TriangleBounds& of_triangle = triangle.bounds;
-    n.image = image_of(sight, corners<double>(triangle.p_world));
+    n.image = triangle.image.at(sight);
     const auto& image = n.image;
     const double highest = of_triangle.nearest > 0 ? 1 / of_triangle.nearest : 0;
     if (image) {
         n.gradient = steepness(image->nearness);
-        n.plane_error = triangle.plane_size.nearness_error(std::abs(image->nearness.c) + n.gradient);
+        n.plane_error = triangle.plane_error.at(std::abs(image->nearness.c) + n.gradient);
         n.edge_error = edge_error(sight, triangle.p_world);
     }
-    n.bounds = of_triangle.at(image ? image->nearness.c : highest, n.gradient);
+    n.bounds = triangle.bounds_at(image ? image->nearness.c : highest, n.gradient);
     n.near_slack = of_triangle.near_slack;
     n.far_slack = of_triangle.far_slack;
     n.nearest = of_triangle.nearest;
@@ -107,19 +115,20 @@ Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangl
 
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const Site& site, double own_eps_px) {
-    TriangleMemory memory(1);
-    return neighbourhood_of(scene, view, bounds, site, own_eps_px, memory);
+    const Sight<double> any(view, site.x, site.y);
+    std::optional<TriangleOfView> latest;
+    return neighbourhood_of(view, site, own_eps_px, [&](std::uint32_t triangle) -> const TriangleOfView& {
+        return latest.emplace(bounds, any, corners_of(scene, triangle));
+    });
 }
 
-Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
-                               const Site& site, double own_eps_px, TriangleMemory& memory) {
+Neighbourhood neighbourhood_of(const View& view, const Site& site, double own_eps_px,
+                               const TriangleLookUp& triangle_of_view) {
     const Sight<double> sight(view, site.x, site.y);
     Neighbourhood n{view, site.x, site.y, own_eps_px, {}};
     n.neighbours.reserve(site.triangles.size());
     for (const std::uint32_t triangle : site.triangles) {
-        const TriangleOfView& of_view =
-            memory(triangle, [&] { return TriangleOfView(bounds, corners_of(scene, triangle)); });
-        Neighbour& last = n.neighbours.emplace_back(neighbour_of(sight, of_view));
+        Neighbour& last = n.neighbours.emplace_back(neighbour_of(sight, triangle_of_view(triangle)));
         last.triangle = triangle;
         if (last.image && comes_within(*last.image, own_eps_px))
             n.eps_px = std::max(n.eps_px, last.bounds.eps_px);
@@ -129,17 +138,9 @@ Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewB
 
 double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
                   PrimitiveId answer) {
-    TriangleMemory memory(1);
-    return own_eps_px(scene, view, bounds, x, y, answer, memory);
-}
-
-double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
-                  PrimitiveId answer, TriangleMemory& memory) {
     if (answer == PrimitiveId::none) return bounds.background_eps_px();
-    const TriangleOfView& triangle = memory(std::uint32_t(answer), [&] {
-        return TriangleOfView(bounds, corners_of(scene, std::uint32_t(answer)));
-    });
-    return neighbour_of(Sight<double>(view, x, y), triangle).bounds.eps_px;
+    const Sight<double> sight(view, x, y);
+    return TriangleOfView(bounds, sight, corners_of(scene, std::uint32_t(answer))).eps_px(sight);
 }
 
 }  // namespace zproof

@@ -2,12 +2,12 @@
 /// admissible set is decided from. Plain numbers; the judge takes them as exact.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "compare/bounds.h"
-#include "compare/memory.h"
-#include "compare/triangle_image.h"
+#include "compare/image_of_view.h"
 #include "frame/frame.h"
 
 namespace zproof {
@@ -48,25 +48,31 @@ struct Neighbourhood {
 
 CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);
 
-/// A triangle's corners in the number type asked for, without loss.
-template <class Number>
-Corners<Number> corners(const CornersWorld& p) {
-    return {exactly<Number>(glm::dvec3(p[0])), exactly<Number>(glm::dvec3(p[1])),
-            exactly<Number>(glm::dvec3(p[2]))};
-}
-
 /// What one triangle brings to every pixel of a view.
 struct TriangleOfView {
-    TriangleOfView(const ViewBounds& bounds, const CornersWorld& p_world);
+    /// `any` is the sight of any pixel of the view.
+    TriangleOfView(const ViewBounds& bounds, const Sight<double>& any, const CornersWorld& p_world);
+
+    /// The renderer's bounds at a place of the triangle's plane; `gradient` as TriangleBounds::at has it.
+    LocalBounds bounds_at(double nearness, double gradient) const {
+        return on_plane ? on_plane->at(nearness) : bounds.at(nearness, gradient);
+    }
+    /// eps at a pixel, the very bits of neighbour_of(...).bounds.eps_px.
+    double eps_px(const Sight<double>& sight) const;
 
     CornersWorld p_world;
-    PlaneSize plane_size;
+    ImageOfView image;
+    PlaneError plane_error;
     TriangleBounds bounds;
+    std::optional<BoundsOnPlane> on_plane;  ///< where its gradient is the same at every pixel
     bool keeps_to_corners;
 };
 
-/// The triangles of one renderer's hearing that were asked for lately.
-using TriangleMemory = Memory<std::uint32_t, TriangleOfView>;
+/// Where what a triangle brings is kept.
+using TriangleLookUp = std::function<const TriangleOfView&(std::uint32_t)>;
+
+/// Does the image come within eps of the centre? An estimate in double: it only decides whose eps counts.
+bool comes_within(const TriangleImage<double>& image, double eps_px);
 
 /// One triangle's bounds at a pixel (`triangle` is left 0).
 Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangle);
@@ -75,16 +81,14 @@ Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, con
 /// eps of an answer by itself, before its surroundings are looked at.
 double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
                   PrimitiveId answer);
-double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
-                  PrimitiveId answer, TriangleMemory& memory);
 
 /// Gathers the evidence for an answer whose own eps is
 /// own_eps_px <= site.reach_px. Where the result's eps_px exceeds site.reach_px, triangles may be missing:
 /// look again with that reach; the result's eps_px will be the same.
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const Site& site, double own_eps_px);
-/// The same with a memory of its own `bounds`.
-Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
-                               const Site& site, double own_eps_px, TriangleMemory& memory);
+/// The same.
+Neighbourhood neighbourhood_of(const View& view, const Site& site, double own_eps_px,
+                               const TriangleLookUp& triangle_of_view);
 
 }  // namespace zproof

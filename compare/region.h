@@ -14,12 +14,14 @@
 namespace zproof {
 
 /// The boundary of a half-plane `f >= 0`. Lines that are one and the same mesh edge have the same id (and
-/// either sign); `ends` are the mesh corners that it joins, or -1.
+/// either sign); `ends` are the mesh corners that it joins, or -1. Mesh edges along one line of space have
+/// the same `locus`, whatever their ends; -1 where that is not known.
 template <class Number>
 struct Line {
     Affine<Number> f;
     int id = -1;
     std::array<int, 2> ends{-1, -1};
+    int locus = -1;
 };
 
 /// A closed convex polygon, possibly degenerate to a segment or a point, minus the closed half-planes whose
@@ -66,7 +68,7 @@ class Region {
 
     static int sign_at(const Corner& corner, const Line<Number>& line) {
         for (const Line<Number>* on : corner.on)
-            if (on->id == line.id) return 0;
+            if (on->id == line.id || (on->locus >= 0 && on->locus == line.locus)) return 0;
         for (const int end : corner.on[0]->ends)
             if (end >= 0 && std::ranges::count(corner.on[1]->ends, end) && std::ranges::count(line.ends, end))
                 return 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "compare/nearby_triangles.h"
 #include "compare/witness.h"
 
 namespace zproof {

@@ -18,26 +18,51 @@ struct Sight {
     Vector3<Number> origin, direction;  ///< at the pixel's centre
     Vector3<Number> step_x, step_y;     ///< change of direction (perspective) or origin (parallel) per pixel
 
-    Sight(const View& view, int pixel_x, int pixel_y) : projection(view.camera.projection) {
-        const Camera& camera = view.camera;
-        const Window& window = camera.window;
-        const auto right = exactly<Number>(camera.right), up = exactly<Number>(camera.up);
-        const auto back = exactly<Number>(camera.back);
-        const Number u_per_px = (Number(window.right) - Number(window.left)) / Number(view.width);
-        const Number v_per_px = (Number(window.bottom) - Number(window.top)) / Number(view.height);
-        const Number u = Number(window.left) + u_per_px * Number(pixel_x + 0.5);
-        const Number v = Number(window.top) + v_per_px * Number(pixel_y + 0.5);
-        step_x = u_per_px * right;
-        step_y = v_per_px * up;
-        origin = exactly<Number>(glm::dvec3(camera.eye_world));
-        const auto on_plane = u * right + v * up;
-        if (projection == Projection::perspective) {
-            direction = on_plane - back;
-        } else {
-            origin = origin + on_plane;
-            direction = Number(camera.shear.x) * right + Number(camera.shear.y) * up - back;
-        }
-    }
+    Sight() = default;
+    Sight(const View& view, int pixel_x, int pixel_y);
 };
+
+/// The lines of sight of one view: what they have in common is worked out once.
+template <class Number>
+class Sights {
+  public:
+    explicit Sights(const View& view)
+        : left_(view.camera.window.left),
+          top_(view.camera.window.top),
+          u_per_px_((Number(view.camera.window.right) - left_) / Number(view.width)),
+          v_per_px_((Number(view.camera.window.bottom) - top_) / Number(view.height)),
+          right_(exactly<Number>(view.camera.right)),
+          up_(exactly<Number>(view.camera.up)),
+          back_(exactly<Number>(view.camera.back)) {
+        const Camera& camera = view.camera;
+        common_.projection = camera.projection;
+        common_.step_x = u_per_px_ * right_;
+        common_.step_y = v_per_px_ * up_;
+        common_.origin = exactly<Number>(glm::dvec3(camera.eye_world));
+        if (camera.projection == Projection::parallel)
+            common_.direction = Number(camera.shear.x) * right_ + Number(camera.shear.y) * up_ - back_;
+    }
+
+    Sight<Number> at(int pixel_x, int pixel_y) const {
+        Sight<Number> sight = common_;
+        const Number u = left_ + u_per_px_ * Number(pixel_x + 0.5);
+        const Number v = top_ + v_per_px_ * Number(pixel_y + 0.5);
+        const auto on_plane = u * right_ + v * up_;
+        if (sight.projection == Projection::perspective)
+            sight.direction = on_plane - back_;
+        else
+            sight.origin = sight.origin + on_plane;
+        return sight;
+    }
+
+  private:
+    Number left_, top_, u_per_px_, v_per_px_;
+    Vector3<Number> right_, up_, back_;
+    Sight<Number> common_;
+};
+
+template <class Number>
+Sight<Number>::Sight(const View& view, int pixel_x, int pixel_y)
+    : Sight(Sights<Number>(view).at(pixel_x, pixel_y)) {}
 
 }  // namespace zproof

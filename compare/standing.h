@@ -1,6 +1,7 @@
 /// How one renderer's answer at one pixel stands before the scene.
 #pragma once
 
+#include "compare/memory.h"
 #include "compare/neighbourhood.h"
 #include "compare/pixel_class.h"
 

@@ -47,6 +47,22 @@ TriangleImage<Number> oriented(TriangleImage<Number> image, int orientation) {
 
 }  // namespace detail
 
+/// The nearness of image_of() and nothing else, in the same bits.
+template <class Number>
+std::optional<Affine<Number>> nearness_of(const Sight<Number>& sight, const Corners<Number>& p_world) {
+    const Vector3<Number> v0 = p_world[0] - sight.origin;
+    const Vector3<Number> normal = cross((p_world[1] - sight.origin) - v0, (p_world[2] - sight.origin) - v0);
+    if (sight.projection == Projection::perspective) {
+        const Number volume = dot(v0, normal);
+        if (sign(volume) == 0) return std::nullopt;
+        return (Number(1) / volume) * detail::perspective_functional(sight, normal);
+    }
+    const Number facing = dot(normal, sight.direction);
+    if (sign(facing) == 0) return std::nullopt;
+    return (Number(-1) / facing) *
+           Affine<Number>{-dot(normal, sight.step_x), -dot(normal, sight.step_y), dot(normal, v0)};
+}
+
 /// The image of a triangle, or nothing where its plane holds the line of sight's origin (perspective) or
 /// direction (parallel): seen exactly edge-on it covers no area.
 template <class Number>

@@ -11,7 +11,7 @@ bool is_invalid(const Answer& answer, std::size_t triangle_count) {
 }
 
 TriangleInView Witness::triangle_in_view(PrimitiveId primitive) const {
-    return {view_, bounds_, corners_of(scene_, std::uint32_t(primitive))};
+    return {first_pixel_, {view_.width, view_.height}, bounds_, corners_of(scene_, std::uint32_t(primitive))};
 }
 
 DepthCheck Witness::check(const TriangleDepth& triangle, const Answer& answer, int x, int y) const {

@@ -20,7 +20,11 @@ struct DepthCheck {
 class Witness {
   public:
     Witness(const Scene& scene, const View& view, const Testimony& testimony)
-        : scene_(scene), view_(view), frame_(testimony.frame), bounds_(view, testimony.precision) {}
+        : scene_(scene),
+          view_(view),
+          first_pixel_(view, 0, 0),
+          frame_(testimony.frame),
+          bounds_(view, testimony.precision) {}
 
     Answer answer_at(int x, int y) const { return {frame_.primitive.at(x, y), frame_.camera_depth.at(x, y)}; }
     const Frame& frame() const { return frame_; }
@@ -34,6 +38,7 @@ class Witness {
   private:
     const Scene& scene_;
     const View& view_;
+    Sight<double> first_pixel_;
     const Frame& frame_;
     ViewBounds bounds_;
 };

@@ -125,4 +125,17 @@ Frame read_exr(const std::filesystem::path& file) {
     return frame;
 }
 
+Picture read_picture_exr(const std::filesystem::path& file) {
+    const ExrFile exr = open_exr(file);
+    refuse_unusual_layout(exr);
+    Picture picture({exr.spec.width, exr.spec.height});
+    std::vector<float> values(picture.size().pixel_count());
+    for (const auto& [name, channel] :
+         {std::pair{"R", &LinearRgb::r}, {"G", &LinearRgb::g}, {"B", &LinearRgb::b}}) {
+        read_channel(exr, {name, OIIO::TypeFloat}, values.data());
+        for (std::size_t i = 0; i < values.size(); ++i) picture.pixels()[i].*channel = values[i];
+    }
+    return picture;
+}
+
 }  // namespace zproof

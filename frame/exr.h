@@ -18,4 +18,7 @@ Frame read_exr(const std::filesystem::path& file);
 /// Writes channels R, G, B (float32, linear light), zip-compressed. Throws FrameError as above.
 void write_exr(const std::filesystem::path& file, const Picture& picture);
 
+/// Reads a picture back, bit for bit. Throws FrameError as read_exr does.
+Picture read_picture_exr(const std::filesystem::path& file);
+
 }  // namespace zproof

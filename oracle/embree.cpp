@@ -3,6 +3,7 @@
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <array>
 
 #include "oracle/embree_complaints.h"
@@ -68,13 +69,17 @@ void store_hits(const Packet& packet, Block block, Frame& frame) {
     }
 }
 
-void trace_block(RTCScene scene, const View& view, Block block, Frame& frame) {
-    Packet packet;
-    aim(packet, view, block);
+void intersect(RTCScene scene, Packet& packet) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
+}
+
+void trace_block(RTCScene scene, const View& view, Block block, Frame& frame) {
+    Packet packet;
+    aim(packet, view, block);
+    intersect(scene, packet);
     store_hits(packet, block, frame);
 }
 
@@ -116,6 +121,23 @@ Frame Embree::trace(const View& view) const {
     });
     device_->complaints.raise("traced the view '" + view.name + "'");
     return frame;
+}
+
+std::vector<PrimitiveId> Embree::met(const View& view, std::span<const glm::dvec2> p_raster) const {
+    std::vector<PrimitiveId> found(p_raster.size(), PrimitiveId::none);
+    for (std::size_t first = 0; first < p_raster.size(); first += lane_count) {
+        Packet packet;
+        for (int lane = 0; lane < lane_count; ++lane) {
+            const std::size_t at = std::min(first + std::size_t(lane), p_raster.size() - 1);
+            packet.valid[std::size_t(lane)] = -1;
+            set_lane(packet, lane, ray_through(view, p_raster[at]));
+        }
+        intersect(device_->triangles.get(), packet);
+        for (std::size_t lane = 0; lane < lane_count && first + lane < p_raster.size(); ++lane)
+            if (packet.rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID)
+                found[first + lane] = PrimitiveId{packet.rays.hit.primID[lane]};
+    }
+    return found;
 }
 
 Precision embree_precision() { return RayPrecision{Arithmetic::float32}; }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "frame/frame.h"
 #include "frame/precision.h"
@@ -24,6 +26,10 @@ class Embree {
     /// Traces the view on the threads of the surrounding tbb::task_arena. Ray directions have unit camera
     /// depth, so that the hit distance is the camera depth and tnear/tfar are the near and far planes.
     Frame trace(const View& view) const;
+
+    /// The triangle that the line of sight through each of these raster positions meets, on the calling
+    /// thread.
+    std::vector<PrimitiveId> met(const View& view, std::span<const glm::dvec2> p_raster) const;
 
   private:
     struct Device;

@@ -10,10 +10,10 @@ static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<floa
               "a double beyond float's range rounds to infinity");
 
 /// Where the line of sight meets the camera's window.
-glm::dvec2 on_window(const View& view, int x, int y) {
+glm::dvec2 on_window(const View& view, const glm::dvec2& p_raster) {
     const Window& w = view.camera.window;
-    return {w.left + (w.right - w.left) * ((x + 0.5) / view.width),
-            w.top - (w.top - w.bottom) * ((y + 0.5) / view.height)};
+    return {w.left + (w.right - w.left) * (p_raster.x / view.width),
+            w.top - (w.top - w.bottom) * (p_raster.y / view.height)};
 }
 
 PrimaryRay perspective_ray(const Camera& camera, const glm::dvec2& at) {
@@ -40,10 +40,12 @@ PrimaryRay parallel_ray(const Camera& camera, const glm::dvec2& at) {
 
 }  // namespace
 
-PrimaryRay primary_ray(const View& view, int x, int y) {
-    const glm::dvec2 at = on_window(view, x, y);
+PrimaryRay ray_through(const View& view, const glm::dvec2& p_raster) {
+    const glm::dvec2 at = on_window(view, p_raster);
     return view.camera.projection == Projection::perspective ? perspective_ray(view.camera, at)
                                                              : parallel_ray(view.camera, at);
 }
+
+PrimaryRay primary_ray(const View& view, int x, int y) { return ray_through(view, {x + 0.5, y + 0.5}); }
 
 }  // namespace zproof::oracle

@@ -1,7 +1,7 @@
-#include <cstdint>
 #include <fstream>
 #include <iterator>
 
+#include "reports/base64.h"
 #include "reports/html.h"
 #include "reports/html_parts.h"
 #include "reports/wording.h"
@@ -29,24 +29,6 @@ std::vector<Kind> kinds_of(const ViewResult& view) {
                              escaped(one_line(w.name)) + ": difference in linear light. Dark: none."});
         }
     return kinds;
-}
-
-/// RFC 4648, section 4.
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t k) {
-            return i + k < bytes.size() ? std::uint32_t(std::uint8_t(bytes[i + k])) : 0u;
-        };
-        const std::uint32_t group = byte(0) << 16 | byte(1) << 8 | byte(2);
-        text += alphabet[group >> 18];
-        text += alphabet[group >> 12 & 63];
-        text += i + 1 < bytes.size() ? alphabet[group >> 6 & 63] : '=';
-        text += i + 2 < bytes.size() ? alphabet[group & 63] : '=';
-    }
-    return text;
 }
 
 std::string content_of(const std::filesystem::path& file) {

@@ -39,7 +39,8 @@ struct StoredImage {
     std::function<std::vector<Share>(int column, int row)> made_of;
 };
 
-/// A texture made ready for one method. Immutable: may be asked from many threads. Footprints must be finite.
+/// A texture made ready for one method. Immutable: may be asked from many threads. Footprints
+/// must be finite; of others the result means nothing, but reads stay within the stored images and few.
 struct Sampler {
     std::function<glm::dvec4(const Footprint&)> colour;  ///< linear RGBA; not clamped
     std::function<std::vector<Tap>(const Footprint&)>

@@ -141,8 +141,8 @@ StoredImage stored_image(const AxisWeights& columns, const AxisWeights& rows) {
                 std::vector<Share> made_of;
                 for (const AxisRun& down : runs->second[std::size_t(row)])
                     for (const AxisRun& across : runs->first[std::size_t(column)])
-                        made_of.push_back({across.first, down.first, across.weight * down.weight, across.count,
-                                           down.count});
+                        made_of.push_back({across.first, down.first, across.weight * down.weight,
+                                           across.count, down.count});
                 return made_of;
             }};
 }

@@ -79,31 +79,42 @@ Vector difference(const auto& sums, int width, const Run& columns, const Run& ro
 
 }  // namespace
 
+template <class Number>
+glm::dvec4 SummedArea::sum_of(const Sums<Number>& sums, const Run& columns, const Run& rows) const {
+    if constexpr (std::is_same_v<Number, std::uint64_t>) {
+        return from_units(difference<Units>(sums, width_, columns, rows));
+    } else {
+        const double area = double(columns.last - columns.first) * (rows.last - rows.first);
+        return area * mean_ + unit * difference<glm::dvec4>(sums, width_, columns, rows);
+    }
+}
+
 glm::dvec4 SummedArea::sum(const Run& columns, const Run& rows) const {
-    if (const auto* whole = std::get_if<Sums<std::uint64_t>>(&sums_))
-        return from_units(difference<Units>(*whole, width_, columns, rows));
-    const double area = double(columns.last - columns.first) * (rows.last - rows.first);
-    const auto rounded = [&](const auto& sums) {
-        return difference<glm::dvec4>(sums, width_, columns, rows);
-    };
-    return area * mean_ + unit * (std::holds_alternative<Sums<double>>(sums_)
-                                      ? rounded(std::get<Sums<double>>(sums_))
-                                      : rounded(std::get<Sums<float>>(sums_)));
+    return std::visit([&](const auto& sums) { return sum_of(sums, columns, rows); }, sums_);
 }
 
 glm::dvec4 SummedArea::mean(const Parts<Run>& columns, const Parts<Run>& rows) const {
-    glm::dvec4 mean{0};
-    for (const Run& down : rows.all())
-        for (const Run& across : columns.all()) mean += across.weight * down.weight * sum(across, down);
-    return mean;
+    return std::visit(
+        [&](const auto& sums) {
+            glm::dvec4 mean{0};
+            for (const Run& down : rows.all())
+                for (const Run& across : columns.all())
+                    mean += across.weight * down.weight * sum_of(sums, across, down);
+            return mean;
+        },
+        sums_);
 }
 
 glm::dvec4 SummedArea::stored(int column, int row) const {
     const std::size_t at = std::size_t(row) * std::size_t(width_) + std::size_t(column);
-    if (const auto* whole = std::get_if<Sums<std::uint64_t>>(&sums_)) return from_units((*whole)[at]);
-    return unit * (std::holds_alternative<Sums<double>>(sums_)
-                       ? std::get<Sums<double>>(sums_)[at]
-                       : glm::dvec4(std::get<Sums<float>>(sums_)[at]));
+    return std::visit(
+        [&](const auto& sums) {
+            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(sums[0])>, Units>)
+                return from_units(sums[at]);
+            else
+                return unit * glm::dvec4(sums[at]);
+        },
+        sums_);
 }
 
 }  // namespace zproof::texture

@@ -17,7 +17,7 @@ namespace zproof::texture {
 ///   integer            64 bits, modulo 2^64. A difference is exact wherever the box's own sum is below 2^28,
 ///                      which is so for 2^28 texels of at most 1
 ///   float64            53 bits
-///   float32            24 bits: see docs/texture-filters.md for what is lost
+///   float32            24 bits: docs/summed-area.md tells what is lost
 ///   float32_less_mean  24 bits, of texels less the image's mean, which is added again to a box
 class SummedArea {
   public:
@@ -45,6 +45,8 @@ class SummedArea {
 
     template <class Number>
     void keep(const LinearImage& image);
+    template <class Number>
+    glm::dvec4 sum_of(const Sums<Number>& sums, const Run& columns, const Run& rows) const;
 
     int width_ = 0, height_ = 0;
     glm::dvec4 mean_{0};  ///< multiples of unit; 0 but for float32_less_mean

@@ -30,10 +30,10 @@ glm::dvec4 Texels::linear(int column, int row) const {
             rgba[at + 3] / 255.0};
 }
 
-int wrapped(Wrap wrap, std::int64_t index, int size) {
-    if (wrap == Wrap::clamp_to_edge) return int(std::clamp<std::int64_t>(index, 0, size - 1));
+int wrapped_from_beyond(Wrap wrap, std::int64_t index, int size) {
+    if (wrap == Wrap::clamp_to_edge) return index < 0 ? 0 : size - 1;
     const std::int64_t period = wrap == Wrap::repeat ? size : 2 * std::int64_t{size};
-    const std::int64_t within = (index % period + period) % period;
+    const std::int64_t remainder = index % period, within = remainder < 0 ? remainder + period : remainder;
     return int(within < size ? within : period - 1 - within);
 }
 

@@ -7,29 +7,10 @@
 #include "compare/plain_case.h"
 #include "random_surroundings.h"
 #include "stage.h"
+#include "word_for.h"
 
 namespace zproof {
 namespace {
-
-constexpr Rules by_place{DepthRule::strict, EdgeRule::watertight};
-constexpr Rules by_depth{DepthRule::bounded, EdgeRule::watertight};
-constexpr Rules by_crack{DepthRule::bounded, EdgeRule::separate};
-
-/// The words of standing.h spelled out over any set of answers.
-template <class Set>
-Standing word_for(Set& set, std::size_t count, std::optional<std::size_t> index) {
-    bool clipped = false;
-    for (std::size_t i = 0; i < count; ++i) clipped = clipped || set.is_clipped(i);
-    const Standing seen = clipped ? Standing::clipped : Standing::visible;
-    if (!index) {
-        if (set.holds_background(EdgeRule::watertight)) return seen;
-        return set.holds_background(EdgeRule::separate) ? Standing::through_a_crack : Standing::hole;
-    }
-    if (!set.reaches(*index)) return Standing::outside;
-    if (set.is_visible(*index) || set.holds(*index, by_place)) return seen;
-    if (set.holds(*index, by_depth)) return Standing::tied;
-    return set.holds(*index, by_crack) ? Standing::through_a_crack : Standing::hidden;
-}
 
 TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
     std::array<int, 7> said{};
@@ -51,23 +32,6 @@ TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
     }
     for (std::size_t word = 0; word < said.size(); ++word) EXPECT_GT(said[word], 3) << "word " << word;
     EXPECT_GT(exact, 100);
-}
-
-/// Walls that cover the image by far, in planes that nearly agree: some in one plane, some crossing within
-/// the square or beside it, some far behind, some beside the pixel.
-Scene random_walls(Dice& dice, const View& view) {
-    std::vector<Triangle> walls;
-    const double slope = std::ldexp(dice.between(-1, 1), -dice.below(24));
-    for (int count = 2 + dice.below(3); count > 0; --count) {
-        const double depth = dice.below(4) == 0 ? 16 : 8, tilt = dice.below(2) ? slope : 0;
-        const double aside = dice.below(6) == 0 ? 4 : 0,
-                     lift = dice.below(3) == 0 ? std::ldexp(1.0, -dice.below(40)) : 0;
-        const auto corner = [&](double x, double y) {
-            return Corner{x + aside, y, depth + tilt * (x - 1.5) + lift};
-        };
-        walls.push_back({corner(0, -64), corner(64, 200), corner(-64, 200)});
-    }
-    return scene_of(view, walls);
 }
 
 TEST(Decide, APlainCaseIsDecidedAsRationalsDecide) {

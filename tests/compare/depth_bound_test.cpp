@@ -169,5 +169,23 @@ TEST(ErrorOverBound, TakesTheBoundOnTheDepthsOwnSide) {
     EXPECT_EQ(error_over_bound({4, 4, 4}, 4), 0) << "an exact hit needs no bound";
 }
 
+/// A floor that recedes to a horizon in the middle of the image: above it the floor is seen at no depth.
+TEST(DepthBound, HoldsNoDepthBeyondAPlanesHorizon) {
+    View view = pixel_view(Projection::perspective, 16, 16);
+    view.camera.window = {.left = -1, .right = 1, .bottom = -1, .top = 1};
+    Scene scene;
+    scene.vertices.position_world = {{-64, -1, -2}, {64, -1, -2}, {0, -1, -512}};
+    scene.triangles = {{0, 1, 2}};
+    for (const Precision& precision : {ray_precision(), raster_precision()}) {
+        const ViewBounds bounds(view, precision);
+        const TriangleDepth depth = depth_of(TriangleInView(view, bounds, corners_of(scene, 0)), bounds);
+        for (int y = 0; y < 16; ++y) {
+            const DepthBound bound = depth.at(8, y);
+            EXPECT_FALSE(std::isnan(bound.low) || std::isnan(bound.high)) << "row " << y;
+            EXPECT_TRUE(bounds.keeps_to_corners() || (y < 8) == (bound.low == unlimited)) << "row " << y;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace zproof

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "stage.h"
+
 namespace zproof {
 
 namespace {
@@ -150,6 +152,21 @@ Surroundings random_surroundings(std::uint32_t seed) {
     const ViewBounds bounds(s.view, precision);
     s.around = surroundings(s.scene, s.view, bounds, s.x, s.y, dice.below(4) ? 0x1p-9 : 0);
     return s;
+}
+
+Scene random_walls(Dice& dice, const View& view) {
+    std::vector<Triangle> walls;
+    const double slope = std::ldexp(dice.between(-1, 1), -dice.below(24));
+    for (int count = 2 + dice.below(3); count > 0; --count) {
+        const double depth = dice.below(4) == 0 ? 16 : 8, tilt = dice.below(2) ? slope : 0;
+        const double aside = dice.below(6) == 0 ? 4 : 0,
+                     lift = dice.below(3) == 0 ? std::ldexp(1.0, -dice.below(40)) : 0;
+        const auto corner = [&](double x, double y) {
+            return Corner{x + aside, y, depth + tilt * (x - 1.5) + lift};
+        };
+        walls.push_back({corner(0, -64), corner(64, 200), corner(-64, 200)});
+    }
+    return scene_of(view, walls);
 }
 
 }  // namespace zproof

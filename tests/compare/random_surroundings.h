@@ -44,4 +44,8 @@ struct Surroundings {
 };
 Surroundings random_surroundings(std::uint32_t seed);
 
+/// Walls that cover the image by far, in planes that nearly agree: some in one plane, some crossing within
+/// the square around pixel (1, 1) or beside it, some far behind, some beside the pixel.
+Scene random_walls(Dice& dice, const View& view);
+
 }  // namespace zproof

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/footprints.h"
 #include "tests/support/worked_setup.h"
 #include "texture/catalogue.h"
 #include "texture/texels.h"
@@ -26,13 +27,6 @@ LinearImage noise(int width, int height, std::uint32_t seed = 7) {
         image.texels.emplace_back(red, green, blue, value());
     }
     return image;
-}
-
-/// A footprint of the flat plane u = x, v = y.
-Footprint flat(const glm::dvec2& centre, const glm::dvec2& per_x, const glm::dvec2& per_y) {
-    const glm::dvec2 corner = centre - 0.5 * (per_x + per_y);
-    return footprint({{per_x.x, per_y.x, corner.x}, {per_x.y, per_y.y, corner.y}, {0, 0, 1}}, 0, 0,
-                     Derivatives::analytic);
 }
 
 TEST(SummedArea, EveryTexelOf8BitsIsAWholeNumberOfUnits) {
@@ -95,7 +89,7 @@ TEST(SatMethods, OverOneTexelAreBilinear) {
             if (!method.name.starts_with("sat-")) continue;
             const Sampler sat = method.prepare(image, options);
             for (double x = -3.5; x < 20; x += 0.37) {
-                const Footprint small = flat({x, 0.61 * x}, {0.3, 0.1}, {-0.1, 0.3});
+                const Footprint small = flat_footprint({x, 0.61 * x}, {0.3, 0.1}, {-0.1, 0.3});
                 const glm::dvec4 difference = glm::abs(sat.colour(small) - bilinear.colour(small));
                 // The places themselves are rounded: 2^-53 times 20 texels, times the steepest slope, 1.
                 for (int c = 0; c < 4; ++c)
@@ -125,7 +119,7 @@ TEST(SatMethods, GiveTheMeanOfTheWrappedTextureOverTheirBox) {
                         image.at(wrapped(wrap, std::int64_t(column), 8), wrapped(wrap, std::int64_t(row), 5))
                             .r;
             expected /= extent.x * extent.y;
-            const double found = sat.colour(flat(centre, {extent.x, 0}, {0, extent.y})).r;
+            const double found = sat.colour(flat_footprint(centre, {extent.x, 0}, {0, extent.y})).r;
             // 32 x 32 terms of the definition, each rounded; places up to 64 over lengths of at least 1.
             EXPECT_NEAR(found, expected, (1024 + 4 * 64) * unit_roundoff);
         }

@@ -53,8 +53,9 @@ struct Taps {
 };
 
 constexpr const char* longer_step_footprint =
-    "The longer of the pixel's two steps, P_max, by the shorter, P_min; N = min(ceil(P_max / P_min), maximum "
-    "anisotropy).";
+    "The longer of the pixel's two steps, P_max (the one in y where they are equal), by the shorter, P_min; "
+    "N = "
+    "min(ceil(P_max / P_min), maximum anisotropy), 1 where P_max is 0.";
 constexpr const char* longer_step_lod = "log2(P_max / N).";
 
 }  // namespace
@@ -77,7 +78,15 @@ std::vector<Method> anisotropic_methods() {
                   .source = "EXT_texture_filter_anisotropic, taps at the middles of N equal parts"},
          .prepare = prepare_mipped<Taps<longer_step, midpoints>>},
         {.name = "aniso-d3d11",
-         .card = {.footprint = "TODO", .lod = "TODO", .taps = "TODO", .source = "TODO"},
+         .card = {.footprint =
+                      "The ellipse of the Jacobian's singular values s1 >= s2. Ratio s1 / s2; where that "
+                      "exceeds the maximum anisotropy a, it is a and the width s1 / a, else the width "
+                      "is s2. A width below 1 texel lowers the ratio to max(1, ratio width).",
+                  .lod = "log2 of the width.",
+                  .taps = "N = ceil(ratio) trilinear taps along the ellipse's longer axis, linear about the "
+                          "centre, at (i - 1/2) / N - 1/2 of s1, i = 1 to N; mean. The specification leaves "
+                          "number and places to the implementation: these are ours.",
+                  .source = "Direct3D 11.3 functional specification, 7.18.11"},
          .prepare = prepare_mipped<Taps<ellipse_axis, midpoints>>}};
 }
 

@@ -76,14 +76,17 @@ template <Profile profile>
 void read_ellipse(const MipReads& mips, int level, const LevelEllipse& ellipse, double weight, auto&& read) {
     const LinearImage& image = mips.levels[std::size_t(level)];
     const Addressing& wrap = mips.options.addressing;
+    std::vector<Tap> inside;
     double sum = 0;
-    ellipse.each([&](std::int64_t, std::int64_t, double r2) { sum += profile(r2); });
     ellipse.each([&](std::int64_t column, std::int64_t row, double r2) {
-        const double share = profile(r2) / sum;
-        if (share > 0)
-            read(Tap{level, wrapped(wrap.u, column, image.width), wrapped(wrap.v, row, image.height),
-                     weight * share});
+        inside.push_back(
+            {level, wrapped(wrap.u, column, image.width), wrapped(wrap.v, row, image.height), profile(r2)});
+        sum += inside.back().weight;
     });
+    for (Tap tap : inside) {
+        tap.weight = weight * tap.weight / sum;
+        read(tap);
+    }
 }
 
 /// The ellipse at the LOD of its shorter radius, made no longer than max_anisotropy times that. The user's
@@ -121,6 +124,7 @@ void read_levels(const MipReads& mips, const Chosen& at, const glm::dvec2& place
     }
 }
 
+template <Profile profile>
 struct Pbrt {
     void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
         Axes axes = steps(footprint);
@@ -131,7 +135,7 @@ struct Pbrt {
             axes.shorter *= longer / (shorter * most);
             shorter = longer / most;
         }
-        read_levels<gaussian_table>(mips, chosen(axes, shorter, mips.options), footprint.centre, read);
+        read_levels<profile>(mips, chosen(axes, shorter, mips.options), footprint.centre, read);
     }
 };
 
@@ -145,18 +149,53 @@ struct TrueAxes {
     }
 };
 
-constexpr const char* bound =
-    " At most (4 a + 3)^2 texels of either level are looked at, a: maximum anisotropy.";
+constexpr const char* lod_rule =
+    "log2 of the shorter radius in texels. The bias scales the ellipse by 2^bias; a LOD above the greatest "
+    "allowed scales the ellipse down to that one; then LODs below the least allowed and below 0 are raised.";
+
+/// What is the same for all: `weights` are those of a texel at squared radius r2.
+std::string taps(const std::string& weights) {
+    return "In either level around the LOD every texel whose centre lies inside the ellipse, whose squared "
+           "radii "
+           "are widened by one texel of that level (J J^T + I); weight " +
+           weights +
+           ", divided by the sum of weights. The levels are blended by the LOD's fraction. The last level is "
+           "read "
+           "as one texel. At most (4 a + 3)^2 texels of a level are looked at, a: maximum anisotropy.";
+}
+
+DefinitionCard pbrt_card(const std::string& weights, std::string source) {
+    return {.footprint =
+                "The ellipse of which the pixel's two steps are conjugate radii; the shorter step is "
+                "lengthened to "
+                "1 / maximum anisotropy of the longer one where it is shorter. No shorter step: bilinear in "
+                "level 0.",
+            .lod = lod_rule,
+            .taps = taps(weights),
+            .source = std::move(source)};
+}
 
 }  // namespace
 
 std::vector<Method> ewa_methods() {
     return {
         {.name = "ewa-pbrt",
-         .card = {.footprint = "TODO", .lod = "TODO", .taps = std::string{"TODO"} + bound, .source = "pbrt"},
-         .prepare = prepare_mipped<Pbrt>},
+         .card = pbrt_card("exp(-2 r2) - exp(-2)",
+                           "pbrt-v4, MIPMap::EWA, its table of weights replaced by the "
+                           "function; Greene and Heckbert 1986"),
+         .prepare = prepare_mipped<Pbrt<gaussian>>},
+        {.name = "ewa-pbrt-table",
+         .card = pbrt_card("entry floor(128 r2) of 128, of which entry k is exp(-2 k / 127) - exp(-2)",
+                           "pbrt-v4, MIPMap::EWA"),
+         .prepare = prepare_mipped<Pbrt<gaussian_table>>},
         {.name = "ewa-true",
-         .card = {.footprint = "TODO", .lod = "TODO", .taps = std::string{"TODO"} + bound, .source = "pbrt"},
+         .card = {.footprint =
+                      "The same ellipse by its own axes, the Jacobian's singular values s1 >= s2; s2 is "
+                      "raised to s1 / maximum anisotropy where it is less.",
+                  .lod = lod_rule,
+                  .taps = taps("exp(-2 r2) - exp(-2)"),
+                  .source = "Heckbert 1989, 3.5; Greene and Heckbert 1986; limit of anisotropy and widening "
+                            "as in pbrt"},
          .prepare = prepare_mipped<TrueAxes>}};
 }
 

@@ -50,9 +50,22 @@ struct Feline {
 }  // namespace
 
 std::vector<Method> feline_methods() {
-    return {{.name = "aniso-feline",
-             .card = {.footprint = "TODO", .lod = "TODO", .taps = "TODO", .source = "TODO"},
-             .prepare = prepare_mipped<Feline>}};
+    return {
+        {.name = "aniso-feline",
+         .card =
+             {.footprint =
+                  "The ellipse of the Jacobian's singular values, both raised to at least 1 texel: radii R "
+                  ">= r. "
+                  "N = 2 R / r - 1 rounded half up, at most 2 a - 1, a: maximum anisotropy; where N is less "
+                  "than 2 R / r - 1, r = 2 R / (N + 1).",
+              .lod = "log2 r.",
+              .taps =
+                  "N trilinear probes, evenly from -(R - r) to R - r along the longer axis, linear about "
+                  "the centre; one at distance d weighs exp(-2 (d / R)^2), divided by the sum. A footprint "
+                  "that is not finite is one probe.",
+              .source = "McCormack, Perry, Farkas and Jouppi 1999 (Feline); steepness 2 and the limit by "
+                        "anisotropy are ours"},
+         .prepare = prepare_mipped<Feline>}};
 }
 
 }  // namespace zproof::texture

@@ -14,16 +14,17 @@ struct MipReads {
     std::vector<LinearImage> levels;
     FilterOptions options;
 
+    std::vector<glm::dvec2> scales;  ///< texels of each level per texel of level 0, along either axis
+
     MipReads(const LinearImage& image, const FilterOptions& settings)
-        : levels{mip_chain(image, settings.mip_kernel, settings.addressing)}, options{settings} {}
+        : levels{mip_chain(image, settings.mip_kernel, settings.addressing)}, options{settings} {
+        for (const LinearImage& level : levels)
+            scales.emplace_back(double(level.width) / image.width, double(level.height) / image.height);
+    }
 
     int coarsest() const { return int(levels.size()) - 1; }
 
-    /// Texels of this level per texel of level 0, along either axis.
-    glm::dvec2 scale(int level) const {
-        const LinearImage& image = levels[std::size_t(level)];
-        return {double(image.width) / levels[0].width, double(image.height) / levels[0].height};
-    }
+    const glm::dvec2& scale(int level) const { return scales[std::size_t(level)]; }
 
     /// The LOD biased, clamped, and within the chain.
     double in_chain(double lod) const { return lod_in_chain(lod, options, levels.size()); }

@@ -123,7 +123,23 @@ std::vector<Method> openimageio_methods() {
                             "clamp act on log2 of the width"},
          .prepare = prepare_mipped<OwnTrilinear>},
         {.name = "aniso-oiio",
-         .card = {.footprint = "TODO", .lod = level_law, .taps = "TODO", .source = "TODO"},
+         .card =
+             {.footprint =
+                  "The ellipse of the Jacobian's singular values in texture coordinates (width and height "
+                  "1), s1 >= s2. Aspect s1 / s2, at most a, the maximum anisotropy; where it exceeds a, s1 "
+                  "becomes (s1 + a s2) / 2 and s2 s1 / a: the conservative filter.",
+              .lod = std::string{"The width is s2. "} + level_law +
+                     " On level 0 alone, with s2 max(width, height) < 1/2, the aspect is 2 s1 max(width, "
+                     "height), 1 to a.",
+              .taps =
+                  "n = max(1, floor(2 aspect - 1)) bilinear probes in either level, at p = (2 i + 1) / n - "
+                  "1, i = 0 to n - 1, times (s1 - s2) along the longer axis, linear about the centre; each "
+                  "weighs exp(-2 x^2), x = p s1 / (2 (s1 - s2)), divided by the sum. The coarser level's "
+                  "share is 2 width - 1 there, within [0, 1].",
+              .source =
+                  "OpenImageIO, texture_lookup and compute_ellipse_sampling, bilinear instead of its "
+                  "smart bicubic, without its limits against degenerate derivatives; bias and clamp act "
+                  "on log2 of the width"},
          .prepare = prepare_mipped<OwnAnisotropic>}};
 }
 

@@ -34,18 +34,18 @@ struct RipmapRule {
                                       across),
                      v = lod_in_chain(std::log2(std::max(std::abs(f.per_x.y), std::abs(f.per_y.y))), options,
                                       down);
-        for (const auto& [j, row_weight] : around(v))
-            for (const auto& [i, column_weight] : around(u))
-                if (row_weight * column_weight > 0)
-                    bilinear(i, j, {f.centre, row_weight * column_weight}, read);
+        for (const auto& [j, row_weight] : around(v, down))
+            for (const auto& [i, column_weight] : around(u, across))
+                bilinear(i, j, {f.centre, row_weight * column_weight}, read);
     }
     struct Level {
         std::size_t index;
         double weight;
     };
-    static std::array<Level, 2> around(double lod) {
+    static std::array<Level, 2> around(double lod, std::size_t levels) {
         const double finer = std::floor(lod), share = lod - finer;
-        return {Level{std::size_t(finer), 1 - share}, Level{std::size_t(finer) + 1, share}};
+        const auto index = std::size_t(finer);
+        return {Level{index, 1 - share}, Level{std::min(index + 1, levels - 1), share}};
     }
     struct Weighted {
         glm::dvec2 place;
@@ -94,7 +94,7 @@ std::vector<Method> ripmap_methods() {
                          "itself.",
                   .taps = "Bilinear in the four images around the pair of LODs, weighted by the product of "
                           "their fractions.",
-                  .source = "Larson and Shah 1990 (rip maps); McReynolds and Blythe, course notes"},
+                  .source = "McReynolds and Blythe 1999, course notes (attribution from memory)"},
          .prepare = prepare}};
 }
 

@@ -59,12 +59,14 @@ void read_bilinear(const LinearImage& image, const Addressing& wrap, const glm::
                    Read&& read) {
     const glm::dvec2 between{place_on_line(place.x) - 0.5, place_on_line(place.y) - 0.5},
         low = glm::floor(between), share = between - low;
-    for (int down = 0; down < 2; ++down) {
-        for (int right = 0; right < 2; ++right) {
+    const auto left = std::int64_t(low.x), upper = std::int64_t(low.y);
+    const int columns[2] = {wrapped(wrap.u, left, image.width), wrapped(wrap.u, left + 1, image.width)},
+              rows[2] = {wrapped(wrap.v, upper, image.height), wrapped(wrap.v, upper + 1, image.height)};
+    for (std::size_t down = 0; down < 2; ++down) {
+        for (std::size_t right = 0; right < 2; ++right) {
             const double across = right == 1 ? share.x : 1 - share.x,
                          along = down == 1 ? share.y : 1 - share.y;
-            read(Tap{tap.image, wrapped(wrap.u, std::int64_t(low.x) + right, image.width),
-                     wrapped(wrap.v, std::int64_t(low.y) + down, image.height), tap.weight * across * along});
+            read(Tap{tap.image, columns[right], rows[down], tap.weight * across * along});
         }
     }
 }

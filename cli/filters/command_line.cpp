@@ -1,0 +1,176 @@
+#include "cli/filters/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <sstream>
+
+#include "cli/usage_error.h"
+#include "texture/catalogue.h"
+
+namespace zproof {
+namespace {
+
+constexpr const char* run_examples = R"(
+  zproof filters run checker_plane --view phi-45 --truth B -o study
+                                                             every method on one view
+  zproof filters run worked --methods all,sat-strips:n=16    a method with a setting (see below)
+  zproof filters run model.glb --methods nearest,trilinear-gl,ewa-true
+  zproof filters table study                                 the figures on the terminal
+
+Settings of a method, NAME:key=value:key=value:
+)";
+
+const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automatic},
+                                                  {"bar", ProgressStyle::bar},
+                                                  {"lines", ProgressStyle::lines},
+                                                  {"none", ProgressStyle::none}};
+
+/// Defaults are shown where there are any.
+template <class Size>
+void add_size(CLI::App& app, Size& width, Size& height) {
+    app.add_option("--width", width, "pixels; view files state their own")
+        ->check(CLI::Range(1, 32768))
+        ->capture_default_str();
+    app.add_option("--height", height, "pixels; view files state their own")
+        ->check(CLI::Range(1, 32768))
+        ->capture_default_str();
+}
+
+void add_threads(CLI::App& app, int& threads) {
+    app.add_option("--threads", threads, "all but the times is the same for any number")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+}
+
+template <class T>
+void add_word(CLI::App& app, const std::string& option, T& value, const std::map<std::string, T>& choices) {
+    std::vector<std::string> words;
+    for (const auto& [word, meaning] : choices) words.push_back(word);
+    app.add_option_function<std::string>(option, [&](const std::string& word) { value = choices.at(word); })
+        ->check(CLI::IsMember(words));
+}
+
+void add_run(CLI::App& app, FiltersWords& words) {
+    app.add_option(
+        "SCENE", words.run.scenes,
+        "filter scene (zproof filters list), suite scene, .gltf, .glb or view file, or a photograph "
+        "(.png, .jpg); none: every filter scene");
+    app.add_option("--methods", words.methods, "all, and names with settings, separated by commas")
+        ->capture_default_str();
+    app.add_option("--truth", words.truth,
+                   "N: of nearest texels; B: of bilinear; G: Gaussian pixel of bilinear")
+        ->check(CLI::IsMember({"N", "B", "G"}))
+        ->capture_default_str();
+    app.add_option("--flicker", words.run.flicker_steps,
+                   "further views, each a fraction of a pixel on; 0: none")
+        ->check(CLI::Range(0, 32))
+        ->capture_default_str();
+    app.add_option("-o,--out", words.run.out, "folder for the study")->capture_default_str();
+    add_word(app, "--progress", words.run.progress, styles);
+    app.add_option("--view", words.views, "names of views, separated by commas; default: all of every scene");
+    app.add_option("--first-row", words.run.first_row,
+                   "rows above count in the regions all and horizon only; default 0, of 'worked' 56 of 256")
+        ->check(CLI::Range(0, 32767));
+    add_size(app, words.run.width, words.run.height);
+    add_threads(app, words.run.threads);
+    app.footer(run_examples + filter_settings_help());
+}
+
+void add_table(CLI::App& app, FiltersWords& words) {
+    app.add_option("DIR", words.table.folder, "what 'filters run' wrote")->required();
+    app.add_option("--region", words.table.region, "such as all, silhouette, magnified, 'anisotropy 8-16'")
+        ->capture_default_str();
+    auto* latex = app.add_flag_callback(
+        "--latex", [&words] { words.table.format = TableFormat::latex; }, "LaTeX with booktabs");
+    app.add_flag_callback(
+           "--csv", [&words] { words.table.format = TableFormat::csv; }, "every value, a row each")
+        ->excludes(latex);
+}
+
+void add_figure(CLI::App& app, FiltersWords& words) {
+    app.add_option("DIR", words.figure.folder, "what 'filters run' wrote")->required();
+    app.add_option("--methods", words.only,
+                   "those to name in colour, separated by commas; default: the best");
+    app.add_option("--crop", words.crop, "X,Y,WIDTH,HEIGHT in pixels; default: where methods err most");
+}
+
+std::vector<std::string> split(const std::string& text) {
+    std::vector<std::string> parts;
+    std::istringstream in{text};
+    for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
+    return parts;
+}
+
+CropBox crop_box(const std::string& text) {
+    std::array<int, 4> numbers{};
+    const std::vector<std::string> parts = split(text);
+    bool is_right = parts.size() == numbers.size();
+    for (std::size_t i = 0; is_right && i < numbers.size(); ++i) {
+        const char* const end = parts[i].data() + parts[i].size();
+        const auto [stop, error] = std::from_chars(parts[i].data(), end, numbers[i]);
+        is_right =
+            error == std::errc{} && stop == end && numbers[i] >= (i < 2 ? 0 : 1) && numbers[i] <= 32768;
+    }
+    if (!is_right) throw UsageError{"--crop: expected X,Y,WIDTH,HEIGHT in pixels, found '" + text + "'"};
+    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+oracle::Reconstruction reconstruction(const std::string& letter) {
+    if (letter == "N") return oracle::Reconstruction::nearest;
+    return letter == "B" ? oracle::Reconstruction::bilinear : oracle::Reconstruction::gaussian;
+}
+
+}  // namespace
+
+std::vector<FilterChoice> filter_choices(const std::string& words) {
+    std::vector<FilterChoice> choices;
+    const auto add = [&](const std::string& word) {
+        if (std::ranges::find(choices, word, &FilterChoice::typed) == choices.end())
+            choices.push_back(filter_choice(word));
+    };
+    for (const std::string& word : split(words)) {
+        if (word != "all")
+            add(word);
+        else
+            for (const texture::Method& method : texture::methods()) add(method.name);
+    }
+    if (choices.empty()) throw UsageError{"--methods: expected 'all' or names (zproof filters list)"};
+    return choices;
+}
+
+void add_filters(CLI::App& app, FiltersWords& words) {
+    app.require_subcommand(0, 1);
+    add_run(*app.add_subcommand("run", "hold methods to the truth on scenes; write a study"), words);
+    app.add_subcommand("list", "methods, metrics and scenes, a line each");
+    add_table(*app.add_subcommand("table", "print a study's table"), words);
+    add_figure(*app.add_subcommand("figure", "make a study's plots, crops and page again"), words);
+    CLI::App& crow =
+        *app.add_subcommand("crow", "Crow 1984: the lecture's figure and its questions, answered");
+    crow.add_option("-o,--out", words.crow.out, "folder for the page")->capture_default_str();
+    add_size(crow, words.crow.settings.resolution.width, words.crow.settings.resolution.height);
+    add_threads(crow, words.crow.settings.threads);
+}
+
+FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) {
+    const auto typed = [&](const char* name) { return app.get_subcommand(name)->parsed(); };
+    if (typed("run")) {
+        words.run.methods = filter_choices(words.methods);
+        words.run.truth = reconstruction(words.truth);
+        words.run.views = split(words.views);
+        return words.run;
+    }
+    if (typed("list")) return words.list;
+    if (typed("table")) return words.table;
+    if (typed("crow")) return words.crow;
+    if (!typed("figure"))
+        throw UsageError{
+            "filters: 'run', 'list', 'table', 'figure' or 'crow' expected (see: zproof filters --help)"};
+    words.figure.labels = split(words.only);
+    if (!words.crop.empty()) words.figure.crop = crop_box(words.crop);
+    return words.figure;
+}
+
+}  // namespace zproof

@@ -1,0 +1,55 @@
+#include <iostream>
+#include <span>
+
+#include "cli/commands.h"
+#include "cli/filters/scenes.h"
+#include "cli/threads.h"
+#include "cli/version.h"
+#include "frame/whole_file.h"
+#include "reports/filters/crow_page.h"
+#include "reports/output_folder.h"
+#include "study/study.h"
+
+namespace zproof {
+namespace {
+
+/// Point sampled, mip mapped, summed-area table: Crow's own three.
+study::Plan crow_plan(int height) {
+    study::Plan plan{.contestants = {},
+                     .truth = oracle::Reconstruction::nearest,
+                     .flicker_steps = 0,
+                     .first_row = natural_first_row({.word = "worked", .reason = {}}, height)};
+    for (const char* name : {"nearest", "trilinear-gl", "sat-affine"})
+        plan.contestants.push_back({name, filter_choice(name).texturing});
+    return plan;
+}
+
+}  // namespace
+
+ExitCode execute(const FiltersCrowArguments& arguments) {
+    OutputFolder out{arguments.out};
+    const Loaded loaded = load({.word = "worked", .reason = {}}, arguments.settings.resolution);
+    const study::Plan plan = crow_plan(arguments.settings.resolution.height);
+    study::StudyResults results = study::begun(plan);
+    results.version = version_number();
+    results.compiler = compiler_name();
+    std::vector<CrowPicture> pictures;
+    const study::Audience audience{.begins = [](const std::string&) {},
+                                   .is_shown =
+                                       [&](const std::string& name, const Picture& picture) {
+                                           pictures.push_back({name, picture});
+                                       },
+                                   .wants_to_stop = [] { return false; }};
+    study::CrowAnswers answers;
+    on_threads(arguments.settings.threads, [&] {
+        results.views.push_back(study::study_view(loaded.scene, loaded.views.at(0), plan, audience));
+        answers = study::crow_answers();
+    });
+    const std::string page = crow_page(results, pictures, answers);
+    write_whole_file(out.working() / "crow1984.html", std::as_bytes(std::span{page}));
+    out.publish();
+    std::cout << (arguments.out / "crow1984.html").string() << "\n";
+    return ExitCode::proven;
+}
+
+}  // namespace zproof

@@ -1,0 +1,140 @@
+#include <algorithm>
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/filters/scenes.h"
+#include "cli/filters/study_progress.h"
+#include "cli/folder_names.h"
+#include "cli/interrupt.h"
+#include "cli/progress.h"
+#include "cli/scene_selection.h"
+#include "cli/stopwatch.h"
+#include "cli/threads.h"
+#include "cli/usage_error.h"
+#include "cli/version.h"
+#include "frame/exr.h"
+#include "reports/filters/folder.h"
+#include "reports/filters/tables.h"
+#include "reports/output_folder.h"
+#include "study/claims.h"
+#include "study/study.h"
+
+namespace zproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+study::Plan plan_of(const FiltersRunArguments& arguments) {
+    study::Plan plan{.contestants = {}, .truth = arguments.truth, .flicker_steps = arguments.flicker_steps};
+    for (const FilterChoice& choice : arguments.methods)
+        plan.contestants.push_back({choice.typed, choice.texturing});
+    return plan;
+}
+
+/// Those that were asked for. Throws UsageError where the scene has none of them.
+std::vector<View> chosen_views(const Loaded& loaded, const std::vector<std::string>& wished) {
+    if (wished.empty()) return loaded.views;
+    std::vector<View> chosen;
+    for (const View& view : loaded.views)
+        if (std::ranges::find(wished, view.name) != wished.end()) chosen.push_back(view);
+    if (chosen.empty())
+        throw UsageError{"--view: scene '" + loaded.scene.name + "' has no such view; it has " +
+                         names_of(loaded.views)};
+    return chosen;
+}
+
+/// The study in the making, and the folder that its pictures go to.
+class Workshop {
+  public:
+    Workshop(study::Plan plan, const fs::path& folder, StudyProgress& progress, study::StudyResults& results)
+        : plan_(std::move(plan)), folder_(folder), progress_(progress), results_(results) {}
+
+    void study_scene(const StudyScene& source, const FiltersRunArguments& arguments) {
+        const Resolution natural = natural_resolution(source);
+        const Loaded loaded = load(
+            source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
+        const std::vector<View> views = chosen_views(loaded, arguments.views);
+        progress_.expect_more((int(views.size()) - 1) * study::units_of(plan_));
+        for (const View& view : views) {
+            if (interrupted()) return;
+            plan_.first_row = arguments.first_row.value_or(natural_first_row(source, view.height));
+            progress_.begin_view(loaded.scene.name + " / " + view.name);
+            study::ViewStudy one = study_one(loaded.scene, view);
+            one.reason = source.reason;
+            results_.views.push_back(std::move(one));
+        }
+    }
+
+  private:
+    study::ViewStudy study_one(const Scene& scene, const View& view) {
+        const std::string home = "pictures/" + names_.next(scene.name, view.name) + "/";
+        fs::create_directories(folder_ / home);
+        const study::Audience audience{.begins = [&](const std::string& what) { progress_.begin_unit(what); },
+                                       .is_shown =
+                                           [&](const std::string& name, const Picture& picture) {
+                                               write_exr(folder_ / home / (file_stem(name) + ".exr"),
+                                                         picture);
+                                           },
+                                       .wants_to_stop = interrupted};
+        study::ViewStudy one = study::study_view(scene, view, plan_, audience);
+        one.truth_file = home + "truth.exr";
+        for (study::MethodScore& method : one.methods) method.file = home + file_stem(method.label) + ".exr";
+        return one;
+    }
+
+    study::Plan plan_;
+    fs::path folder_;
+    StudyProgress& progress_;
+    study::StudyResults& results_;
+    FolderNames names_;
+};
+
+study::StudyResults results_of(const FiltersRunArguments& arguments, const study::Plan& plan) {
+    study::StudyResults results = study::begun(plan);
+    results.version = version_number();
+    results.command = arguments.typed;
+    results.compiler = compiler_name();
+    results.threads = arguments.threads;
+    return results;
+}
+
+bool shows_a_texture(const study::ViewStudy& view) {
+    return std::ranges::any_of(view.methods, [](const study::MethodScore& m) { return m.cost.pixels > 0; });
+}
+
+ExitCode conclusion(const study::StudyResults& results) {
+    if (!results.is_complete) return ExitCode::interrupted;
+    if (std::ranges::any_of(results.views, shows_a_texture)) return ExitCode::proven;
+    std::cerr << "zproof: nothing to study: no pixel of these scenes shows a texture\n";
+    return ExitCode::nothing;
+}
+
+}  // namespace
+
+ExitCode execute(const FiltersRunArguments& arguments) {
+    const std::vector<StudyScene> scenes = study_scenes(arguments.scenes);
+    const study::Plan plan = plan_of(arguments);
+    study::StudyResults results = results_of(arguments, plan);
+    OutputFolder out{arguments.out};
+    note_interrupts();
+    Stopwatch watch;
+    {
+        StudyProgress progress{std::cerr, resolve(arguments.progress),
+                               int(scenes.size()) * study::units_of(plan)};
+        Workshop workshop{plan, out.working(), progress, results};
+        on_threads(arguments.threads, [&] {
+            for (const StudyScene& scene : scenes)
+                if (!interrupted()) workshop.study_scene(scene, arguments);
+        });
+    }
+    results.is_complete = !interrupted();
+    results.seconds = watch.lap();
+    write_filters_results(out.working(), results);
+    write_filters_figures(out.working(), results, {});
+    out.publish();
+    std::cout << filters_table(results, "interior")
+              << "\nstudy: " << (arguments.out / "filters.html").string() << "\n";
+    return conclusion(results);
+}
+
+}  // namespace zproof

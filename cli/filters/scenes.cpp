@@ -1,0 +1,76 @@
+#include "cli/filters/scenes.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/nearest_word.h"
+#include "cli/scene_selection.h"
+#include "cli/usage_error.h"
+#include "scenes/filter_scenes.h"
+#include "scenes/scene_error.h"
+
+namespace zproof {
+namespace {
+
+/// Of the worked set-up (docs/filter-scenes.md): its figures hold for these rows of this size.
+constexpr const char* worked = "worked";
+constexpr int worked_side = 256, worked_first_row = 56;
+
+bool is_photograph(const std::string& word) {
+    const std::string extension = std::filesystem::path{word}.extension().string();
+    return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+}
+
+[[noreturn]] void refuse(const std::string& word, const std::vector<FilterSceneEntry>& built_in) {
+    std::vector<std::string> names;
+    for (const FilterSceneEntry& entry : built_in) names.push_back(entry.name);
+    throw UsageError{word + ": no such filter scene, suite scene or file" + did_you_mean(word, names) +
+                     " (zproof filters list shows the scenes)"};
+}
+
+bool is_of_the_suite_or_a_file(const std::string& word) {
+    try {
+        select_scene(word);
+        return true;
+    } catch (const SceneError&) {
+        if (std::filesystem::exists(word)) throw;  // there, but no scene: its own words say why
+        return false;
+    }
+}
+
+StudyScene meant_by(const std::string& word, const std::vector<FilterSceneEntry>& built_in) {
+    const auto entry = std::ranges::find(built_in, word, &FilterSceneEntry::name);
+    if (entry != built_in.end()) return {word, entry->reason};
+    if (is_photograph(word) && std::filesystem::exists(word)) return {word, {}};
+    if (!is_of_the_suite_or_a_file(word)) refuse(word, built_in);
+    return {word, {}};
+}
+
+}  // namespace
+
+std::vector<StudyScene> study_scenes(const std::vector<std::string>& words) {
+    const std::vector<FilterSceneEntry> built_in = filter_scenes();
+    std::vector<StudyScene> scenes;
+    for (const std::string& word : words) scenes.push_back(meant_by(word, built_in));
+    if (words.empty())
+        for (const FilterSceneEntry& entry : built_in) scenes.push_back({entry.name, entry.reason});
+    return scenes;
+}
+
+Loaded load(const StudyScene& scene, Resolution resolution) {
+    const std::vector<FilterSceneEntry> built_in = filter_scenes();
+    if (std::ranges::find(built_in, scene.word, &FilterSceneEntry::name) != built_in.end())
+        return generate_filter_scene(scene.word, resolution.width, resolution.height);
+    if (is_photograph(scene.word)) return photograph_scene(scene.word, resolution.width, resolution.height);
+    return load(select_scene(scene.word), resolution);
+}
+
+Resolution natural_resolution(const StudyScene& scene) {
+    return scene.word == worked ? Resolution{worked_side, worked_side} : Resolution{512, 512};
+}
+
+int natural_first_row(const StudyScene& scene, int height) {
+    return scene.word == worked ? worked_first_row * height / worked_side : 0;
+}
+
+}  // namespace zproof

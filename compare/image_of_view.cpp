@@ -1,0 +1,37 @@
+#include "compare/image_of_view.h"
+
+namespace zproof {
+
+ImageOfView::ImageOfView(const Sight<double>& any, const CornersWorld& p_world)
+    : p_world_(corners<double>(p_world)), is_kept_(any.projection == Projection::perspective) {
+    if (!is_kept_) return;
+    const Vector3<double> v0 = p_world_[0] - any.origin, v1 = p_world_[1] - any.origin,
+                          v2 = p_world_[2] - any.origin;
+    normal_ = cross(v1 - v0, v2 - v0);
+    const double volume = dot(v0, normal_);
+    orientation_ = sign(volume);
+    is_edge_on_ = orientation_ == 0;
+    if (is_edge_on_) return;
+    moment_ = {cross(v1, v2), cross(v2, v0), cross(v0, v1)};
+    volume_reciprocal_ = 1 / volume;
+    slopes_ = *image_of(any, p_world_);
+}
+
+std::optional<TriangleImage<double>> ImageOfView::at(const Sight<double>& sight) const {
+    if (!is_kept_) return image_of(sight, p_world_);
+    if (is_edge_on_) return std::nullopt;
+    TriangleImage<double> image = slopes_;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double value = dot(moment_[i], sight.direction);
+        image.edge[i].c = orientation_ < 0 ? -value : value;
+    }
+    image.nearness.c = nearness_at(sight);
+    return image;
+}
+
+double ImageOfView::nearness_at(const Sight<double>& sight) const {
+    if (!is_kept_) return image_of(sight, p_world_)->nearness.c;
+    return volume_reciprocal_ * dot(normal_, sight.direction);
+}
+
+}  // namespace zproof

@@ -1,0 +1,43 @@
+/// A triangle's image at many pixels of one view, without doing again what does not change.
+#pragma once
+
+#include <optional>
+
+#include "compare/bounds.h"
+#include "compare/triangle_image.h"
+
+namespace zproof {
+
+/// A triangle's corners in the number type asked for, without loss.
+template <class Number>
+Corners<Number> corners(const CornersWorld& p) {
+    return {exactly<Number>(glm::dvec3(p[0])), exactly<Number>(glm::dvec3(p[1])),
+            exactly<Number>(glm::dvec3(p[2]))};
+}
+
+/// image_of() in double. For perspective all but the direction of sight is the same at every pixel, so the
+/// vectors that it is multiplied with are kept; parallel projections are worked out anew. Either way the
+/// bits are those of image_of.
+class ImageOfView {
+  public:
+    /// `any` is the sight of any pixel of the view.
+    ImageOfView(const Sight<double>& any, const CornersWorld& p_world);
+
+    /// Does at() give nothing at every pixel? Never said of parallel projections.
+    bool is_edge_on() const { return is_edge_on_; }
+    /// Nothing where image_of gives nothing.
+    std::optional<TriangleImage<double>> at(const Sight<double>& sight) const;
+    /// Its nearness at the pixel's centre. Only where at() gives an image.
+    double nearness_at(const Sight<double>& sight) const;
+
+  private:
+    Corners<double> p_world_;
+    bool is_kept_, is_edge_on_ = false;
+    std::array<Vector3<double>, 3> moment_{};  ///< of each edge
+    Vector3<double> normal_{};
+    double volume_reciprocal_ = 0;
+    int orientation_ = 1;
+    TriangleImage<double> slopes_{};  ///< the image but for its constants
+};
+
+}  // namespace zproof

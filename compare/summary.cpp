@@ -1,0 +1,277 @@
+#include "compare/summary.h"
+
+#include <algorithm>
+
+#include "compare/coplanar.h"
+#include "compare/displacement.h"
+
+namespace zproof {
+
+namespace {
+
+double value_at(const Affine<double>& f, double x, double y, double dx, double dy) {
+    return f.at(x, y) + (dx * f.a + dy * f.b);
+}
+
+}  // namespace
+
+Summary::Summary(const Shared& shared, const Around& tile, std::span<const std::uint32_t> near,
+                 std::span<const ViewBounds* const> renderers)
+    : shared_(shared), tile_(tile) {
+    for (const ViewBounds* bounds : renderers) {
+        renderers_.push_back({bounds, {}, true, {}});
+        widest_px_ = std::max(widest_px_, bounds->background_eps_px());
+    }
+    for (const std::uint32_t t : near) {
+        const KnownTriangle& known = shared_.acquaintance.of(t);
+        for (Renderer& r : renderers_) {
+            const BoundedTriangle& bounded = shared_.acquaintance.of(t, *r.bounds);
+            widest_px_ = std::max(widest_px_, bounded.most_eps_px(known.filter, tile));
+            r.triangles.push_back(&bounded);
+            r.is_never_cut &= bounded.is_never_cut;
+        }
+        present_.push_back({t, &known, false});
+    }
+    if (std::isfinite(widest_px_)) sort_out();
+}
+
+/// Keeps what does not certainly miss the tile.
+void Summary::sort_out() {
+    tile_.half_x += widest_px_;
+    tile_.half_y += widest_px_;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < present_.size(); ++i) {
+        const Place place = filter(i).place_of(tile_);
+        if (place == Place::misses && filter(i).is_trusted) continue;
+        if (!filter(i).is_trusted) untrusted_.push_back(kept);
+        present_[kept] = present_[i];
+        present_[kept].covers_tile = place == Place::covers;
+        all_cover_ &= place == Place::covers;
+        for (Renderer& r : renderers_) r.triangles[kept] = r.triangles[i];
+        ++kept;
+    }
+    present_.resize(kept);
+    for (Renderer& r : renderers_) {
+        r.triangles.resize(kept);
+        r.standing.resize(kept);
+    }
+    if (all_cover_)
+        for (std::size_t i = 0; i < kept; ++i) covering_.push_back(i);
+}
+
+void Summary::look_at(int x, int y) {
+    x_ = x, y_ = y;
+    if (!std::isfinite(widest_px_)) return;
+    sight_ = shared_.sights.at(x, y);
+    if (all_cover_) return;
+    covering_.clear();
+    cutting_.clear();
+    const Around widest = square(widest_px_);
+    for (std::size_t i = 0; i < present_.size(); ++i) {
+        const Place place = present_[i].covers_tile ? Place::covers : filter(i).place_of(widest);
+        if (place == Place::covers) covering_.push_back(i);
+        if (place == Place::unknown) cutting_.push_back(i);
+    }
+}
+
+auto Summary::renderer_of(const ViewBounds* bounds) -> Renderer& {
+    return *std::ranges::find(renderers_, bounds, &Renderer::bounds);
+}
+
+std::optional<std::size_t> Summary::index_of(PrimitiveId answer) const {
+    const auto found = std::ranges::find(present_, std::uint32_t(answer), &Present::triangle);
+    if (found == present_.end()) return std::nullopt;
+    return std::size_t(found - present_.begin());
+}
+
+/// As neighbourhood_of has it. The image of a triangle that is not trusted may say anything.
+double Summary::eps_px(const Renderer& renderer, const Plaint& plaint) {
+    double eps = plaint.own_eps_px;
+    for (const std::size_t i : covering_) eps = std::max(eps, renderer.triangles[i]->of_view.eps_px(sight_));
+    const auto count_in = [&](std::size_t i) {
+        const TriangleOfView& triangle = renderer.triangles[i]->of_view;
+        const auto image = triangle.image.at(sight_);
+        if (image && comes_within(*image, plaint.own_eps_px) && filter(i).is_near(x_, y_, plaint.reach_px))
+            eps = std::max(eps, triangle.eps_px(sight_));
+    };
+    std::ranges::for_each(cutting_, count_in);
+    std::ranges::for_each(untrusted_, count_in);
+    return eps;
+}
+
+bool Summary::is_uncut(const Renderer& renderer) const {
+    if (renderer.is_never_cut) return true;
+    const auto is_uncut = [&](std::size_t i) {
+        return renderer.triangles[i]->is_uncut(filter(i), square(widest_px_));
+    };
+    return std::ranges::all_of(covering_, is_uncut) && std::ranges::all_of(cutting_, is_uncut);
+}
+
+/// All of the box, between near and far.
+bool Summary::covers(const Renderer& renderer, std::size_t i, const Around& box) const {
+    return filter(i).place_of(box) == Place::covers &&
+           renderer.triangles[i]->is_clear_of_planes(filter(i), box);
+}
+
+bool Summary::is_inside(std::size_t i, const Offset& at) const {
+    const TriangleFilter& f = filter(i);
+    return f.is_trusted && std::ranges::all_of(f.edge, [&](const Affine<double>& e) {
+               return value_at(e, x_, y_, at.x, at.y) > f.edge_error;
+           });
+}
+
+bool Summary::is_outside(std::size_t i, const Offset& at) const {
+    const TriangleFilter& f = filter(i);
+    return f.is_trusted && std::ranges::any_of(f.edge, [&](const Affine<double>& e) {
+               return value_at(e, x_, y_, at.x, at.y) < -f.edge_error;
+           });
+}
+
+bool Summary::is_behind(std::size_t back, std::size_t front, const Offset& at) const {
+    const TriangleFilter &b = filter(back), &f = filter(front);
+    if (!b.is_trusted) return false;
+    return value_at(f.nearness - b.nearness, x_, y_, at.x, at.y) > f.nearness_error + b.nearness_error;
+}
+
+/// Nothing hides it there, whatever the rule: what is certainly outside or behind is in no hiding set.
+bool Summary::is_seen_at(std::optional<std::size_t> answer, const Offset& at) const {
+    if (answer && !is_inside(*answer, at)) return false;
+    const auto leaves_free = [&](std::size_t i) {
+        return i == answer || is_outside(i, at) || (answer && is_behind(i, *answer, at));
+    };
+    return std::ranges::all_of(covering_, leaves_free) && std::ranges::all_of(cutting_, leaves_free);
+}
+
+/// The square's corners and the middles of its sides, and for a triangle the middle of its part of the
+/// square.
+bool Summary::is_seen_around(std::optional<std::size_t> answer, double half_side_px) const {
+    const double h = half_side_px;
+    for (const Offset& at : {Offset{-h, -h}, {h, -h}, {-h, h}, {h, h}, {-h, 0}, {h, 0}, {0, -h}, {0, h}})
+        if (is_seen_at(answer, at)) return true;
+    if (!answer) return false;
+    const std::optional<Offset> middle = middle_of(*answer, h);
+    return middle && is_seen_at(answer, *middle);
+}
+
+/// The mean of the corners of the triangle's part of the square, but for rounding: clipping, edge by edge.
+auto Summary::middle_of(std::size_t i, double half_side_px) const -> std::optional<Offset> {
+    const double h = half_side_px;
+    std::array<Offset, 8> corners{{{-h, -h}, {h, -h}, {h, h}, {-h, h}}};
+    std::size_t count = 4;
+    for (const Affine<double>& e : filter(i).edge) {
+        std::array<Offset, 8> kept;
+        std::size_t kept_count = 0;
+        const auto value = [&](const Offset& at) { return value_at(e, x_, y_, at.x, at.y); };
+        for (std::size_t k = 0; k < count; ++k) {
+            const Offset &p = corners[k], &q = corners[(k + 1) % count];
+            const double at_p = value(p), at_q = value(q), t = at_p / (at_p - at_q);
+            if (at_p >= 0 && kept_count < kept.size()) kept[kept_count++] = p;
+            if ((at_p >= 0) != (at_q >= 0) && kept_count < kept.size())
+                kept[kept_count++] = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+        }
+        corners = kept;
+        count = kept_count;
+    }
+    if (count < 3) return std::nullopt;
+    Offset sum{0, 0};
+    for (std::size_t k = 0; k < count; ++k) sum = {sum.x + corners[k].x, sum.y + corners[k].y};
+    return Offset{sum.x / double(count), sum.y / double(count)};
+}
+
+bool Summary::are_coplanar(std::size_t a, std::size_t b) const {
+    const std::uint64_t key = std::uint64_t{present_[a].triangle} << 32 | present_[b].triangle;
+    return shared_.coplanar(key,
+                            [&] { return coplanar(present_[a].known->p_world, present_[b].known->p_world); });
+}
+
+/// Does `front`, which covers the box, take all of `back` away there by the strict rule and by true
+/// visibility?
+bool Summary::hides(const Renderer& renderer, std::size_t front, std::size_t back, const Around& box) const {
+    if (!filter(back).is_trusted) return false;
+    if (order_in(box, filter(front), filter(back)) != 1 && !are_coplanar(front, back)) return false;
+    const Neighbour f = neighbour_of(sight_, renderer.triangles[front]->of_view),
+                    b = neighbour_of(sight_, renderer.triangles[back]->of_view);
+    return f.greatest_nearness >= b.least_nearness;
+}
+
+bool Summary::is_hidden_in(const Renderer& renderer, std::optional<std::size_t> answer,
+                           double half_side_px) const {
+    const Around box = square(half_side_px);
+    if (answer && filter(*answer).misses(box)) return true;
+    const auto hides_all = [&](std::size_t i) {
+        return i != answer && covers(renderer, i, box) && (!answer || hides(renderer, i, *answer, box));
+    };
+    return std::ranges::any_of(covering_, hides_all) || std::ranges::any_of(cutting_, hides_all);
+}
+
+bool Summary::may_be_hidden_for_certain(const Renderer& renderer, std::size_t front, std::size_t back) const {
+    return neighbour_of(sight_, renderer.triangles[front]->of_view).least_nearness >
+           neighbour_of(sight_, renderer.triangles[back]->of_view).greatest_nearness;
+}
+
+/// Where all that is present covers the box: is some of it not behind, and none in front for certain? Of two
+/// in one plane neither is, and what is behind is not.
+template <class IsCertain>
+bool Summary::is_tied(const Renderer& renderer, std::size_t answer, const Around& box,
+                      const IsCertain& may_be_certain) const {
+    bool is_tied = false;
+    for (const std::size_t i : covering_) {
+        if (!renderer.triangles[i]->is_clear_of_planes(filter(i), box)) return false;
+        if (i == answer) continue;
+        const int order = order_in(box, filter(i), filter(answer));
+        if (order < 0) continue;
+        if (!are_coplanar(i, answer) && (order == 0 || may_be_certain(i))) return false;
+        is_tied = true;
+    }
+    return is_tied;
+}
+
+std::optional<Standing> Summary::standing_in_tile(Renderer& renderer, std::size_t answer) {
+    if (!all_cover_) return std::nullopt;
+    std::optional<Standing>& known = renderer.standing[answer];
+    const auto always = [](std::size_t) { return true; };
+    if (!known) known = is_tied(renderer, answer, tile_, always) ? Standing::tied : Standing::outside;
+    return known;
+}
+
+std::optional<Ruled> Summary::visible(const Renderer& renderer, const Plaint& plaint,
+                                      std::optional<std::size_t> answer, double eps) {
+    Ruled ruled{{Standing::visible, false}, eps, std::nullopt};
+    if (plaint.asked == Asked::standing) return ruled;
+    bool is_decided = true;
+    ruled.displacement_over_eps = least_step(eps, [&](double half_side_px) {
+        if (is_seen_around(answer, half_side_px)) return true;
+        is_decided = is_decided && is_hidden_in(renderer, answer, half_side_px);
+        return false;
+    });
+    return is_decided ? std::optional(ruled) : std::nullopt;
+}
+
+double Summary::lacking_reach_px(const Plaint& plaint) {
+    if (!std::isfinite(widest_px_) || plaint.own_eps_px > widest_px_) return 0;
+    const double eps = eps_px(renderer_of(plaint.bounds), plaint);
+    return eps > plaint.reach_px ? eps : 0;
+}
+
+std::optional<Ruled> Summary::rule(const Plaint& plaint) {
+    if (!std::isfinite(widest_px_) || plaint.own_eps_px > widest_px_) return std::nullopt;
+    Renderer& renderer = renderer_of(plaint.bounds);
+    const bool is_background = plaint.answer == PrimitiveId::none;
+    const std::optional<std::size_t> answer = is_background ? std::nullopt : index_of(plaint.answer);
+    if (!is_background && !answer) return std::nullopt;
+    if (!is_uncut(renderer)) return std::nullopt;
+    const double eps = eps_px(renderer, plaint);
+    if (eps > plaint.reach_px) return std::nullopt;
+    if (answer && standing_in_tile(renderer, *answer) == Standing::tied)
+        return Ruled{{Standing::tied, false}, eps, std::nullopt};
+    if (is_seen_at(answer, {0, 0})) return Ruled{{Standing::visible, false}, eps, std::nullopt};
+    const auto may_be_certain = [&](std::size_t i) {
+        return may_be_hidden_for_certain(renderer, i, *answer);
+    };
+    if (answer && cutting_.empty() && is_tied(renderer, *answer, square(widest_px_), may_be_certain))
+        return Ruled{{Standing::tied, false}, eps, std::nullopt};
+    if (is_seen_around(answer, plaint.own_eps_px)) return visible(renderer, plaint, answer, eps);
+    return std::nullopt;
+}
+
+}  // namespace zproof

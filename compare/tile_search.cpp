@@ -1,0 +1,173 @@
+#include "compare/tile_search.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/neighbourhood.h"
+#include "compare/triangle_filter.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr std::size_t chunk_triangles = 4096;
+
+/// A box in float32, rounded outwards, far sides negated, so that the box of several is their minimum.
+struct Outset {
+    std::array<float, 4> least;  ///< left, top, -right, -bottom
+
+    static Outset around(const Box& box) {
+        return {{down(box.left), down(box.top), down(-box.right), down(-box.bottom)}};
+    }
+    /// Of what cannot be told; the box of anything with it cannot be told either.
+    static Outset unknown() {
+        constexpr float everywhere = -std::numeric_limits<float>::infinity();
+        return {{everywhere, everywhere, everywhere, everywhere}};
+    }
+    bool is_unknown() const { return std::isinf(least[0]); }
+    static Outset of(const Outset& a, const Outset& b, const Outset& c) {
+        Outset all = a;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const float with_b = b.least[i] < all.least[i] ? b.least[i] : all.least[i];
+            all.least[i] = c.least[i] < with_b ? c.least[i] : with_b;
+        }
+        return all;
+    }
+    Box box() const { return {least[0], least[1], -least[2], -least[3]}; }
+
+  private:
+    /// At or below: rounding to float32 is within 2^-24 of the value.
+    static float down(double value) { return float(value - std::abs(value) * 0x1p-23); }
+};
+
+/// How many tiles before a place, row by row, are asked about: any in a rectangle by four look-ups.
+class AskedTiles {
+  public:
+    AskedTiles(const Tiles& tiles, const AskedBoxes& asked)
+        : width_(std::size_t(tiles.columns) + 1), sums_(width_ * (std::size_t(tiles.rows) + 1)) {
+        for (int row = 0; row < tiles.rows; ++row)
+            for (int column = 0; column < tiles.columns; ++column)
+                at(column + 1, row + 1) = at(column, row + 1) + at(column + 1, row) - at(column, row) +
+                                          !asked.of(tiles.index(column, row)).empty();
+    }
+    /// Both ends included.
+    bool any(int left, int top, int right, int bottom) const {
+        return at(right + 1, bottom + 1) - at(left, bottom + 1) - at(right + 1, top) + at(left, top) != 0;
+    }
+
+  private:
+    std::uint32_t& at(int column, int row) { return sums_[std::size_t(row) * width_ + std::size_t(column)]; }
+    std::uint32_t at(int column, int row) const {
+        return sums_[std::size_t(row) * width_ + std::size_t(column)];
+    }
+
+    std::size_t width_;
+    std::vector<std::uint32_t> sums_;
+};
+
+struct Meeting {
+    std::uint32_t tile, triangle;
+};
+
+/// Finds the tiles that one triangle meets. Its edges are asked only where its box does not say no.
+class TileSearch {
+  public:
+    TileSearch(const Scene& scene, const View& view, const AskedBoxes& asked)
+        : scene_(scene),
+          asked_(asked),
+          tiles_(view),
+          asked_tiles_(tiles_, asked),
+          projection_(view),
+          filters_(view),
+          corners_(scene.vertices.position_world.size(), Outset::unknown()) {
+        const auto& p_world = scene.vertices.position_world;
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, p_world.size(), chunk_triangles),
+                          [&](const auto& some) {
+                              for (std::size_t i = some.begin(); i < some.end(); ++i)
+                                  if (const auto box = projection_(p_world[i]))
+                                      corners_[i] = Outset::around(*box);
+                          });
+    }
+
+    void search(std::uint32_t triangle, std::vector<Meeting>& found) const {
+        const glm::uvec3 v = scene_.triangles[triangle];
+        const Outset all = Outset::of(corners_[v.x], corners_[v.y], corners_[v.z]);
+        if (!all.is_unknown())
+            search(triangle, all.box(), found);
+        else if (const auto box = projection_(corners_of(scene_, triangle)))
+            search(triangle, *box, found);
+    }
+
+  private:
+    void search(std::uint32_t triangle, const Box& box, std::vector<Meeting>& found) const {
+        const double reach = asked_.reach_px();
+        const int left = clamped(box.left - reach, tiles_.columns),
+                  right = clamped(box.right + reach, tiles_.columns);
+        const int top = clamped(box.top - reach, tiles_.rows),
+                  bottom = clamped(box.bottom + reach, tiles_.rows);
+        if (!asked_tiles_.any(left, top, right, bottom)) return;
+        std::optional<TriangleFilter> edges;
+        const auto may_meet = [&](const Box& asked) {
+            if (!box.meets(asked)) return false;
+            if (box.fits(Tiles::side_px)) return true;
+            if (!edges) edges = filters_.of(corners_of(scene_, triangle));
+            return !edges->misses(around(asked));
+        };
+        for (int row = top; row <= bottom; ++row)
+            for (int column = left; column <= right; ++column) {
+                const std::size_t tile = tiles_.index(column, row);
+                if (std::ranges::any_of(asked_.of(tile), may_meet))
+                    found.push_back({std::uint32_t(tile), triangle});
+            }
+    }
+    static int clamped(double px, int count) {
+        return int(std::clamp(px / Tiles::side_px, 0.0, count - 1.0));
+    }
+
+    const Scene& scene_;
+    const AskedBoxes& asked_;
+    Tiles tiles_;
+    AskedTiles asked_tiles_;
+    BoxProjection projection_;
+    TriangleFilters filters_;
+    std::vector<Outset> corners_;
+};
+
+}  // namespace
+
+void AskedBoxes::add(std::size_t tile, const Box& square, double reach_px) {
+    constexpr std::size_t most = 8;
+    std::vector<Box>& boxes = boxes_[tile];
+    reach_px_ = std::max(reach_px_, reach_px);
+    const auto has_its_place = [&](const Box& b) {
+        return b.middle_x() == square.middle_x() && b.middle_y() == square.middle_y();
+    };
+    if (boxes.size() == most || (!boxes.empty() && has_its_place(boxes.back())))
+        boxes.back().add(square);
+    else
+        boxes.push_back(square);
+}
+
+TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const AskedBoxes& asked)
+    : first_(Tiles(view).count() + 1) {
+    const TileSearch tile_search(scene, view, asked);
+    const std::size_t count = scene.triangles.size();
+    std::vector<std::vector<Meeting>> chunks((count + chunk_triangles - 1) / chunk_triangles);
+    tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t chunk) {
+        const std::size_t end = std::min(count, (chunk + 1) * chunk_triangles);
+        for (std::size_t t = chunk * chunk_triangles; t < end; ++t)
+            tile_search.search(std::uint32_t(t), chunks[chunk]);
+    });
+    for (const auto& chunk : chunks)
+        for (const Meeting& m : chunk) ++first_[m.tile + 1];
+    for (std::size_t t = 1; t < first_.size(); ++t) first_[t] += first_[t - 1];
+    triangles_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (const auto& chunk : chunks)
+        for (const Meeting& m : chunk) triangles_[next[m.tile]++] = m.triangle;
+}
+
+}  // namespace zproof

@@ -1,0 +1,127 @@
+#include "compare/triangle_filter.h"
+
+#include <algorithm>
+
+#include "compare/triangle_image.h"
+#include "math/rounding.h"
+
+namespace zproof {
+
+namespace {
+
+double size_of(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// The normal from sides in world space, so that its rounding is relative to the sides, not to the distance.
+Vector3<double> normal_of(const CornersWorld& p) {
+    const auto a = exactly<double>(glm::dvec3(p[0])), b = exactly<double>(glm::dvec3(p[1])),
+               c = exactly<double>(glm::dvec3(p[2]));
+    return cross(b - a, c - a);
+}
+
+/// Where a box reaches in a direction, or beyond: [least, most] of the scalar product, 8 roundings at most.
+struct Reach {
+    double least, most;
+};
+Reach reach_of(const Around& box, double along_x, double along_y) {
+    static const double rounding = gamma(8, unit_roundoff_float64);
+    const double middle = along_x * box.x + along_y * box.y,
+                 half = box.half_x * std::abs(along_x) + box.half_y * std::abs(along_y),
+                 terms = half + std::abs(along_x * box.x) + std::abs(along_y * box.y),
+                 reach = half + rounding * terms;
+    return {middle - reach, middle + reach};
+}
+
+}  // namespace
+
+bool TriangleFilter::is_beside(const Around& at) const {
+    if (!corner) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Around &p = (*corner)[i], &q = (*corner)[(i + 1) % 3];
+        const double along_x = p.y - q.y, along_y = q.x - p.x;
+        const Reach asked = reach_of(at, along_x, along_y);
+        Reach all{unlimited, -unlimited};
+        for (const Around& c : *corner) {
+            const Reach one = reach_of(c, along_x, along_y);
+            all = {std::min(all.least, one.least), std::max(all.most, one.most)};
+        }
+        if (all.least > asked.most || all.most < asked.least) return true;
+    }
+    return false;
+}
+
+TriangleFilters::TriangleFilters(const View& view)
+    : boxes_(view),
+      any_bounds_(view, RasterPrecision{}),
+      sight_(view, 0, 0),
+      width_(view.width),
+      height_(view.height),
+      perspective_(view.camera.projection == Projection::perspective) {
+    const Camera& c = view.camera;
+    const double u = std::max(std::abs(c.window.left), std::abs(c.window.right));
+    const double v = std::max(std::abs(c.window.bottom), std::abs(c.window.top));
+    const double on_plane = u * size_of(c.right) + v * size_of(c.up);
+    const double sheared = std::abs(c.shear.x) * size_of(c.right) + std::abs(c.shear.y) * size_of(c.up);
+    origin_size_ = size_of(glm::dvec3(c.eye_world)) + on_plane;
+    direction_size_ = (perspective_ ? on_plane : sheared) + size_of(c.back);
+}
+
+/// V: what bounds the corners as seen from the origin of sight, every term in absolute value.
+double TriangleFilters::corner_size(const CornersWorld& p_world) const {
+    const glm::dvec3 eye(sight_.origin.x, sight_.origin.y, sight_.origin.z);
+    double size = 0;
+    for (const glm::vec3& p : p_world)
+        size = std::max(size,
+                        perspective_ ? size_of(glm::dvec3(p) - eye) : size_of(glm::dvec3(p)) + origin_size_);
+    return size;
+}
+
+TriangleFilter TriangleFilters::of(const CornersWorld& p_world) const {
+    TriangleFilter filter = by_functionals(p_world);
+    if (const auto box = boxes_(p_world)) filter.box = *box;
+    if (filter.is_trusted) return filter;
+    filter.corner.emplace();
+    for (std::size_t i = 0; filter.corner && i < 3; ++i) {
+        if (const auto box = boxes_(p_world[i]))
+            (*filter.corner)[i] = around(*box);
+        else
+            filter.corner.reset();
+    }
+    return filter;
+}
+
+TriangleFilter TriangleFilters::by_functionals(const CornersWorld& p_world) const {
+    TriangleFilter filter;
+    const PlaneError plane_error(any_bounds_.extent_of(p_world).plane_size);
+    if (!plane_error.is_known()) return filter;
+    const Corners<double> p{exactly<double>(glm::dvec3(p_world[0])), exactly<double>(glm::dvec3(p_world[1])),
+                            exactly<double>(glm::dvec3(p_world[2]))};
+    const Vector3<double> v0 = p[0] - sight_.origin, v1 = p[1] - sight_.origin, v2 = p[2] - sight_.origin;
+    const Vector3<double> normal = normal_of(p_world);
+    const double facing = perspective_ ? dot(v0, normal) : dot(normal, sight_.direction);
+    TriangleImage<double> image;
+    if (perspective_) {
+        image.edge = {detail::perspective_functional(sight_, cross(v1, v2)),
+                      detail::perspective_functional(sight_, cross(v2, v0)),
+                      detail::perspective_functional(sight_, cross(v0, v1))};
+        image.nearness = (1 / facing) * detail::perspective_functional(sight_, normal);
+    } else {
+        image.edge = {detail::parallel_edge(sight_, v1, v2), detail::parallel_edge(sight_, v2, v0),
+                      detail::parallel_edge(sight_, v0, v1)};
+        image.nearness = (-1 / facing) * Affine<double>{-dot(normal, sight_.step_x),
+                                                        -dot(normal, sight_.step_y), dot(normal, v0)};
+    }
+    filter.edge = detail::oriented(image, sign(facing)).edge;
+    filter.nearness = image.nearness;
+    // each of five terms is below V^2 D and has at most 40 roundings; once for us, once for image_of
+    static const double share = 2 * 5 * gamma(40, unit_roundoff_float64);
+    const double size = corner_size(p_world), rounding = share * size * size;
+    filter.edge_error = rounding * direction_size_;
+    const Affine<double>& n = image.nearness;
+    filter.nearness_error =
+        2 * plane_error.at(std::abs(n.c) + std::abs(n.a) * width_ + std::abs(n.b) * height_);
+    filter.is_trusted = std::isfinite(filter.nearness_error) &&
+                        std::abs(facing) > rounding * (perspective_ ? size : direction_size_);
+    return filter;
+}
+
+}  // namespace zproof

@@ -1,0 +1,99 @@
+/// A triangle's half-planes and nearness over the whole image in double, with the most that rounding may put
+/// their values off: what can be said for certain without exact arithmetic (docs/truth.md, "How it is
+/// decided").
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "compare/image_box.h"
+#include "compare/sight.h"
+#include "math/affine.h"
+
+namespace zproof {
+
+/// A box of the image: places within half_x, half_y of a place (x, y), given as pixel indices (so that a
+/// pixel's centre is a whole number).
+struct Around {
+    double x = 0, y = 0, half_x = 0, half_y = 0;
+};
+
+inline Box raster_box(const Around& at) {
+    const double x = at.x + 0.5, y = at.y + 0.5;
+    return {x - at.half_x, y - at.half_y, x + at.half_x, y + at.half_y};
+}
+
+inline Around around(const Box& raster) {
+    return {raster.middle_x() - 0.5, raster.middle_y() - 0.5, 0.5 * (raster.right - raster.left),
+            0.5 * (raster.bottom - raster.top)};
+}
+
+struct TriangleFilter {
+    enum class Place {
+        misses,   ///< no point of the box is on the closed triangle, certainly
+        covers,   ///< every point is inside, certainly
+        unknown,  ///< an edge may pass
+    };
+
+    std::array<Affine<double>, 3> edge{};  ///< > 0 inside; of pixel indices
+    double edge_error = 0;      ///< of each, anywhere in the image: this value's and image_of's together
+    Affine<double> nearness{};  ///< of pixel indices
+    double nearness_error = unlimited;  ///< anywhere in the image
+    bool is_trusted = false;            ///< or may it be edge-on? Then only `box` and `corner` hold
+    Box box{};                          ///< around its image in front of half the near depth
+    /// The corners' images, in pixel indices, where all lie in front of half the near depth.
+    std::optional<std::array<Around, 3>> corner;
+
+    Place place_of(const Around& at) const {
+        if (!is_trusted) return box.meets(raster_box(at)) && !is_beside(at) ? Place::unknown : Place::misses;
+        bool covers = true;
+        for (const Affine<double>& e : edge) {
+            const double middle = e.at(at.x, at.y);
+            const double reach = at.half_x * std::abs(e.a) + at.half_y * std::abs(e.b) + edge_error;
+            if (middle + reach < 0) return Place::misses;
+            covers &= middle - reach > 0;
+        }
+        return covers ? Place::covers : Place::unknown;
+    }
+    bool misses(const Around& at) const { return place_of(at) == Place::misses; }
+    /// May it come within reach_px of the pixel's centre, in x and in y?
+    bool is_near(int x, int y, double reach_px) const {
+        return box.meets(square_around(x, y, reach_px)) &&
+               !(is_trusted && misses({double(x), double(y), reach_px, reach_px}));
+    }
+
+  private:
+    /// Does a line along one of the sides part the box from all three corners?
+    bool is_beside(const Around& at) const;
+};
+
+/// Is `front` nearer than `back` at every point of the box, certainly: +1; farther at every point: -1; or
+/// neither: 0. Both must be trusted.
+inline int order_in(const Around& box, const TriangleFilter& front, const TriangleFilter& back) {
+    const Affine<double> ahead = front.nearness - back.nearness;
+    const double middle = ahead.at(box.x, box.y);
+    const double unsure = box.half_x * std::abs(ahead.a) + box.half_y * std::abs(ahead.b) +
+                          front.nearness_error + back.nearness_error;
+    return middle > unsure ? 1 : middle < -unsure ? -1 : 0;
+}
+
+/// Makes the filters of one view.
+class TriangleFilters {
+  public:
+    explicit TriangleFilters(const View& view);
+
+    TriangleFilter of(const CornersWorld& p_world) const;
+
+  private:
+    TriangleFilter by_functionals(const CornersWorld& p_world) const;
+    double corner_size(const CornersWorld& p_world) const;
+
+    BoxProjection boxes_;
+    ViewBounds any_bounds_;  ///< for a triangle's extent, which no precision enters
+    Sight<double> sight_;    ///< of pixel (0, 0)
+    double width_, height_;
+    bool perspective_;
+    double origin_size_, direction_size_;  ///< largest sums of absolute terms in the image
+};
+
+}  // namespace zproof

@@ -1,0 +1,171 @@
+#include "oracle/area/texture_integral.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "oracle/area/bilinear_moments.h"
+#include "oracle/area/texel_walk.h"
+
+namespace zproof::oracle::area {
+
+namespace {
+
+/// Sums texels times areas.
+struct NearestSum {
+    const SurfaceColour& colour;
+    Cell base;
+    glm::dvec3 sum{0};
+
+    void part(const Cell& cell, const Polygon<double>& polygon) {
+        sum += area_of(polygon) *
+               colour.texel(colour.column(base.column + cell.column), colour.row(base.row + cell.row));
+    }
+    static bool takes(const TexelLattice<double>&, std::int64_t, std::int64_t, std::int64_t) { return true; }
+    void whole(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first, std::int64_t last) {
+        const int in_row = colour.row(base.row + row);
+        lattice.visit_run(row, first, last, [&](const Cell& cell, double area) {
+            sum += area * colour.texel(colour.column(base.column + cell.column), in_row);
+        });
+    }
+};
+
+enum class Weight { uniform, gaussian };
+
+/// Sums bilinear patches; cell (k, l) lies between the centres of texels (k, l) and (k + 1, l + 1).
+struct BilinearSum {
+    const SurfaceColour& colour;
+    Homography<double> map;
+    Cell base;
+    Weight weight;
+    glm::dvec3 sum{0};
+
+    void add(const Cell& cell, const BilinearMoments& m) {
+        const int left = colour.column(base.column + cell.column), low = colour.row(base.row + cell.row),
+                  right = colour.column(base.column + cell.column + 1),
+                  high = colour.row(base.row + cell.row + 1);
+        sum += (m.one - m.s - m.t + m.st) * colour.texel(left, low) +
+               (m.s - m.st) * colour.texel(right, low) + (m.t - m.st) * colour.texel(left, high) +
+               m.st * colour.texel(right, high);
+    }
+    void part(const Cell& cell, const Polygon<double>& polygon) {
+        const Homography<double> within{from_line(map.u, cell.column, map.w),
+                                        from_line(map.v, cell.row, map.w), map.w};
+        add(cell, weight == Weight::uniform ? bilinear_moments(polygon, within)
+                                            : gaussian_moments(polygon, within));
+    }
+    bool takes(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first,
+               std::int64_t last) const {
+        return weight == Weight::uniform && WholeCellMoments(lattice).holds_for(row, first, last);
+    }
+    void whole(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first, std::int64_t last) {
+        const WholeCellMoments moments(lattice);
+        for (std::int64_t k = first; k < last; ++k) add({k, row}, moments.of({k, row}));
+    }
+};
+
+glm::dvec3 patches(const SurfaceColour& colour, const Polygon<double>& piece,
+                   const Homography<double>& texels, Weight weight) {
+    const Affine<double> half = 0.5 * texels.w;
+    const auto [map, base] = rebased<double>({texels.u - half, texels.v - half, texels.w}, piece[0]);
+    BilinearSum sum{colour, map, base, weight};
+    TexelWalk<double, BilinearSum>(map, sum).rows(piece);
+    return sum.sum * colour.factor;
+}
+
+/// The disk of radius 1 px in squares of 1/4 px; its rim is a regular polygon whose corners lie on it.
+std::vector<Polygon<double>> disk_blocks() {
+    constexpr int rim_corners = 64, blocks_across = 8;
+    constexpr double side = 2.0 / blocks_across;
+    std::vector<Polygon<double>> blocks;
+    for (int row = 0; row < blocks_across; ++row)
+        for (int column = 0; column < blocks_across; ++column) {
+            const double left = column * side - 1, top = row * side - 1, right = left + side,
+                         bottom = top + side;
+            Polygon<double> block{{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+            for (int i = 0; i < rim_corners; ++i) {
+                const double angle = (2 * i + 1) * std::numbers::pi / rim_corners;
+                block = cut(block, Affine<double>{-std::cos(angle), -std::sin(angle),
+                                                  std::cos(std::numbers::pi / rim_corners)})
+                            .inside;
+            }
+            if (block.size() > 2) blocks.push_back(block);
+        }
+    return blocks;
+}
+
+const std::vector<Polygon<double>>& blocks() {
+    static const std::vector<Polygon<double>> made = disk_blocks();
+    return made;
+}
+
+/// Both convex; `by` has its corners in clockwise order (y down).
+Polygon<double> common(Polygon<double> polygon, const Polygon<double>& by) {
+    for (std::size_t i = 0; i < by.size() && polygon.size() > 2; ++i) {
+        const Point<double>&p = by[i], &q = by[(i + 1) % by.size()];
+        const double a = p.y - q.y, b = q.x - p.x;
+        polygon = cut(polygon, Affine<double>{a, b, -(a * p.x + b * p.y)}).inside;
+    }
+    return polygon;
+}
+
+/// Of the disk alone, as a surface without a texture.
+double weight_within(const Polygon<double>& piece) {
+    const Affine<double> one{0, 0, 1};
+    return gaussian_moments(piece, {one, one, one}).one;
+}
+
+}  // namespace
+
+glm::dvec3 bilinear_integral(const SurfaceColour& colour, const Polygon<double>& piece,
+                             const Homography<double>& texels) {
+    if (colour.image == nullptr) return area_of(piece) * colour.factor;
+    return patches(colour, piece, texels, Weight::uniform);
+}
+
+glm::dvec3 gaussian_integral(const SurfaceColour& colour, const Polygon<double>& piece,
+                             const Homography<double>& texels) {
+    glm::dvec3 sum{0};
+    for (const Polygon<double>& block : blocks()) {
+        const Polygon<double> part = common(piece, block);
+        if (part.size() < 3) continue;
+        sum += colour.image == nullptr ? weight_within(part) * colour.factor
+                                       : patches(colour, part, texels, Weight::gaussian);
+    }
+    return sum;
+}
+
+double gaussian_total() {
+    static const double total = [] {
+        double sum = 0;
+        for (const Polygon<double>& block : blocks()) sum += weight_within(block);
+        return sum;
+    }();
+    return total;
+}
+
+glm::dvec3 nearest_integral(const SurfaceColour& colour, const Polygon<double>& piece,
+                            const Homography<double>& texels) {
+    if (colour.image == nullptr) return area_of(piece) * colour.factor;
+    const auto [map, base] = rebased(texels, piece[0]);
+    NearestSum sum{colour, base};
+    TexelWalk<double, NearestSum>(map, sum).rows(piece);
+    return sum.sum * colour.factor;
+}
+
+double texel_cost(const Polygon<double>& piece, const Homography<double>& texels) {
+    const auto place = [&](std::size_t i) {
+        const auto [u, v] = texels.at(piece[i].x, piece[i].y);
+        return glm::dvec2{u, v};
+    };
+    double twice_area = 0, outline = 0;
+    const glm::dvec2 origin = place(0);
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+        const glm::dvec2 p = place(i) - origin, q = place((i + 1) % piece.size()) - origin;
+        twice_area += p.x * q.y - p.y * q.x;
+        outline += std::abs(q.x - p.x) + std::abs(q.y - p.y);
+    }
+    return std::abs(twice_area) / 2 + 8 * outline;
+}
+
+}  // namespace zproof::oracle::area

@@ -1,0 +1,31 @@
+/// The integral of a surface's albedo over a convex piece of the image.
+#pragma once
+
+#include "oracle/area/polygon.h"
+#include "oracle/area/surfaces.h"
+
+namespace zproof::oracle::area {
+
+/// Piecewise constant texels (GT-N), px^2. `texels` in the piece's own offsets.
+glm::dvec3 nearest_integral(const SurfaceColour& colour, const Polygon<double>& piece,
+                            const Homography<double>& texels);
+
+/// Texels interpolated bilinearly (GT-B), px^2: within 1e-9 of the area, for texels from 0 to 1.
+glm::dvec3 bilinear_integral(const SurfaceColour& colour, const Polygon<double>& piece,
+                             const Homography<double>& texels);
+
+/// Texels interpolated bilinearly, under a weight (GT-G), within gaussian_error of the disk's weight. The
+/// piece may be the whole square of radius 1 px.
+glm::dvec3 gaussian_integral(const SurfaceColour& colour, const Polygon<double>& piece,
+                             const Homography<double>& texels);
+
+/// The weight of all of the disk: its mean's denominator.
+double gaussian_total();
+
+/// The most that a mean of texels from 0 to 1 can be off (docs/area-integral.md, "Gaussian").
+inline constexpr double gaussian_error = 5e-5;
+
+/// What an integral costs, about, in texels: those of the piece and eight for each that its outline meets.
+double texel_cost(const Polygon<double>& piece, const Homography<double>& texels);
+
+}  // namespace zproof::oracle::area

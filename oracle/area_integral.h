@@ -1,0 +1,50 @@
+/// The truth about a filtered texture: its mean over each pixel, in screen space, perspective included, by
+/// clipping convex pieces (docs/area-integral.md).
+///
+/// What is averaged is the visible surfaces' albedo, base_color_factor times texture, in linear light;
+/// background is black, alpha and vertex colours are ignored. Nothing here knows a texture filter.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "frame/plane.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace zproof::oracle {
+
+/// What is averaged, and with which weight over the pixel.
+enum class Reconstruction {
+    nearest,   ///< GT-N: piecewise constant texels, the pixel's square
+    bilinear,  ///< GT-B: texels interpolated bilinearly, the pixel's square
+    gaussian,  ///< GT-G: bilinear; exp(-2 r^2) - exp(-2) for r < 1 px round the pixel's centre, normalized
+};
+
+/// What the pixel's own square sees (of radius 1 px round the centre for Reconstruction::gaussian).
+enum class TruthKind : std::uint8_t {
+    background,  ///< no surface
+    interior,    ///< one continuous surface of one material, all over it
+    silhouette,  ///< surfaces with a gap, a step in depth or a change of material, cut exactly
+    sampled,     ///< too many texels or pieces: an estimate from samples
+};
+
+struct AreaTruth {
+    Plane<glm::dvec3> mean;    ///< linear RGB
+    Plane<TruthKind> kind;     ///< one continuous surface: see `interior`
+    Plane<double> half_width;  ///< half the 95 % confidence interval of the worst channel; 0 where exact
+};
+
+/// The truth at every pixel of the view, on the threads of the surrounding tbb::task_arena; the same bits for
+/// any number of them. Throws OracleError where Embree is needed and refuses the scene.
+AreaTruth area_truth(const Scene& scene, const View& view, Reconstruction reconstruction);
+
+/// The same by samples alone, at every pixel: a check of the exact integral that shares no clipping with it.
+AreaTruth sampled_area_truth(const Scene& scene, const View& view, Reconstruction reconstruction);
+
+/// May a difference between two filters' errors be claimed? Only if the truth is known to a fifth of it.
+constexpr bool is_resolved(double difference, double half_width) {
+    return half_width <= (difference < 0 ? -difference : difference) / 5;
+}
+
+}  // namespace zproof::oracle

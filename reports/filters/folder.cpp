@@ -1,0 +1,107 @@
+#include "reports/filters/folder.h"
+
+#include <fstream>
+#include <iterator>
+#include <span>
+
+#include "frame/exr.h"
+#include "frame/whole_file.h"
+#include "reports/filters/json.h"
+#include "reports/filters/page.h"
+#include "reports/filters/page_parts.h"
+#include "reports/filters/plots.h"
+#include "reports/filters/tables.h"
+#include "reports/pictures.h"
+
+namespace zproof {
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace study;
+
+void write_text(const fs::path& file, const std::string& text) {
+    write_whole_file(file, std::as_bytes(std::span{text}));
+}
+
+CropBox crop_of(const fs::path& folder, const ViewStudy& view, const Picture& truth,
+                const FigureChoice& choice) {
+    if (choice.crop) {
+        if (const auto box = within(*choice.crop, truth.size())) return *box;
+        throw ReportError{"crop " + in_words(*choice.crop) + " lies outside " + view.scene + " / " +
+                          view.view + ", which is " + std::to_string(view.width) + " x " +
+                          std::to_string(view.height)};
+    }
+    ErrorTally tally{truth};
+    for (const MethodScore& method : view.methods) tally.add(read_picture_exr(folder / method.file));
+    return tally.worst(crop_side);
+}
+
+std::string name_of(const ViewStudy& view) {
+    return fs::path{view.truth_file}.parent_path().filename().string();
+}
+
+/// Writes the piece magnified, and gives it to the page as it is.
+PageImage write_crop(const fs::path& file, const Picture& picture, const CropBox& box,
+                     const std::string& caption) {
+    write_png(file, crop(picture, box, crop_magnification));
+    return {caption, png_uri(crop(picture, box, 1))};
+}
+
+ViewFigures figures_of(const fs::path& folder, const StudyResults& results, const ViewStudy& view,
+                       const FigureChoice& choice) {
+    const Picture truth = read_picture_exr(folder / view.truth_file);
+    const fs::path crops = folder / "crops" / name_of(view), plots = folder / "plots" / name_of(view);
+    fs::create_directories(crops);
+    fs::create_directories(plots);
+    const Plane<Rgb8> whole = picture_of_light(truth);
+    ViewFigures figures{.truth = {"The truth.", png_uri(thinned(whole, shrink_factor(whole.size())))},
+                        .crop = crop_of(folder, view, truth, choice),
+                        .crops = {},
+                        .plots = filters_plots(results, view, choice.labels)};
+    figures.crops.push_back(write_crop(crops / "truth.png", truth, figures.crop, "truth"));
+    for (const MethodScore& method : view.methods)
+        figures.crops.push_back(write_crop(crops / (file_stem(method.label) + ".png"),
+                                           read_picture_exr(folder / method.file), figures.crop,
+                                           method.label));
+    for (const Plot& plot : figures.plots) write_text(plots / (plot.name + ".svg"), plot.svg);
+    return figures;
+}
+
+}  // namespace
+
+void write_filters_results(const fs::path& folder, const StudyResults& results) {
+    write_text(folder / "filters.json", filters_json(results));
+    write_text(folder / "filters.csv", filters_csv(results));
+    write_text(folder / "table.tex", filters_latex(results, "interior"));
+}
+
+void write_filters_figures(const fs::path& folder, const StudyResults& results, const FigureChoice& choice) {
+    std::vector<ViewFigures> figures;
+    for (const ViewStudy& view : results.views) figures.push_back(figures_of(folder, results, view, choice));
+    std::vector<Plot> overview;
+    if (results.views.size() > 1) overview = filters_plots(results, choice.labels);
+    for (const Plot& plot : overview) write_text(folder / "plots" / (plot.name + ".svg"), plot.svg);
+    write_text(folder / "filters.html", filters_page(results, figures, overview));
+}
+
+StudyResults read_filters_results(const fs::path& folder) {
+    const fs::path file = folder / "filters.json";
+    std::ifstream in{file, std::ios::binary};
+    if (!in)
+        throw ReportError{file.string() +
+                          ": cannot be read; expected a folder that 'zproof filters run' wrote"};
+    return filters_from_json({std::istreambuf_iterator<char>{in}, {}});
+}
+
+std::string file_stem(const std::string& label) {
+    std::string stem;
+    for (const char c : label) {
+        const bool is_safe = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                             c == '-' || c == '.';
+        stem += is_safe ? c : '_';
+    }
+    return stem;
+}
+
+}  // namespace zproof

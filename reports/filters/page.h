@@ -1,0 +1,31 @@
+/// The study as a page for people: filters.html, without scripts or network.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/filters/crops.h"
+#include "reports/filters/plots.h"
+#include "study/results.h"
+
+namespace zproof {
+
+/// A picture in the page.
+struct PageImage {
+    std::string caption;
+    std::string data;  ///< data URI
+};
+
+/// What a view shows beside its numbers.
+struct ViewFigures {
+    PageImage truth;  ///< the whole picture, small
+    CropBox crop;
+    std::vector<PageImage> crops;  ///< the truth's first, then one per method
+    std::vector<Plot> plots;
+};
+
+/// `figures`: one per view; `overview`: plots of all views together, none where there is one view.
+std::string filters_page(const study::StudyResults& results, const std::vector<ViewFigures>& figures,
+                         const std::vector<Plot>& overview);
+
+}  // namespace zproof

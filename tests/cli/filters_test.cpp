@@ -1,0 +1,145 @@
+// zproof filters as a user types it.
+#include <gtest/gtest.h>
+
+#include "cli/filters/arguments.h"
+#include "cli/filters/study_progress.h"
+#include "cli/usage_error.h"
+#include "frame/exr.h"
+#include "reports/filters/json.h"
+#include "study/claims.h"
+#include "tests/cli/program.h"
+#include "texture/catalogue.h"
+
+namespace zproof::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Words small{"filters",
+                  "run",
+                  "worked",
+                  "--view",
+                  "phi-0",
+                  "--width",
+                  "32",
+                  "--height",
+                  "32",
+                  "--methods",
+                  "nearest,trilinear-gl:bias=1",
+                  "--flicker",
+                  "1",
+                  "-o",
+                  "study"};
+
+TEST(FilterChoices, AllIsTheCatalogueAndNobodyComesTwice) {
+    const auto choices = filter_choices("trilinear-gl,all,sat-strips:n=16");
+    EXPECT_EQ(choices.size(), texture::methods().size() + 1);
+    EXPECT_EQ(choices.front().typed, "trilinear-gl");
+    EXPECT_EQ(choices.back().texturing.options.subdivisions, 16);
+    EXPECT_THROW(filter_choices(""), UsageError);
+    EXPECT_THROW(filter_choices("nearest,trilinaer-gl"), UsageError);
+}
+
+TEST(StudyProgress, TimeLeftInWords) {
+    EXPECT_EQ(time_left(-3), "0:00 left");
+    EXPECT_EQ(time_left(125.4), "2:05 left");
+    EXPECT_EQ(time_left(3723), "1:02:03 left");
+}
+
+TEST(Filters, RunWritesTheWholeStudy) {
+    const Folder folder;
+    const Ran ran = run(folder, small);
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("worked / phi-0"), std::string::npos) << ran.out;
+    EXPECT_NE(ran.err.find("left"), std::string::npos) << ran.err;
+    for (const char* file :
+         {"filters.json", "filters.csv", "table.tex", "filters.html", "plots/worked-phi-0/pareto.svg",
+          "plots/worked-phi-0/anisotropy.svg", "plots/worked-phi-0/angle.svg",
+          "pictures/worked-phi-0/truth.exr", "pictures/worked-phi-0/nearest.exr",
+          "pictures/worked-phi-0/trilinear-gl_bias_1.exr", "crops/worked-phi-0/truth.png",
+          "crops/worked-phi-0/nearest.png"})
+        EXPECT_TRUE(fs::exists(folder.path() / "study" / file)) << file;
+    const study::StudyResults results = filters_from_json(folder.read("study/filters.json"));
+    ASSERT_EQ(results.views.size(), 1u);
+    EXPECT_EQ(results.views[0].first_row, 7);
+    EXPECT_EQ(study::find_score(results.views[0].methods[0], "interior")->pixels, 25u * 32);
+    EXPECT_EQ(read_picture_exr(folder.path() / "study/pictures/worked-phi-0/nearest.exr").size(),
+              (Resolution{32, 32}));
+}
+
+TEST(Filters, TableAndFigureReadAStudyAgain) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, small).exit_code, 0);
+    const Ran table = run(folder, {"filters", "table", "study", "--region", "all"});
+    EXPECT_EQ(table.exit_code, 0) << table.err;
+    EXPECT_NE(table.out.find("region 'all' (1,024 pixels)"), std::string::npos) << table.out;
+    EXPECT_EQ(run(folder, {"filters", "table", "study", "--csv"}).out, folder.read("study/filters.csv"));
+    EXPECT_EQ(run(folder, {"filters", "table", "study", "--latex"}).out, folder.read("study/table.tex"));
+    fs::remove(folder.path() / "study/filters.html");
+    const Ran figure =
+        run(folder, {"filters", "figure", "study", "--crop", "2,3,10,12", "--methods", "nearest"});
+    EXPECT_EQ(figure.exit_code, 0) << figure.err;
+    EXPECT_NE(folder.read("study/filters.html").find("Pixels 2,3,10,12"), std::string::npos);
+}
+
+TEST(Filters, WhatIsMistypedIsNamedWithWhatIsNear) {
+    const Folder folder;
+    const auto refused = [&](const Words& words, const std::string& said) {
+        const Ran ran = run(folder, words);
+        EXPECT_EQ(ran.exit_code, 2) << ran.err;
+        EXPECT_NE(ran.err.find(said), std::string::npos) << ran.err;
+    };
+    refused({"filters"}, "'run', 'list', 'table', 'figure' or 'crow' expected");
+    refused({"filters", "run", "wroked"}, "did you mean 'worked'?");
+    refused({"filters", "run", "worked", "--methods", "nearst"}, "did you mean 'nearest'?");
+    refused({"filters", "run", "worked", "--truth", "X"}, "--truth");
+    refused({"filters", "run", "worked", "--view", "phi-1", "--methods", "nearest"}, "it has phi-0, phi-7.5");
+    refused({"filters", "figure", "study", "--crop", "1,2,3"}, "expected X,Y,WIDTH,HEIGHT");
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Filters, WordsAboutAStudyAreHeldAgainstIt) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, small).exit_code, 0);
+    const Ran region = run(folder, {"filters", "table", "study", "--region", "interor"});
+    EXPECT_EQ(region.exit_code, 2);
+    EXPECT_NE(region.err.find("did you mean 'interior'?"), std::string::npos) << region.err;
+    const Ran method = run(folder, {"filters", "figure", "study", "--methods", "nearst"});
+    EXPECT_EQ(method.exit_code, 2);
+    EXPECT_NE(method.err.find("did you mean 'nearest'?"), std::string::npos) << method.err;
+    EXPECT_EQ(run(folder, {"filters", "figure", "study", "--crop", "99,0,5,5"}).exit_code, 3);
+    EXPECT_EQ(run(folder, {"filters", "table", "nowhere"}).exit_code, 3);
+}
+
+/// A model without a texture has nothing to filter.
+TEST(Filters, NothingToStudyIsNotASuccess) {
+    const Folder folder;
+    folder.write("plain.gltf", one_triangle());
+    const Ran ran = run(folder, {"filters", "run", "plain.gltf", "--methods", "nearest", "--width", "16",
+                                 "--height", "16", "-o", "study"});
+    EXPECT_EQ(ran.exit_code, 4) << ran.err;
+    EXPECT_NE(ran.err.find("no pixel of these scenes shows a texture"), std::string::npos) << ran.err;
+}
+
+TEST(Filters, ListNamesMethodsMetricsAndScenes) {
+    const Folder folder;
+    const Ran ran = run(folder, {"filters", "list"});
+    EXPECT_EQ(ran.exit_code, 0);
+    for (const char* name :
+         {"  nearest ", "  ewa-true ", "  psnr ", "  flip ", "  worked ", "  tilted_quads "})
+        EXPECT_NE(ran.out.find(name), std::string::npos) << name;
+}
+
+TEST(Filters, CrowIsOnePageThatAnswersTheLecturesQuestions) {
+    const Folder folder;
+    const Ran ran = run(folder, {"filters", "crow", "--width", "32", "--height", "32", "-o", "crow"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const std::string page = folder.read("crow/crow1984.html");
+    for (const char* words :
+         {"5x5 neighborhood", "fractional distance", "non-square region", "0.3219", "sat-affine"})
+        EXPECT_NE(page.find(words), std::string::npos) << words;
+    EXPECT_EQ(page.find("http"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace zproof::test

@@ -1,0 +1,170 @@
+/// What is decided summarily must be decided as the long way decides it, to the last bit.
+#include "compare/summary.h"
+
+#include <gtest/gtest.h>
+
+#include "compare/displacement.h"
+#include "math/rational.h"
+#include "random_surroundings.h"
+#include "stage.h"
+#include "word_for.h"
+
+namespace zproof {
+namespace {
+
+/// One pixel of a scene heard summarily, beside the neighbourhood that the long way is given.
+class OnePixel {
+  public:
+    OnePixel(const Scene& scene, const View& view, const Precision& precision, int x, int y)
+        : scene_(scene), view_(view), bounds_(view, precision), x_(x), y_(y) {
+        for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) all_.push_back(t);
+    }
+
+    double own_eps_px(PrimitiveId answer) const {
+        return zproof::own_eps_px(scene_, view_, bounds_, x_, y_, answer);
+    }
+    Neighbourhood around(PrimitiveId answer) const {
+        Site site{x_, y_, 2 * own_eps_px(answer), {}};
+        const TriangleFilters filters(view_);
+        for (const std::uint32_t t : all_)
+            if (filters.of(corners_of(scene_, t)).is_near(x_, y_, site.reach_px)) site.triangles.push_back(t);
+        return neighbourhood_of(scene_, view_, bounds_, site, own_eps_px(answer));
+    }
+    std::optional<Ruled> summarily(PrimitiveId answer) const {
+        const Sights<double> sights(view_);
+        Acquaintance acquaintance(scene_, view_);
+        CoplanarMemory coplanar(16);
+        const std::array<const ViewBounds*, 1> renderers{&bounds_};
+        Summary summary({view_, sights, acquaintance, coplanar}, {double(x_), double(y_), 0, 0}, all_,
+                        renderers);
+        summary.look_at(x_, y_);
+        const double own = own_eps_px(answer);
+        return summary.rule({&bounds_, answer, own, 2 * own, Asked::standing_and_displacement});
+    }
+
+  private:
+    const Scene& scene_;
+    const View& view_;
+    ViewBounds bounds_;
+    int x_, y_;
+    std::vector<std::uint32_t> all_;
+};
+
+/// Counts by word; fails where the summary's word, eps or displacement is not the long way's.
+class Comparison {
+  public:
+    void hear(const OnePixel& pixel, PrimitiveId answer) {
+        const std::optional<Ruled> ruled = pixel.summarily(answer);
+        ++(ruled ? decided : left);
+        if (!ruled) return;
+        const Neighbourhood around = pixel.around(answer);
+        ASSERT_LE(around.eps_px, 2 * pixel.own_eps_px(answer));
+        ASSERT_EQ(ruled->eps_px, around.eps_px);
+        AdmissibleSet<Rational> set(around);
+        const auto index = around.index_of(answer);
+        ASSERT_TRUE(index || answer == PrimitiveId::none);
+        ASSERT_EQ(ruled->decision.standing, word_for(set, around.neighbours.size(), index));
+        ASSERT_EQ(ruled->displacement_over_eps, ruled->decision.standing == Standing::visible
+                                                    ? displacement_over_eps(around, answer)
+                                                    : std::nullopt);
+        ++said[std::size_t(ruled->decision.standing)];
+        moved += ruled->displacement_over_eps.has_value();
+    }
+
+    std::array<int, 7> said{};
+    int decided = 0, left = 0, moved = 0;
+};
+
+TEST(Summary, SaysWhatExactRationalsSayOrNothing) {
+    Comparison comparison;
+    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const Precision precision = seed % 2 ? raster_precision() : ray_precision();
+        const OnePixel pixel(s.scene, s.view, precision, s.x, s.y);
+        comparison.hear(pixel, PrimitiveId::none);
+        for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) comparison.hear(pixel, PrimitiveId(t));
+        if (testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GT(comparison.decided, 600);
+    EXPECT_GT(comparison.said[std::size_t(Standing::visible)], 500);
+}
+
+TEST(Summary, TellsTiesOfWallsAsRationalsDo) {
+    Comparison comparison;
+    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
+        const Scene scene = random_walls(dice, view);
+        const OnePixel pixel(scene, view, dice.below(2) ? raster_precision() : ray_precision(), 1, 1);
+        for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) comparison.hear(pixel, PrimitiveId(t));
+        if (testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GT(comparison.said[std::size_t(Standing::visible)], 300);
+    EXPECT_GT(comparison.said[std::size_t(Standing::tied)], 300);
+}
+
+/// Two walls that meet within eps of the centre, at any slope, in front of a third or of nothing; or four
+/// that meet in one point.
+std::vector<Triangle> random_seams(Dice& dice) {
+    constexpr double eps_px = 1.0 / 512;
+    const double x = 1.5 + dice.between(-1, 1) * eps_px, y = 1.5 + dice.between(-1, 1) * eps_px;
+    const double slope = dice.between(-2, 2), far = 64;
+    const Corner up{x - slope * far, y - far, 4}, down{x + slope * far, y + far, 4};
+    const Corner left{-512, y, 4}, right{512, y, 4}, middle{x, y, 4};
+    std::vector<Triangle> walls;
+    if (dice.below(2)) {
+        walls = {{up, left, down}, {up, down, right}};
+    } else {
+        walls = {{middle, left, up}, {middle, up, right}, {middle, right, down}, {middle, down, left}};
+    }
+    if (dice.below(3) == 0) walls.pop_back();
+    if (dice.below(2)) walls.push_back(wall(8));
+    return walls;
+}
+
+TEST(Summary, TellsSeamsAndHowFarTheyMovedAsTheLongWayDoes) {
+    Comparison comparison;
+    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
+        const Scene scene = scene_of(view, random_seams(dice));
+        const OnePixel pixel(scene, view, dice.below(4) ? raster_precision() : ray_precision(), 1, 1);
+        comparison.hear(pixel, PrimitiveId::none);
+        for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) comparison.hear(pixel, PrimitiveId(t));
+        if (testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GT(comparison.said[std::size_t(Standing::visible)], 1000);
+    EXPECT_GT(comparison.moved, 300);
+}
+
+TEST(ImageOfView, HasTheBitsOfImageOfAtEveryPixel) {
+    int images = 0;
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        Dice dice(seed);
+        const ViewBounds bounds(s.view, RayPrecision{});
+        for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
+            const CornersWorld p = corners_of(s.scene, t);
+            const Sight<double> sight(s.view, dice.below(16), dice.below(16));
+            const TriangleOfView triangle(bounds, Sight<double>(s.view, s.x, s.y), p);
+            const auto image = triangle.image.at(sight), expected = image_of(sight, corners<double>(p));
+            ASSERT_EQ(image.has_value(), expected.has_value());
+            ASSERT_EQ(triangle.eps_px(sight), neighbour_of(sight, bounds, p).bounds.eps_px);
+            if (!image) continue;
+            ++images;
+            const auto parts = [](const Affine<double>& f) { return std::array{f.a, f.b, f.c}; };
+            for (std::size_t i = 0; i < 3; ++i) ASSERT_EQ(parts(image->edge[i]), parts(expected->edge[i]));
+            ASSERT_EQ(parts(image->nearness), parts(expected->nearness));
+            const auto alone = nearness_of(sight, corners<double>(p));
+            ASSERT_EQ(parts(*alone), parts(expected->nearness));
+        }
+    }
+    EXPECT_GT(images, 500);
+}
+
+}  // namespace
+}  // namespace zproof

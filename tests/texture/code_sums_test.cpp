@@ -1,0 +1,104 @@
+#include "texture/code_sums.h"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <random>
+#include <vector>
+
+namespace zproof::texture {
+namespace {
+
+template <class Code>
+std::vector<Code> random_codes(std::size_t count) {
+    std::mt19937 dice(17);
+    std::vector<Code> codes(count);
+    for (Code& code : codes) code = Code(dice());
+    return codes;
+}
+
+template <class Code>
+std::vector<std::uint32_t> summed(const Codes<Code>& codes, int threads) {
+    std::vector<std::uint32_t> sums(codes.values.size());
+    tbb::task_arena(threads).execute([&] { sum_codes(codes, sums); });
+    return sums;
+}
+
+/// Every entry from the entry to its left and the column above, in 64 bits: no vectors, no bands.
+template <class Code>
+void expect_definition(const Codes<Code>& codes, const std::vector<std::uint32_t>& sums) {
+    const auto stride = std::size_t(codes.width) * std::size_t(codes.channels),
+               lag = std::size_t(codes.channels);
+    std::vector<std::uint64_t> columns(stride), row(stride);
+    for (std::size_t y = 0; y < std::size_t(codes.height); ++y)
+        for (std::size_t i = 0; i < stride; ++i) {
+            columns[i] += codes.values[y * stride + i];
+            row[i] = columns[i] + (i < lag ? 0 : row[i - lag]);
+            ASSERT_EQ(sums[y * stride + i], std::uint32_t(row[i])) << "row " << y << ", value " << i;
+        }
+}
+
+template <class Code>
+class CodeSumsOf : public testing::Test {};
+using CodeTypes = testing::Types<std::uint8_t, std::uint16_t>;
+TYPED_TEST_SUITE(CodeSumsOf, CodeTypes);
+
+TYPED_TEST(CodeSumsOf, AnySizeAndChannelsAreThatOfTheDefinition) {
+    for (const int channels : {1, 2, 3, 4, 5})
+        for (int width = 1; width < 20; ++width)
+            for (const int height : {1, 2, 7}) {
+                const auto values = random_codes<TypeParam>(std::size_t(width * height * channels));
+                const Codes<TypeParam> codes{width, height, channels, values};
+                expect_definition(codes, summed(codes, 3));
+            }
+}
+
+TYPED_TEST(CodeSumsOf, AreTheSameForAnyNumberOfThreads) {
+    const auto values = random_codes<TypeParam>(301 * 203 * 3);
+    const Codes<TypeParam> codes{301, 203, 3, values};
+    const auto one = summed(codes, 1);
+    expect_definition(codes, one);
+    for (const int threads : {2, 3, 8, 64}) EXPECT_EQ(summed(codes, threads), one) << threads;
+}
+
+/// Direct sums over boxes, in 64 bits.
+template <class Code>
+void expect_boxes(const Codes<Code>& codes, const std::vector<std::uint32_t>& sums, int trials) {
+    std::mt19937 dice(23);
+    const CodeSums table{codes.width, codes.channels, sums};
+    int exact = 0;
+    for (int trial = 0; trial < trials; ++trial) {
+        const int left = int(dice() % std::uint32_t(codes.width)),
+                  top = int(dice() % std::uint32_t(codes.height)),
+                  right = left + 1 + int(dice() % std::uint32_t(codes.width - left)),
+                  bottom = top + 1 + int(dice() % std::uint32_t(codes.height - top)),
+                  channel = int(dice() % std::uint32_t(codes.channels));
+        std::uint64_t sum = 0;
+        for (int row = top; row < bottom; ++row)
+            for (int column = left; column < right; ++column)
+                sum += codes.values[(std::size_t(row) * std::size_t(codes.width) + std::size_t(column)) *
+                                        std::size_t(codes.channels) +
+                                    std::size_t(channel)];
+        const std::uint32_t found = table.box({left, right, 1}, {top, bottom, 1}, channel);
+        ASSERT_EQ(found, std::uint32_t(sum));
+        exact += found == sum;
+    }
+    EXPECT_GT(exact, trials / 4);  // boxes of less than 2^32
+}
+
+TEST(CodeSums, OfBoxesAreExactBeyondThirtyTwoBits) {
+    const auto values = random_codes<std::uint16_t>(1024 * 700 * 3);  // all sums together: 10 times 2^32
+    const Codes<std::uint16_t> codes{1024, 700, 3, values};
+    expect_boxes(codes, summed(codes, 2), 60);
+}
+
+TEST(CodeSums, Of8192SquaredEqualBruteForceBitByBit) {
+    const auto values = random_codes<std::uint8_t>(std::size_t{8192} * 8192);
+    const Codes<std::uint8_t> codes{8192, 8192, 1, values};
+    const auto sums = summed(codes, 2);
+    expect_definition(codes, sums);
+    expect_boxes(codes, sums, 20);
+}
+
+}  // namespace
+}  // namespace zproof::texture
