@@ -187,7 +187,8 @@ Definition ewa(const std::string& name, RadiiOf radii_of, Profile profile) {
 }  // namespace
 
 std::vector<Definition> ewa_definitions() {
-    return {ewa("pbrt", pbrt_radii, Profile::table),
+    return {ewa("pbrt", pbrt_radii, Profile::smooth),
+            ewa("pbrt-table", pbrt_radii, Profile::table),
             ewa("true", true_radii, Profile::smooth),
             {"ewa-mesa", over_levels(mesa)}};
 }
