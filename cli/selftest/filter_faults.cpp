@@ -152,7 +152,7 @@ std::vector<FilterFault> faults_of_steps() {
         {"wrapped_derivative", "coordinates are wrapped before they are differenced", "trilinear-gl",
          told(wrapped_before_differencing)},
         {"radius_for_diameter", "the footprint is taken half as large", "sat-affine", told(steps_by(0.5))},
-        {"diameter_for_radius", "the ellipse is taken twice as large", "ewa-pbrt",
+        {"diameter_for_radius", "the ellipse is taken twice as large", "ewa-pbrt-table",
          by(elliptical({.radius = 2}))},
         {"derivatives_exchanged", "the steps' u and v are exchanged", "aniso-midpoint",
          told([](Footprint f, const glm::dvec2&) {
@@ -232,11 +232,11 @@ std::vector<FilterFault> faults_of_weights() {
              "trilinear-gl", by(trilinear({.share = [](double f) { return std::exp2(f) - 1; }}))},
             {"blend_of_8_bits", "the blend of levels has 8 bits", "trilinear-gl",
              by(trilinear({.share = [](double f) { return std::round(f * 256) / 256; }}))},
-            {"ellipse_without_plus_one", "the ellipse is not widened by a texel", "ewa-pbrt",
+            {"ellipse_without_plus_one", "the ellipse is not widened by a texel", "ewa-pbrt-table",
              by(elliptical({.widening = 0.25}))},
-            {"weights_not_normalised", "the ellipse's weights are not divided by their sum", "ewa-pbrt",
+            {"weights_not_normalised", "the ellipse's weights are not divided by their sum", "ewa-pbrt-table",
              by(elliptical({.weights = Ellipse::Weights::as_they_are}))},
-            {"gaussian_too_flat", "the ellipse's weights fall off by exp(-r^2)", "ewa-pbrt",
+            {"gaussian_too_flat", "the ellipse's weights fall off by exp(-r^2)", "ewa-pbrt-table",
              by(elliptical({.steepness = 1}))},
             {"catmull_rom_for_bilinear", "bicubic where bilinear is promised", "bilinear", by("bicubic")}};
 }

@@ -92,11 +92,11 @@ LawImage shrunk(const LawImage& finer, int width, int height, const Settings& se
     const double unit = std::exp2(-FilterPrecision{}.texel_bits);
     const auto columns = all_sources(settings.kernel, {finer.width, width, settings.wrap.u}),
                rows = all_sources(settings.kernel, {finer.height, height, settings.wrap.v});
-    LawImage coarser{width, height, {}};
+    LawImage coarser{width, height, {}, {}};
     coarser.texels.reserve(std::size_t(width) * std::size_t(height));
     for (const Sources& row : rows)
         for (const Sources& column : columns) coarser.texels.push_back(made_of(finer, column, row, unit));
-    return coarser;
+    return with_range(std::move(coarser));
 }
 
 std::vector<LawImage> chain(const texture::LinearImage& image, const Settings& settings) {

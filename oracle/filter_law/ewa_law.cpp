@@ -37,11 +37,18 @@ double falloff(double r2) { return std::exp(-2 * r2) - std::exp(-2.0); }
 enum class Profile {
     smooth,  ///< exp(-2 r^2) - exp(-2)
     table,   ///< the same at r^2 = k / 127, k = floor(128 r^2): pbrt's table of 128 entries
+    mesa,    ///< exp(-2 r^2) at r^2 = k / 1023, k = floor(1023 r^2): Mesa's table of 1024 entries
 };
 
-/// Falling in r2, so the ends hold the extremes. From 1 on it is 0.
+double mesa_weight(double r2) {
+    const double k = std::floor(1023 * std::max(r2, 0.0));
+    return k >= 1024 ? 0 : std::exp(-2 * k / 1023);
+}
+
+/// Falling in r2, so the ends hold the extremes. From 1 on it is 0 (Mesa: beyond its table).
 Interval weight_of(Profile profile, const Interval& r2) {
     const auto value = [&](double r) {
+        if (profile == Profile::mesa) return mesa_weight(r);
         if (r >= 1) return 0.0;
         const double at =
             profile == Profile::smooth ? r : std::min(std::floor(128 * std::max(r, 0.0)), 127.0) / 127;
@@ -62,8 +69,12 @@ ColourRange read_ellipse(const Levels& levels, int k, const Radii& radii, const 
     const Conic conic{scaled(radii.longer, level, finest), scaled(radii.shorter, level, finest)};
     const Place place = place_in(level, finest, at, q.precision);
     const Interval half{0.5}, centre_u = place.u - half, centre_v = place.v - half;
-    const Interval box_u = centre_u + conic.reach_u * Interval{-1, 1},
-                   box_v = centre_v + conic.reach_v * Interval{-1, 1};
+    // Mesa's table reaches to r^2 = 1024 / 1023.
+    const Interval reach{-1.0005, 1.0005};
+    const Interval box_u = centre_u + conic.reach_u * reach, box_v = centre_v + conic.reach_v * reach;
+    // So large an ellipse is one that intervals know nothing of (the plane's horizon, or a relaxed rule).
+    constexpr double most_texels = 0x1p18;
+    if (!((box_u.high() - box_u.low()) * (box_v.high() - box_v.low()) < most_texels)) throw UndecidedSign{};
     std::vector<Interval> weights;
     std::vector<ColourRange> colours;
     const double error = std::exp2(-q.precision.weight_bits);
@@ -141,6 +152,27 @@ std::vector<Radii> true_radii(const PixelFootprint& f, double most) {
     return {{{a.major * d.u, a.major * d.v}, {minor * -d.v, minor * d.u}, minor}};
 }
 
+/// Mesa (softpipe's and llvmpipe's anisotropic filter): the ellipse of the two steps as they are, in the one
+/// level at or below the LOD of the shorter step; the limit of anisotropy lengthens the step for the LOD
+/// alone.
+PermittedColours mesa(const Levels& levels, const Question& q) {
+    const PixelFootprint f = q.footprint();
+    const Interval x = square(f.per_x.u) + square(f.per_x.v), y = square(f.per_y.u) + square(f.per_y.v);
+    const double most = levels.settings().max_anisotropy;
+    const Interval shorter = larger(smaller(x, y), larger(x, y) / Interval{most * most});
+    const Interval level =
+        level_of(Interval{0.5} * chord_log2(shorter), levels.settings(), levels.count(), q.precision);
+    const int coarsest = int(levels.count()) - 1;
+    PermittedColours all;
+    for (int k = int(std::floor(level.low())); double(k) <= level.high(); ++k) {
+        if (k < coarsest)
+            all.push_back(read_ellipse(levels, k, {f.per_x, f.per_y, shorter}, f.centre, q, Profile::mesa));
+        else
+            for (const ColourRange& texel : levels.nearest_in(k, f.centre, q.precision)) all.push_back(texel);
+    }
+    return all;
+}
+
 using RadiiOf = std::vector<Radii> (*)(const PixelFootprint&, double);
 
 Definition ewa(const std::string& name, RadiiOf radii_of, Profile profile) {
@@ -155,7 +187,10 @@ Definition ewa(const std::string& name, RadiiOf radii_of, Profile profile) {
 }  // namespace
 
 std::vector<Definition> ewa_definitions() {
-    return {ewa("pbrt", pbrt_radii, Profile::table), ewa("true", true_radii, Profile::smooth)};
+    return {ewa("pbrt", pbrt_radii, Profile::smooth),
+            ewa("pbrt-table", pbrt_radii, Profile::table),
+            ewa("true", true_radii, Profile::smooth),
+            {"ewa-mesa", over_levels(mesa)}};
 }
 
 }  // namespace zproof::oracle::filter_law

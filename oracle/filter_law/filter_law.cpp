@@ -22,7 +22,8 @@ constexpr int most_terms = 4096;
 /// Factor, sum and the picture's format.
 ColourRange as_shown(const ColourRange& filtered, const glm::dvec3& factor,
                      const FilterPrecision& precision) {
-    const double sums = 2 * (gamma(precision.sum_roundings, std::exp2(-precision.sum_bits)) + gamma(most_terms, 0x1p-53));
+    const double sums =
+        2 * (gamma(precision.sum_roundings, std::exp2(-precision.sum_bits)) + gamma(most_terms, 0x1p-53));
     const glm::dvec3 low = factor * (filtered.low - sums), high = factor * (filtered.high + sums);
     // The factor's product in double, and one rounding to the picture's numbers.
     const double rounding = std::exp2(-precision.colour_bits) * (1 + 0x1p-50);

@@ -8,7 +8,7 @@ namespace {
 
 /// A place is read at most this many texels wide; wider ones, which only a search for a cause asks for, know
 /// no more than the whole image's range.
-constexpr double widest_read = 64;
+constexpr double widest_read = 8;
 
 /// The interval's ends and the whole numbers between them.
 std::vector<double> cut_at_whole_numbers(const Interval& a) {
@@ -20,13 +20,6 @@ std::vector<double> cut_at_whole_numbers(const Interval& a) {
 
 bool is_too_wide(const Place& p) {
     return !(p.u.high() - p.u.low() < widest_read && p.v.high() - p.v.low() < widest_read);
-}
-
-ColourRange range_of(const LawImage& image) {
-    ColourRange range{glm::dvec3{std::numeric_limits<double>::infinity()},
-                      glm::dvec3{-std::numeric_limits<double>::infinity()}};
-    for (const LawImage::Texel& t : image.texels) range = hull(range, around(t.value, t.radius));
-    return range;
 }
 
 /// The four texels around a place whose centres are at whole numbers.
@@ -64,11 +57,18 @@ int standing_at(Wrap wrap, std::int64_t index, int size) {
     return wrap == Wrap::mirrored_repeat && periods % 2 != 0 ? size - 1 - within : within;
 }
 
+LawImage with_range(LawImage image) {
+    const double inf = std::numeric_limits<double>::infinity();
+    image.range = {glm::dvec3{inf}, glm::dvec3{-inf}};
+    for (const LawImage::Texel& t : image.texels) image.range = hull(image.range, around(t.value, t.radius));
+    return image;
+}
+
 LawImage exact_image(const texture::LinearImage& image) {
-    LawImage exact{image.width, image.height, {}};
+    LawImage exact{image.width, image.height, {}, {}};
     exact.texels.reserve(image.texels.size());
     for (const glm::vec4& texel : image.texels) exact.texels.push_back({glm::dvec3{glm::vec3{texel}}, {}});
-    return exact;
+    return with_range(std::move(exact));
 }
 
 Place place_in(const LawImage& level, const LawImage& finest, const Place& place,
@@ -84,7 +84,7 @@ Place place_in(const LawImage& level, const LawImage& finest, const Place& place
 }
 
 std::vector<ColourRange> nearest(const LawImage& image, const WrapRules& wrap, const Place& place) {
-    if (is_too_wide(place)) return {range_of(image)};
+    if (is_too_wide(place)) return {image.range};
     std::vector<ColourRange> candidates;
     for (auto row = std::int64_t(std::floor(place.v.low())); double(row) <= place.v.high(); ++row) {
         for (auto column = std::int64_t(std::floor(place.u.low())); double(column) <= place.u.high();
@@ -99,7 +99,7 @@ std::vector<ColourRange> nearest(const LawImage& image, const WrapRules& wrap, c
 
 ColourRange bilinear(const LawImage& image, const WrapRules& wrap, const Place& place,
                      const FilterPrecision& precision) {
-    if (is_too_wide(place)) return range_of(image);
+    if (is_too_wide(place)) return image.range;
     const auto across = cut_at_whole_numbers(place.u - Interval{0.5}),
                down = cut_at_whole_numbers(place.v - Interval{0.5});
     std::optional<ColourRange> range;

@@ -23,6 +23,7 @@ struct LawImage {
     };
     int width = 0, height = 0;
     std::vector<Texel> texels;
+    ColourRange range;  ///< of all texels: with_range
 
     const Texel& at(int column, int row) const { return texels[index(column, row)]; }
     Texel& at(int column, int row) { return texels[index(column, row)]; }
@@ -32,6 +33,8 @@ struct LawImage {
         return std::size_t(row) * std::size_t(width) + std::size_t(column);
     }
 };
+
+LawImage with_range(LawImage image);
 
 /// Level 0: the image itself, exact.
 LawImage exact_image(const texture::LinearImage& image);

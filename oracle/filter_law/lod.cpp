@@ -12,6 +12,16 @@ Axes axes(const PixelFootprint& f) {
     return {major, area(f) / major};
 }
 
+Interval chord_log2(const Interval& a) {
+    const auto chord = [](double x) {
+        if (!(x > 0)) return -std::numeric_limits<double>::infinity();
+        int exponent = 0;
+        const double mantissa = 2 * std::frexp(x, &exponent);
+        return exponent - 1 + (mantissa - 1);
+    };
+    return widened({chord(a.low()), chord(a.high())}, 0x1p-45);
+}
+
 Interval lod(LodRule rule, const PixelFootprint& f) {
     const Interval across = length(f.per_x.u, f.per_x.v), down = length(f.per_y.u, f.per_y.v), half{0.5};
     const Interval largest = larger(larger(magnitude(f.per_x.u), magnitude(f.per_x.v)),
@@ -19,6 +29,8 @@ Interval lod(LodRule rule, const PixelFootprint& f) {
     switch (rule) {
         case LodRule::gl_maximum:
             return log2(larger(across, down));
+        case LodRule::mesa_longer_step:
+            return half * chord_log2(larger(square(across), square(down)));
         case LodRule::ellipse_major:
             return log2(axes(f).major);
         case LodRule::root_mean_square:

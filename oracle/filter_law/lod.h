@@ -11,6 +11,7 @@ enum class LodRule {
     root_mean_square,    ///< log2 of the root of the mean square of both steps' lengths
     root_of_area,        ///< half of log2 of the determinant
     largest_coordinate,  ///< log2 of the largest of the four coordinates
+    mesa_longer_step,    ///< as gl_maximum, its logarithm half the one below of the square
     pbrt,                ///< one level blurrier than that (pbrt-v4, MIPMap)
 };
 
@@ -21,6 +22,10 @@ struct Axes {
 Axes axes(const PixelFootprint& footprint);
 
 Interval area(const PixelFootprint& footprint);  ///< absolute value of the Jacobian's determinant
+
+/// e + m - 1 for m 2^e, 1 <= m < 2: log2 but for at most 0.0861 (Mesa, lp_build_fast_log2 and
+/// util_fast_log2).
+Interval chord_log2(const Interval& a);
 
 Interval lod(LodRule rule, const PixelFootprint& footprint);
 

@@ -49,7 +49,8 @@ std::vector<Definition> mip_definitions() {
             trilinear("ellipse", LodRule::ellipse_major),
             trilinear("rms", LodRule::root_mean_square),
             trilinear("area", LodRule::root_of_area),
-            trilinear("pbrt", LodRule::pbrt)};
+            trilinear("pbrt", LodRule::pbrt),
+            trilinear("mesa", LodRule::mesa_longer_step)};
 }
 
 }  // namespace zproof::oracle::filter_law

@@ -52,12 +52,13 @@ TEST(OpenGlFilter, IsHeldAgainstItsOwnLaw) {
     const FilterPrecision precision = oracle::opengl_filter_precision();
     const StepRule exact = StepRule::analytic, quad = StepRule::quad_differences;
     EXPECT_FALSE(held(drawn(PeerFilter::bilinear, exact), stage, "bilinear", precision).is_caught());
-    held(drawn(PeerFilter::trilinear, exact), stage, "trilinear-gl", precision);
-    held(drawn(PeerFilter::trilinear, exact), stage, "trilinear-oiio", precision);
-    held(drawn(PeerFilter::trilinear, quad), stage, "trilinear-gl", precision, quad);
-    held(drawn(PeerFilter::anisotropic, exact), stage, "aniso-ext", precision);
-    held(drawn(PeerFilter::anisotropic, exact), stage, "aniso-midpoint", precision);
-    held(drawn(PeerFilter::anisotropic, exact), stage, "ewa-pbrt", precision);
+    EXPECT_FALSE(held(drawn(PeerFilter::trilinear, exact), stage, "trilinear-mesa", precision).is_caught());
+    EXPECT_TRUE(held(drawn(PeerFilter::trilinear, exact), stage, "trilinear-gl", precision).is_caught());
+    EXPECT_FALSE(
+        held(drawn(PeerFilter::trilinear, quad), stage, "trilinear-mesa", precision, quad).is_caught());
+    // No law of ours describes its anisotropic filter wholly (docs/filter-peers.md); lines of taps do not at
+    // all.
+    EXPECT_TRUE(held(drawn(PeerFilter::anisotropic, exact), stage, "aniso-ext", precision).is_caught());
 }
 
 }  // namespace
