@@ -16,6 +16,11 @@ std::string two_digits(int value) {
     return value < 10 ? "0" + digits : digits;
 }
 
+std::string bar(int done, int all) {
+    const int full = std::min(bar_width, all == 0 ? 0 : bar_width * done / all);
+    return "[" + std::string(std::size_t(full), '#') + std::string(std::size_t(bar_width - full), '.') + "]";
+}
+
 }  // namespace
 
 std::string time_left(double seconds) {
@@ -32,29 +37,20 @@ StudyProgress::~StudyProgress() {
     if (style_ == ProgressStyle::bar) out_ << erase_line << std::flush;
 }
 
-void StudyProgress::begin_view(const std::string& name) {
-    view_ = name;
-    if (style_ == ProgressStyle::lines) {
-        seconds_ += watch_.lap();
-        out_ << "[" << begun_ << "/" << units_ << "] " << one_line(view_);
-        if (begun_ > 0) out_ << "  " << time_left(seconds_ / begun_ * (units_ - begun_));
-        out_ << "\n" << std::flush;
-    }
-}
-
 void StudyProgress::begin_unit(const std::string& what) {
-    if (style_ == ProgressStyle::bar) tell(what);
+    seconds_ += watch_.lap();
+    const std::string text = one_line(view_ + ": " + what);
+    const std::string count = std::to_string(begun_) + "/" + std::to_string(units_);
+    if (style_ == ProgressStyle::lines) out_ << "[" << count << "] " << text << left() << "\n" << std::flush;
+    if (style_ == ProgressStyle::bar)
+        out_ << erase_line << bar(begun_, units_) << " " << count << left() << "  " << text.substr(0, 50)
+             << std::flush;
     ++begun_;
 }
 
 /// Every unit is taken to last as long as those before it did.
-void StudyProgress::tell(const std::string& what) {
-    seconds_ += watch_.lap();
-    const int full = std::min(bar_width, units_ == 0 ? 0 : bar_width * begun_ / units_);
-    out_ << erase_line << "[" << std::string(std::size_t(full), '#')
-         << std::string(std::size_t(bar_width - full), '.') << "] " << begun_ << "/" << units_;
-    if (begun_ > 0) out_ << "  " << time_left(seconds_ / begun_ * (units_ - begun_));
-    out_ << "  " << one_line(view_ + ": " + what).substr(0, 50) << std::flush;
+std::string StudyProgress::left() const {
+    return begun_ == 0 ? "" : "  " + time_left(seconds_ / begun_ * (units_ - begun_));
 }
 
 }  // namespace zproof

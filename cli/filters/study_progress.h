@@ -21,11 +21,11 @@ class StudyProgress {
     StudyProgress& operator=(const StudyProgress&) = delete;
 
     void expect_more(int units) { units_ += units; }  ///< a scene has more views than one
-    void begin_view(const std::string& name);
+    void begin_view(const std::string& name) { view_ = name; }
     void begin_unit(const std::string& what);
 
   private:
-    void tell(const std::string& what);
+    std::string left() const;
 
     std::ostream& out_;
     ProgressStyle style_;

@@ -16,9 +16,13 @@ namespace {
 using namespace study;
 
 constexpr std::string_view own_style = R"css(
-.trio { display: grid; grid-template-columns: repeat(auto-fit, minmax(270px, 1fr)); gap: 1.2rem; margin: 1.2rem 0; }
+.trio {
+  display: grid; grid-template-columns: repeat(auto-fit, minmax(270px, 1fr)); gap: 1.2rem; margin: 1.2rem 0;
+}
 .trio img { image-rendering: pixelated; border-radius: 0; }
-.kernels { display: grid; grid-template-columns: repeat(auto-fill, minmax(150px, 1fr)); gap: 1rem; margin: 1rem 0; }
+.kernels {
+  display: grid; grid-template-columns: repeat(auto-fill, minmax(150px, 1fr)); gap: 1rem; margin: 1rem 0;
+}
 .kernels img { image-rendering: pixelated; border-radius: 0; }
 .answers td, .answers th { padding-right: 1.4rem; white-space: nowrap; }
 blockquote { margin: 0 0 0.6rem; padding-left: 1rem; border-left: 3px solid var(--line); font-style: italic; }

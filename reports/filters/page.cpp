@@ -15,9 +15,13 @@ namespace {
 using namespace study;
 
 constexpr std::string_view own_style = R"css(
-.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(430px, 1fr)); gap: 1rem; margin: 1.2rem 0; }
+.plots {
+  display: grid; grid-template-columns: repeat(auto-fit, minmax(430px, 1fr)); gap: 1rem; margin: 1.2rem 0;
+}
 .plots img { background: #fff; image-rendering: auto; }
-.crops { display: grid; grid-template-columns: repeat(auto-fill, minmax(132px, 1fr)); gap: 0.9rem; margin: 1rem 0; }
+.crops {
+  display: grid; grid-template-columns: repeat(auto-fill, minmax(132px, 1fr)); gap: 0.9rem; margin: 1rem 0;
+}
 .crops img { image-rendering: pixelated; border-radius: 0; }
 .crops figcaption { overflow-wrap: anywhere; }
 .truth { max-width: 480px; }

@@ -51,7 +51,8 @@ TEST(Filters, RunWritesTheWholeStudy) {
     const Ran ran = run(folder, small);
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_NE(ran.out.find("worked / phi-0"), std::string::npos) << ran.out;
-    EXPECT_NE(ran.err.find("left"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("[2/3] worked / phi-0: trilinear-gl:bias=1  "), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find(" left\n"), std::string::npos) << ran.err;
     for (const char* file :
          {"filters.json", "filters.csv", "table.tex", "filters.html", "plots/worked-phi-0/pareto.svg",
           "plots/worked-phi-0/anisotropy.svg", "plots/worked-phi-0/angle.svg",
@@ -62,7 +63,10 @@ TEST(Filters, RunWritesTheWholeStudy) {
     const study::StudyResults results = filters_from_json(folder.read("study/filters.json"));
     ASSERT_EQ(results.views.size(), 1u);
     EXPECT_EQ(results.views[0].first_row, 7);
-    EXPECT_EQ(study::find_score(results.views[0].methods[0], "interior")->pixels, 25u * 32);
+    // Of rows 7 to 31; near the horizon the truth may be an estimate.
+    const auto interior = study::find_score(results.views[0].methods[0], "interior")->pixels;
+    EXPECT_LE(interior, 25u * 32);
+    EXPECT_GT(interior, 20u * 32);
     EXPECT_EQ(read_picture_exr(folder.path() / "study/pictures/worked-phi-0/nearest.exr").size(),
               (Resolution{32, 32}));
 }
@@ -138,7 +142,8 @@ TEST(Filters, CrowIsOnePageThatAnswersTheLecturesQuestions) {
     for (const char* words :
          {"5x5 neighborhood", "fractional distance", "non-square region", "0.3219", "sat-affine"})
         EXPECT_NE(page.find(words), std::string::npos) << words;
-    EXPECT_EQ(page.find("http"), std::string::npos);
+    EXPECT_EQ(page.find("http:"), std::string::npos);
+    EXPECT_EQ(page.find("https:"), std::string::npos);
 }
 
 }  // namespace
