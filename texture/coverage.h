@@ -32,7 +32,8 @@ struct Parts {
     std::size_t count = 0;
 
     void add(const Part& part) { parts.at(count++) = part; }
-    std::span<const Part> all() const { return {parts.data(), count}; }
+    std::span<const Part> all() const& { return {parts.data(), count}; }
+    std::span<const Part> all() const&& = delete;  // it would outlive them: give the parts a name first
 };
 
 /// The mean over the interval of the piecewise-constant texture, as the weights of texels: all positive, of

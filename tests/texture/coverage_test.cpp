@@ -24,14 +24,16 @@ Weights by_brute_force(const Extent& extent, Wrap wrap, int size) {
 
 Weights of_runs(const Extent& extent, Wrap wrap, int size) {
     Weights weights(std::size_t(size), 0);
-    for (const Run& run : covered(extent, wrap, size).all())
+    const auto runs = covered(extent, wrap, size);
+    for (const Run& run : runs.all())
         for (int texel = run.first; texel < run.last; ++texel) weights.at(std::size_t(texel)) += run.weight;
     return weights;
 }
 
 Weights of_prefixes(const Extent& extent, Wrap wrap, int size) {
     Weights weights(std::size_t(size), 0);
-    for (const Prefix& prefix : prefixes(extent, wrap, size).all())
+    const auto sums = prefixes(extent, wrap, size);
+    for (const Prefix& prefix : sums.all())
         for (int texel = 0; texel < prefix.count; ++texel) weights.at(std::size_t(texel)) += prefix.weight;
     return weights;
 }
@@ -63,19 +65,23 @@ TEST_P(Coverage, IsThatOfEveryTexelByItself) {
 }
 
 TEST_P(Coverage, OfRunsIsPositive) {
-    for (double low = -9; low < 9; low += 0.125)
-        for (const auto& run : covered({low, low + 3.25}, GetParam(), 4).all()) {
+    for (double low = -9; low < 9; low += 0.125) {
+        const auto runs = covered({low, low + 3.25}, GetParam(), 4);
+        for (const auto& run : runs.all()) {
             EXPECT_GT(run.weight, 0);
             EXPECT_TRUE(0 <= run.first && run.first < run.last && run.last <= 4);
         }
+    }
 }
 
 TEST_P(Coverage, StaysWithinTheTextureWhereCoordinatesAreAllRounding) {
     for (const double place : {1e15, -1e15, 0x1p50 + 0.5, 128.99999999999997, -129.00000000000003})
         for (const int size : {1, 129, 640}) {
-            for (const auto& run : covered({place, place + 7}, GetParam(), size).all())
+            const auto runs = covered({place, place + 7}, GetParam(), size);
+            for (const auto& run : runs.all())
                 EXPECT_TRUE(0 <= run.first && run.first < run.last && run.last <= size) << place;
-            for (const Prefix& prefix : prefixes({place, place + 7}, GetParam(), size).all())
+            const auto sums = prefixes({place, place + 7}, GetParam(), size);
+            for (const Prefix& prefix : sums.all())
                 EXPECT_TRUE(1 <= prefix.count && prefix.count <= size) << place;
         }
 }

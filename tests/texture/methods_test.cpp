@@ -156,6 +156,7 @@ TEST_P(EveryMethod, TakesAnyFootprint) {
             std::size_t taps = 0;
             for (const Tap& tap : sampler.taps(f)) {
                 ASSERT_TRUE(tap.column >= 0 && tap.row >= 0);
+                ASSERT_TRUE(std::isfinite(tap.weight)) << strange << " at " << place;
                 ++taps;
             }
             EXPECT_GE(taps, 1u);
@@ -208,6 +209,17 @@ TEST(Trilinear, AtAWholeLodIsBilinearOfThatLevel) {
         const Footprint half = flat_footprint(f.centre, f.per_x / 2.0, f.per_y / 2.0);
         EXPECT_LE(distance(prepared("trilinear-pbrt", image).colour(half), bilinear), roundings(8)) << level;
     }
+}
+
+/// 50 x 21, 25 x 10, 12 x 5 texels: a place keeps its share of either axis, by itself.
+TEST(Trilinear, FindsItsPlaceInLevelsOfOddSizes) {
+    const LinearImage image = random_image(50, 21, 8);
+    const LinearImage level = mip_chain(image, MipKernel::polyphase)[2];
+    const Footprint f = flat_footprint({37.25, 11.5}, {4, 0}, {0, 4}),
+                    there = flat_footprint({37.25 / 50 * 12, 11.5 / 21 * 5}, {1, 0}, {0, 1});
+    // A place of some ten texels, each rounded once or twice on its way.
+    EXPECT_LE(distance(prepared("trilinear-gl", image).colour(f), prepared("bilinear", level).colour(there)),
+              64 * unit_roundoff);
 }
 
 /// Half an octave on: OpenGL blends half and half, OpenImageIO by sqrt(2) - 1.

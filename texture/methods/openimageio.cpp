@@ -78,6 +78,7 @@ Line line_of(const MipReads& mips, const Footprint& footprint) {
     const Ellipse axes = ellipse(in_unit_square(footprint, size));
     const double most = mips.options.max_anisotropy, largest = std::max(size.x, size.y);
     double major = axes.major, minor = axes.minor, aspect = aspect_of(major, minor, most);
+    if (!std::isfinite(major + minor)) return {.reach = {}, .levels = {mips.coarsest(), mips.coarsest(), 0}};
     if (major > minor * most) {
         major = (major + minor * most) / 2;
         minor = major / most;
@@ -135,7 +136,9 @@ std::vector<Method> openimageio_methods() {
                   "n = max(1, floor(2 aspect - 1)) bilinear probes in either level, at p = (2 i + 1) / n - "
                   "1, i = 0 to n - 1, times (s1 - s2) along the longer axis, linear about the centre; each "
                   "weighs exp(-2 x^2), x = p s1 / (2 (s1 - s2)), divided by the sum. The coarser level's "
-                  "share is 2 width - 1 there, within [0, 1].",
+                  "share is 2 width - 1 there, within [0, 1]. A footprint that is not finite is one probe of "
+                  "the "
+                  "last level.",
               .source =
                   "OpenImageIO, texture_lookup and compute_ellipse_sampling, bilinear instead of its "
                   "smart bicubic, without its limits against degenerate derivatives; bias and clamp act "
