@@ -244,7 +244,7 @@ Command parse_command_line(int argc, const char* const* argv) {
         *scenes_app.add_subcommand("generate", "write suite scenes as .glb and .view.json");
     scenes_app.require_subcommand(0, 1);
     CLI::App& filters_app = *app.add_subcommand(
-        "filters", "texture filters held to the exact area integral: run, list, table, figure, crow");
+        "filters", "texture filters held to the exact area integral: run, list, table, figure, check, crow");
     add_run(run_app, run, words);
     add_compare(compare_app, compare, words);
     add_explain(explain_app, explain, words);

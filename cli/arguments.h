@@ -103,10 +103,11 @@ struct Answered {
     std::string text;
 };
 
-using Command = std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments,
-                             MeasureArguments, ContractCheckArguments, SelftestArguments, ListArguments,
-                             GenerateArguments, FiltersRunArguments, FiltersListArguments,
-                             FiltersTableArguments, FiltersFigureArguments, FiltersCrowArguments, Answered>;
+using Command =
+    std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
+                 ContractCheckArguments, SelftestArguments, ListArguments, GenerateArguments,
+                 FiltersRunArguments, FiltersListArguments, FiltersTableArguments, FiltersFigureArguments,
+                 FiltersCrowArguments, FiltersCheckArguments, Answered>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

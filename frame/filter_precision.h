@@ -22,16 +22,16 @@ struct FilterPrecision {
         53;  ///< unit roundoff 2^-b of all that leads from the scene to texel coordinates
     double coordinate_bits = 53;  ///< unit roundoff of coordinates and steps as the filter is given them, and
                                   ///< of its arithmetic with them
-    double displacement_px = 0;  ///< the surface may be drawn this far beside its place, in x and in y
-    double step_bits = exact;    ///< the steps per pixel, in lengths of the longest of their coordinates
-    double place_bits = exact;   ///< place within a level, texels
-    double weight_bits = exact;  ///< each weight of a 2 x 2 read, and of a blend of two levels
-    double lod_bits = exact;     ///< LOD, levels
-    double tap_bits = exact;     ///< where the taps of one lookup stand, in lengths of its axis
-    double sum_bits = 53;        ///< unit roundoff of sums over texels: accumulation, summed-area tables
-    int sum_roundings = 4096;    ///< chained in such a sum, weights included
-    double texel_bits = 24;      ///< unit roundoff of stored texels of every level above 0
-    double colour_bits = 24;     ///< unit roundoff of the picture's numbers
+    double displacement_px = 0;   ///< the surface may be drawn this far beside its place, in x and in y
+    double step_bits = exact;     ///< the steps per pixel, in lengths of the longest of their coordinates
+    double place_bits = exact;    ///< place within a level, texels
+    double weight_bits = exact;   ///< each weight of a 2 x 2 read, and of a blend of two levels
+    double lod_bits = exact;      ///< LOD, levels
+    double tap_bits = exact;      ///< where the taps of one lookup stand, in lengths of its axis
+    double sum_bits = 53;         ///< unit roundoff of sums over texels: accumulation, summed-area tables
+    int sum_roundings = 4096;     ///< chained in such a sum, weights included
+    double texel_bits = 24;       ///< unit roundoff of stored texels of every level above 0
+    double colour_bits = 24;      ///< unit roundoff of the picture's numbers
 };
 
 }  // namespace zproof

@@ -9,6 +9,7 @@
 
 #include "cli/filter_choice.h"
 #include "cli/settings.h"
+#include "frame/filter_precision.h"
 #include "oracle/area_integral.h"
 #include "reports/filters/crops.h"
 
@@ -53,6 +54,16 @@ struct FiltersCrowArguments {
     std::filesystem::path out = "zproof-crow";
 };
 
+struct FiltersCheckArguments {
+    std::vector<FilterChoice> methods;  ///< at least one; with a picture exactly one
+    std::vector<std::string> scenes;    ///< empty: every built-in filter scene
+    std::vector<std::string> views;     ///< empty: all of every scene
+    std::optional<int> width, height;   ///< pixels; none: the scene's own
+    int threads = available_threads();
+    std::filesystem::path picture;             ///< somebody's own, in place of ours; empty: none
+    std::optional<FilterPrecision> precision;  ///< none: what zproof's own filters promise
+};
+
 /// What is bound while a command line is read.
 struct FiltersWords {
     std::string methods = "all", truth = "N", views, crop, only;
@@ -61,6 +72,8 @@ struct FiltersWords {
     FiltersTableArguments table;
     FiltersFigureArguments figure;
     FiltersCrowArguments crow;
+    FiltersCheckArguments check;
+    std::string check_methods, check_views, precision;
 };
 
 /// "all" and methods with settings, separated by commas. Throws UsageError.

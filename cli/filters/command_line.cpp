@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 
+#include "cli/filters/precision_words.h"
 #include "cli/usage_error.h"
 #include "texture/catalogue.h"
 
@@ -27,6 +28,18 @@ const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automa
                                                   {"bar", ProgressStyle::bar},
                                                   {"lines", ProgressStyle::lines},
                                                   {"none", ProgressStyle::none}};
+
+constexpr const char* check_examples = R"(
+  zproof filters check trilinear-gl checker_plane --view phi-45
+  zproof filters check all                       every method on every filter scene
+  zproof filters check trilinear-gl worked --view phi-0 --picture mine.exr --precision weight_bits=8
+                                                 your own picture (R, G, B, linear light) of that view
+
+What may be promised, each by default as exactly as zproof's own filters: arithmetic_bits, coordinate_bits,
+displacement_px, step_bits, place_bits, weight_bits, lod_bits, tap_bits, sum_bits, texel_bits, colour_bits
+(docs/filter-conformance.md).
+
+Exit status: 0 every picture keeps to its definition, 1 one does not.)";
 
 /// Defaults are shown where there are any.
 template <class Size>
@@ -97,6 +110,19 @@ void add_figure(CLI::App& app, FiltersWords& words) {
     app.add_option("--crop", words.crop, "X,Y,WIDTH,HEIGHT in pixels; default: where methods err most");
 }
 
+void add_check(CLI::App& app, FiltersWords& words) {
+    app.add_option("METHODS", words.check_methods, "all, or names with settings, separated by commas")
+        ->required();
+    app.add_option("SCENE", words.check.scenes, "as of 'filters run'; none: every filter scene");
+    app.add_option("--view", words.check_views,
+                   "names of views, separated by commas; default: all of every scene");
+    app.add_option("--picture", words.check.picture, "judge this picture (.exr) of one method and one view");
+    app.add_option("--precision", words.precision, "what the filter promises, as key=value,key=value");
+    add_size(app, words.check.width, words.check.height);
+    add_threads(app, words.check.threads);
+    app.footer(check_examples);
+}
+
 std::vector<std::string> split(const std::string& text) {
     std::vector<std::string> parts;
     std::istringstream in{text};
@@ -141,12 +167,28 @@ std::vector<FilterChoice> filter_choices(const std::string& words) {
     return choices;
 }
 
+namespace {
+
+FiltersCheckArguments chosen_check(FiltersWords& words) {
+    FiltersCheckArguments& check = words.check;
+    check.methods = filter_choices(words.check_methods);
+    check.views = split(words.check_views);
+    if (!words.precision.empty()) check.precision = filter_precision_from_words(split(words.precision));
+    if (!check.picture.empty() && check.methods.size() != 1)
+        throw UsageError{"--picture: one method is expected, and one view"};
+    return check;
+}
+
+}  // namespace
+
 void add_filters(CLI::App& app, FiltersWords& words) {
     app.require_subcommand(0, 1);
     add_run(*app.add_subcommand("run", "hold methods to the truth on scenes; write a study"), words);
     app.add_subcommand("list", "methods, metrics and scenes, a line each");
     add_table(*app.add_subcommand("table", "print a study's table"), words);
     add_figure(*app.add_subcommand("figure", "make a study's plots, crops and page again"), words);
+    add_check(*app.add_subcommand("check", "does a filter compute its own definition? pixel by pixel"),
+              words);
     CLI::App& crow =
         *app.add_subcommand("crow", "Crow 1984: the lecture's figure and its questions, answered");
     crow.add_option("-o,--out", words.crow.out, "folder for the page")->capture_default_str();
@@ -163,11 +205,13 @@ FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) 
         return words.run;
     }
     if (typed("list")) return words.list;
+    if (typed("check")) return chosen_check(words);
     if (typed("table")) return words.table;
     if (typed("crow")) return words.crow;
     if (!typed("figure"))
         throw UsageError{
-            "filters: 'run', 'list', 'table', 'figure' or 'crow' expected (see: zproof filters --help)"};
+            "filters: 'run', 'list', 'table', 'figure', 'check' or 'crow' expected (see: zproof filters "
+            "--help)"};
     words.figure.labels = split(words.only);
     if (!words.crop.empty()) words.figure.crop = crop_box(words.crop);
     return words.figure;

@@ -31,18 +31,6 @@ study::Plan plan_of(const FiltersRunArguments& arguments) {
     return plan;
 }
 
-/// Those that were asked for. Throws UsageError where the scene has none of them.
-std::vector<View> chosen_views(const Loaded& loaded, const std::vector<std::string>& wished) {
-    if (wished.empty()) return loaded.views;
-    std::vector<View> chosen;
-    for (const View& view : loaded.views)
-        if (std::ranges::find(wished, view.name) != wished.end()) chosen.push_back(view);
-    if (chosen.empty())
-        throw UsageError{"--view: scene '" + loaded.scene.name + "' has no such view; it has " +
-                         names_of(loaded.views)};
-    return chosen;
-}
-
 /// The study in the making, and the folder that its pictures go to.
 class Workshop {
   public:

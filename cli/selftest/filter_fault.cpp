@@ -34,19 +34,22 @@ StepRule step_rule(texture::Derivatives derivatives) {
     return derivatives == texture::Derivatives::analytic ? StepRule::analytic : StepRule::quad_differences;
 }
 
-FilterTrial conformance_of(const Picture& picture, const FilterStage& stage, const std::string& method,
-                           const texture::FilterOptions& options, texture::Derivatives derivatives) {
-    const auto* definition = oracle::find_filter_definition(method);
-    if (definition == nullptr) throw std::logic_error("no law for the method '" + method + "'");
-    const oracle::FilterLaw law{stage.scene, stage.view, *definition, law_settings(options),
-                                step_rule(derivatives)};
+FilterTrial conformance_of(const Picture& picture, const FilterStage& stage, const FilterClaim& claim) {
+    const auto* definition = oracle::find_filter_definition(claim.method);
+    if (definition == nullptr) throw std::logic_error("no law for the method '" + claim.method + "'");
+    const oracle::FilterLaw law{stage.scene, stage.view, *definition, law_settings(claim.options),
+                                step_rule(claim.derivatives)};
     const PixelLaw of_pixel = [&](int x, int y, const FilterPrecision& precision) {
         return law.at(x, y, stage.frame.primitive.at(x, y), precision);
     };
-    const FilterPrecision precision = filter_precision(options);
-    FilterTrial trial{conformance(picture, of_pixel, precision), {}};
-    trial.rules = rules_at_fault(picture, trial.found, of_pixel, precision);
+    FilterTrial trial{conformance(picture, of_pixel, claim.precision), {}};
+    trial.rules = rules_at_fault(picture, trial.found, of_pixel, claim.precision);
     return trial;
+}
+
+FilterTrial conformance_of(const Picture& picture, const FilterStage& stage, const std::string& method,
+                           const texture::FilterOptions& options, texture::Derivatives derivatives) {
+    return conformance_of(picture, stage, {method, options, derivatives, filter_precision(options)});
 }
 
 FilterTrial try_filter_fault(const FilterFault& fault, const FilterStage& stage) {

@@ -35,7 +35,18 @@ struct FilterTrial {
     bool is_caught() const { return found.outside > 0; }
 };
 
-/// What the law of a method says of a picture of a stage.
+/// What a picture claims to be.
+struct FilterClaim {
+    std::string method;
+    texture::FilterOptions options{};
+    texture::Derivatives derivatives = texture::Derivatives::analytic;
+    FilterPrecision precision{};
+};
+
+/// What the law of a method says of a picture of a stage. The method must have a law.
+FilterTrial conformance_of(const Picture& picture, const FilterStage& stage, const FilterClaim& claim);
+
+/// The same, with what zproof's own filters promise.
 FilterTrial conformance_of(const Picture& picture, const FilterStage& stage, const std::string& method,
                            const texture::FilterOptions& options,
                            texture::Derivatives derivatives = texture::Derivatives::analytic);

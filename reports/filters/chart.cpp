@@ -114,6 +114,15 @@ std::string without_idle_zeros(std::string number) {
     return number;
 }
 
+/// Only every n-th name is written, so that none runs into the next: n.
+std::size_t name_step(const std::vector<std::string>& names) {
+    constexpr double letter_width = 6.5, gap = 8;
+    std::size_t longest = 0;
+    for (const std::string& name : names) longest = std::max(longest, name.size());
+    return std::size_t(
+        std::ceil(double(names.size()) * (double(longest) * letter_width + gap) / (right - left)));
+}
+
 std::string x_axis(const Frame2D& frame) {
     std::string svg;
     const auto add = [&](double value, const std::string& name) {
@@ -121,8 +130,10 @@ std::string x_axis(const Frame2D& frame) {
                text(frame.across(value), frame.bottom + 15, at_middle, name);
     };
     const ChartAxis& axis = frame.chart.x;
+    const std::size_t step = axis.names.empty() ? 1 : name_step(axis.names);
     for (std::size_t i = 0; i < axis.names.size(); ++i)
-        if (double(i) >= frame.x.low && double(i) <= frame.x.high) add(double(i), axis.names[i]);
+        if (double(i) >= frame.x.low && double(i) <= frame.x.high)
+            add(double(i), i % step == 0 ? axis.names[i] : "");
     if (axis.names.empty())
         for (const double value : ticks(axis, frame.x)) add(value, without_idle_zeros(tick_name(value)));
     return svg + text((left + right) / 2, frame.bottom + 33, at_middle, axis.title);

@@ -93,13 +93,53 @@ TEST(Filters, WhatIsMistypedIsNamedWithWhatIsNear) {
         EXPECT_EQ(ran.exit_code, 2) << ran.err;
         EXPECT_NE(ran.err.find(said), std::string::npos) << ran.err;
     };
-    refused({"filters"}, "'run', 'list', 'table', 'figure' or 'crow' expected");
+    refused({"filters"}, "'run', 'list', 'table', 'figure', 'check' or 'crow' expected");
     refused({"filters", "run", "wroked"}, "did you mean 'worked'?");
     refused({"filters", "run", "worked", "--methods", "nearst"}, "did you mean 'nearest'?");
     refused({"filters", "run", "worked", "--truth", "X"}, "--truth");
     refused({"filters", "run", "worked", "--view", "phi-1", "--methods", "nearest"}, "it has phi-0, phi-7.5");
     refused({"filters", "figure", "study", "--crop", "1,2,3"}, "expected X,Y,WIDTH,HEIGHT");
+    refused({"filters", "check"}, "METHODS");
+    refused({"filters", "check", "nearst", "worked"}, "did you mean 'nearest'?");
+    refused({"filters", "check", "nearest", "worked", "--precision", "lod_bit=8"},
+            "did you mean 'lod_bits'?");
+    refused({"filters", "check", "nearest", "worked", "--precision", "lod_bits=x"}, "from 0 to 1000");
+    refused({"filters", "check", "nearest,bilinear", "worked", "--picture", "a.exr"},
+            "one method is expected");
     EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Filters, CheckHoldsOurPicturesAgainstTheirLaw) {
+    const Folder folder;
+    const Ran ran = run(folder, {"filters", "check", "trilinear-gl:bias=0.5,sat-moment", "worked", "--view",
+                                 "phi-45", "--width", "48", "--height", "48"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    EXPECT_NE(ran.out.find("passed  worked / phi-45: sat-moment: no pixel of 2304 outside"),
+              std::string::npos)
+        << ran.out;
+    EXPECT_NE(ran.out.find("2 pictures: 2 within the law of their method, 0 not"), std::string::npos)
+        << ran.out;
+}
+
+/// A picture is lawful by its own method, and by a method whose promise is wide enough, and by no other.
+TEST(Filters, CheckHoldsAnybodysPictureAgainstALaw) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, small).exit_code, 0);
+    const auto judged = [&](const std::string& method, const std::string& precision) {
+        return run(folder,
+                   {"filters", "check", method, "worked", "--view", "phi-0", "--width", "32", "--height",
+                    "32", "--picture", "study/pictures/worked-phi-0/nearest.exr", "--precision", precision});
+    };
+    EXPECT_EQ(judged("nearest", "colour_bits=24").exit_code, 0);
+    const Ran other = judged("bilinear", "colour_bits=24");
+    EXPECT_EQ(other.exit_code, 1);
+    EXPECT_NE(other.out.find("FAILED  worked / phi-0: bilinear: "), std::string::npos) << other.out;
+    EXPECT_NE(other.out.find("; worst at ("), std::string::npos) << other.out;
+    EXPECT_EQ(judged("bilinear", "place_bits=0").exit_code, 0);
+    EXPECT_EQ(run(folder, {"filters", "check", "nearest", "worked", "--picture",
+                           "study/pictures/worked-phi-0/nearest.exr", "--width", "32", "--height", "32"})
+                  .exit_code,
+              2);
 }
 
 TEST(Filters, WordsAboutAStudyAreHeldAgainstIt) {

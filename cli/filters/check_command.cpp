@@ -1,0 +1,112 @@
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+#include "cli/commands.h"
+#include "cli/filters/scenes.h"
+#include "cli/interrupt.h"
+#include "cli/selftest/filter_fault.h"
+#include "cli/threads.h"
+#include "cli/usage_error.h"
+#include "frame/exr.h"
+#include "rasterizer/rasterizer.h"
+
+namespace zproof {
+namespace {
+
+using selftest::FilterClaim;
+using selftest::FilterStage;
+using selftest::FilterTrial;
+
+FilterClaim claim_of(const FilterChoice& choice, const FiltersCheckArguments& arguments) {
+    const rasterizer::Texturing& texturing = choice.texturing;
+    if (oracle::find_filter_definition(texturing.method.name) == nullptr)
+        throw UsageError{"filter '" + texturing.method.name + "': it has no law to be held against"};
+    return {texturing.method.name, texturing.options, texturing.derivatives,
+            arguments.precision.value_or(selftest::filter_precision(texturing.options))};
+}
+
+/// "0 of 262144 pixels outside, slack 0.93"
+std::string found_in_words(const FilterTrial& trial) {
+    if (trial.is_caught()) return selftest::in_words(trial);
+    std::ostringstream text;
+    text << "no pixel of " << trial.found.judged << " outside, slack " << std::setprecision(3)
+         << trial.found.worst_slack;
+    if (trial.found.anything > 0) text << "; " << trial.found.anything << " undecided";
+    return text.str();
+}
+
+std::string where_in_words(const Conformance& found) {
+    if (!found.where) return "";
+    std::ostringstream text;
+    text << "; worst at (" << found.worst.x << ", " << found.worst.y << "), all within columns "
+         << found.where->first.x << " to " << found.where->last.x << ", rows " << found.where->first.y
+         << " to " << found.where->last.y;
+    return text.str();
+}
+
+Picture picture_of(const FilterStage& stage, const FilterChoice& choice, const std::filesystem::path& own) {
+    if (own.empty()) return rasterizer::filtered(stage.scene, stage.view, stage.frame, choice.texturing);
+    Picture picture = read_picture_exr(own);
+    const Resolution expected{stage.view.width, stage.view.height};
+    if (picture.size() != expected)
+        throw UsageError{own.string() + ": " + std::to_string(picture.size().width) + " x " +
+                         std::to_string(picture.size().height) + " pixels; the view has " +
+                         std::to_string(expected.width) + " x " + std::to_string(expected.height) +
+                         " (--width, --height)"};
+    return picture;
+}
+
+/// Judges every method on one view; how many of them keep to their definition.
+class Bench {
+  public:
+    explicit Bench(const FiltersCheckArguments& arguments) : arguments_(arguments) {}
+
+    void judge(const FilterStage& stage) {
+        for (const FilterChoice& choice : arguments_.methods) {
+            if (interrupted()) return;
+            const Picture picture = picture_of(stage, choice, arguments_.picture);
+            const FilterTrial trial = selftest::conformance_of(picture, stage, claim_of(choice, arguments_));
+            std::cout << (trial.is_caught() ? "FAILED  " : "passed  ") << stage.scene.name << " / "
+                      << stage.view.name << ": " << choice.typed << ": " << found_in_words(trial)
+                      << where_in_words(trial.found) << std::endl;
+            ++judged_;
+            failed_ += trial.is_caught();
+        }
+    }
+
+    ExitCode outcome() const {
+        std::cout << judged_ << (judged_ == 1 ? " picture: " : " pictures: ") << judged_ - failed_
+                  << " within the law of their method, " << failed_ << " not\n";
+        if (interrupted()) return ExitCode::interrupted;
+        if (judged_ == 0) return ExitCode::nothing;
+        return failed_ == 0 ? ExitCode::proven : ExitCode::defect;
+    }
+
+  private:
+    const FiltersCheckArguments& arguments_;
+    int judged_ = 0, failed_ = 0;
+};
+
+}  // namespace
+
+ExitCode execute(const FiltersCheckArguments& arguments) {
+    for (const FilterChoice& choice : arguments.methods) claim_of(choice, arguments);
+    Bench bench{arguments};
+    int views_judged = 0;
+    for (const StudyScene& source : study_scenes(arguments.scenes)) {
+        const Resolution natural = natural_resolution(source);
+        const Loaded loaded = load(
+            source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
+        for (const View& view : chosen_views(loaded, arguments.views)) {
+            if (!arguments.picture.empty() && ++views_judged > 1)
+                throw UsageError{"--picture: one view is expected; name it (--view)"};
+            on_threads(arguments.threads, [&] {
+                bench.judge({loaded.scene, view, rasterizer::render(loaded.scene, view)});
+            });
+        }
+    }
+    return bench.outcome();
+}
+
+}  // namespace zproof

@@ -1,0 +1,15 @@
+/// What a filter promises, as typed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frame/filter_precision.h"
+
+namespace zproof {
+
+/// "weight_bits=8", "displacement_px=0.002" ...; what is not named is as exact as double arithmetic. Throws
+/// UsageError for an unknown key, or a value that is no number from 0 to 1000.
+FilterPrecision filter_precision_from_words(const std::vector<std::string>& words);
+
+}  // namespace zproof
