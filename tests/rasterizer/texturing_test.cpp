@@ -138,6 +138,14 @@ TEST(TexelMap, AffineOfATriangleThroughTheNearPlaneHoldsItsCornersInFront) {
         ASSERT_TRUE(map);
         EXPECT_LE(glm::distance(at(*map, p), texel_of(scene, k)), 1e-9) << "corner " << k;
     }
+    // Depth runs from 10 at corner 2 to -2 at corner 0: the second triangle of the fan ends where it is near.
+    const double share = (10 - 0.5) / 12;
+    const glm::dvec3 cut_world = glm::mix(glm::dvec3{scene.vertices.position_world[2]},
+                                          glm::dvec3{scene.vertices.position_world[0]}, share);
+    const glm::dvec2 cut_raster = raster_of(view, cut_world);
+    EXPECT_LE(glm::distance(at(*affine_texels_from_raster(scene, view, 0, cut_raster), cut_raster),
+                            glm::mix(texel_of(scene, 2), texel_of(scene, 0), share)),
+              1e-9);
     const Scene behind = triangle_with_texture({{{0, 0, 3}, {2, -1, 5}, {0, -1, 2}}});
     EXPECT_FALSE(affine_texels_from_raster(behind, view, 0, {3, 3}));
 }
