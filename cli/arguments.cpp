@@ -6,15 +6,24 @@
 #include <thread>
 
 #include "cli/command_line/tree.h"
+#include "cli/settings/apply.h"
 #include "cli/usage_error.h"
 
 namespace zproof {
 namespace {
 
-std::string as_typed(int argc, const char* const* argv) {
-    std::string line = "zproof";
-    for (int i = 1; i < argc; ++i) line += " " + shell_quoted(argv[i]);
-    return line;
+/// The command that was parsed, the last of "filters run".
+CLI::App& leaf_of(CLI::App& app) {
+    for (CLI::App* command : app.get_subcommands())
+        if (command->parsed()) return leaf_of(*command);
+    return app;
+}
+
+/// What was not typed is taken from environment, profile and file.
+void take_settings(CommandTree& tree, const Environment& environment) {
+    CLI::App& leaf = leaf_of(tree.root());
+    if (!listens(leaf)) return;
+    give(that_concern(leaf, settings_here(tree.words().settings, environment)), leaf);
 }
 
 /// CLI11 throws both for mistakes and for --help; only the former are errors of the user.
@@ -29,15 +38,21 @@ Answered answer_or_throw(const CLI::App& app, const CLI::ParseError& e) {
 
 int available_threads() { return std::clamp(int(std::thread::hardware_concurrency()), 1, 1024); }
 
-Command parse_command_line(int argc, const char* const* argv) {
+Command parse_command_line(int argc, const char* const* argv, const Environment& environment) {
     CommandTree tree;
     CommandWords& words = tree.words();
-    words.run.report.typed = words.compare.report.typed = words.filters.run.typed = as_typed(argc, argv);
+    const std::vector<std::string> typed{argv + 1, argv + argc};
+    words.filters.run.typed = shell_line(typed);
+    for (ReportArguments* report : {&words.run.report, &words.compare.report}) {
+        report->argv = typed;
+        report->typed = shell_line(typed);
+    }
     try {
         tree.root().parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         return answer_or_throw(tree.root(), e);
     }
+    take_settings(tree, environment);
     return tree.chosen();
 }
 
@@ -48,6 +63,12 @@ std::string shell_quoted(const std::string& word) {
     std::string quoted = "'";
     for (char c : word) quoted += c == '\'' ? std::string{"'\\''"} : std::string{c};
     return quoted + "'";
+}
+
+std::string shell_line(const std::vector<std::string>& words) {
+    std::string line = "zproof";
+    for (const std::string& word : words) line += " " + shell_quoted(word);
+    return line;
 }
 
 }  // namespace zproof

@@ -9,8 +9,11 @@
 
 #include "cli/filter_choice.h"
 #include "cli/filters/arguments.h"
+#include "cli/gate/gate.h"
 #include "cli/renderers/choice.h"
+#include "cli/report_files.h"
 #include "cli/settings.h"
+#include "cli/settings/sources.h"
 
 namespace zproof {
 
@@ -43,11 +46,15 @@ struct ReportArguments {
     ProgressStyle progress = ProgressStyle::automatic;
     Detail detail = Detail::table;
     PictureWish pictures = PictureWish::none;
-    std::string typed;  ///< the command line, quoted for a shell
+    std::vector<ReportFormat> formats = usual_formats();
+    GateArguments gate;
+    std::string typed;              ///< the command line, quoted for a shell
+    std::vector<std::string> argv;  ///< the same, word by word
 };
 
 struct RunArguments {
     std::vector<std::string> scenes;  ///< empty: the whole suite
+    Shard shard;
     Parties parties;
     RenderSettings settings;
     ReportArguments report;
@@ -91,6 +98,61 @@ struct SelftestArguments {
     int threads = available_threads();
 };
 
+/// Shards of one run, put together.
+struct MergeArguments {
+    std::vector<std::filesystem::path> shards;  ///< output folders
+    ReportArguments report;
+};
+
+/// Results shown again.
+struct ReportAgainArguments {
+    std::vector<std::filesystem::path> results;  ///< results.json, or the folders that hold one
+    std::filesystem::path out = "report.html";   ///< "-": stdout
+    std::optional<ReportFormat> format;          ///< nothing: by the ending of `out`
+};
+
+enum class DifferenceFormat { table, json };
+
+struct DiffResultsArguments {
+    std::filesystem::path before, after;  ///< results.json, or the folders that hold one
+    DifferenceFormat format = DifferenceFormat::table;
+};
+
+struct WaiveListArguments {
+    GateArguments gate;
+};
+
+struct WaiveCheckArguments {
+    GateArguments gate;
+    std::filesystem::path results;  ///< of a run, to find waivers without use; empty: none
+};
+
+struct WaivePruneArguments {
+    GateArguments gate;
+    std::filesystem::path results;  ///< as above: those without use go as well
+};
+
+/// What of the pixel's surroundings a new waiver is to cover.
+enum class WaiverReach {
+    pair,      ///< every pixel of the view with the same two answers
+    triangle,  ///< every pixel at which the candidate's triangle is named
+    pixels,    ///< the pixels that were named
+};
+
+struct WaiveAddArguments {
+    GateArguments gate;
+    std::filesystem::path results;
+    std::string scene, view;          ///< view empty: the scene's only one
+    std::vector<std::string> pixels;  ///< "X,Y"; one at least
+    WaiverReach reach = WaiverReach::pair;
+    std::string id, reason, link, expires;
+};
+
+/// What zproof stands on, and which settings hold here.
+struct DoctorArguments {
+    SettingsChoice settings;
+};
+
 struct ListArguments {};
 
 struct GenerateArguments {
@@ -105,14 +167,20 @@ struct Answered {
 
 using Command =
     std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
-                 ContractCheckArguments, SelftestArguments, ListArguments, GenerateArguments,
-                 FiltersRunArguments, FiltersListArguments, FiltersTableArguments, FiltersFigureArguments,
-                 FiltersCrowArguments, FiltersCheckArguments, Answered>;
+                 ContractCheckArguments, SelftestArguments, MergeArguments, ReportAgainArguments,
+                 DiffResultsArguments, WaiveListArguments, WaiveCheckArguments, WaivePruneArguments,
+                 WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments, FiltersRunArguments,
+                 FiltersListArguments, FiltersTableArguments, FiltersFigureArguments, FiltersCrowArguments,
+                 FiltersCheckArguments, Answered>;
 
-/// Throws UsageError.
-Command parse_command_line(int argc, const char* const* argv);
+/// What is not typed is taken from the settings (docs/gate.md). Throws UsageError, and ReportError where a
+/// settings file that is named cannot be read.
+Command parse_command_line(int argc, const char* const* argv, const Environment& environment);
 
 /// The word as a POSIX shell must be given it.
 std::string shell_quoted(const std::string& word);
+
+/// "zproof" and the words, each quoted as it must be.
+std::string shell_line(const std::vector<std::string>& words);
 
 }  // namespace zproof

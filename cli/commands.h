@@ -33,6 +33,31 @@ ExitCode execute(const ContractCheckArguments& arguments);
 /// all of them and passes the good frames.
 ExitCode execute(const SelftestArguments& arguments);
 
+/// Puts the shards of one run together: the files of one run of them all, and its verdict. ReportError where
+/// they are not the shards of one run.
+ExitCode execute(const MergeArguments& arguments);
+
+/// Writes a report of results that are already there.
+ExitCode execute(const ReportAgainArguments& arguments);
+
+/// Prints what differs between two runs; a defect where the newer is worse.
+ExitCode execute(const DiffResultsArguments& arguments);
+
+/// Prints the waivers.
+ExitCode execute(const WaiveListArguments& arguments);
+
+/// Prints which waivers need a hand; a defect where one has run out, or is not needed and --strict.
+ExitCode execute(const WaiveCheckArguments& arguments);
+
+/// Removes waivers that have run out or let nothing pass.
+ExitCode execute(const WaivePruneArguments& arguments);
+
+/// Adds a waiver for the defects around a pixel; UsageError where there is no defect.
+ExitCode execute(const WaiveAddArguments& arguments);
+
+/// Prints what is installed and which settings hold; cannot_judge where what they need is not here.
+ExitCode execute(const DoctorArguments& arguments);
+
 /// Prints the suite: each scene with its reason and the classes that it must show.
 ExitCode execute(const ListArguments& arguments);
 

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "cli/commands.h"
+#include "cli/gate/shard.h"
 #include "cli/judgement.h"
 #include "cli/usage_error.h"
 #include "frame/exr.h"
@@ -23,11 +24,12 @@ ExitCode execute(const CompareArguments& arguments) {
     const auto& candidate = std::get<StoredFrame>(arguments.parties.candidate.who);
     const Resolution size = read_exr(candidate.file).size();
     const SceneSource source = select_scene(arguments.scene);
-    return judge_and_report({{source},
-                             arguments.parties,
-                             {.resolution = size, .threads = arguments.threads},
-                             arguments.report,
-                             view_meant(arguments, source, size)});
+    return judge_and_report({.sources = {source},
+                             .parties = arguments.parties,
+                             .settings = {.resolution = size, .threads = arguments.threads},
+                             .report = arguments.report,
+                             .selection = selection_of({source}, size),
+                             .only_view = view_meant(arguments, source, size)});
 }
 
 }  // namespace zproof

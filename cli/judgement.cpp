@@ -1,52 +1,22 @@
 #include "cli/judgement.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 
+#include "cli/announcement.h"
 #include "cli/interrupt.h"
-#include "cli/outcome_code.h"
 #include "cli/progress.h"
 #include "cli/renderers/roster.h"
 #include "cli/scene_run.h"
 #include "cli/threads.h"
-#include "cli/times_table.h"
 #include "cli/version.h"
 #include "oracle/embree.h"
 #include "oracle/oracle_error.h"
-#include "reports/html.h"
-#include "reports/json.h"
-#include "reports/junit.h"
 #include "reports/output_folder.h"
-#include "reports/terminal.h"
-#include "reports/wording.h"
 
 namespace zproof {
 namespace {
-
-Colour resolve(ColourWish wish) {
-    if (wish == ColourWish::always) return Colour::ansi;
-    if (wish == ColourWish::never) return Colour::plain;
-    const char* no_color = std::getenv("NO_COLOR");  // no-color.org: any value but the empty one
-    const bool refused = no_color != nullptr && *no_color != '\0';
-    return !refused && is_terminal(STDOUT_FILENO) ? Colour::ansi : Colour::plain;
-}
-
-void write_text(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream out{file, std::ios::binary};
-    out << text << std::flush;
-    if (!out) throw ReportError{file.string() + ": cannot be written; is the disk full?"};
-}
-
-void write_reports(const std::filesystem::path& folder, const Results& results) {
-    write_text(folder / "results.json", to_json(results));
-    write_text(folder / "junit.xml", to_junit(results));
-    write_text(folder / "report.html", to_html(results, folder));
-}
 
 /// An interrupt that comes when everything is judged changes nothing any more.
 Ending judge_all(const std::vector<SceneSource>& sources, const Desk& desk, std::vector<ViewResult>& views) {
@@ -62,13 +32,6 @@ Ending judge_all(const std::vector<SceneSource>& sources, const Desk& desk, std:
         std::ranges::move(report.views, std::back_inserter(views));
     }
     return ending;
-}
-
-void print(const ReportArguments& report, const Results& results, ExitCode code) {
-    if (report.detail != Detail::verdict) std::cout << summary_table(results, resolve(report.colour));
-    if (report.detail == Detail::times) std::cout << times_table(results);
-    std::cout << in_words(code) << ": " << counted(results.views.size(), "view")
-              << "; report: " << (report.out / "report.html").string() << "\n";
 }
 
 /// Candidate, reference, and the witnesses that can be asked. Throws OracleError for one that must be there
@@ -89,30 +52,34 @@ std::vector<RendererFacts> roll_call(const Parties& parties) {
 }  // namespace
 
 ExitCode judge_and_report(const Assignment& assignment) {
-    const auto& [sources, parties, settings, report, only_view] = assignment;
+    const auto& [sources, parties, settings, report, selection, shard, only_view] = assignment;
+    const Gate gate = open_gate(report.gate);
     Results results{.version = version_number(),
                     .command = report.typed,
+                    .argv = report.argv,
                     .compiler = compiler_name(),
                     .embree = oracle::embree_version(),
                     .threads = settings.threads,
+                    .shard = shard,
+                    .selection = selection,
+                    .today = gate.waivers.empty() ? "" : in_words(gate.today),
+                    .strictness = gate.strictness,
+                    .waivers = gate.waivers,
                     .renderers = roll_call(parties),
                     .views = {}};
     OutputFolder out{report.out};
     note_interrupts();
 
     FolderNames names;
-    Ending ending = Ending::complete;
     {
         Progress progress{std::cerr, resolve(report.progress), sources.size()};
-        const Desk desk{settings.resolution, out.working(), names, progress, parties,
+        const Desk desk{settings.resolution, out.working(), names, progress, parties, gate,
                         report.pictures,     only_view};
-        on_threads(settings.threads, [&] { ending = judge_all(sources, desk, results.views); });
+        on_threads(settings.threads, [&] { results.ending = judge_all(sources, desk, results.views); });
     }
-    const ExitCode code = exit_code_of(results, ending);
-    write_reports(out.working(), results);
+    write_reports(out.working(), results, report.formats);
     out.publish();
-    print(report, results, code);
-    return code;
+    return announce(results, report);
 }
 
 }  // namespace zproof

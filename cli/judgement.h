@@ -15,11 +15,14 @@ struct Assignment {
     const Parties& parties;
     RenderSettings settings;
     const ReportArguments& report;
-    std::string only_view;  ///< empty: all views of every scene
+    Selection selection;
+    Shard shard{};
+    std::string only_view = "";  ///< empty: all views of every scene
 };
 
-/// Writes results.json, junit.xml, report.html and the evidence, and prints what the report arguments ask
-/// for. Throws OracleError, before any work, where a renderer that is needed cannot be asked on this machine.
+/// Writes results.json, the reports that are asked for and the evidence, and prints what the report arguments
+/// ask for. Throws OracleError, before any work, where a renderer that is needed cannot be asked on this
+/// machine.
 ExitCode judge_and_report(const Assignment& assignment);
 
 }  // namespace zproof

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
@@ -18,7 +19,9 @@ ExitCode complain(std::string_view kind, const std::exception& e, ExitCode code)
 ExitCode guarded_run(int argc, const char* const* argv) {
     try {
         const ExitCode code = std::visit([](const auto& arguments) { return execute(arguments); },
-                                         parse_command_line(argc, argv));
+                                         parse_command_line(argc, argv, [](const std::string& name) {
+                                             return std::getenv(name.c_str());
+                                         }));
         if (!std::cout.flush()) throw std::runtime_error{"stdout: cannot be written; is the disk full?"};
         return code;
     } catch (const UsageError& e) {

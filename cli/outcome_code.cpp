@@ -2,16 +2,19 @@
 
 #include <algorithm>
 
+#include "reports/waiver_standing.h"
+
 namespace zproof {
 
-ExitCode exit_code_of(const Results& results, Ending ending) {
+ExitCode exit_code_of(const Results& results) {
     const auto any = [&](Outcome outcome) {
         return std::ranges::count(results.views, outcome, &ViewResult::outcome) > 0;
     };
-    if (ending == Ending::interrupted) return ExitCode::interrupted;
+    if (results.ending == Ending::interrupted) return ExitCode::interrupted;
     if (any(Outcome::unreadable)) return ExitCode::cannot_judge;
     if (any(Outcome::defective)) return ExitCode::defect;
-    return any(Outcome::proven) ? ExitCode::proven : ExitCode::nothing;
+    if (!any(Outcome::proven)) return ExitCode::nothing;
+    return waivers_fail(results) ? ExitCode::defect : ExitCode::proven;
 }
 
 std::string_view in_words(ExitCode code) {

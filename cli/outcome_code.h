@@ -7,11 +7,9 @@
 
 namespace zproof {
 
-enum class Ending { complete, interrupted };
-
 /// Where several codes apply, the one that proves least: interrupted, then cannot_judge, then nothing, then
-/// defect.
-ExitCode exit_code_of(const Results& results, Ending ending);
+/// defect. A waiver that fails the gate (reports/waiver_standing.h) is a defect.
+ExitCode exit_code_of(const Results& results);
 
 /// The verdict on a whole run: "proven", "defect", "cannot judge everything", ...
 std::string_view in_words(ExitCode code);

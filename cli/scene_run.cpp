@@ -13,6 +13,7 @@
 #include "oracle/oracle_error.h"
 #include "reports/evidence.h"
 #include "scenes/scene_error.h"
+#include "scenes/scene_hash.h"
 
 namespace zproof {
 namespace {
@@ -63,7 +64,7 @@ void hear_witnesses(const Trial& trial, const JudgedFrame& candidate, const Test
 /// nullopt: interrupted between two stages.
 std::optional<ViewResult> run_view(const Trial& trial) {
     const auto& [docket, court, desk] = trial;
-    const auto& [source, scene, view, parties] = docket;
+    const auto& [source, scene, scene_sha256, view, parties] = docket;
     StageTimes times;
     Stopwatch watch;
 
@@ -80,7 +81,7 @@ std::optional<ViewResult> run_view(const Trial& trial) {
     desk.progress.begin_stage("judge " + view.name);
     const Testimony ours{candidate, court.candidate.precision}, theirs{reference, court.reference.precision};
     const Verdict verdict = judge(scene, view, ours, theirs);
-    ViewResult result = to_view_result(docket, verdict);
+    ViewResult result = to_view_result(docket, verdict, desk.gate);
     result.diagnosis = diagnose(scene, view, ours, theirs, verdict);
     times.judge = watch.lap();
 
@@ -129,6 +130,7 @@ Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewRe
     Stopwatch watch;
     desk.progress.begin_stage("load");
     const Loaded loaded = load(source, desk.resolution);
+    const std::string scene_sha256 = sha256_of(loaded.scene);
     const double load_time = watch.lap();
     if (loaded.scene.triangles.empty()) {
         results.push_back(without_triangles(source, loaded.scene));
@@ -143,7 +145,7 @@ Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewRe
 
     for (const View& view : wanted_views(loaded, desk.only_view)) {
         if (interrupted()) return Ending::interrupted;
-        const Docket docket{source, loaded.scene, view, desk.parties};
+        const Docket docket{source, loaded.scene, scene_sha256, view, desk.parties};
         std::optional<ViewResult> result = run_view_or_say_why_not({docket, court, desk});
         if (!result) return Ending::interrupted;
         if (results.empty()) {

@@ -7,6 +7,7 @@
 
 #include "cli/arguments.h"
 #include "cli/folder_names.h"
+#include "cli/gate/gate.h"
 #include "cli/outcome_code.h"
 #include "cli/progress.h"
 #include "cli/renderers/choice.h"
@@ -22,6 +23,7 @@ struct Desk {
     FolderNames& names;
     Progress& progress;
     const Parties& parties;
+    const Gate& gate;
     PictureWish pictures;
     std::string only_view = "";  ///< empty: all views
 };

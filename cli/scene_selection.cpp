@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 SceneSource of_suite(const SuiteEntry& entry) {
-    return {SceneSource::Kind::suite, entry.name, "suite", entry.reason, entry.expects};
+    return {SceneSource::Kind::suite, entry.name, "suite", entry.reason, entry.expects, 0};
 }
 
 bool is_gltf(const fs::path& file) { return file.extension() == ".gltf" || file.extension() == ".glb"; }
@@ -33,7 +33,7 @@ std::string stem_of(const fs::path& file) {
 
 SceneSource of_file(const fs::path& file) {
     const auto kind = is_gltf(file) ? SceneSource::Kind::gltf : SceneSource::Kind::view_file;
-    return {kind, stem_of(file), file.generic_string(), "", {}};
+    return {kind, stem_of(file), file.generic_string(), "", {}, 0};
 }
 
 bool found_in_folder(const fs::path& file) {
@@ -91,13 +91,13 @@ void make_names_unique(std::vector<SceneSource>& sources) {
 
 std::vector<SceneSource> select_scenes(const std::vector<std::string>& words) {
     const std::vector<SuiteEntry> manifest = suite_manifest();
-    if (words.empty()) return meant_by("suite", manifest);
     std::vector<SceneSource> sources;
     std::set<std::string> seen;
-    for (const std::string& word : words)
+    for (const std::string& word : words.empty() ? std::vector<std::string>{"suite"} : words)
         for (SceneSource& source : meant_by(word, manifest))
             if (seen.insert(word_for(source)).second) sources.push_back(std::move(source));
     make_names_unique(sources);
+    for (std::size_t i = 0; i < sources.size(); ++i) sources[i].place = i;
     return sources;
 }
 

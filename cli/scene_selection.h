@@ -1,6 +1,7 @@
 /// From the words of a command line to the scenes that they mean.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct SceneSource {
     std::string origin;                ///< "suite", or the file
     std::string reason;                ///< why the suite has it; empty for files
     std::vector<std::string> expects;  ///< classes that must occur; empty for files
+    std::uint64_t place = 0;           ///< in the selection, from 0
 };
 
 /// The scenes that the words mean, in their order, each once: "suite" or no word at all is the whole suite; a

@@ -11,17 +11,25 @@ namespace {
 
 constexpr std::size_t most_reported_findings = 200, most_reported_of_witness = 20;
 
-/// Defects before lawful differences, then the larger error/bound (NaN last), then raster order.
-bool worse(const Finding& a, const Finding& b) {
-    if (passes(a.verdict) != passes(b.verdict)) return passes(b.verdict);
-    const auto ratio = [](const Finding& f) {
-        return std::isnan(f.error_over_bound) ? -1 : f.error_over_bound;
-    };
-    if (ratio(a) != ratio(b)) return ratio(a) > ratio(b);
-    return std::pair{a.y, a.x} < std::pair{b.y, b.x};
+/// A finding, and the waiver that lets it pass.
+struct Ranked {
+    const Finding* finding;
+    std::string waiver;  ///< its id; empty: none
+
+    /// Defects, then waived defects, then lawful differences.
+    int grade() const { return passes(finding->verdict) ? 2 : waiver.empty() ? 0 : 1; }
+    /// NaN last.
+    double ratio() const { return std::isnan(finding->error_over_bound) ? -1 : finding->error_over_bound; }
+};
+
+/// By grade, then the larger error/bound, then raster order.
+bool worse(const Ranked& a, const Ranked& b) {
+    if (a.grade() != b.grade()) return a.grade() < b.grade();
+    if (a.ratio() != b.ratio()) return a.ratio() > b.ratio();
+    return std::pair{a.finding->y, a.finding->x} < std::pair{b.finding->y, b.finding->x};
 }
 
-std::vector<Finding> worst_of(std::vector<Finding> findings, std::size_t most) {
+std::vector<Ranked> worst_of(std::vector<Ranked> findings, std::size_t most) {
     const std::size_t count = std::min(findings.size(), most);
     std::ranges::partial_sort(findings, findings.begin() + std::ptrdiff_t(count), worse);
     findings.resize(count);
@@ -30,12 +38,31 @@ std::vector<Finding> worst_of(std::vector<Finding> findings, std::size_t most) {
 
 /// Each finding with its sentence and the command that tells more.
 std::vector<ReportedFinding> stories(const Docket& docket, const RendererChoice& candidate,
-                                     const std::vector<Finding>& findings) {
+                                     const std::vector<Ranked>& findings) {
     std::vector<ReportedFinding> told;
-    for (const Finding& finding : findings)
-        told.push_back({finding, in_words(docket.scene, finding),
-                        explain_command_for(docket, candidate, finding.x, finding.y)});
+    for (const auto& [finding, waiver] : findings)
+        told.push_back({*finding, in_words(docket.scene, *finding),
+                        explain_command_for(docket, candidate, finding->x, finding->y), waiver});
     return told;
+}
+
+/// Puts the findings to the waivers: counts, uses, and the findings as they rank.
+std::vector<Ranked> hold_to_waivers(const Docket& docket, const std::vector<Finding>& findings,
+                                    const Gate& gate, ViewResult& result) {
+    WaiverCoverage coverage = cover(gate.waivers,
+                                    {.scene = docket.source.name,
+                                     .view = docket.view.name,
+                                     .scene_sha256 = docket.scene_sha256,
+                                     .size = {docket.view.width, docket.view.height}},
+                                    findings, gate.today);
+    result.waivers = std::move(coverage.uses);
+    std::vector<Ranked> ranked;
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+        const auto by = coverage.by[i];
+        if (by) ++result.waived[std::size_t(findings[i].verdict)];
+        ranked.push_back({&findings[i], by ? gate.waivers[*by].id : ""});
+    }
+    return ranked;
 }
 
 /// The options that name candidate and reference, where they are not the usual ones.
@@ -59,9 +86,9 @@ std::string explain_command_for(const Docket& docket, const RendererChoice& cand
     return command + " --width " + std::to_string(size.width) + " --height " + std::to_string(size.height);
 }
 
-ViewResult to_view_result(const Docket& docket, const Verdict& verdict) {
+ViewResult to_view_result(const Docket& docket, const Verdict& verdict, const Gate& gate) {
     ViewResult result = unjudged(docket.source, Outcome::proven, "");
-    if (defect_count(verdict) > 0) result.outcome = Outcome::defective;
+    result.scene_sha256 = docket.scene_sha256;
     result.view = docket.view.name;
     result.width = docket.view.width;
     result.height = docket.view.height;
@@ -78,13 +105,16 @@ ViewResult to_view_result(const Docket& docket, const Verdict& verdict) {
     result.exact = verdict.exact;
     result.notes = docket.scene.notes;
     result.worst =
-        stories(docket, docket.parties.candidate, worst_of(verdict.findings, most_reported_findings));
+        stories(docket, docket.parties.candidate,
+                worst_of(hold_to_waivers(docket, verdict.findings, gate, result), most_reported_findings));
+    if (unwaived_defects(result) > 0) result.outcome = Outcome::defective;
     return result;
 }
 
 WitnessResult to_witness_result(const Docket& docket, const RendererChoice& witness, const Verdict& verdict) {
-    std::vector<Finding> defects = verdict.findings;
-    std::erase_if(defects, [](const Finding& finding) { return passes(finding.verdict); });
+    std::vector<Ranked> defects;
+    for (const Finding& finding : verdict.findings)
+        if (!passes(finding.verdict)) defects.push_back({&finding, ""});
     return {.name = name_of(witness),
             .absent = "",
             .counts = verdict.counts,
@@ -96,6 +126,7 @@ WitnessResult to_witness_result(const Docket& docket, const RendererChoice& witn
 ViewResult unjudged(const SceneSource& source, Outcome outcome, const std::string& message) {
     ViewResult result;
     result.scene = source.name;
+    result.place = source.place;
     result.source = source.origin;
     result.reason = source.reason;
     result.outcome = outcome;

@@ -3,9 +3,11 @@
 
 #include <string>
 
+#include "cli/gate/gate.h"
 #include "cli/renderers/choice.h"
 #include "cli/scene_selection.h"
 #include "compare/verdict.h"
+#include "compare/waivers/coverage.h"
 #include "reports/results.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
@@ -16,6 +18,7 @@ namespace zproof {
 struct Docket {
     const SceneSource& source;
     const Scene& scene;
+    const std::string& scene_sha256;
     const View& view;
     const Parties& parties;
 };
@@ -23,8 +26,8 @@ struct Docket {
 /// The command that explains what this candidate said at a pixel of this view, quoted for a shell.
 std::string explain_command_for(const Docket& docket, const RendererChoice& candidate, int x, int y);
 
-/// Everything but times and folder.
-ViewResult to_view_result(const Docket& docket, const Verdict& verdict);
+/// Everything but times and folder. A view whose defects are all waived is proven.
+ViewResult to_view_result(const Docket& docket, const Verdict& verdict, const Gate& gate);
 
 /// What the judge said of a witness.
 WitnessResult to_witness_result(const Docket& docket, const RendererChoice& witness, const Verdict& verdict);

@@ -71,13 +71,15 @@ std::string count_cell(const ViewResult& v, PixelClass c) {
 }
 
 std::string measured_cells(const ViewResult& v) {
-    const std::uint64_t pixels = std::uint64_t(v.width) * std::uint64_t(v.height), defects = defect_count(v);
+    const std::uint64_t pixels = std::uint64_t(v.width) * std::uint64_t(v.height),
+                        defects = unwaived_defects(v);
     std::string cells =
         "<td class=\"n\">" + grouped(v.triangles) + "</td><td class=\"n\">" + grouped(pixels) + "</td>";
     for (const PixelClass c : {PixelClass::edge, PixelClass::depth_tie, PixelClass::abutting_edges,
                                PixelClass::clip, PixelClass::reference_wrong})
         cells += count_cell(v, c);
     return cells + "<td class=\"n defects" + (defects == 0 ? " zero" : "") + "\">" + grouped(defects) +
+           (waived_count(v) == 0 ? "" : "<br>" + grouped(waived_count(v)) + " waived") +
            "</td><td class=\"n\">" + rounded(v.candidate_depth.max_error_over_bound) +
            "</td><td class=\"n\">" + rounded(v.reference_depth.max_error_over_bound) + "</td>";
 }

@@ -56,19 +56,31 @@ std::string figures(const PageView& page, std::size_t first, std::size_t last) {
     return text;
 }
 
-std::string count_row(PixelClass c, std::uint64_t count) {
-    return "<tr>" + cell("", class_badge(c)) + cell("n", grouped(count)) +
-           cell("gate", passes(c) ? "lawful" : "<strong>defect</strong>") + "</tr>\n";
+std::string count_row(PixelClass c, std::uint64_t count, std::uint64_t waived) {
+    const std::string word = passes(c)         ? "lawful"
+                             : waived == 0     ? "<strong>defect</strong>"
+                             : waived == count ? "defect, waived"
+                                               : "<strong>defect</strong>, " + grouped(waived) + " waived";
+    return "<tr>" + cell("", class_badge(c)) + cell("n", grouped(count)) + cell("gate", word) + "</tr>\n";
+}
+
+/// What each waiver that names the view did about it.
+std::string waiver_lines(const ViewResult& v) {
+    std::string items;
+    for (const WaiverUse& use : v.waivers)
+        items += "<li>" + code(use.id) + " (" + std::string(name_of(use.effect)) +
+                 "): " + counted(use.matched, "pixel") + " fit, " + grouped(use.waived) + " let pass</li>\n";
+    return items.empty() ? "" : "<h3>Waivers</h3><ul>" + items + "</ul>";
 }
 
 std::string class_table(const ViewResult& v) {
     std::string rows;
     for (std::size_t i = 0; i < v.counts.size(); ++i)
-        if (v.counts[i] > 0) rows += count_row(PixelClass(i), v.counts[i]);
+        if (v.counts[i] > 0) rows += count_row(PixelClass(i), v.counts[i], v.waived[i]);
     return "<div><h3>Pixels by class</h3><table class=\"counts\">" + rows + "</table>" +
            "<p class=\"fine\">" + grouped(v.adjudicated) + " needed the admissible set, " + grouped(v.exact) +
            " of them exact rationals; " + counted(v.reference_defects, "pixel") +
-           " where the reference's own answer is impossible.</p></div>\n";
+           " where the reference's own answer is impossible.</p>" + waiver_lines(v) + "</div>\n";
 }
 
 std::string explanation_row(const Explanation& e, const Diagnosis& d) {
@@ -116,7 +128,9 @@ std::string worst_row(const ReportedFinding& reported) {
            cell("", class_badge(f.verdict)) + cell("n", depth_cell(f.candidate)) +
            cell("n", depth_cell(f.reference)) +
            cell("n", std::isnan(f.error_over_bound) ? "–" : rounded(f.error_over_bound)) +
-           cell("words", escaped(reported.explanation) + "<br>" + code(reported.command)) + "</tr>\n";
+           cell("words", escaped(reported.explanation) + "<br>" + code(reported.command) +
+                             (reported.waiver.empty() ? "" : "<br>waived by " + code(reported.waiver))) +
+           "</tr>\n";
 }
 
 std::size_t worst_shown(const ViewResult& v) {

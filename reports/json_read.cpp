@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/json.h"
+#include "reports/waiver_json.h"
 
 namespace zproof {
 
@@ -69,7 +70,8 @@ ReportedFinding reported(const Json& json) {
                         .candidate_depth = bound(json.at("candidate_depth_bound")),
                         .error_over_bound = number(json.at("error_over_bound"))},
             .explanation = json.at("explanation"),
-            .command = json.at("command")};
+            .command = json.at("command"),
+            .waiver = json.value("waiver", "")};  // since 1.3
 }
 
 ClassCounts counts_by_name(const Json& json) {
@@ -144,6 +146,17 @@ WitnessResult witness(const Json& json) {
     return w;
 }
 
+/// Since 1.3: what waivers did, and what shards are put together by.
+void read_gate(const Json& json, ViewResult& v) {
+    if (json.contains("waived"))
+        for (const auto& [name, pixels] : json.at("waived").items())
+            v.waived[std::size_t(class_named(name))] = count(pixels);
+    if (json.contains("waivers"))
+        for (const Json& one : json.at("waivers")) v.waivers.push_back(waiver_use_from(one));
+    if (json.contains("place")) v.place = count(json.at("place"));
+    v.scene_sha256 = json.value("scene_sha256", "");
+}
+
 /// Since 1.2; absent: none was asked.
 void read_witnesses(const Json& json, ViewResult& v) {
     if (!json.contains("witnesses")) return;
@@ -180,7 +193,22 @@ ViewResult view(const Json& json) {
                  .folder = json.at("folder")};
     for (const Json& finding : json.at("worst")) v.worst.push_back(reported(finding));
     read_witnesses(json, v);
+    read_gate(json, v);
     return v;
+}
+
+/// Since 1.3.
+void read_gate(const Json& root, Results& results) {
+    const Json& run = root.at("run");
+    if (!run.contains("argv")) return;
+    results.argv = run.at("argv");
+    results.shard = {run.at("shard").at("number"), run.at("shard").at("count")};
+    results.ending = run.at("ending") == "complete" ? Ending::complete : Ending::interrupted;
+    results.today = run.at("today");
+    results.selection = {count(root.at("selection").at("scenes")), root.at("selection").at("sha256")};
+    const Json& waivers = root.at("waivers");
+    results.strictness = waivers.at("strict") ? Strictness::strict : Strictness::lenient;
+    for (const Json& one : waivers.at("list")) results.waivers.push_back(waiver_from(one));
 }
 
 void require_known_version(const std::string& version) {
@@ -209,6 +237,7 @@ Results results_from_json(const std::string& text) try {
             results.renderers.push_back({.name = one.at("name"),
                                          .version = one.at("version"),
                                          .precision = one.at("precision").dump()});
+    read_gate(root, results);
     for (const Json& one : root.at("views")) results.views.push_back(view(one));
     return results;
 } catch (const Json::exception& e) {

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/json.h"
+#include "reports/waiver_json.h"
+#include "reports/waiver_standing.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -38,16 +40,18 @@ Json bound(const DepthBound& b) {
 
 Json reported(const ReportedFinding& r) {
     const Finding& f = r.finding;
-    return {{"x", f.x},
-            {"y", f.y},
-            {"class", name_of(f.verdict)},
-            {"candidate", answer(f.candidate)},
-            {"reference", answer(f.reference)},
-            {"eps_px", number(f.eps_px)},
-            {"candidate_depth_bound", bound(f.candidate_depth)},
-            {"error_over_bound", number(f.error_over_bound)},
-            {"explanation", r.explanation},
-            {"command", r.command}};
+    Json object = {{"x", f.x},
+                   {"y", f.y},
+                   {"class", name_of(f.verdict)},
+                   {"candidate", answer(f.candidate)},
+                   {"reference", answer(f.reference)},
+                   {"eps_px", number(f.eps_px)},
+                   {"candidate_depth_bound", bound(f.candidate_depth)},
+                   {"error_over_bound", number(f.error_over_bound)},
+                   {"explanation", r.explanation},
+                   {"command", r.command}};
+    if (!r.waiver.empty()) object["waiver"] = r.waiver;
+    return object;
 }
 
 Json reported(const std::vector<ReportedFinding>& findings) {
@@ -121,6 +125,20 @@ Json witnesses(const std::vector<WitnessResult>& heard) {
     return list;
 }
 
+/// Classes without a pixel are left out.
+Json waived_by_name(const ClassCounts& counts) {
+    Json object = Json::object();
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (counts[i] > 0) object[std::string(name_of(PixelClass(i)))] = counts[i];
+    return object;
+}
+
+Json waiver_uses(const std::vector<WaiverUse>& uses) {
+    Json list = Json::array();
+    for (const WaiverUse& use : uses) list.push_back(waiver_use_object(use));
+    return list;
+}
+
 Json view_object(const ViewResult& v) {
     return {{"scene", v.scene},
             {"source", v.source},
@@ -135,6 +153,8 @@ Json view_object(const ViewResult& v) {
             {"reference", v.reference},
             {"defects", defect_count(v)},
             {"counts", counts_by_name(v.counts)},
+            {"waived", waived_by_name(v.waived)},
+            {"waivers", waiver_uses(v.waivers)},
             {"candidate_depth", bound_record(v.candidate_depth)},
             {"reference_depth", bound_record(v.reference_depth)},
             {"candidate_edges", bound_record(v.candidate_edges)},
@@ -148,6 +168,8 @@ Json view_object(const ViewResult& v) {
             {"worst", reported(v.worst)},
             {"notes", v.notes},
             {"folder", v.folder},
+            {"place", v.place},
+            {"scene_sha256", v.scene_sha256},
             {"times", stage_times(v.times)}};
 }
 
@@ -159,8 +181,26 @@ Json renderers(const std::vector<RendererFacts>& all) {
 }
 
 Json run_object(const Results& r) {
-    return {{"version", r.version}, {"command", r.command}, {"compiler", r.compiler},
-            {"embree", r.embree},   {"threads", r.threads}, {"renderers", renderers(r.renderers)}};
+    return {{"version", r.version},
+            {"command", r.command},
+            {"argv", r.argv},
+            {"compiler", r.compiler},
+            {"embree", r.embree},
+            {"threads", r.threads},
+            {"shard", {{"number", r.shard.number}, {"count", r.shard.count}}},
+            {"ending", r.ending == Ending::complete ? "complete" : "interrupted"},
+            {"today", r.today},
+            {"renderers", renderers(r.renderers)}};
+}
+
+Json waivers(const Results& r) {
+    Json list = Json::array();
+    for (const WaiverStanding& standing : waiver_standings(r)) {
+        Json object = waiver_object(*standing.waiver);
+        object["state"] = name_of(standing.state);
+        list.push_back(std::move(object));
+    }
+    return {{"strict", r.strictness == Strictness::strict}, {"list", list}};
 }
 
 Json summary_object(const Results& results) {
@@ -177,10 +217,13 @@ Json summary_object(const Results& results) {
 std::string to_json(const Results& results) {
     Json views = Json::array();
     for (const ViewResult& view : results.views) views.push_back(view_object(view));
-    const Json root = {{"schema_version", Results::schema_version},
-                       {"run", run_object(results)},
-                       {"summary", summary_object(results)},
-                       {"views", views}};
+    const Json root = {
+        {"schema_version", Results::schema_version},
+        {"run", run_object(results)},
+        {"selection", {{"scenes", results.selection.scenes}, {"sha256", results.selection.sha256}}},
+        {"summary", summary_object(results)},
+        {"waivers", waivers(results)},
+        {"views", views}};
     return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -50,15 +50,15 @@ std::string totals(const std::vector<const ViewResult*>& cases) {
 std::string failure_type(const ViewResult& v) {
     if (v.outcome == Outcome::not_judged) return "not_judged";
     for (std::size_t i = v.counts.size(); i-- > 0;)
-        if (v.counts[i] > 0 && !passes(PixelClass(i))) return std::string(name_of(PixelClass(i)));
+        if (v.counts[i] > v.waived[i] && !passes(PixelClass(i))) return std::string(name_of(PixelClass(i)));
     return "expectation";
 }
 
 std::string defect_sentence(const ViewResult& v) {
-    std::string sentence = counted(defect_count(v), "defective pixel");
+    std::string sentence = counted(unwaived_defects(v), "defective pixel");
     for (std::size_t i = 0; i < v.counts.size(); ++i)
-        if (v.counts[i] > 0 && !passes(PixelClass(i)))
-            sentence += ", " + grouped(v.counts[i]) + " " + std::string(name_of(PixelClass(i)));
+        if (v.counts[i] > v.waived[i] && !passes(PixelClass(i)))
+            sentence += ", " + grouped(v.counts[i] - v.waived[i]) + " " + std::string(name_of(PixelClass(i)));
     return sentence;
 }
 
@@ -82,14 +82,24 @@ std::string complaint(const ViewResult& v) {
            escaped(story(v)) + "</" + element + ">\n";
 }
 
-std::string attachment(const ViewResult& v) {
-    if (v.folder.empty()) return "";
-    return "      <system-out>[[ATTACHMENT|" + escaped(one_line(v.folder)) + "/class.png]]</system-out>\n";
+/// "2 defective pixels let pass by waiver W-1": said also where the case passes.
+std::string waiver_note(const ViewResult& v) {
+    std::string text;
+    for (const WaiverUse& use : v.waivers)
+        if (use.waived > 0)
+            text += counted(use.waived, "defective pixel") + " let pass by waiver " + one_line(use.id) + "\n";
+    return text;
+}
+
+std::string system_out(const ViewResult& v) {
+    std::string text = waiver_note(v);
+    if (!v.folder.empty()) text += "[[ATTACHMENT|" + one_line(v.folder) + "/class.png]]";
+    return text.empty() ? "" : "      <system-out>" + escaped(text) + "</system-out>\n";
 }
 
 std::string test_case(const ViewResult& v) {
     return "    <testcase" + attribute("classname", v.scene) + attribute("name", v.view) +
-           attribute("time", fixed(seconds(v.times), 3)) + ">\n" + complaint(v) + attachment(v) +
+           attribute("time", fixed(seconds(v.times), 3)) + ">\n" + complaint(v) + system_out(v) +
            "    </testcase>\n";
 }
 

@@ -9,7 +9,8 @@ namespace zproof {
 
 /// Jenkins' dialect: a suite per reference renderer, a case per view. A defect is a <failure> whose type is
 /// the class of the worst pixel; a view that judged nothing is a <failure> as well, never <skipped>; an
-/// unreadable input is an <error>. Cases with evidence name class.png in the attachment notation of Jenkins
+/// unreadable input is an <error>. Waived pixels fail nothing; the case says how many there are and by which
+/// waiver. Cases with evidence name class.png in the attachment notation of Jenkins
 /// and GitLab.
 std::string to_junit(const Results& results);
 

@@ -49,6 +49,10 @@ std::uint64_t defect_count(const ClassCounts& counts) {
 
 std::uint64_t defect_count(const ViewResult& view) { return defect_count(view.counts); }
 
+std::uint64_t waived_count(const ViewResult& view) { return defect_count(view.waived); }
+
+std::uint64_t unwaived_defects(const ViewResult& view) { return defect_count(view) - waived_count(view); }
+
 double seconds(const StageTimes& t) {
     return t.load + t.render + t.reference_build + t.reference + t.judge + t.witnesses + t.write;
 }

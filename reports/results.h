@@ -11,6 +11,7 @@
 #include "compare/diagnosis.h"
 #include "compare/picture_difference.h"
 #include "compare/verdict.h"
+#include "compare/waivers/coverage.h"
 
 namespace zproof {
 
@@ -23,7 +24,8 @@ struct StageTimes {
 struct ReportedFinding {
     Finding finding;
     std::string explanation;
-    std::string command;  ///< "zproof explain SCENE X Y"
+    std::string command;   ///< "zproof explain SCENE X Y"
+    std::string waiver{};  ///< the id of the one that lets it pass; empty: none
 };
 
 enum class Outcome {
@@ -67,6 +69,8 @@ struct ViewResult {
     std::uint64_t triangles = 0;
     std::string candidate, reference;  ///< renderer names
     ClassCounts counts{};
+    ClassCounts waived{};              ///< of those: pixels that a waiver lets pass
+    std::vector<WaiverUse> waivers{};  ///< those that name this view
     BoundRecord candidate_depth, reference_depth;
     BoundRecord candidate_edges, reference_edges;  ///< displacement over eps
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
@@ -76,26 +80,54 @@ struct ViewResult {
     std::vector<ReportedFinding> worst;  ///< defects first, then by error/bound; at most 200
     std::vector<std::string> notes;      ///< of the scene
     StageTimes times;
-    std::string folder;  ///< scenes/NAME, relative to results.json; empty where nothing was written
+    std::string folder;          ///< scenes/NAME, relative to results.json; empty where nothing was written
+    std::uint64_t place = 0;     ///< of its scene among those that the command line selected
+    std::string scene_sha256{};  ///< sha256_of(Scene); empty where it was not read
 };
 
 /// Has the judge seen it? Only then do counts and depth records say something.
 bool was_judged(const ViewResult& view);
 
-/// Pixels that fail the gate.
+/// Pixels whose class fails the gate, waived or not.
 std::uint64_t defect_count(const ClassCounts& counts);
 std::uint64_t defect_count(const ViewResult& view);
+
+std::uint64_t waived_count(const ViewResult& view);      ///< of those: let pass by waivers
+std::uint64_t unwaived_defects(const ViewResult& view);  ///< the others: they fail the gate
 
 /// All stages together, seconds.
 double seconds(const StageTimes& times);
 
+/// Does a waiver that does less than it says fail the gate?
+enum class Strictness { lenient, strict };
+
+/// Which share of the selected scenes a run judged: "hash:2/3".
+struct Shard {
+    int number = 1, count = 1;  ///< 1 <= number <= count; the whole is 1/1
+};
+
+/// What the command line selected, of which a shard judges a part.
+struct Selection {
+    std::uint64_t scenes = 0;
+    std::string sha256{};  ///< of their words, a line each: the same for all shards of one run
+};
+
+enum class Ending { complete, interrupted };
+
 /// A whole run.
 struct Results {
-    static constexpr const char* schema_version = "1.2";
-    std::string version;  ///< zproof's
-    std::string command;  ///< as typed
+    static constexpr const char* schema_version = "1.3";
+    std::string version;              ///< zproof's
+    std::string command;              ///< as typed, quoted for a shell
+    std::vector<std::string> argv{};  ///< as typed, word by word, without "zproof"
     std::string compiler, embree;
     int threads = 0;
+    Shard shard{};
+    Selection selection{};
+    Ending ending = Ending::complete;
+    std::string today{};  ///< the day that waivers are held against, "2026-04-10"; empty where there are none
+    Strictness strictness = Strictness::lenient;
+    std::vector<Waiver> waivers{};
     std::vector<RendererFacts> renderers;  ///< candidate, reference, and the witnesses that are there
     std::vector<ViewResult> views;
 };

@@ -94,6 +94,12 @@ std::string shortened(const std::string& name) {
 
 std::string title_of(const ViewResult& v) { return one_line(v.scene) + "/" + one_line(v.view); }
 
+/// "3 (2 waived)": the defects that fail the gate, and those that waivers let pass.
+std::string defects_cell(const ViewResult& v) {
+    const std::string failing = grouped(unwaived_defects(v));
+    return waived_count(v) == 0 ? failing : failing + " (" + grouped(waived_count(v)) + " waived)";
+}
+
 std::string cell(const ViewResult& v, PixelClass c) { return grouped(v.counts[std::size_t(c)]); }
 
 Row row_of(const ViewResult& v) {
@@ -110,7 +116,7 @@ Row row_of(const ViewResult& v) {
             cell(v, PixelClass::abutting_edges),
             cell(v, PixelClass::clip),
             cell(v, PixelClass::reference_wrong),
-            grouped(defect_count(v)),
+            defects_cell(v),
             rounded(v.candidate_depth.max_error_over_bound),
             rounded(v.reference_depth.max_error_over_bound),
             row[12]};
@@ -149,10 +155,11 @@ std::string table(const Results& results, Colour colour) {
 
 std::string tally(const ViewResult& v) {
     std::string text;
-    for (std::size_t i = v.counts.size(); i-- > 0;)
-        if (v.counts[i] > 0 && !passes(PixelClass(i)))
-            text +=
-                (text.empty() ? "" : ", ") + grouped(v.counts[i]) + " " + std::string(name_of(PixelClass(i)));
+    for (std::size_t i = v.counts.size(); i-- > 0;) {
+        if (v.counts[i] == 0 || passes(PixelClass(i))) continue;
+        text += (text.empty() ? "" : ", ") + grouped(v.counts[i]) + " " + std::string(name_of(PixelClass(i)));
+        if (v.waived[i] > 0) text += " (" + grouped(v.waived[i]) + " waived)";
+    }
     return text;
 }
 
@@ -170,15 +177,17 @@ std::string story(const ViewResult& v, Colour colour) {
 }
 
 std::string totals(const Results& results) {
-    std::uint64_t pixels = 0, defects = 0, reference_defects = 0;
+    std::uint64_t pixels = 0, defects = 0, waived = 0, reference_defects = 0;
     double time = 0;
     for (const ViewResult& v : results.views) {
         if (was_judged(v)) pixels += std::uint64_t(v.width) * std::uint64_t(v.height);
-        defects += defect_count(v);
+        defects += unwaived_defects(v);
+        waived += waived_count(v);
         reference_defects += v.reference_defects;
         time += seconds(v.times);
     }
     return grouped(pixels) + " pixels judged: " + counted(defects, "defect") + ", " +
+           (waived == 0 ? "" : grouped(waived) + " waived, ") +
            counted(reference_defects, "reference defect") + "   " + fixed(time, 1) + " s";
 }
 

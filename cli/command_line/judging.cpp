@@ -1,6 +1,7 @@
 // The commands that judge: run, compare, explain.
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
+#include "cli/gate/shard.h"
 
 namespace zproof {
 namespace {
@@ -36,7 +37,14 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     add_witness_options(app, words.parties);
     add_render_settings(app, words.run.settings);
     add_report(app, words.run.report);
+    add_pictures(app, words.run.report);
+    add_gate(app, words.run.report.gate);
+    app.add_option_function<std::string>(
+        "--shard", [&words](const std::string& word) { words.run.shard = shard_from(word); },
+        "hash:NUMBER/COUNT: judge this share of the scenes only (zproof merge puts shards together)");
+    add_settings_choice(app, words.settings);
     return {&app, [&words] {
+                words.run.report = understood(words.run.report);
                 words.run.parties = parties_of(words.parties);
                 return words.run;
             }};
@@ -51,8 +59,12 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     add_witness_options(app, words.parties);
     add_threads(app, words.compare.threads);
     add_report(app, words.compare.report);
+    add_pictures(app, words.compare.report);
+    add_gate(app, words.compare.report.gate);
+    add_settings_choice(app, words.settings);
     app.footer(compare_examples);
     return {&app, [&words] {
+                words.compare.report = understood(words.compare.report);
                 words.compare.parties = parties_of(words.parties);
                 return words.compare;
             }};

@@ -1,5 +1,7 @@
 #include "cli/command_line/options.h"
 
+#include "cli/usage_error.h"
+
 namespace zproof {
 namespace {
 
@@ -12,12 +14,7 @@ const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyl
 
 void add_detail(CLI::App& app, ReportArguments& report) {
     auto* quiet = app.add_flag_callback(
-        "-q,--quiet",
-        [&report] {
-            report.detail = Detail::verdict;
-            report.progress = ProgressStyle::none;
-        },
-        "print the verdict only");
+        "-q,--quiet", [&report] { report.detail = Detail::verdict; }, "print the verdict only");
     app.add_flag_callback(
            "--times", [&report] { report.detail = Detail::times; }, "also print where the time went")
         ->excludes(quiet);
@@ -43,12 +40,54 @@ void add_render_settings(CLI::App& app, RenderSettings& settings) {
 
 void add_report(CLI::App& app, ReportArguments& report) {
     app.add_option("-o,--out", report.out, "folder for the reports")->capture_default_str();
+    app.add_option_function<std::vector<std::string>>(
+           "--report",
+           [&report](const std::vector<std::string>& words) {
+               report.formats.clear();
+               for (const std::string& word : words) report.formats.push_back(format_from(word));
+           },
+           "html, json, junit, md, github, csv; results.json is always written")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->default_str("html,json,junit");
     add_choice(app, "--color", report.colour, colour_wishes);
     add_choice(app, "--progress", report.progress, progress_styles);
+    add_detail(app, report);
+}
+
+void add_pictures(CLI::App& app, ReportArguments& report) {
     app.add_flag_callback(
         "--pictures", [&report] { report.pictures = PictureWish::shaded; },
         "shaded colour pictures, beside those of witnesses that can paint");
-    add_detail(app, report);
+}
+
+void add_waiver_file(CLI::App& app, GateArguments& gate) {
+    app.add_option("--waivers", gate.waivers, "file of waivers (.toml)");
+    app.add_option_function<std::string>(
+        "--now",
+        [&gate](const std::string& word) {
+            gate.today = day_from(word);
+            if (!gate.today)
+                throw UsageError{"--now: expected a day such as 2026-04-10, found '" + word + "'"};
+        },
+        "the day that waivers are held against; default: today, UTC");
+}
+
+void add_gate(CLI::App& app, GateArguments& gate) {
+    add_waiver_file(app, gate);
+    app.add_flag_callback(
+        "--strict", [&gate] { gate.strictness = Strictness::strict; },
+        "waivers that are not needed, or allow too much, fail as well");
+}
+
+void add_settings_choice(CLI::App& app, SettingsChoice& settings) {
+    app.add_option("--config", settings.file, "settings file; default: zproof.toml, where it is; or none");
+    app.add_option("--profile", settings.profile, "the table [profiles.NAME] of the settings file");
+}
+
+ReportArguments understood(ReportArguments report) {
+    if (report.detail == Detail::verdict) report.progress = ProgressStyle::none;
+    return report;
 }
 
 }  // namespace zproof

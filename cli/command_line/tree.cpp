@@ -21,6 +21,9 @@ constexpr const char* examples = R"(Proves a z-buffer rasterizer right, pixel by
   zproof explain model.glb 812 344      tell the whole story of one pixel
   zproof measure zproof                 measure what a renderer really does
   zproof selftest                       see the gate fail: inject known faults into good frames
+  zproof waive check --waivers w.toml   are the waivers sound, and has one run out?
+  zproof diff-results main/ mine/       what became better or worse between two runs
+  zproof doctor                         what is installed here, and which settings hold
   zproof filters run worked -o study    how far texture filters are from the truth, and at what cost
 
 Exit status: 0 proven, 1 a defect, 2 usage, 3 unreadable input, 4 nothing judged, 70 internal error,
@@ -41,11 +44,21 @@ Branch add_filters(CLI::App& parent, CommandWords& words) {
 CommandTree::CommandTree() : root_(std::make_unique<CLI::App>(examples, "zproof")) {
     root_->set_version_flag("--version", version_line);
     root_->require_subcommand(0, 1);  // none is answered by chosen(), in words that name what is missing
-    branches_ = {add_run(*root_, words_),      add_compare(*root_, words_),
-                 add_explain(*root_, words_),  add_render(*root_, words_),
-                 add_measure(*root_, words_),  add_contract_check(*root_, words_),
-                 add_selftest(*root_, words_), add_list(*root_),
-                 add_scenes(*root_, words_),   add_filters(*root_, words_)};
+    branches_ = {add_run(*root_, words_),
+                 add_compare(*root_, words_),
+                 add_explain(*root_, words_),
+                 add_render(*root_, words_),
+                 add_measure(*root_, words_),
+                 add_contract_check(*root_, words_),
+                 add_selftest(*root_, words_),
+                 add_merge(*root_, words_),
+                 add_report_again(*root_, words_),
+                 add_diff_results(*root_, words_),
+                 add_waive(*root_, words_),
+                 add_doctor(*root_, words_),
+                 add_list(*root_),
+                 add_scenes(*root_, words_),
+                 add_filters(*root_, words_)};
 }
 
 CommandTree::~CommandTree() = default;

@@ -24,6 +24,14 @@ struct CommandWords {
     ContractCheckArguments contract_check;
     SelftestArguments selftest;
     GenerateArguments generate;
+    MergeArguments merge;
+    ReportAgainArguments report_again;
+    DiffResultsArguments diff_results;
+    WaiveListArguments waive_list;
+    WaiveCheckArguments waive_check;
+    WaivePruneArguments waive_prune;
+    WaiveAddArguments waive_add;
+    SettingsChoice settings;  ///< --config, --profile
     FiltersWords filters;
 };
 

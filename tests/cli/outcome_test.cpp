@@ -14,9 +14,7 @@ Results run_of(std::initializer_list<Outcome> outcomes) {
     return results;
 }
 
-ExitCode code_of(std::initializer_list<Outcome> outcomes) {
-    return exit_code_of(run_of(outcomes), Ending::complete);
-}
+ExitCode code_of(std::initializer_list<Outcome> outcomes) { return exit_code_of(run_of(outcomes)); }
 
 TEST(ExitCode, IsOfTheOutcomeThatProvedLeast) {
     using enum Outcome;
@@ -28,7 +26,9 @@ TEST(ExitCode, IsOfTheOutcomeThatProvedLeast) {
     EXPECT_EQ(code_of({}), ExitCode::nothing);
     EXPECT_EQ(code_of({proven, defective, unreadable}), ExitCode::cannot_judge);
     EXPECT_EQ(code_of({not_judged, unreadable}), ExitCode::cannot_judge);
-    EXPECT_EQ(exit_code_of(run_of({defective, unreadable}), Ending::interrupted), ExitCode::interrupted);
+    Results interrupted = run_of({defective, unreadable});
+    interrupted.ending = Ending::interrupted;
+    EXPECT_EQ(exit_code_of(interrupted), ExitCode::interrupted);
 }
 
 ViewResult view_showing(std::initializer_list<PixelClass> classes) {

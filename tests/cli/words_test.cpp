@@ -9,7 +9,7 @@ namespace {
 
 Command parsed(std::vector<const char*> words) {
     words.insert(words.begin(), "zproof");
-    return parse_command_line(int(words.size()), words.data());
+    return parse_command_line(int(words.size()), words.data(), [](const std::string&) { return nullptr; });
 }
 
 TEST(CommandLine, OfRunIsUnderstood) {

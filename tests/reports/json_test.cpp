@@ -12,6 +12,7 @@
 #include <valijson/validator.hpp>
 
 #include "tests/reports/sample.h"
+#include "tests/reports/waived_run.h"
 
 namespace zproof {
 
@@ -52,6 +53,8 @@ std::string refusal(const std::string& text) {
 }
 
 }  // namespace
+
+TEST(Json, OfARunWithWaiversFitsTheSchema) { EXPECT_EQ(objections(Json::parse(to_json(waived_run()))), ""); }
 
 TEST(Json, ReadsBackToTheSameResults) {
     const std::string text = to_json(sample_results());

@@ -1,0 +1,73 @@
+#include "cli/announcement.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+
+#include "cli/outcome_code.h"
+#include "cli/progress.h"
+#include "cli/times_table.h"
+#include "reports/github.h"
+#include "reports/markdown.h"
+#include "reports/report_error.h"
+#include "reports/terminal.h"
+#include "reports/waiver_standing.h"
+#include "reports/wording.h"
+
+namespace zproof {
+namespace {
+
+Colour resolve(ColourWish wish) {
+    if (wish == ColourWish::always) return Colour::ansi;
+    if (wish == ColourWish::never) return Colour::plain;
+    const char* no_color = std::getenv("NO_COLOR");  // no-color.org: any value but the empty one
+    const bool refused = no_color != nullptr && *no_color != '\0';
+    return !refused && is_terminal(STDOUT_FILENO) ? Colour::ansi : Colour::plain;
+}
+
+bool is_asked_for(const ReportArguments& report, ReportFormat format) {
+    return std::ranges::count(report.formats, format) > 0;
+}
+
+/// Steps append to the file: what others wrote stays.
+void summarize_step(const Results& results) {
+    const char* file = std::getenv("GITHUB_STEP_SUMMARY");
+    if (file == nullptr || *file == '\0') return;
+    std::ofstream out{file, std::ios::binary | std::ios::app};
+    out << to_markdown(results) << std::flush;
+    if (!out) throw ReportError{std::string{file} + ": the step's summary cannot be written"};
+}
+
+void remark_on_waivers(const Results& results) {
+    for (const WaiverStanding& standing : waiver_standings(results))
+        if (const std::string advice = advice_for(standing); !advice.empty())
+            std::cerr << "zproof: " << (fails(standing, results.strictness) ? "error: " : "warning: ")
+                      << one_line(advice) << "\n";
+}
+
+/// Of all reports that were written, the one for people.
+std::string where_to_look(const ReportArguments& report) {
+    const bool page = is_asked_for(report, ReportFormat::html);
+    return (report.out / (page ? "report.html" : "results.json")).string();
+}
+
+}  // namespace
+
+ExitCode announce(const Results& results, const ReportArguments& report) {
+    const ExitCode code = exit_code_of(results);
+    if (report.detail != Detail::verdict) std::cout << summary_table(results, resolve(report.colour));
+    if (report.detail == Detail::times) std::cout << times_table(results);
+    if (is_asked_for(report, ReportFormat::github)) {
+        std::cout << to_github(results);
+        summarize_step(results);
+    }
+    remark_on_waivers(results);
+    std::cout << in_words(code) << ": " << counted(results.views.size(), "view")
+              << "; report: " << where_to_look(report) << "\n";
+    return code;
+}
+
+}  // namespace zproof

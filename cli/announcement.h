@@ -1,0 +1,15 @@
+/// What a run says at its end, and to whom.
+#pragma once
+
+#include "cli/arguments.h"
+#include "cli/exit_code.h"
+#include "reports/results.h"
+
+namespace zproof {
+
+/// Prints the verdict on stdout as the report arguments ask for it, and remarks about waivers on stderr;
+/// tells GitHub where its format is asked for: annotations on stdout, the summary into the file that
+/// $GITHUB_STEP_SUMMARY names. Returns the verdict. Throws ReportError where that file cannot be written.
+ExitCode announce(const Results& results, const ReportArguments& report);
+
+}  // namespace zproof

@@ -1,0 +1,152 @@
+// The commands around the gate: merge, report, diff-results, waive, doctor.
+#include "cli/command_line/branches.h"
+#include "cli/command_line/options.h"
+#include "cli/usage_error.h"
+
+namespace zproof {
+namespace {
+
+constexpr const char* merge_examples = R"(
+  zproof run --shard hash:1/2 -o one      on one machine
+  zproof run --shard hash:2/2 -o two      on another
+  zproof merge one two -o zproof-out      the same files as one run of all
+
+Exit status: that of the run, put together; 3 where the shards are not those of one run.)";
+
+constexpr const char* report_examples = R"(
+  zproof report zproof-out -o report.html
+  zproof report zproof-out -o summary.md
+  zproof report zproof-out --format github -o -    annotations on stdout
+
+Exit status: 0 written; the verdict is not judged again.)";
+
+constexpr const char* diff_examples = R"(
+  zproof diff-results main/zproof-out mine/zproof-out
+  zproof diff-results old.json new.json --json
+
+Exit status: 0 the same or better, 1 worse: a view is no longer proven, or gone, or has more defects.)";
+
+constexpr const char* waive_examples = R"(
+  zproof waive add --waivers waivers.toml --from zproof-out --scene room --pixel 812,344
+                   --reason 'sliver, mended by the new clipper' --link https://example.org/issues/12
+                   --expires 2026-04-10
+  zproof waive list --waivers waivers.toml
+  zproof waive check --waivers waivers.toml --from zproof-out --strict
+  zproof waive prune --waivers waivers.toml
+
+Exit status of check: 0 all sound, 1 one has run out (--strict: or is not needed), 2 the file is malformed.)";
+
+const std::map<std::string, WaiverReach> reaches{
+    {"pair", WaiverReach::pair}, {"triangle", WaiverReach::triangle}, {"pixels", WaiverReach::pixels}};
+
+void add_waive_list(CLI::App& waive, CommandWords& words) {
+    CLI::App& app = *waive.add_subcommand("list", "every waiver, a line each, with the days it has left");
+    add_waiver_file(app, words.waive_list.gate);
+    add_settings_choice(app, words.settings);
+}
+
+void add_waive_check(CLI::App& waive, CommandWords& words) {
+    CLI::App& app = *waive.add_subcommand("check", "are they well formed, in time, and needed?");
+    add_gate(app, words.waive_check.gate);
+    app.add_option("--from", words.waive_check.results, "results.json of a run, to see which are needed");
+    add_settings_choice(app, words.settings);
+}
+
+void add_waive_prune(CLI::App& waive, CommandWords& words) {
+    CLI::App& app = *waive.add_subcommand("prune", "remove those that have run out, or are not needed");
+    add_waiver_file(app, words.waive_prune.gate);
+    app.add_option("--from", words.waive_prune.results,
+                   "results.json of a run: remove also those that let nothing pass there");
+    add_settings_choice(app, words.settings);
+}
+
+void add_waive_add(CLI::App& waive, CommandWords& words) {
+    CLI::App& app = *waive.add_subcommand("add", "waive the defects around a pixel that was looked at");
+    WaiveAddArguments& add = words.waive_add;
+    add_waiver_file(app, add.gate);
+    app.add_option("--from", add.results, "results.json of the run, its evidence beside it")->required();
+    app.add_option("--scene", add.scene, "as the results call it")->required();
+    app.add_option("--view", add.view, "needed where the scene has several");
+    app.add_option("--pixel", add.pixels, "X,Y; more for more pixels of the same class")
+        ->required()
+        ->allow_extra_args(false);
+    add_choice(app, "--reach", add.reach, reaches)
+        ->default_str("pair")
+        ->description(
+            "what else in the view: all pixels with the same pair of triangles, with the "
+            "candidate's triangle, or none");
+    app.add_option("--id", add.id, "default: W- and a number");
+    app.add_option("--reason", add.reason, "why it may stay for a while")->required();
+    app.add_option("--link", add.link, "where it is being worked on")->required();
+    app.add_option("--expires", add.expires, "last day, at most 180 from now: 2026-04-10")->required();
+    add_settings_choice(app, words.settings);
+}
+
+Command chosen_waive_command(const CLI::App& app, const CommandWords& words) {
+    const auto typed = [&](const char* name) { return app.get_subcommand(name)->parsed(); };
+    if (typed("list")) return words.waive_list;
+    if (typed("check")) return words.waive_check;
+    if (typed("prune")) return words.waive_prune;
+    if (typed("add")) return words.waive_add;
+    throw UsageError{"waive: 'list', 'check', 'prune' or 'add' expected (see: zproof waive --help)"};
+}
+
+}  // namespace
+
+Branch add_merge(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("merge", "put the shards of one run together");
+    app.add_option("SHARD", words.merge.shards, "output folders of zproof run --shard, all of them")
+        ->required();
+    add_report(app, words.merge.report);
+    add_settings_choice(app, words.settings);
+    app.footer(merge_examples);
+    return {&app, [&words] {
+                words.merge.report = understood(words.merge.report);
+                return words.merge;
+            }};
+}
+
+Branch add_report_again(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("report", "make a report again from results.json");
+    ReportAgainArguments& again = words.report_again;
+    app.add_option("RESULTS", again.results, "results.json, or the folder of one; several: all their views")
+        ->required();
+    app.add_option("-o,--out", again.out, "file: .html, .json, .xml, .md or .csv; or - for stdout")
+        ->capture_default_str();
+    app.add_option_function<std::string>(
+        "--format", [&again](const std::string& word) { again.format = format_from(word); },
+        "html, json, junit, md, github or csv; default: by the file's name");
+    app.footer(report_examples);
+    return {&app, [&words] { return words.report_again; }};
+}
+
+Branch add_diff_results(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("diff-results", "what became better or worse between two runs");
+    app.add_option("OLD", words.diff_results.before, "results.json, or the folder of one")->required();
+    app.add_option("NEW", words.diff_results.after, "results.json, or the folder of one")->required();
+    app.add_flag_callback(
+        "--json", [&words] { words.diff_results.format = DifferenceFormat::json; },
+        "print JSON instead of a table");
+    app.footer(diff_examples);
+    return {&app, [&words] { return words.diff_results; }};
+}
+
+Branch add_waive(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("waive", "known defects that may stay for a while, with a reason");
+    app.require_subcommand(0, 1);
+    add_waive_list(app, words);
+    add_waive_check(app, words);
+    add_waive_prune(app, words);
+    add_waive_add(app, words);
+    app.footer(waive_examples);
+    return {&app, [&words, &app] { return chosen_waive_command(app, words); }};
+}
+
+Branch add_doctor(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand(
+        "doctor", "what is installed here, and which settings hold, each with where it comes from");
+    add_settings_choice(app, words.settings);
+    return {&app, [&words] { return DoctorArguments{words.settings}; }};
+}
+
+}  // namespace zproof

@@ -1,0 +1,44 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "cli/commands.h"
+#include "reports/findings_file.h"
+#include "reports/results_diff.h"
+
+namespace zproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is known of a view's defects: a view without a defect needs no file to say so.
+DefectList defects_of(const ViewResult& view, const fs::path& run_folder) {
+    if (!was_judged(view)) return std::nullopt;
+    if (defect_count(view) == 0) return std::vector<DefectPixel>{};
+    const fs::path file = run_folder / view.folder / "findings.csv";
+    std::ifstream in{file, std::ios::binary};
+    if (view.folder.empty() || !in) return std::nullopt;
+    return defects_among(findings_from_csv({std::istreambuf_iterator<char>{in}, {}}, file.string()));
+}
+
+RunToCompare with_defects(const Results& results, const fs::path& run_folder) {
+    RunToCompare run{results, {}};
+    for (const ViewResult& view : results.views) run.defects.push_back(defects_of(view, run_folder));
+    return run;
+}
+
+}  // namespace
+
+ExitCode execute(const DiffResultsArguments& arguments) {
+    const Results before = read_results(arguments.before), after = read_results(arguments.after);
+    const std::vector<ViewChange> changes =
+        changes_between(with_defects(before, folder_of_results(arguments.before)),
+                        with_defects(after, folder_of_results(arguments.after)));
+    std::cout << (arguments.format == DifferenceFormat::json ? differences_json(before, after, changes)
+                                                             : differences_table(before, after, changes));
+    return std::ranges::any_of(changes, is_worse) ? ExitCode::defect : ExitCode::proven;
+}
+
+}  // namespace zproof

@@ -1,0 +1,110 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+
+#include "cli/command_line/tree.h"
+#include "cli/commands.h"
+#include "cli/renderers/roster.h"
+#include "cli/settings/apply.h"
+#include "cli/usage_error.h"
+#include "cli/version.h"
+#include "rasterizer/dispatch.h"
+#include "reports/wording.h"
+
+namespace zproof {
+namespace {
+
+const char* of_process(const std::string& name) { return std::getenv(name.c_str()); }
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(width, text.size() + 1), ' ');
+    return text;
+}
+
+void print_row(const std::string& name, const std::string& value) {
+    std::cout << "  " << padded(name, 14) << one_line(value) << "\n";
+}
+
+std::string instruction_sets() {
+    std::string names;
+    for (const rasterizer::Kernel& kernel : rasterizer::available_kernels())
+        names += (names.empty() ? "" : ", ") + std::string(kernel.name);
+    return names + " (the last is used)";
+}
+
+void print_machine() {
+    std::cout << "zproof " << version_number() << "\n";
+    print_row("compiler", compiler_name());
+    print_row("instructions", instruction_sets());
+    print_row("threads", std::to_string(available_threads()));
+}
+
+void print_renderers() {
+    std::cout << "renderers\n";
+    for (const std::string& name : renderer_names()) {
+        const RendererChoice choice = renderer_from_word(name);
+        const std::string absent = absence_of(choice);
+        const std::string version = absent.empty() ? facts_of(choice).version : "";
+        print_row(name, !absent.empty() ? "absent: " + absent : version.empty() ? "built in" : version);
+    }
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+    return text;
+}
+
+void print_setting(const Setting& setting, const SettingValues& effective, const CLI::Option* option) {
+    const auto said = std::ranges::find(effective, setting.name, &SettingValue::name);
+    std::string value = said != effective.end() ? joined(said->words) : option->get_default_str();
+    if (value.empty() && setting.kind == Setting::Kind::flag) value = "false";
+    print_row(setting.name,
+              padded(value.empty() ? "-" : value, 24) + (said != effective.end() ? said->origin : "default"));
+}
+
+/// Where a renderer that the settings need is missing, no run can end well.
+std::string missing_among(const Parties& parties) {
+    const auto absent = [](const RendererChoice& choice) {
+        const std::string why = absence_of(choice);
+        return why.empty() ? "" : name_of(choice) + ": " + why;
+    };
+    std::string missing = absent(parties.reference);
+    if (missing.empty()) missing = absent(parties.candidate);
+    for (const WitnessChoice& witness : parties.witnesses)
+        if (missing.empty() && witness.need == WitnessChoice::Need::required)
+            missing = absent(witness.renderer);
+    return missing;
+}
+
+void print_file(const SettingsChoice& choice) {
+    const auto file = find_settings_file(choice, of_process);
+    const std::string profile = chosen_profile(choice, file, of_process);
+    std::cout << "settings of zproof run\n";
+    print_row("file", file ? file->file.string() : "none");
+    print_row("profile", profile.empty() ? "none" : profile);
+}
+
+}  // namespace
+
+ExitCode execute(const DoctorArguments& arguments) {
+    CommandTree tree;
+    CLI::App& run = *tree.root().get_subcommand("run");
+    const SettingValues effective = settings_here(arguments.settings, of_process);
+    give(effective, run);
+    const Parties parties = parties_of(tree.words().parties);
+    print_machine();
+    print_renderers();
+    print_file(arguments.settings);
+    for (const Setting& setting : known_settings())
+        print_setting(setting, effective, run.get_option(option_name(setting.name)));
+    if (const std::string missing = missing_among(parties); !missing.empty()) {
+        std::cout << "missing: " << one_line(missing) << "\n";
+        return ExitCode::cannot_judge;
+    }
+    std::cout << "everything that these settings need is here\n";
+    return ExitCode::proven;
+}
+
+}  // namespace zproof

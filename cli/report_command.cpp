@@ -1,0 +1,66 @@
+#include <filesystem>
+#include <iostream>
+#include <map>
+
+#include "cli/commands.h"
+#include "cli/usage_error.h"
+
+namespace zproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+ReportFormat format_of(const ReportAgainArguments& arguments) {
+    if (arguments.format) return *arguments.format;
+    using enum ReportFormat;
+    static const std::map<std::string, ReportFormat> endings{{".html", html}, {".htm", html}, {".json", json},
+                                                             {".xml", junit}, {".md", md},    {".csv", csv}};
+    const auto found = endings.find(arguments.out.extension().string());
+    if (found != endings.end()) return found->second;
+    throw UsageError{"-o " + arguments.out.string() +
+                     ": expected a name ending in .html, .json, .xml, .md or .csv; or say which report with "
+                     "--format"};
+}
+
+/// The evidence as seen from the folder of the new report.
+void point_to_evidence(Results& results, const fs::path& run_folder, const fs::path& report_folder) {
+    for (ViewResult& view : results.views)
+        if (!view.folder.empty())
+            view.folder = fs::proximate(run_folder / view.folder, report_folder).generic_string();
+}
+
+/// The views of all, one after the other; everything else is the first one's.
+Results all_of(const ReportAgainArguments& arguments, const fs::path& report_folder) {
+    std::vector<Results> read;
+    for (const fs::path& one : arguments.results) {
+        read.push_back(read_results(one));
+        point_to_evidence(read.back(), folder_of_results(one), report_folder);
+        if (read.back().version != read.front().version)
+            throw ReportError{one.string() + ": was written by zproof " + read.back().version +
+                              ", the first by " + read.front().version + "; report on each by itself"};
+    }
+    Results results = read.front();
+    for (std::size_t i = 1; i < read.size(); ++i)
+        std::ranges::move(read[i].views, std::back_inserter(results.views));
+    return results;
+}
+
+}  // namespace
+
+ExitCode execute(const ReportAgainArguments& arguments) {
+    const bool to_stdout = arguments.out == "-";
+    if (to_stdout && !arguments.format)
+        throw UsageError{"-o -: expected --format beside it: html, json, junit, md, github or csv"};
+    const ReportFormat format = format_of(arguments);
+    const fs::path folder = to_stdout || !arguments.out.has_parent_path() ? "." : arguments.out.parent_path();
+    const std::string text = report_text(format, all_of(arguments, folder), folder);
+    if (to_stdout) {
+        std::cout << text;
+        return ExitCode::proven;
+    }
+    write_text(arguments.out, text);
+    std::cout << arguments.out.string() << "\n";
+    return ExitCode::proven;
+}
+
+}  // namespace zproof

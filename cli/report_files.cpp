@@ -1,0 +1,117 @@
+#include "cli/report_files.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "cli/nearest_word.h"
+#include "cli/usage_error.h"
+#include "reports/csv.h"
+#include "reports/github.h"
+#include "reports/html.h"
+#include "reports/json.h"
+#include "reports/junit.h"
+#include "reports/markdown.h"
+
+namespace zproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Empty: the format has no file.
+std::string file_of(ReportFormat format) {
+    switch (format) {
+        case ReportFormat::html:
+            return "report.html";
+        case ReportFormat::json:
+            return "results.json";
+        case ReportFormat::junit:
+            return "junit.xml";
+        case ReportFormat::md:
+            return "summary.md";
+        case ReportFormat::csv:
+            return "results.csv";
+        case ReportFormat::github:
+            return "";
+    }
+    return "";
+}
+
+fs::path file_of_results(const fs::path& file_or_folder) {
+    return fs::is_directory(file_or_folder) ? file_or_folder / "results.json" : file_or_folder;
+}
+
+}  // namespace
+
+std::string name_of(ReportFormat format) {
+    constexpr const char* names[] = {"html", "json", "junit", "md", "github", "csv"};
+    return names[int(format)];
+}
+
+const std::vector<ReportFormat>& all_formats() {
+    using enum ReportFormat;
+    static const std::vector<ReportFormat> all{html, json, junit, md, github, csv};
+    return all;
+}
+
+std::vector<ReportFormat> usual_formats() {
+    return {ReportFormat::html, ReportFormat::json, ReportFormat::junit};
+}
+
+ReportFormat format_from(const std::string& word) {
+    std::vector<std::string> names;
+    std::string list;
+    for (const ReportFormat format : all_formats()) {
+        names.push_back(name_of(format));
+        if (word == names.back()) return format;
+        list += (list.empty() ? "" : ", ") + names.back();
+    }
+    throw UsageError{"--report: '" + word + "' is no report" + did_you_mean(word, names) +
+                     " (expected: " + list + ")"};
+}
+
+void write_reports(const fs::path& folder, const Results& results, const std::vector<ReportFormat>& formats) {
+    write_text(folder / file_of(ReportFormat::json), to_json(results));
+    for (const ReportFormat format : formats)
+        if (format != ReportFormat::json && !file_of(format).empty())
+            write_text(folder / file_of(format), report_text(format, results, folder));
+}
+
+std::string report_text(ReportFormat format, const Results& results, const fs::path& run_folder) {
+    switch (format) {
+        case ReportFormat::html:
+            return to_html(results, run_folder);
+        case ReportFormat::json:
+            return to_json(results);
+        case ReportFormat::junit:
+            return to_junit(results);
+        case ReportFormat::md:
+            return to_markdown(results);
+        case ReportFormat::github:
+            return to_github(results);
+        case ReportFormat::csv:
+            return to_csv(results);
+    }
+    return "";
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+    std::ofstream out{file, std::ios::binary};
+    out << text << std::flush;
+    if (!out) throw ReportError{file.string() + ": cannot be written; is the disk full?"};
+}
+
+Results read_results(const fs::path& file_or_folder) try {
+    std::ifstream in{file_of_results(file_or_folder), std::ios::binary};
+    if (!in) throw ReportError{"no results.json can be read there; expected what zproof run wrote"};
+    return results_from_json({std::istreambuf_iterator<char>{in}, {}});
+} catch (const ReportError& e) {
+    throw ReportError{file_or_folder.string() + ": " + e.what()};
+}
+
+fs::path folder_of_results(const fs::path& file_or_folder) {
+    const fs::path folder = file_of_results(file_or_folder).parent_path();
+    return folder.empty() ? "." : folder;
+}
+
+}  // namespace zproof

@@ -1,0 +1,42 @@
+/// The reports of a run as files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "reports/results.h"
+
+namespace zproof {
+
+enum class ReportFormat {
+    html,    ///< report.html
+    json,    ///< results.json; always written
+    junit,   ///< junit.xml
+    md,      ///< summary.md
+    github,  ///< no file of its own: annotations on stdout, the summary of the step
+    csv,     ///< results.csv
+};
+
+std::string name_of(ReportFormat format);
+const std::vector<ReportFormat>& all_formats();
+std::vector<ReportFormat> usual_formats();  ///< html, json, junit
+
+/// The format of that name. Throws UsageError with the one that was probably meant.
+ReportFormat format_from(const std::string& word);
+
+/// Writes results.json and a file for each of the formats that has one. Throws ReportError.
+void write_reports(const std::filesystem::path& folder, const Results& results,
+                   const std::vector<ReportFormat>& formats);
+
+/// The report as text; run_folder is where evidence is found, and what its links are relative to.
+std::string report_text(ReportFormat format, const Results& results, const std::filesystem::path& run_folder);
+
+/// Throws ReportError where the file cannot be written.
+void write_text(const std::filesystem::path& file, const std::string& text);
+
+/// The results that a file, or the folder around it, holds. Throws ReportError naming it.
+Results read_results(const std::filesystem::path& file_or_folder);
+std::filesystem::path folder_of_results(const std::filesystem::path& file_or_folder);
+
+}  // namespace zproof

@@ -1,0 +1,55 @@
+#include "cli/settings/apply.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cli/usage_error.h"
+
+namespace zproof {
+namespace {
+
+bool bears_on_all(const CLI::App& app) {
+    const std::string name = app.get_name();
+    const CLI::App* parent = app.get_parent();
+    return name == "compare" || name == "merge" || (parent != nullptr && parent->get_name() == "waive") ||
+           (name == "run" && parent != nullptr && parent->get_parent() == nullptr);
+}
+
+bool concerns(const CLI::App& app, const std::string& setting) {
+    if (app.get_option_no_throw(option_name(setting)) == nullptr) return false;
+    if (setting == "threads" || setting == "color" || setting == "progress") return true;
+    return bears_on_all(app) && (setting != "scenes" || app.get_name() == "run");
+}
+
+void give_to(CLI::Option& option, const SettingValue& assignment) {
+    try {
+        for (const std::string& word : assignment.words) option.add_result(word);
+        option.run_callback();
+    } catch (const CLI::Error& e) {
+        throw UsageError{assignment.origin + ": " + e.what()};
+    } catch (const UsageError& e) {
+        throw UsageError{assignment.origin + ": " + e.what()};
+    }
+}
+
+}  // namespace
+
+void give(const SettingValues& assignments, CLI::App& app) {
+    for (const SettingValue& assignment : assignments) {
+        CLI::Option* option = app.get_option_no_throw(option_name(assignment.name));
+        if (option != nullptr && option->count() == 0) give_to(*option, assignment);
+    }
+}
+
+SettingValues that_concern(const CLI::App& app, const SettingValues& assignments) {
+    SettingValues some = assignments;
+    std::erase_if(some, [&](const SettingValue& one) { return !concerns(app, one.name); });
+    return some;
+}
+
+bool listens(const CLI::App& app) {
+    return std::ranges::any_of(known_settings(),
+                               [&](const Setting& setting) { return concerns(app, setting.name); });
+}
+
+}  // namespace zproof

@@ -1,0 +1,31 @@
+#include "cli/settings/setting.h"
+
+namespace zproof {
+
+std::span<const Setting> known_settings() {
+    using enum Setting::Kind;
+    static const std::vector<Setting> all{
+        {"scenes", paths},   {"renderer", text},     {"precision", text}, {"oracle", list},
+        {"require", list},   {"time-limit", number}, {"width", number},   {"height", number},
+        {"threads", number}, {"out", path},          {"report", list},    {"pictures", flag},
+        {"waivers", path},   {"strict", flag},       {"now", text},       {"shard", text},
+        {"color", text},     {"progress", text},
+    };
+    return all;
+}
+
+std::vector<std::string> setting_names() {
+    std::vector<std::string> names;
+    for (const Setting& setting : known_settings()) names.push_back(setting.name);
+    return names;
+}
+
+std::string environment_name(const Setting& setting) {
+    std::string name = "ZPROOF_";
+    for (const char c : setting.name) name += c == '-' ? '_' : char(c - 'a' + 'A');
+    return name;
+}
+
+std::string option_name(const std::string& setting) { return setting == "scenes" ? "SCENE" : "--" + setting; }
+
+}  // namespace zproof

@@ -1,0 +1,97 @@
+// zproof waive list, check, prune.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "cli/commands.h"
+#include "cli/report_files.h"
+#include "cli/usage_error.h"
+#include "cli/waivers/waiver_file.h"
+#include "reports/waiver_standing.h"
+#include "reports/wording.h"
+
+namespace zproof {
+namespace {
+
+void require_file(const GateArguments& gate) {
+    if (gate.waivers.empty())
+        throw UsageError{
+            "waive: expected --waivers FILE.toml (or ZPROOF_WAIVERS, or waivers = in zproof.toml)"};
+}
+
+/// "expired 3 days ago", "12 days left".
+std::string time_left(const Waiver& waiver, Day today) {
+    const auto days = (std::chrono::sys_days{waiver.expires} - std::chrono::sys_days{today}).count();
+    return days < 0 ? "expired " + counted(std::uint64_t(-days), "day") + " ago"
+                    : counted(std::uint64_t(days), "day") + " left";
+}
+
+std::string classes_of(const Waiver& waiver) {
+    std::string text;
+    for (const PixelClass c : waiver.classes) text += (text.empty() ? "" : ", ") + std::string(name_of(c));
+    return text;
+}
+
+std::string line_of(const Waiver& w, Day today) {
+    return w.id + "  " + in_words(w.expires) + " (" + time_left(w, today) + ")  " + w.scene + "/" + w.view +
+           "  " + classes_of(w) + "  " + std::to_string(w.least) + " to " + counted(w.most, "pixel") +
+           "\n    " + w.reason + "\n    " + w.link + "\n";
+}
+
+/// The waivers as they stand on what a run saw; without a run, only their dates are known.
+Results standing_on(const Gate& gate, const std::filesystem::path& results) {
+    Results seen;
+    if (!results.empty()) seen = read_results(results);
+    seen.waivers = gate.waivers;
+    seen.today = in_words(gate.today);
+    seen.strictness = gate.strictness;
+    return seen;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream in{file, std::ios::binary};
+    return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+}  // namespace
+
+ExitCode execute(const WaiveListArguments& arguments) {
+    require_file(arguments.gate);
+    const Gate gate = open_gate(arguments.gate);
+    for (const Waiver& waiver : gate.waivers) std::cout << printable(line_of(waiver, gate.today));
+    std::cout << counted(gate.waivers.size(), "waiver") << "\n";
+    return ExitCode::proven;
+}
+
+ExitCode execute(const WaiveCheckArguments& arguments) {
+    require_file(arguments.gate);
+    const Gate gate = open_gate(arguments.gate);
+    const Results seen = standing_on(gate, arguments.results);
+    for (const WaiverStanding& standing : waiver_standings(seen))
+        if (const std::string advice = advice_for(standing); !advice.empty())
+            std::cout << (fails(standing, gate.strictness) ? "error: " : "warning: ") << one_line(advice)
+                      << "\n";
+    std::cout << counted(gate.waivers.size(), "waiver") << ", well formed\n";
+    return waivers_fail(seen) ? ExitCode::defect : ExitCode::proven;
+}
+
+ExitCode execute(const WaivePruneArguments& arguments) {
+    require_file(arguments.gate);
+    const Gate gate = open_gate(arguments.gate);
+    const Results seen = standing_on(gate, arguments.results);
+    std::vector<std::string> ids;
+    for (const WaiverStanding& standing : waiver_standings(seen)) {
+        using enum WaiverStanding::State;
+        if (standing.state != expired && standing.state != unused) continue;
+        ids.push_back(standing.waiver->id);
+        std::cout << "removed " << one_line(standing.waiver->id) << ": " << name_of(standing.state) << "\n";
+    }
+    if (!ids.empty())
+        write_text(arguments.gate.waivers, without_waivers(text_of(arguments.gate.waivers), ids));
+    std::cout << counted(gate.waivers.size() - ids.size(), "waiver") << " left\n";
+    return ExitCode::proven;
+}
+
+}  // namespace zproof

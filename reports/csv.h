@@ -1,0 +1,15 @@
+/// results.csv: the counts as a tidy table, for spreadsheets and statistics.
+#pragma once
+
+#include <string>
+
+#include "reports/results.h"
+
+namespace zproof {
+
+/// A row per view and class, RFC 4180 with lines ended by a newline alone; a view that was not judged has one
+/// row without class. Columns: scene, view, source, scene_sha256, candidate, reference, width, height,
+/// triangles, outcome, class, gate (passes or fails), pixels, waived, message.
+std::string to_csv(const Results& results);
+
+}  // namespace zproof

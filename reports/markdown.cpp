@@ -1,0 +1,130 @@
+#include "reports/markdown.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "reports/diagnosis_words.h"
+#include "reports/waiver_standing.h"
+#include "reports/wording.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr std::size_t pixels_told = 3;
+constexpr std::size_t room_for_remark = 200;
+
+/// Text that Markdown shows as it is: HTML is escaped, and so is what Markdown reads.
+std::string plain(const std::string& text) {
+    std::string safe;
+    for (const char c : one_line(text)) {
+        if (std::string_view{"\\`*_{}[]#!|~"}.find(c) != std::string_view::npos) safe += '\\';
+        safe += c;
+    }
+    return escaped(safe);
+}
+
+/// A command as it must be typed: in a block of its own, where only a fence could end it.
+std::string code_block(const std::string& text) { return "\n      " + one_line(text) + "\n"; }
+
+std::string word_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::proven:
+            return "✓ proven";
+        case Outcome::defective:
+            return "✗ **defective**";
+        case Outcome::unreadable:
+            return "! **unreadable**";
+        case Outcome::not_judged:
+            return "? **not judged**";
+    }
+    return "";
+}
+
+std::string headline(const Results& results) {
+    const auto count = [&](Outcome outcome) {
+        return std::uint64_t(std::ranges::count(results.views, outcome, &ViewResult::outcome));
+    };
+    std::uint64_t waived = 0;
+    for (const ViewResult& v : results.views) waived += waived_count(v);
+    std::string text = "## zproof: " + counted(results.views.size(), "view") + ", " +
+                       std::to_string(count(Outcome::proven)) + " proven";
+    for (const Outcome outcome : {Outcome::defective, Outcome::unreadable, Outcome::not_judged})
+        if (count(outcome) > 0)
+            text += ", " + std::to_string(count(outcome)) + " " +
+                    (outcome == Outcome::not_judged ? "not judged" : std::string(name_of(outcome)));
+    if (waived > 0) text += "; " + counted(waived, "pixel") + " waived";
+    return text + (results.ending == Ending::interrupted ? "; interrupted" : "") + "\n\n";
+}
+
+std::string row(const ViewResult& v) {
+    std::string text = "| " + word_of(v.outcome) + " | " + plain(v.scene) + " | " + plain(v.view) + " | ";
+    if (!was_judged(v)) return text + "| | | |\n";
+    return text + grouped(std::uint64_t(v.width) * std::uint64_t(v.height)) + " | " +
+           grouped(unwaived_defects(v)) + " | " + grouped(waived_count(v)) + " | " +
+           rounded(v.candidate_depth.max_error_over_bound) + " |\n";
+}
+
+std::string pixel(const ReportedFinding& told) {
+    return "  - " + plain(told.explanation) + "\n" + code_block(told.command);
+}
+
+std::string story(const ViewResult& v) {
+    std::string text =
+        "- " + word_of(v.outcome) + " " + plain(v.scene) + (v.view.empty() ? "" : "/" + plain(v.view)) + ": ";
+    std::string what = v.message.empty() ? "" : plain(v.message);
+    for (std::size_t i = v.counts.size(); i-- > 0;)
+        if (v.counts[i] > v.waived[i] && !passes(PixelClass(i)))
+            what += (what.empty() ? "" : ", ") + grouped(v.counts[i] - v.waived[i]) + " " +
+                    plain(std::string(name_of(PixelClass(i))));
+    text += what + "\n";
+    if (v.diagnosis) text += "  - " + plain(in_words(*v.diagnosis)) + "\n";
+    for (std::size_t i = 0; i < std::min(pixels_told, v.worst.size()); ++i)
+        if (v.worst[i].waiver.empty() && !passes(v.worst[i].finding.verdict)) text += pixel(v.worst[i]);
+    return text;
+}
+
+std::string waiver_row(const WaiverStanding& s) {
+    return "| " + plain(s.waiver->id) + " | " + plain(std::string(name_of(s.state))) + " | " +
+           plain(s.waiver->scene) + " | " + grouped(s.waived) + " | " + in_words(s.waiver->expires) + " | " +
+           plain(s.waiver->reason) + " | " + plain(s.waiver->link) + " |\n";
+}
+
+std::vector<std::string> waivers(const Results& results) {
+    const std::vector<WaiverStanding> standings = waiver_standings(results);
+    if (standings.empty()) return {};
+    std::vector<std::string> parts{
+        "\n### Waivers\n\n| waiver | state | scene | pixels let pass | until | reason | link |\n"
+        "|---|---|---|---:|---|---|---|\n"};
+    for (const WaiverStanding& standing : standings) parts.push_back(waiver_row(standing));
+    return parts;
+}
+
+/// All of it, in pieces that may be left out one by one from the end.
+std::vector<std::string> parts_of(const Results& results) {
+    std::vector<std::string> parts{headline(results) +
+                                   "| verdict | scene | view | pixels | defects | waived | error / bound |\n"
+                                   "|---|---|---|---:|---:|---:|---:|\n"};
+    for (const ViewResult* v : failed_first(results)) parts.push_back(row(*v));
+    std::ranges::move(waivers(results), std::back_inserter(parts));
+    parts.emplace_back("\n");
+    for (const ViewResult* v : failed_first(results))
+        if (v->outcome != Outcome::proven) parts.push_back(story(*v));
+    return parts;
+}
+
+}  // namespace
+
+std::string to_markdown(const Results& results) {
+    std::string text;
+    const std::vector<std::string> parts = parts_of(results);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (text.size() + parts[i].size() > largest_summary - room_for_remark)
+            return text + "\n" + counted(parts.size() - i, "line") +
+                   " left out, for a summary has its limits; results.json has everything.\n";
+        text += parts[i];
+    }
+    return text;
+}
+
+}  // namespace zproof
