@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <map>
 
 #include "cli/commands.h"
 #include "cli/usage_error.h"
+#include "reports/report_error.h"
 
 namespace zproof {
 namespace {

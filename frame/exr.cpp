@@ -20,11 +20,15 @@ struct NativePixel {
 };
 static_assert(sizeof(NativePixel) == 8 && sizeof(PrimitiveId) == 4);
 
+/// OpenImageIO stamps a file with the hour, unless it has a stamp: the same frame shall be the same file.
+void write_no_hour(OIIO::ImageSpec& spec) { spec.attribute("DateTime", "1970:01:01 00:00:00"); }
+
 OIIO::ImageSpec frame_spec(Resolution size) {
     OIIO::ImageSpec spec(size.width, size.height, 2, OIIO::TypeFloat);
     spec.channelnames = {"id", "Z"};
     spec.channelformats = {OIIO::TypeUInt32, OIIO::TypeFloat};
     spec.attribute("compression", "zip:1");
+    write_no_hour(spec);
     return spec;
 }
 
@@ -113,6 +117,7 @@ void write_exr(const std::filesystem::path& file, const Picture& picture) {
     refuse_bad_size(picture.size(), file.string());
     OIIO::ImageSpec spec(picture.size().width, picture.size().height, 3, OIIO::TypeFloat);
     spec.attribute("compression", "zip:1");
+    write_no_hour(spec);
     write_whole_file(file, encode({"openexr", spec}, picture.pixels().data(), file.string()));
 }
 

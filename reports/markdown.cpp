@@ -25,7 +25,7 @@ std::string plain(const std::string& text) {
 }
 
 /// A command as it must be typed: in a block of its own, where only a fence could end it.
-std::string code_block(const std::string& text) { return "\n      " + one_line(text) + "\n"; }
+std::string code_block(const std::string& text) { return "\n        " + one_line(text) + "\n"; }
 
 std::string word_of(Outcome outcome) {
     switch (outcome) {

@@ -47,6 +47,8 @@ const std::map<std::string, Names> spoken_to_in{
     {"tiny_gltf.h", {"scenes"}},
     {"nlohmann/", {"frame", "scenes", "reports"}},
     {"CLI/", {"cli"}},
+    {"openssl/", {"math"}},
+    {"toml++/", {"cli"}},
     {"iostream", {"cli"}},
     {"cstdio", {}},
 };

@@ -13,6 +13,7 @@
 #include "cli/waivers/waiver_file.h"
 #include "compare/waivers/coverage.h"
 #include "reports/findings_file.h"
+#include "reports/report_error.h"
 #include "reports/wording.h"
 
 namespace zproof {

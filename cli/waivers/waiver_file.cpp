@@ -107,7 +107,8 @@ decltype(Waiver::where) place_of(const TomlReader& entry) {
     const TomlValue* all = entry.find("allow_all");
     const TomlValue* place = entry.find("where");
     if (place == nullptr) {
-        if (all != nullptr && all->is == decltype(all->is){true}) return Anywhere{};
+        if (all != nullptr && std::get_if<bool>(&all->is) != nullptr && std::get<bool>(all->is))
+            return Anywhere{};
         entry.refuse(
             "the key 'where' is missing: triangles, pairs, rectangles or pixels; for every pixel of "
             "the view say allow_all = true");

@@ -1,0 +1,161 @@
+// Flag, environment, profile, file: who wins, and what is said of mistakes.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "cli/arguments.h"
+#include "cli/usage_error.h"
+#include "tests/cli/program.h"
+
+namespace zproof {
+namespace {
+
+using Variables = std::map<std::string, std::string>;
+
+/// A folder with a settings file, and a made-up environment.
+struct Place {
+    test::Folder folder;
+    Variables variables;
+
+    explicit Place(const std::string& toml, Variables set = {}) : variables(std::move(set)) {
+        folder.write("zproof.toml", toml);
+    }
+    Environment environment() const {
+        return [this](const std::string& name) {
+            const auto found = variables.find(name);
+            return found == variables.end() ? nullptr : found->second.c_str();
+        };
+    }
+    std::string file() const { return (folder.path() / "zproof.toml").string(); }
+
+    Command parsed(std::vector<std::string> words) const {
+        words.insert(words.begin(), "zproof");
+        words.insert(words.end(), {"--config", file()});
+        std::vector<const char*> argv;
+        for (const std::string& word : words) argv.push_back(word.c_str());
+        return parse_command_line(int(argv.size()), argv.data(), environment());
+    }
+    RunArguments run(std::vector<std::string> words) const {
+        words.insert(words.begin(), "run");
+        return std::get<RunArguments>(parsed(words));
+    }
+    std::string refusal(const std::vector<std::string>& words) const {
+        try {
+            run(words);
+        } catch (const UsageError& e) {
+            return e.what();
+        }
+        return "nothing was refused";
+    }
+};
+
+constexpr const char* layered = R"(
+width = 100
+height = 200
+threads = 3
+profile = "ci"
+[profiles.ci]
+width = 300
+[profiles.local]
+width = 400
+)";
+
+TEST(Settings, OfAFlagWinOverTheEnvironmentOverTheProfileOverTheFile) {
+    const Place quiet{layered}, loud{layered, {{"ZPROOF_WIDTH", "500"}}};
+    EXPECT_EQ(quiet.run({}).settings.resolution, (Resolution{300, 200}));
+    EXPECT_EQ(quiet.run({"--profile", "local"}).settings.resolution, (Resolution{400, 200}));
+    EXPECT_EQ(loud.run({}).settings.resolution, (Resolution{500, 200}));
+    EXPECT_EQ(loud.run({"--width", "600"}).settings.resolution, (Resolution{600, 200}));
+    EXPECT_EQ(quiet.run({}).settings.threads, 3);
+    const Place by_variable{layered, {{"ZPROOF_PROFILE", "local"}}};
+    EXPECT_EQ(by_variable.run({}).settings.resolution.width, 400);
+    EXPECT_EQ(by_variable.run({"--profile", "ci"}).settings.resolution.width, 300);
+}
+
+TEST(Settings, AreUnderstoodOfEveryKind) {
+    const Place place{R"(
+scenes = ["room", "tie"]
+renderer = "embree"
+oracle = ["none"]
+report = "md,csv"
+strict = true
+now = 2026-04-10
+shard = "hash:2/3"
+color = "never"
+out = "reports"
+)"};
+    const RunArguments run = place.run({});
+    EXPECT_EQ(run.scenes, (std::vector<std::string>{"room", "tie"}));
+    EXPECT_EQ(name_of(run.parties.candidate), "embree");
+    EXPECT_TRUE(run.parties.witnesses.empty());
+    EXPECT_EQ(run.report.formats, (std::vector{ReportFormat::md, ReportFormat::csv}));
+    EXPECT_EQ(run.report.gate.strictness, Strictness::strict);
+    EXPECT_EQ(in_words(*run.report.gate.today), "2026-04-10");
+    EXPECT_EQ(run.shard.number, 2);
+    EXPECT_EQ(run.report.colour, ColourWish::never);
+    EXPECT_EQ(run.report.out, place.folder.path() / "reports");
+    EXPECT_EQ(place.run({"other"}).scenes, std::vector<std::string>{"other"});
+}
+
+TEST(Settings, OfTheEnvironmentAreUnderstood) {
+    const Place place{"", {{"ZPROOF_SCENES", "room,tie"}, {"ZPROOF_STRICT", "1"}, {"ZPROOF_OUT", "x"}}};
+    EXPECT_EQ(place.run({}).scenes, (std::vector<std::string>{"room", "tie"}));
+    EXPECT_EQ(place.run({}).report.gate.strictness, Strictness::strict);
+    EXPECT_EQ(place.run({}).report.out, "x");
+    EXPECT_EQ(Place("strict = true", {{"ZPROOF_STRICT", "false"}}).run({}).report.gate.strictness,
+              Strictness::lenient);
+    EXPECT_EQ(Place("", {{"ZPROOF_OUT", ""}}).run({}).report.out, "zproof-out");
+}
+
+TEST(Settings, AreRefusedWithWhereTheyStand) {
+    const auto is_about = [](const std::string& said, const std::string& place, const std::string& what) {
+        EXPECT_NE(said.find(place), std::string::npos) << said;
+        EXPECT_NE(said.find(what), std::string::npos) << said;
+    };
+    is_about(Place("\nwidht = 3").refusal({}), "zproof.toml:2:", "did you mean 'width'?");
+    is_about(Place("width = \"3\"").refusal({}), "zproof.toml:1:", "whole number");
+    is_about(Place("width = 0").refusal({}), "zproof.toml:1:", "--width");
+    is_about(Place("strict = 1").refusal({}), "zproof.toml:1:", "true or false");
+    is_about(Place("color = \"mauve\"").refusal({}), "zproof.toml:1:", "mauve");
+    is_about(Place("report = [\"hmtl\"]").refusal({}), "zproof.toml:1:", "did you mean 'html'?");
+    is_about(Place("[profiles.x]\nwidht = 3").refusal({}), "zproof.toml:2:", "did you mean 'width'?");
+    is_about(Place("= 3").refusal({}), "zproof.toml:1:", "");
+    is_about(Place("[profiles.ci]\n").refusal({"--profile", "cj"}), "zproof.toml", "did you mean 'ci'?");
+    is_about(Place("", {{"ZPROOF_WIDTH", "wide"}}).refusal({}), "ZPROOF_WIDTH", "wide");
+    is_about(Place("", {{"ZPROOF_STRICT", "maybe"}}).refusal({}), "ZPROOF_STRICT", "maybe");
+}
+
+TEST(Settings, ThatBearOnTheVerdictDoNotReachCommandsThatReportsName) {
+    const Place place{"width = 100\nrenderer = \"embree\"\nthreads = 3"};
+    std::vector<const char*> argv{"zproof", "explain", "room", "1", "1"};
+    const Environment environment = [&](const std::string& name) {
+        static const std::string file = place.file();
+        return name == "ZPROOF_CONFIG" ? file.c_str() : nullptr;
+    };
+    const auto explain =
+        std::get<ExplainArguments>(parse_command_line(int(argv.size()), argv.data(), environment));
+    EXPECT_EQ(explain.settings.resolution.width, 1920);
+    EXPECT_EQ(name_of(explain.parties.candidate), "zproof");
+    EXPECT_EQ(explain.settings.threads, 3);
+}
+
+TEST(Settings, OfACiServerAreTheWeakest) {
+    const Place place{"", {{"CI", "true"}, {"GITHUB_ACTIONS", "true"}}};
+    EXPECT_EQ(place.run({}).report.progress, ProgressStyle::lines);
+    EXPECT_EQ(place.run({}).report.formats.back(), ReportFormat::github);
+    EXPECT_EQ(place.run({"--report", "md"}).report.formats, std::vector{ReportFormat::md});
+    EXPECT_EQ(place.run({"-q"}).report.progress, ProgressStyle::none);
+    EXPECT_EQ(Place("progress = \"bar\"", {{"CI", "1"}}).run({}).report.progress, ProgressStyle::bar);
+    EXPECT_EQ(Place("", {{"CI", "false"}}).run({}).report.progress, ProgressStyle::automatic);
+}
+
+TEST(Precedence, IsOneFold) {
+    const SettingValues strong{{"a", {"1"}, "x"}}, weak{{"a", {"2"}, "y"}, {"b", {"3"}, "y"}};
+    const SettingValues both = strongest({strong, {}, weak});
+    ASSERT_EQ(both.size(), 2u);
+    EXPECT_EQ(both[0].origin, "x");
+    EXPECT_EQ(both[1].words, std::vector<std::string>{"3"});
+}
+
+}  // namespace
+}  // namespace zproof
