@@ -399,19 +399,19 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRa
     return bounds;
 }
 
-DepthRow BoundsOnPlane::depth_row() const {
-    DepthRow row{};
-    row.least = least_;
-    row.highest = highest_;
-    row.base = depth_eps_px_.base;
-    row.per = depth_eps_px_.per;
-    row.most = depth_eps_px_.most;
-    row.amplification = depth_eps_px_.amplification;
-    row.depth_factor = depth_factor_;
-    row.plane_offset = plane_offset_;
-    row.absolute = depth_absolute_;
-    row.nearness_error = nearness_error_;
-    return row;
+DepthLaw BoundsOnPlane::depth_law() const {
+    DepthLaw law{};
+    law.least = least_;
+    law.highest = highest_;
+    law.base = depth_eps_px_.base;
+    law.per = depth_eps_px_.per;
+    law.most = depth_eps_px_.most;
+    law.amplification = depth_eps_px_.amplification;
+    law.depth_factor = depth_factor_;
+    law.plane_offset = plane_offset_;
+    law.absolute = depth_absolute_;
+    law.nearness_error = nearness_error_;
+    return law;
 }
 
 LocalBounds TriangleBounds::at(double nearness, double gradient) const {

@@ -82,25 +82,19 @@ TriangleDepth::TriangleDepth(const TriangleNearness& nearness, const TriangleBou
       nearest_(bounds.nearest),
       farthest_(bounds.farthest),
       keeps_to_corners_(keeps_to_corners),
-      row_(bounds_.depth_row()),
-      has_rows_(!nearness.edge_on && std::isfinite(nearness.own_error) &&
-                std::isfinite(row_.absolute + row_.nearness_error)) {
-    row_.nearness_step = nearness.nearness.a;
-    row_.nearness_offset = nearness.nearness.c;
-    row_.gradient = nearness.gradient;
-    row_.own_error = nearness.own_error;
-    row_.nearest = keeps_to_corners ? nearest_ : -unlimited;
-    row_.farthest = keeps_to_corners ? farthest_ : unlimited;
-}
-
-void TriangleDepth::hold(int first_x, int y, std::span<const float> depth, double* ratio) const {
-    if (!has_rows_) {
-        std::fill_n(ratio, depth.size(), unsettled);
+      law_(bounds_.depth_law()) {
+    if (nearness.edge_on || !std::isfinite(nearness.own_error) ||
+        !std::isfinite(law_.absolute + law_.nearness_error)) {
+        law_ = law_of_nothing;
         return;
     }
-    DepthRow row = row_;
-    row.nearness_row = plane_.nearness.b * y;
-    (plane_.perspective ? hold_perspective_row : hold_parallel_row)(row, first_x, depth, ratio);
+    law_.nearness_per_x = nearness.nearness.a;
+    law_.nearness_per_y = nearness.nearness.b;
+    law_.nearness_offset = nearness.nearness.c;
+    law_.gradient = nearness.gradient;
+    law_.own_error = nearness.own_error;
+    law_.nearest = keeps_to_corners ? nearest_ : -unlimited;
+    law_.farthest = keeps_to_corners ? farthest_ : unlimited;
 }
 
 DepthBound TriangleDepth::at(int x, int y) const {

@@ -41,17 +41,15 @@ class TriangleDepth {
                z <= bound.high - margin - 8 * unit_roundoff_float64 * z;
     }
 
-    /// Both for depth[i] at pixel (first_x + i, y): error_over_bound where the interval certainly holds it,
-    /// else, and in other cases that are rare, `unsettled`.
-    void hold(int first_x, int y, std::span<const float> depth, double* ratio) const;
+    /// Both over the whole image; where they take more than double precision, law_of_nothing.
+    const DepthLaw& law() const { return law_; }
 
   private:
     TriangleNearness plane_;
     BoundsOnPlane bounds_;
     double nearest_, farthest_;  ///< camera depths
     bool keeps_to_corners_;
-    DepthRow row_;  ///< of row 0
-    bool has_rows_;
+    DepthLaw law_;
 };
 
 /// What renderers of one view share about one triangle.
