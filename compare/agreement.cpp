@@ -12,7 +12,7 @@ namespace zproof {
 
 namespace {
 
-constexpr int tile_width = 64, tile_height = 16;
+constexpr int tile_width = Strip::width, tile_height = 16;
 
 /// What both witnesses may say of one triangle's depth.
 struct DepthOfBoth {
@@ -22,73 +22,25 @@ struct DepthOfBoth {
 /// Few triangles are ever asked about outside of the laws of a tile.
 constexpr std::size_t remembered_triangles = 64;
 
-/// Pixels [begin, end) of a row at which both frames name the same triangle (or none), or each one of its
-/// own.
-struct Run {
-    PrimitiveId candidate, reference;
-    int begin, end;
-
-    bool agrees() const { return candidate == reference; }
-};
-
-Run run_at(std::span<const PrimitiveId> candidate, std::span<const PrimitiveId> reference, int begin,
-           int limit) {
-    const auto at = [](std::span<const PrimitiveId> row, int x) { return row[std::size_t(x)]; };
-    Run run{at(candidate, begin), at(reference, begin), begin, begin + 1};
-    while (run.end < limit && at(candidate, run.end) == run.candidate &&
-           at(reference, run.end) == run.reference)
-        ++run.end;
-    return run;
-}
-
-/// A piece of a row within one tile: which laws its depths are held against, and how far they go.
-struct Strip {
-    std::array<std::uint32_t, tile_width> candidate_law, reference_law;
-    std::array<std::uint32_t, tile_width> is_shared;  ///< do both show the same triangle?
-    std::array<double, tile_width> candidate_ratio, reference_ratio;
-};
-
 /// Pixels [left, right) x [top, bottom).
 struct Tile {
     int left, top, right, bottom;
 };
 
-/// Two records in the making. Neighbouring pixels often fall into one bin: they are counted side by side.
-class Count {
-  public:
-    using Bins = std::array<std::int32_t, tile_width>;
-
-    /// Counts the pixels whose depths are both settled, and says which are.
-    const Bins& add(const Strip& strip) {
-        Bins theirs;
-        bin_ratios({strip.candidate_ratio, strip.reference_ratio, strip.is_shared},
-                   {ours_.data(), theirs.data(), candidate_.most.data(), reference_.most.data()});
-        for (std::size_t i = 0; i < tile_width; ++i) {
-            ++candidate_.bins[i % lanes][std::size_t(ours_[i])];
-            ++reference_.bins[i % lanes][std::size_t(theirs[i])];
-        }
-        return ours_;
-    }
-    void add_to(Tally& tally) const {
-        candidate_.add_to(tally.candidate);
-        reference_.add_to(tally.reference);
-    }
-
-  private:
+/// A record in the making. Neighbouring pixels often fall into one bin: they are counted side by side.
+struct Count {
     static constexpr std::size_t lanes = 4;
-    struct Record {
-        std::array<std::array<std::uint64_t, ratio_bins + 1>, lanes> bins{};
-        std::array<double, RowOfDepths::together> most{};
+    std::array<std::array<std::uint64_t, Strip::uncounted + 1>, lanes> bins{};
+    Largest largest{};
 
-        void add_to(BoundRecord& record) const {
-            for (const double m : most)
-                record.max_error_over_bound = std::max(record.max_error_over_bound, m);
-            for (const auto& lane : bins)
-                for (std::size_t i = 0; i < record.histogram.size(); ++i) record.histogram[i] += lane[i];
-        }
-    };
-    Bins ours_{};
-    Record candidate_, reference_;
+    void add(const Strip::Values<std::int32_t>& bin) {
+        for (std::size_t i = 0; i < Strip::width; ++i) ++bins[i % lanes][std::size_t(bin[i])];
+    }
+    void add_to(BoundRecord& record) const {
+        for (const double l : largest) record.max_error_over_bound = std::max(record.max_error_over_bound, l);
+        for (const auto& lane : bins)
+            for (std::size_t i = 0; i < record.histogram.size(); ++i) record.histogram[i] += lane[i];
+    }
 };
 
 /// A look at both witnesses, tile by tile or at one pixel.
@@ -104,17 +56,25 @@ class Comparison {
     /// Compares the pixels of a tile; `rows` are the findings of its rows.
     void compare(const Tile& tile, std::span<Findings> rows) {
         shown_.clear();
-        for (int y = tile.top; y < tile.bottom; ++y) look_up_laws(tile, y);
+        for (int y = tile.top; y < tile.bottom; ++y) {
+            Strip& strip = strips_[std::size_t(y - tile.top)];
+            strip.x = tile.left, strip.y = y;
+            fill(strip.candidate, candidate_, tile, y);
+            fill(strip.reference, reference_, tile, y);
+        }
         shown_.make_laws();
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
-            hold(tile, y, strip);
-            settle(tile, y, strip, rows[std::size_t(y - tile.top)]);
+            hold(strip);
+            settle(strip, rows[std::size_t(y - tile.top)]);
         }
     }
 
     /// Adds what was counted at pixels that double precision settled.
-    void add_to(Tally& tally) const { count_.add_to(tally); }
+    void add_to(Tally& tally) const {
+        candidate_count_.add_to(tally.candidate);
+        reference_count_.add_to(tally.reference);
+    }
 
     OpenPixel look_at(int x, int y, double known_reference_ratio = unsettled) {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -155,67 +115,59 @@ class Comparison {
         });
     }
 
-    void look_up_laws(const Tile& tile, int y) {
-        Strip& strip = strips_[std::size_t(y - tile.top)];
-        const auto law_of = [&](PrimitiveId id) {
-            return std::size_t(id) < triangle_count_ ? shown_.place_of(id) : 0;
+    /// Beyond the tile's right side both frames are bare.
+    void fill(Strip::Side& side, const Witness& witness, const Tile& tile, int y) {
+        const auto left = std::size_t(tile.left), width = std::size_t(tile.right - tile.left);
+        const auto take = [&](const auto& plane, auto& values, auto beyond) {
+            std::ranges::copy(plane.row(y).subspan(left, width), values.begin());
+            std::fill(values.begin() + width, values.end(), beyond);
         };
-        strip.candidate_law.fill(0);
-        strip.reference_law.fill(0);
-        strip.is_shared.fill(0);
-        const auto ours = candidate_.frame().primitive.row(y), theirs = reference_.frame().primitive.row(y);
-        for (int x = tile.left; x < tile.right;) {
-            const Run run = run_at(ours, theirs, x, tile.right);
-            const std::uint32_t law = law_of(run.candidate),
-                                other = run.agrees() ? law : law_of(run.reference);
-            for (; x < run.end; ++x) {
-                const auto i = std::size_t(x - tile.left);
-                strip.candidate_law[i] = law;
-                strip.reference_law[i] = other;
-                strip.is_shared[i] = std::uint32_t(run.agrees());
+        take(witness.frame().primitive, side.primitive, PrimitiveId::none);
+        take(witness.frame().camera_depth, side.camera_depth, background_depth);
+        look_up_laws(side);
+    }
+
+    /// Eight at a time where they show what the pixel before them shows.
+    void look_up_laws(Strip::Side& side) {
+        constexpr std::size_t step = 8;
+        PrimitiveId latest = PrimitiveId::none;
+        std::uint32_t law = 0;
+        for (std::size_t first = 0; first < Strip::width; first += step) {
+            std::uint32_t difference = 0;
+            for (std::size_t i = first; i < first + step; ++i)
+                difference |= std::uint32_t(side.primitive[i]) ^ std::uint32_t(latest);
+            for (std::size_t i = first; i < first + step; ++i) {
+                if (difference != 0 && side.primitive[i] != latest) {
+                    latest = side.primitive[i];
+                    law = std::size_t(latest) < triangle_count_ ? shown_.place_of(latest) : 0;
+                }
+                side.law[i] = law;
             }
         }
     }
 
-    void hold(const Tile& tile, int y, Strip& strip) const {
-        const auto width = std::size_t(tile.right - tile.left);
+    void hold(Strip& strip) const {
         const bool perspective = candidate_.projection() == Projection::perspective;
-        const auto hold_by = perspective ? hold_perspective : hold_parallel;
-        const auto hold = [&](const Witness& witness, std::span<const DepthLaw> laws, const auto& which,
-                              auto& ratio) {
-            std::array<float, tile_width> depth{};
-            std::ranges::copy(witness.frame().camera_depth.row(y).subspan(std::size_t(tile.left), width),
-                              depth.begin());
-            hold_by(laws, {tile.left, y, which, depth.data()}, ratio.data());
-        };
-        hold(candidate_, shown_.candidate_laws(), strip.candidate_law, strip.candidate_ratio);
-        hold(reference_, shown_.reference_laws(), strip.reference_law, strip.reference_ratio);
+        const auto hold = perspective ? hold_perspective : hold_parallel;
+        hold(shown_.candidate_laws(), strip.x, strip.y, strip.candidate);
+        hold(shown_.reference_laws(), strip.x, strip.y, strip.reference);
     }
 
-    void settle(const Tile& tile, int y, const Strip& strip, Findings& found) {
-        const Count::Bins& bins = count_.add(strip);
-        for (int x = tile.left; x < tile.right; ++x)
-            if (bins[std::size_t(x - tile.left)] == unsettled_bin)
-                settle(x, y, strip, std::size_t(x - tile.left), found);
+    void settle(Strip& strip, Findings& found) {
+        sort_out(strip, candidate_count_.largest, reference_count_.largest);
+        candidate_count_.add(strip.candidate.bin);
+        reference_count_.add(strip.reference.bin);
+        if (std::ranges::count(strip.is_open, 0u) == Strip::width) return;
+        for (std::size_t i = 0; i < Strip::width; ++i)
+            if (strip.is_open[i]) settle(look_at(strip.x + int(i), strip.y, strip.reference.ratio[i]), found);
     }
 
-    void settle(int x, int y, const Strip& strip, std::size_t i, Findings& found) {
-        const Answer ours = candidate_.answer_at(x, y), theirs = reference_.answer_at(x, y);
-        if (ours.primitive != theirs.primitive)
-            return found.open.push_back(look_at(x, y, strip.reference_ratio[i]));
-        const bool is_bare = ours.primitive == PrimitiveId::none;
-        if (is_bare && ours.camera_depth == background_depth && theirs.camera_depth == background_depth)
-            return;
-        if (std::size_t(ours.primitive) < triangle_count_)
-            settle(look_at(x, y), found);
-        else
-            found.open.push_back(look_at(x, y));
-    }
-
-    /// Double precision did not say that both depths are lawful.
     void settle(const OpenPixel& pixel, Findings& found) {
-        if (!pixel.candidate_invalid && !pixel.reference_invalid) {
-            count(found.tally.candidate, pixel.finding.error_over_bound);
+        const Finding& f = pixel.finding;
+        const bool is_shared =
+            f.candidate.primitive == f.reference.primitive && f.candidate.primitive != PrimitiveId::none;
+        if (is_shared && !pixel.candidate_invalid && !pixel.reference_invalid) {
+            count(found.tally.candidate, f.error_over_bound);
             count(found.tally.reference, pixel.reference_error_over_bound);
         }
         if (!is_settled(pixel)) found.open.push_back(pixel);
@@ -225,7 +177,7 @@ class Comparison {
     const Witness &candidate_, &reference_;
     ShownTriangles shown_;
     std::array<Strip, tile_height> strips_;
-    Count count_;
+    Count candidate_count_, reference_count_;
     Memory<std::uint32_t, DepthOfBoth> triangles_;
 };
 

@@ -81,21 +81,7 @@ TriangleDepth::TriangleDepth(const TriangleNearness& nearness, const TriangleBou
       bounds_(bounds, nearness.gradient),
       nearest_(bounds.nearest),
       farthest_(bounds.farthest),
-      keeps_to_corners_(keeps_to_corners),
-      law_(bounds_.depth_law()) {
-    if (nearness.edge_on || !std::isfinite(nearness.own_error) ||
-        !std::isfinite(law_.absolute + law_.nearness_error)) {
-        law_ = law_of_nothing;
-        return;
-    }
-    law_.nearness_per_x = nearness.nearness.a;
-    law_.nearness_per_y = nearness.nearness.b;
-    law_.nearness_offset = nearness.nearness.c;
-    law_.gradient = nearness.gradient;
-    law_.own_error = nearness.own_error;
-    law_.nearest = keeps_to_corners ? nearest_ : -unlimited;
-    law_.farthest = keeps_to_corners ? farthest_ : unlimited;
-}
+      keeps_to_corners_(keeps_to_corners) {}
 
 DepthBound TriangleDepth::at(int x, int y) const {
     const double nearness = plane_.nearness.at(x, y);
@@ -114,6 +100,22 @@ DepthBound TriangleDepth::at(int x, int y) const {
 
 TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds) {
     return {triangle.nearness, bounds.of_depth(triangle.extent), bounds.keeps_to_corners()};
+}
+
+DepthLaw depth_law_of(const TriangleInView& triangle, const ViewBounds& of_view) {
+    const TriangleNearness& plane = triangle.nearness;
+    const TriangleBounds bounds = of_view.of_depth(triangle.extent);
+    DepthLaw law = BoundsOnPlane(bounds, plane.gradient).depth_law();
+    if (plane.edge_on || !std::isfinite(plane.own_error) || !std::isfinite(law.absolute + law.nearness_error))
+        return law_of_nothing;
+    law.nearness_per_x = plane.nearness.a;
+    law.nearness_per_y = plane.nearness.b;
+    law.nearness_offset = plane.nearness.c;
+    law.gradient = plane.gradient;
+    law.own_error = plane.own_error;
+    law.nearest = of_view.keeps_to_corners() ? bounds.nearest : -unlimited;
+    law.farthest = of_view.keeps_to_corners() ? bounds.farthest : unlimited;
+    return law;
 }
 
 bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world, int x, int y,

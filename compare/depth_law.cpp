@@ -18,6 +18,10 @@ double clamped(double value, double low, double high) {
     return high < raised ? high : raised;
 }
 
+struct Pixel {
+    int x, y;
+};
+
 struct Range {
     double low, truth, high;
 };
@@ -75,66 +79,75 @@ template <class Projected, class Relative>
     return holds ? (error > 0 ? share : 0) : unsettled;
 }
 
-/// `count` pixels of one law. It is a copy, so that what is written cannot be any of it, and stays in
+/// Pixels [first, end) of one law. It is a copy, so that what is written cannot be any of it, and stays in
 /// registers.
 template <class Projected, class Relative>
-[[gnu::always_inline]] inline void hold_run(const DepthLaw law, const RowOfDepths& row, std::size_t first,
-                                            std::size_t count, double* ratio) {
-    const double along_row = law.nearness_per_y * row.y;
-    const int x = row.x + int(first);
-    const float* depth = row.depth + first;
-    for (int i = 0; i < int(count); ++i) {
-        const double nearness = law.nearness_per_x * (x + i) + along_row + law.nearness_offset;
-        ratio[first + std::size_t(i)] = ratio_of<Projected, Relative>(law, nearness, depth[i]);
+[[gnu::always_inline]] inline void hold_run(const DepthLaw law, const Pixel& origin, std::size_t first,
+                                            std::size_t end, Strip::Side& side) {
+    const double along_column = law.nearness_per_y * origin.y;
+    const int x = origin.x + int(first), count = int(end - first);
+    const float* depth = side.camera_depth.data() + first;
+    double* ratio = side.ratio.data() + first;
+    for (int i = 0; i < count; ++i) {
+        const double nearness = law.nearness_per_x * (x + i) + along_column + law.nearness_offset;
+        ratio[i] = ratio_of<Projected, Relative>(law, nearness, depth[i]);
     }
 }
 
-constexpr std::size_t together = RowOfDepths::together;
+constexpr std::size_t together = 8;
+static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == together);
 
-/// Pixels of several laws.
+/// `together` pixels of several laws.
 template <class Projected>
-[[gnu::always_inline]] inline void hold_mixed(std::span<const DepthLaw> laws, const RowOfDepths& row,
-                                              std::size_t first, double* ratio) {
-    const std::uint32_t* which = row.law.data() + first;
-    const float* depth = row.depth + first;
-    const int x = row.x + int(first);
-    double result[together];
+[[gnu::always_inline]] inline void hold_mixed(const DepthLaw* laws, const Pixel& origin, std::size_t first,
+                                              Strip::Side& side) {
+    const std::uint32_t* which = side.law.data() + first;
+    const float* depth = side.camera_depth.data() + first;
+    const int x = origin.x + int(first);
+    double ratio[together];
     for (int i = 0; i < int(together); ++i) {
         const DepthLaw& law = laws[which[i]];
         const double nearness =
-            law.nearness_per_x * (x + i) + law.nearness_per_y * row.y + law.nearness_offset;
-        result[i] = ratio_of<Projected, Either>(law, nearness, depth[i]);
+            law.nearness_per_x * (x + i) + law.nearness_per_y * origin.y + law.nearness_offset;
+        ratio[i] = ratio_of<Projected, Either>(law, nearness, depth[i]);
     }
-    std::copy_n(result, together, ratio + first);
+    std::copy_n(ratio, together, side.ratio.data() + first);
 }
 
-/// Pixels from `first` on that share its law, in whole steps.
-[[gnu::always_inline]] inline std::size_t steps_of_one_law(std::span<const std::uint32_t> law,
-                                                           std::size_t first) {
+/// The end of the pixels from `first` on that share its law, in whole steps.
+[[gnu::always_inline]] inline std::size_t end_of_law(const Strip::Values<std::uint32_t>& law,
+                                                     std::size_t first) {
     std::size_t end = first;
-    while (end < law.size()) {
+    for (; end < Strip::width; end += together) {
         std::uint32_t difference = 0;
         for (std::size_t i = 0; i < together; ++i) difference |= law[end + i] ^ law[first];
         if (difference != 0) break;
-        end += together;
     }
-    return end - first;
+    return end;
 }
 
 template <class Projected>
-[[gnu::always_inline]] inline void hold_row(std::span<const DepthLaw> laws, const RowOfDepths& row,
-                                            double* ratio) {
-    for (std::size_t first = 0; first < row.law.size();) {
-        const std::size_t run = steps_of_one_law(row.law, first);
-        const DepthLaw& law = laws[row.law[first]];
-        if (run == 0)
-            hold_mixed<Projected>(laws, row, first, ratio);
-        else if (law.plane_offset == 0)
-            hold_run<Projected, Everywhere>(law, row, first, run, ratio);
+[[gnu::always_inline]] inline void hold_strip(std::span<const DepthLaw> laws, const Pixel& origin,
+                                              Strip::Side& side) {
+    for (std::size_t first = 0; first < Strip::width;) {
+        const std::size_t end = end_of_law(side.law, first);
+        const std::uint32_t which = side.law[first];
+        if (end == first)
+            hold_mixed<Projected>(laws.data(), origin, first, side);
+        else if (which == 0)
+            std::fill(side.ratio.begin() + first, side.ratio.begin() + end, unsettled);
+        else if (laws[which].plane_offset == 0)
+            hold_run<Projected, Everywhere>(laws[which], origin, first, end, side);
         else
-            hold_run<Projected, ByNearness>(law, row, first, run, ratio);
-        first += run == 0 ? together : run;
+            hold_run<Projected, ByNearness>(laws[which], origin, first, end, side);
+        first = std::max(end, first + together);
     }
+}
+
+/// 0 to 20.
+[[gnu::always_inline]] inline std::int32_t bin_of(double ratio) {
+    const double scaled = ratio * 20;
+    return std::int32_t(scaled < 20 ? scaled : 20);
 }
 
 }  // namespace
@@ -142,39 +155,36 @@ template <class Projected>
 /// Compiled once per instruction set. No bit depends on which runs: contraction is off, and the loops keep
 /// their order.
 [[gnu::target_clones("default", "avx2", "avx512f")]] void hold_perspective(std::span<const DepthLaw> laws,
-                                                                           const RowOfDepths& row,
-                                                                           double* ratio) {
-    hold_row<Perspective>(laws, row, ratio);
+                                                                           int x, int y, Strip::Side& side) {
+    hold_strip<Perspective>(laws, {x, y}, side);
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] void hold_parallel(std::span<const DepthLaw> laws,
-                                                                        const RowOfDepths& row,
-                                                                        double* ratio) {
-    hold_row<Parallel>(laws, row, ratio);
+[[gnu::target_clones("default", "avx2", "avx512f")]] void hold_parallel(std::span<const DepthLaw> laws, int x,
+                                                                        int y, Strip::Side& side) {
+    hold_strip<Parallel>(laws, {x, y}, side);
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] void bin_ratios(const PairOfRatios& ratios,
-                                                                     const PairOfBins& bins) {
-    for (std::size_t first = 0; first < ratios.one.size(); first += together) {
-        const double *one = ratios.one.data() + first, *also = ratios.also.data() + first;
-        const std::uint32_t* counts = ratios.counts.data() + first;
-        std::int32_t bin[together], bin_also[together];
-        double most[together], most_also[together];
-        for (std::size_t i = 0; i < together; ++i) {
-            const bool is_counted = (one[i] >= 0) & (also[i] >= 0) & (counts[i] != 0);
-            const double scaled = one[i] * 20 < 20 ? one[i] * 20 : 20;
-            const double scaled_also = also[i] * 20 < 20 ? also[i] * 20 : 20;
-            bin[i] = is_counted ? std::int32_t(scaled) : unsettled_bin;
-            bin_also[i] = is_counted ? std::int32_t(scaled_also) : unsettled_bin;
-            const double least = bins.most_of_one[i], least_also = bins.most_of_also[i];
-            most[i] = is_counted & (one[i] > least) ? one[i] : least;
-            most_also[i] = is_counted & (also[i] > least_also) ? also[i] : least_also;
+[[gnu::target_clones("default", "avx2", "avx512f")]] void sort_out(Strip& strip, Largest& candidate,
+                                                                   Largest& reference) {
+    constexpr float none = std::numeric_limits<float>::infinity();
+    Strip::Side &ours = strip.candidate, &theirs = strip.reference;
+    Largest most = candidate, most_of_theirs = reference;
+    for (std::size_t first = 0; first < Strip::width; first += together)
+        for (std::size_t lane = 0; lane < together; ++lane) {
+            const std::size_t i = first + lane;
+            const double a = ours.ratio[i], b = theirs.ratio[i];
+            const bool agree = ours.primitive[i] == theirs.primitive[i];
+            const bool is_counted = agree & (a >= 0) & (b >= 0);
+            const bool is_bare = agree & (ours.primitive[i] == PrimitiveId::none) &
+                                 (ours.camera_depth[i] == none) & (theirs.camera_depth[i] == none);
+            ours.bin[i] = is_counted ? bin_of(a) : Strip::uncounted;
+            theirs.bin[i] = is_counted ? bin_of(b) : Strip::uncounted;
+            strip.is_open[i] = !(is_counted | is_bare);
+            most[lane] = is_counted & (a > most[lane]) ? a : most[lane];
+            most_of_theirs[lane] = is_counted & (b > most_of_theirs[lane]) ? b : most_of_theirs[lane];
         }
-        std::copy_n(bin, together, bins.one + first);
-        std::copy_n(bin_also, together, bins.also + first);
-        std::copy_n(most, together, bins.most_of_one);
-        std::copy_n(most_also, together, bins.most_of_also);
-    }
+    candidate = most;
+    reference = most_of_theirs;
 }
 
 }  // namespace zproof

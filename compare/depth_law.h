@@ -2,8 +2,11 @@
 /// pixels.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+
+#include "frame/frame.h"
 
 namespace zproof {
 
@@ -25,33 +28,37 @@ inline constexpr double unsettled = -1;
 /// A law by which every depth is unsettled.
 inline constexpr DepthLaw law_of_nothing{.depth_factor = 1};
 
-/// Pixels of a row, from (x, y) on. Their number is a multiple of `together`.
-struct RowOfDepths {
-    static constexpr std::size_t together = 8;
+/// 64 pixels of a row, as both frames show them, on their way through the first pass.
+struct Strip {
+    static constexpr std::size_t width = 64;
+    template <class T>
+    using Values = std::array<T, width>;
 
-    int x = 0, y = 0;
-    std::span<const std::uint32_t> law;  ///< of each pixel: a place among the laws
-    const float* depth = nullptr;
+    /// What one renderer shows.
+    struct Side {
+        Values<PrimitiveId> primitive;
+        Values<float> camera_depth;
+        Values<std::uint32_t> law;  ///< of the triangle: a place among the laws
+        Values<double> ratio;       ///< error / bound, or `unsettled`
+        Values<std::int32_t>
+            bin;  ///< of the ratio, as BoundHistogram has it; `uncounted` where not both are settled
+    };
+    static constexpr std::int32_t uncounted = 21;
+
+    int x = 0, y = 0;  ///< of the first
+    Side candidate, reference;
+    Values<std::uint32_t> is_open;  ///< to be looked at by itself: neither settled nor bare in both frames
 };
 
-/// Writes error / bound for each pixel of the row, or `unsettled` where double precision does not hold the
-/// depth lawful for certain. The same bits as TriangleDepth::at followed by error_over_bound.
-void hold_perspective(std::span<const DepthLaw> laws, const RowOfDepths& row, double* ratio);
-void hold_parallel(std::span<const DepthLaw> laws, const RowOfDepths& row, double* ratio);
+/// Fills in the ratios: the same bits as TriangleDepth::at followed by error_over_bound, or `unsettled` where
+/// double precision does not hold the depth lawful for certain.
+void hold_perspective(std::span<const DepthLaw> laws, int x, int y, Strip::Side& side);
+void hold_parallel(std::span<const DepthLaw> laws, int x, int y, Strip::Side& side);
 
-/// Bins of error / bound as BoundHistogram has them, and one for what is unsettled.
-inline constexpr std::int32_t ratio_bins = 21, unsettled_bin = ratio_bins;
+/// The largest ratios that were counted, side by side.
+using Largest = std::array<double, 8>;
 
-/// The bin of each ratio, and of each `also` at the same place; both unsettled_bin where either is unsettled
-/// or `counts` is 0. Raises most[i % together] and most_also[i % together] to the ratios that are binned.
-struct PairOfRatios {
-    std::span<const double> one, also;
-    std::span<const std::uint32_t> counts;
-};
-struct PairOfBins {
-    std::int32_t *one, *also;
-    double *most_of_one, *most_of_also;
-};
-void bin_ratios(const PairOfRatios& ratios, const PairOfBins& bins);
+/// Fills in bins and is_open, and raises the largest.
+void sort_out(Strip& strip, Largest& candidate, Largest& reference);
 
 }  // namespace zproof

@@ -38,8 +38,8 @@ void ShownTriangles::grow() {
 void ShownTriangles::make_laws() {
     for (std::size_t place = candidate_laws_.size(); place < triangles_.size(); ++place) {
         const TriangleInView triangle = candidate_.triangle_in_view(triangles_[place]);
-        candidate_laws_.push_back(depth_of(triangle, candidate_.bounds()).law());
-        reference_laws_.push_back(depth_of(triangle, reference_.bounds()).law());
+        candidate_laws_.push_back(depth_law_of(triangle, candidate_.bounds()));
+        reference_laws_.push_back(depth_law_of(triangle, reference_.bounds()));
     }
 }
 
