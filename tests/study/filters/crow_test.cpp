@@ -1,4 +1,4 @@
-#include "study/crow.h"
+#include "study/filters/crow.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "study/claims.h"
+#include "study/filters/claims.h"
 
 #include <algorithm>
 #include <cmath>

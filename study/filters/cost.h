@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "rasterizer/texturing.h"
-#include "study/results.h"
-#include "study/surface_map.h"
+#include "study/filters/results.h"
+#include "study/filters/surface_map.h"
 #include "texture/linear_image.h"
 
 namespace zproof::study {

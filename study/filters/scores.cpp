@@ -1,4 +1,4 @@
-#include "study/scores.h"
+#include "study/filters/scores.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,4 +1,4 @@
-#include "study/regions.h"
+#include "study/filters/regions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "study/cost.h"
+#include "study/filters/cost.h"
 
 #include <gtest/gtest.h>
 

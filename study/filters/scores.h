@@ -6,8 +6,8 @@
 
 #include "compare/picture_metric.h"
 #include "frame/picture.h"
-#include "study/regions.h"
-#include "study/results.h"
+#include "study/filters/regions.h"
+#include "study/filters/results.h"
 
 namespace zproof::study {
 

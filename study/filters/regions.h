@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "oracle/area_integral.h"
-#include "study/results.h"
-#include "study/surface_map.h"
+#include "study/filters/results.h"
+#include "study/filters/surface_map.h"
 
 namespace zproof::study {
 

@@ -1,4 +1,4 @@
-#include "reports/filters/chart.h"
+#include "reports/chart.h"
 
 #include <algorithm>
 #include <array>

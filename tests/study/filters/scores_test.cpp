@@ -1,4 +1,4 @@
-#include "study/scores.h"
+#include "study/filters/scores.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "compare/picture_metric.h"
 #include "rasterizer/texel_map.h"
 #include "scenes/filter_scenes.h"
-#include "study/study.h"
+#include "study/filters/study.h"
 
 namespace zproof::study {
 namespace {

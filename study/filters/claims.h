@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "study/results.h"
+#include "study/filters/results.h"
 
 namespace zproof::study {
 

@@ -1,12 +1,12 @@
-#include "study/study.h"
+#include "study/filters/study.h"
 
 #include <algorithm>
 #include <chrono>
 
 #include "compare/picture_metric.h"
 #include "rasterizer/rasterizer.h"
-#include "study/cost.h"
-#include "study/scores.h"
+#include "study/filters/cost.h"
+#include "study/filters/scores.h"
 
 namespace zproof::study {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "scenes/loaded.h"
-#include "study/plan.h"
-#include "study/results.h"
+#include "study/filters/plan.h"
+#include "study/filters/results.h"
 
 namespace zproof::study {
 

@@ -1,4 +1,4 @@
-#include "reports/filters/page_parts.h"
+#include "reports/page_parts.h"
 
 #include "reports/base64.h"
 #include "reports/html_parts.h"

@@ -7,10 +7,10 @@
 
 #include "rasterizer/rasterizer.h"
 #include "scenes/filter_scenes.h"
-#include "study/claims.h"
-#include "study/cost.h"
-#include "study/study.h"
-#include "study/surface_map.h"
+#include "study/filters/claims.h"
+#include "study/filters/cost.h"
+#include "study/filters/study.h"
+#include "study/filters/surface_map.h"
 #include "texture/catalogue.h"
 
 namespace zproof::study {

@@ -1,4 +1,4 @@
-#include "study/surface_map.h"
+#include "study/filters/surface_map.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
