@@ -37,6 +37,24 @@ string(REGEX REPLACE "/$" "" pc_prefix "\${pcfiledir}/${up_to_prefix}")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/zproof.pc.in ${PROJECT_BINARY_DIR}/zproof.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/zproof.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT libzproof-dev)
 
+# What a shell and man(1) want to know, as the program itself writes it.
+find_program(ZPROOF_GZIP gzip REQUIRED)
+add_custom_command(OUTPUT shell/zproof.1.gz shell/zproof shell/_zproof shell/zproof.fish DEPENDS zproof
+    COMMAND ${CMAKE_COMMAND} -E make_directory shell
+    COMMAND zproof man > shell/zproof.1
+    COMMAND ${ZPROOF_GZIP} -9 -n -f shell/zproof.1
+    COMMAND zproof completion bash > shell/zproof
+    COMMAND zproof completion zsh > shell/_zproof
+    COMMAND zproof completion fish > shell/zproof.fish)
+add_custom_target(zproof_shell ALL DEPENDS shell/zproof.1.gz)
+set(shell ${CMAKE_CURRENT_BINARY_DIR}/shell)
+install(FILES ${shell}/zproof.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT zproof)
+install(FILES ${shell}/zproof DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT zproof)
+install(FILES ${shell}/zproof.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT zproof)
+foreach(folder site-functions vendor-completions)  # below /usr/local, and below /usr, as Debian's zsh looks
+    install(FILES ${shell}/_zproof DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${folder} COMPONENT zproof)
+endforeach()
+
 install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT zproof)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT zproof
         FILES_MATCHING PATTERN "*.md" PATTERN "*.png")

@@ -32,7 +32,6 @@ set(CPACK_COMPONENT_LIBZPROOF-DEV_DESCRIPTION "Static libraries, headers, CMake 
 trace it, and hand your own frames to the judge.")
 
 # Debian's own two files of every package.
-find_program(ZPROOF_GZIP gzip REQUIRED)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/debian/changelog.in ${PROJECT_BINARY_DIR}/changelog @ONLY)
 add_custom_command(OUTPUT changelog.gz DEPENDS ${PROJECT_BINARY_DIR}/changelog
     COMMAND ${ZPROOF_GZIP} -9 -n -c changelog > changelog.gz)

@@ -5,10 +5,7 @@
 namespace zproof {
 namespace {
 
-constexpr const char* compare_examples = R"(
-  zproof compare frame.exr model.glb --view cam     one stored frame, against Embree
-  zproof compare a.exr b.exr --scene model.glb      one against the other, and both against the scene
-
+constexpr const char* compare_remark = R"(
 The frames' own resolution is taken. Exit status as for run.)";
 
 /// SCENE, or a second frame where --scene names the scene.
@@ -51,7 +48,7 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     add_witness_options(app, words.parties);
     add_threads(app, words.compare.threads);
     add_report(app, words.compare.report);
-    app.footer(compare_examples);
+    app.footer(compare_remark);
     return {&app, [&words] {
                 words.compare.parties = parties_of(words.parties);
                 return words.compare;

@@ -43,8 +43,10 @@ void add_render_settings(CLI::App& app, RenderSettings& settings) {
 
 void add_report(CLI::App& app, ReportArguments& report) {
     app.add_option("-o,--out", report.out, "folder for the reports")->capture_default_str();
-    add_choice(app, "--color", report.colour, colour_wishes);
-    add_choice(app, "--progress", report.progress, progress_styles);
+    add_choice(app, "--color", report.colour, colour_wishes)
+        ->description("of the table on the terminal; auto: unless NO_COLOR is set");
+    add_choice(app, "--progress", report.progress, progress_styles)
+        ->description("how it is told on stderr; auto: a bar on a terminal, else a line per view");
     app.add_flag_callback(
         "--pictures", [&report] { report.pictures = PictureWish::shaded; },
         "shaded colour pictures, beside those of witnesses that can paint");

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/command_line/branches.h"
+#include "cli/command_line/help.h"
 #include "cli/filters/command_line.h"
 #include "cli/usage_error.h"
 #include "cli/version.h"
@@ -11,18 +12,7 @@
 namespace zproof {
 namespace {
 
-constexpr const char* examples = R"(Proves a z-buffer rasterizer right, pixel by pixel.
-
-  zproof run                            judge the built-in suite, write zproof-out/
-  zproof run models/ -o out             judge every .gltf, .glb and .view.json below models/
-  zproof run --renderer './mine {scene} {camera} {width} {height} {out}' model.glb
-                                        judge your own renderer (try contract-check first)
-  zproof compare frame.exr model.glb    judge a frame that was rendered elsewhere
-  zproof explain model.glb 812 344      tell the whole story of one pixel
-  zproof measure zproof                 measure what a renderer really does
-  zproof selftest                       see the gate fail: inject known faults into good frames
-  zproof filters run worked -o study    how far texture filters are from the truth, and at what cost
-
+constexpr const char* statuses = R"(
 Exit status: 0 proven, 1 a defect, 2 usage, 3 unreadable input, 4 nothing judged, 70 internal error,
 130 interrupted.)";
 
@@ -38,14 +28,18 @@ Branch add_filters(CLI::App& parent, CommandWords& words) {
             }};
 }
 
-CommandTree::CommandTree() : root_(std::make_unique<CLI::App>(examples, "zproof")) {
+CommandTree::CommandTree()
+    : root_(std::make_unique<CLI::App>("Proves a z-buffer rasterizer right, pixel by pixel.", "zproof")) {
+    explain_by_example(*root_);
+    root_->footer(statuses);
     root_->set_version_flag("--version", version_line);
     root_->require_subcommand(0, 1);  // none is answered by chosen(), in words that name what is missing
-    branches_ = {add_run(*root_, words_),      add_compare(*root_, words_),
-                 add_explain(*root_, words_),  add_render(*root_, words_),
-                 add_measure(*root_, words_),  add_contract_check(*root_, words_),
-                 add_selftest(*root_, words_), add_list(*root_),
-                 add_scenes(*root_, words_),   add_filters(*root_, words_)};
+    branches_ = {add_run(*root_, words_),        add_compare(*root_, words_),
+                 add_explain(*root_, words_),    add_render(*root_, words_),
+                 add_measure(*root_, words_),    add_contract_check(*root_, words_),
+                 add_selftest(*root_, words_),   add_list(*root_),
+                 add_scenes(*root_, words_),     add_filters(*root_, words_),
+                 add_completion(*root_, words_), add_man(*root_)};
 }
 
 CommandTree::~CommandTree() = default;

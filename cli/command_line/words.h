@@ -25,6 +25,7 @@ struct CommandWords {
     SelftestArguments selftest;
     GenerateArguments generate;
     FiltersWords filters;
+    std::string shell;  ///< whose completion
 };
 
 /// A command of the tree, and how its words become arguments once they are read. Throws UsageError where they

@@ -44,6 +44,11 @@ case $way in
         (cd "$build" && quietly cpack -G DEB -B "$place/packages")
         for package in packages/*.deb; do quietly dpkg -x "$package" root; done
         root/usr/bin/zproof --version
+        man -l root/usr/share/man/man1/zproof.1.gz | grep -q 'zproof filters check' || die "the manual page says too little"
+        for script in bash-completion/completions/zproof fish/vendor_completions.d/zproof.fish \
+            zsh/vendor-completions/_zproof; do
+            grep -q 'made by: zproof completion' "root/usr/share/$script" || die "$script is not in the package"
+        done
         export PKG_CONFIG_PATH
         PKG_CONFIG_PATH=$(echo root/usr/lib*/pkgconfig root/usr/lib/*/pkgconfig | tr ' ' :)
         # shellcheck disable=SC2046
