@@ -14,6 +14,7 @@
 #include "cli/report_files.h"
 #include "cli/settings.h"
 #include "cli/settings/sources.h"
+#include "cli/study/arguments.h"
 
 namespace zproof {
 
@@ -171,7 +172,7 @@ using Command =
                  DiffResultsArguments, WaiveListArguments, WaiveCheckArguments, WaivePruneArguments,
                  WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments, FiltersRunArguments,
                  FiltersListArguments, FiltersTableArguments, FiltersFigureArguments, FiltersCrowArguments,
-                 FiltersCheckArguments, Answered>;
+                 FiltersCheckArguments, StudyArguments, Answered>;
 
 /// What is not typed is taken from the settings (docs/gate.md). Throws UsageError, and ReportError where a
 /// settings file that is named cannot be read.

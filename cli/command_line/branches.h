@@ -20,5 +20,8 @@ Branch add_doctor(CLI::App& parent, CommandWords& words);
 Branch add_list(CLI::App& parent);
 Branch add_scenes(CLI::App& parent, CommandWords& words);
 Branch add_filters(CLI::App& parent, CommandWords& words);
+Branch add_study(CLI::App& parent, CommandWords& words);
+Branch add_completion(CLI::App& parent, CommandWords& words);
+Branch add_man(CLI::App& parent);
 
 }  // namespace zproof

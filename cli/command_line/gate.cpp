@@ -6,35 +6,17 @@
 namespace zproof {
 namespace {
 
-constexpr const char* merge_examples = R"(
-  zproof run --shard hash:1/2 -o one      on one machine
-  zproof run --shard hash:2/2 -o two      on another
-  zproof merge one two -o zproof-out      the same files as one run of all
-
+constexpr const char* merge_remark = R"(
 Exit status: that of the run, put together; 3 where the shards are not those of one run.)";
 
-constexpr const char* report_examples = R"(
-  zproof report zproof-out -o report.html
-  zproof report zproof-out -o summary.md
-  zproof report zproof-out --format github -o -    annotations on stdout
-
+constexpr const char* report_remark = R"(
 Exit status: 0 written; the verdict is not judged again.)";
 
-constexpr const char* diff_examples = R"(
-  zproof diff-results main/zproof-out mine/zproof-out
-  zproof diff-results old.json new.json --json
-
+constexpr const char* diff_remark = R"(
 Exit status: 0 the same or better, 1 worse: a view is no longer proven, or gone, or has more defects.)";
 
-constexpr const char* waive_examples = R"(
-  zproof waive add --waivers waivers.toml --from zproof-out --scene room --pixel 812,344
-                   --reason 'sliver, mended by the new clipper' --link https://example.org/issues/12
-                   --expires 2026-04-10
-  zproof waive list --waivers waivers.toml
-  zproof waive check --waivers waivers.toml --from zproof-out --strict
-  zproof waive prune --waivers waivers.toml
-
-Exit status of check: 0 all sound, 1 one has run out (--strict: or is not needed), 2 the file is malformed.)";
+constexpr const char* check_remark = R"(
+Exit status: 0 all sound, 1 one has run out (--strict: or is not needed), 2 the file is malformed.)";
 
 const std::map<std::string, WaiverReach> reaches{
     {"pair", WaiverReach::pair}, {"triangle", WaiverReach::triangle}, {"pixels", WaiverReach::pixels}};
@@ -49,6 +31,7 @@ void add_waive_check(CLI::App& waive, CommandWords& words) {
     CLI::App& app = *waive.add_subcommand("check", "are they well formed, in time, and needed?");
     add_gate(app, words.waive_check.gate);
     app.add_option("--from", words.waive_check.results, "results.json of a run, to see which are needed");
+    app.footer(check_remark);
     add_settings_choice(app, words.settings);
 }
 
@@ -99,7 +82,7 @@ Branch add_merge(CLI::App& parent, CommandWords& words) {
         ->required();
     add_report(app, words.merge.report);
     add_settings_choice(app, words.settings);
-    app.footer(merge_examples);
+    app.footer(merge_remark);
     return {&app, [&words] {
                 words.merge.report = understood(words.merge.report);
                 return words.merge;
@@ -116,7 +99,7 @@ Branch add_report_again(CLI::App& parent, CommandWords& words) {
     app.add_option_function<std::string>(
         "--format", [&again](const std::string& word) { again.format = format_from(word); },
         "html, json, junit, md, github or csv; default: by the file's name");
-    app.footer(report_examples);
+    app.footer(report_remark);
     return {&app, [&words] { return words.report_again; }};
 }
 
@@ -127,7 +110,7 @@ Branch add_diff_results(CLI::App& parent, CommandWords& words) {
     app.add_flag_callback(
         "--json", [&words] { words.diff_results.format = DifferenceFormat::json; },
         "print JSON instead of a table");
-    app.footer(diff_examples);
+    app.footer(diff_remark);
     return {&app, [&words] { return words.diff_results; }};
 }
 
@@ -138,7 +121,6 @@ Branch add_waive(CLI::App& parent, CommandWords& words) {
     add_waive_check(app, words);
     add_waive_prune(app, words);
     add_waive_add(app, words);
-    app.footer(waive_examples);
     return {&app, [&words, &app] { return chosen_waive_command(app, words); }};
 }
 

@@ -6,10 +6,7 @@
 namespace zproof {
 namespace {
 
-constexpr const char* compare_examples = R"(
-  zproof compare frame.exr model.glb --view cam     one stored frame, against Embree
-  zproof compare a.exr b.exr --scene model.glb      one against the other, and both against the scene
-
+constexpr const char* compare_remark = R"(
 The frames' own resolution is taken. Exit status as for run.)";
 
 /// SCENE, or a second frame where --scene names the scene.
@@ -62,7 +59,7 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     add_pictures(app, words.compare.report);
     add_gate(app, words.compare.report.gate);
     add_settings_choice(app, words.settings);
-    app.footer(compare_examples);
+    app.footer(compare_remark);
     return {&app, [&words] {
                 words.compare.report = understood(words.compare.report);
                 words.compare.parties = parties_of(words.parties);

@@ -50,8 +50,10 @@ void add_report(CLI::App& app, ReportArguments& report) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->default_str("html,json,junit");
-    add_choice(app, "--color", report.colour, colour_wishes);
-    add_choice(app, "--progress", report.progress, progress_styles);
+    add_choice(app, "--color", report.colour, colour_wishes)
+        ->description("of the table on the terminal; auto: unless NO_COLOR is set");
+    add_choice(app, "--progress", report.progress, progress_styles)
+        ->description("how it is told on stderr; auto: a bar on a terminal, else a line per view");
     add_detail(app, report);
 }
 

@@ -7,26 +7,11 @@
 namespace zproof {
 namespace {
 
-constexpr const char* render_examples =
-    R"(  zproof render textured_ground -o out            VIEW.exr, id, depth and colour pictures
-  zproof render model.glb --filter trilinear-gl   also VIEW-filtered.exr and .png
-  zproof render model.glb --filter nearest:uv=affine
+constexpr const char* measure_remark =
+    "\nExit status: 0 everything as declared, 1 worse than declared, 2 no such renderer.";
 
-Settings of a filter:
-)";
-
-constexpr const char* measure_examples = R"(
-  zproof measure zproof                 a table: measured, declared, and whether it is kept
-  zproof measure zproof --json          the same for programs
-  zproof measure opengl                 an OpenGL driver
-
-Exit status: 0 everything as declared, 1 worse than declared, 2 no such renderer.)";
-
-constexpr const char* contract_examples = R"(
-  zproof contract-check './mine {scene} {camera} {width} {height} {out}'
-
-Three small scenes; what is wrong is said in words. Exit status: 0 the contract is kept, 1 a frame is
-wrong, 3 no frame came.)";
+constexpr const char* contract_remark =
+    "\nThree small scenes. Exit status: 0 the contract is kept, 1 a frame is wrong, 3 no frame came.";
 
 }  // namespace
 
@@ -38,7 +23,7 @@ Branch add_render(CLI::App& parent, CommandWords& words) {
     app.add_option("--filter", words.parties.filter,
                    "also write textures as this method reads them: NAME[:key=value]...");
     add_render_settings(app, words.render.settings);
-    app.footer(std::string{"\n"} + render_examples + filter_settings_help());
+    app.footer("\nSettings of a filter, NAME:key=value:key=value:\n" + filter_settings_help());
     return {&app, [&words] {
                 words.render.renderer = candidate_of(words.parties);
                 if (!words.parties.filter.empty()) words.render.filter = filter_choice(words.parties.filter);
@@ -56,7 +41,7 @@ Branch add_measure(CLI::App& parent, CommandWords& words) {
     app.add_flag_callback(
         "--json", [&words] { words.measure.format = MeasurementFormat::json; },
         "print JSON instead of a table");
-    app.footer(measure_examples);
+    app.footer(measure_remark);
     return {&app, [&words] {
                 words.measure.renderer = candidate_of(words.parties);
                 return words.measure;
@@ -71,7 +56,7 @@ Branch add_contract_check(CLI::App& parent, CommandWords& words) {
         ->required();
     add_precision_options(app, words.parties);
     add_threads(app, words.contract_check.threads);
-    app.footer(contract_examples);
+    app.footer(contract_remark);
     return {&app, [&words] {
                 words.contract_check.renderer = candidate_of(words.parties);
                 return words.contract_check;

@@ -4,28 +4,16 @@
 #include <algorithm>
 
 #include "cli/command_line/branches.h"
+#include "cli/command_line/help.h"
 #include "cli/filters/command_line.h"
+#include "cli/study/command_line.h"
 #include "cli/usage_error.h"
 #include "cli/version.h"
 
 namespace zproof {
 namespace {
 
-constexpr const char* examples = R"(Proves a z-buffer rasterizer right, pixel by pixel.
-
-  zproof run                            judge the built-in suite, write zproof-out/
-  zproof run models/ -o out             judge every .gltf, .glb and .view.json below models/
-  zproof run --renderer './mine {scene} {camera} {width} {height} {out}' model.glb
-                                        judge your own renderer (try contract-check first)
-  zproof compare frame.exr model.glb    judge a frame that was rendered elsewhere
-  zproof explain model.glb 812 344      tell the whole story of one pixel
-  zproof measure zproof                 measure what a renderer really does
-  zproof selftest                       see the gate fail: inject known faults into good frames
-  zproof waive check --waivers w.toml   are the waivers sound, and has one run out?
-  zproof diff-results main/ mine/       what became better or worse between two runs
-  zproof doctor                         what is installed here, and which settings hold
-  zproof filters run worked -o study    how far texture filters are from the truth, and at what cost
-
+constexpr const char* statuses = R"(
 Exit status: 0 proven, 1 a defect, 2 usage, 3 unreadable input, 4 nothing judged, 70 internal error,
 130 interrupted.)";
 
@@ -41,7 +29,16 @@ Branch add_filters(CLI::App& parent, CommandWords& words) {
             }};
 }
 
-CommandTree::CommandTree() : root_(std::make_unique<CLI::App>(examples, "zproof")) {
+Branch add_study(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("study", "the lessons as instruments: what each stage does");
+    add_study(app, words.study);
+    return {&app, [&words, &app] { return chosen_study(app, words.study); }};
+}
+
+CommandTree::CommandTree()
+    : root_(std::make_unique<CLI::App>("Proves a z-buffer rasterizer right, pixel by pixel.", "zproof")) {
+    explain_by_example(*root_);
+    root_->footer(statuses);
     root_->set_version_flag("--version", version_line);
     root_->require_subcommand(0, 1);  // none is answered by chosen(), in words that name what is missing
     branches_ = {add_run(*root_, words_),
@@ -58,7 +55,10 @@ CommandTree::CommandTree() : root_(std::make_unique<CLI::App>(examples, "zproof"
                  add_doctor(*root_, words_),
                  add_list(*root_),
                  add_scenes(*root_, words_),
-                 add_filters(*root_, words_)};
+                 add_filters(*root_, words_),
+                 add_study(*root_, words_),
+                 add_completion(*root_, words_),
+                 add_man(*root_)};
 }
 
 CommandTree::~CommandTree() = default;

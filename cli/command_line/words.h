@@ -33,6 +33,8 @@ struct CommandWords {
     WaiveAddArguments waive_add;
     SettingsChoice settings;  ///< --config, --profile
     FiltersWords filters;
+    StudyArguments study;
+    std::string shell;  ///< whose completion
 };
 
 /// A command of the tree, and how its words become arguments once they are read. Throws UsageError where they
