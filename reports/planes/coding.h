@@ -31,14 +31,21 @@ std::string encode(std::span<const std::uint32_t> values, std::span<const std::u
                    Effort effort);
 std::vector<std::uint32_t> decode(std::string_view bytes, std::span<const std::uint32_t> guess);
 
+/// Guessed likewise, and only what the guess misses is kept: places, then values.
+std::string encode_sparse(std::span<const std::uint32_t> values, std::span<const std::uint32_t> guess);
+std::vector<std::uint32_t> decode_sparse(std::string_view bytes, std::size_t count,
+                                         std::span<const std::uint32_t> guess);
+/// How many numbers encode_sparse keeps.
+std::size_t missed_by(std::span<const std::uint32_t> values, std::span<const std::uint32_t> guess);
+
 /// The bits of doubles, byte by byte.
 std::string encode(std::span<const double> values);
 std::vector<double> decode_doubles(std::string_view bytes, std::size_t count);
 
 /// Bytes as they are.
 std::string deflated(std::string_view bytes, Effort effort);
-/// `count` is what must come out. Throws ReportError where the bytes are damaged.
-std::string inflated(std::string_view bytes, std::size_t count);
+/// At most `most` bytes must come out. Throws ReportError where the bytes are damaged.
+std::string inflated(std::string_view bytes, std::size_t most);
 
 /// CRC-32 of zlib and PNG.
 std::uint32_t checksum(std::string_view bytes);

@@ -44,7 +44,11 @@ Block predicted(const std::string& name, Words values, std::size_t width, Predic
 
 /// Guessed from the candidate's plane; the reader needs that as well.
 Block beside(const std::string& name, Words values, Words candidate, const std::string& guess) {
-    Block block{name, plane_facts("beside", as_bytes(values)), encode(values, candidate, Effort::fast)};
+    const std::size_t missed = missed_by(values, candidate);
+    const bool sparse = missed < values.size() / 16;
+    Block block{name, plane_facts(sparse ? "sparse" : "beside", as_bytes(values)),
+                sparse ? encode_sparse(values, candidate) : encode(values, candidate, Effort::fast)};
+    if (sparse) block.facts["count"] = missed;
     block.facts["beside"] = guess;
     return block;
 }

@@ -13,39 +13,46 @@ export function fromBase64(text: string): Uint8Array<ArrayBuffer> {
     return bytes;
 }
 
-/// Merges byte planes and unfolds: 0, 1, 2, 3 ... become 0, -1, 1, -2 ...
-function missed(planes: Uint8Array): Uint32Array<ArrayBuffer> {
-    const count = planes.length / 4, words = new Uint32Array(count);
-    for (let i = 0, j = count, k = 2 * count, l = 3 * count; i < count; ++i, ++j, ++k, ++l) {
-        const folded = planes[i] | planes[j] << 8 | planes[k] << 16 | planes[l] << 24;
-        words[i] = (folded >>> 1) ^ -(folded & 1);
-    }
+/// Merges byte planes, lowest first, of which the last may be left out, and unfolds: 0, 1, 2, 3 ... become 0, -1, 1, -2 ...
+function missed(planes: Uint8Array, count: number): Uint32Array<ArrayBuffer> {
+    const words = new Uint32Array(count);
+    words.set(planes.subarray(0, Math.min(count, planes.length)));
+    for (let shift = 8, at = count; at < planes.length; shift += 8, at += count)
+        for (let i = 0, k = at; i < count; ++i, ++k) words[i] |= planes[k] << shift;
+    for (let i = 0; i < count; ++i) words[i] = (words[i] >>> 1) ^ -(words[i] & 1);
     return words;
 }
 
-export function fromLeft(planes: Uint8Array, width: number): Uint32Array<ArrayBuffer> {
-    const words = missed(planes);
-    for (let row = 0; row < words.length; row += width)
-        for (let i = row + 1, end = row + width; i < end; ++i) words[i] += words[i - 1];
+export function fromLeft(planes: Uint8Array, count: number, width: number): Uint32Array<ArrayBuffer> {
+    const words = missed(planes, count);
+    for (let row = 0; row < count; row += width)
+        for (let i = row + 1, end = row + width, left = words[row]; i < end; ++i) words[i] = left = (left + words[i]) >>> 0;
     return words;
 }
 
 /// left + upper - upper left is a sum along the row, then one along the column.
-export function fromPlanar(planes: Uint8Array, width: number): Uint32Array<ArrayBuffer> {
-    const words = fromLeft(planes, width);
-    for (let i = width; i < words.length; ++i) words[i] += words[i - width];
+export function fromPlanar(planes: Uint8Array, count: number, width: number): Uint32Array<ArrayBuffer> {
+    const words = fromLeft(planes, count, width);
+    for (let i = width; i < count; ++i) words[i] += words[i - width];
     return words;
 }
 
 export function beside(planes: Uint8Array, guess: Uint32Array): Uint32Array<ArrayBuffer> {
-    const words = missed(planes);
+    const words = missed(planes, guess.length);
     for (let i = 0; i < words.length; ++i) words[i] += guess[i];
     return words;
 }
 
-export function doublesFrom(planes: Uint8Array): Float64Array<ArrayBuffer> {
-    const count = planes.length / 8, bytes = new Uint8Array(planes.length);
-    for (let k = 0; k < 8; ++k)
+/// Places and values of what the guess misses.
+export function sparse(planes: Uint8Array, count: number, guess: Uint32Array): Uint32Array<ArrayBuffer> {
+    const missing = fromLeft(planes, 2 * count, Math.max(count, 1)), words = new Uint32Array(guess);
+    for (let i = 0; i < count; ++i) words[missing[i]] = missing[count + i];
+    return words;
+}
+
+export function doublesFrom(planes: Uint8Array, count: number): Float64Array<ArrayBuffer> {
+    const bytes = new Uint8Array(8 * count);
+    for (let k = 0; k * count < planes.length; ++k)
         for (let i = 0; i < count; ++i) bytes[8 * i + k] = planes[k * count + i];
     return new Float64Array(bytes.buffer);
 }

@@ -37,7 +37,7 @@ function classLayer(classes: ClassStyle[]): Layer {
             return {
                 colour: (p) => palette[values[p]],
                 text: (p) => `${classes[values[p]].glyph} ${classes[values[p]].name}`,
-                label: (p) => classes[values[p]].glyph,
+                label: (p) => values[p] ? classes[values[p]].glyph : '',
                 bits: (p) => values[p],
                 severity: {values, palette, dotted: classes.findIndex((c) => !c.passes)},
             };

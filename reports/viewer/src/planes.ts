@@ -1,5 +1,5 @@
 // The planes of one view: decoded when first asked for, and kept.
-import {beside, doublesFrom, fromChannels, fromLeft, fromPlanar, inflated} from './coding';
+import {beside, doublesFrom, fromChannels, fromLeft, fromPlanar, inflated, sparse} from './coding';
 import type {Container, Header} from './container';
 import type {Story, TriangleRange} from './story';
 
@@ -71,11 +71,12 @@ export class Planes {
     private async decode(name: string): Promise<Made> {
         const block = this.container.blocks.get(name);
         if (!block) throw new Error(`the page does not hold ${name}`);
-        const content = await inflated(block.content);
+        const content = await inflated(block.content), size = this.width * this.height;
         switch (block.facts.coding) {
-            case 'left': return fromLeft(content, this.width);
-            case 'planar': return fromPlanar(content, this.width);
+            case 'left': return fromLeft(content, size, this.width);
+            case 'planar': return fromPlanar(content, size, this.width);
             case 'beside': return beside(content, await this.words(block.facts.beside!));
+            case 'sparse': return sparse(content, block.facts.count!, await this.words(block.facts.beside!));
             case 'channels': return fromChannels(content);
             default: return content;
         }
@@ -92,7 +93,7 @@ export class Planes {
         const count = block.facts.count!, split = block.facts.words!;
         const [wordBytes, doubleBytes] = await Promise.all(
             [inflated(block.content.slice(0, split)), inflated(block.content.slice(split))]);
-        const words = fromLeft(wordBytes, Math.max(count, 1)), doubles = doublesFrom(doubleBytes);
+        const words = fromLeft(wordBytes, 5 * count, Math.max(count, 1)), doubles = doublesFrom(doubleBytes, 5 * count);
         const w = (k: number) => words.subarray(k * count, (k + 1) * count);
         const d = (k: number) => doubles.subarray(k * count, (k + 1) * count);
         return {

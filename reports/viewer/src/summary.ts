@@ -1,0 +1,35 @@
+// Ways from the written report into the viewer.
+import {element} from './element';
+import {hashOf} from './link';
+import type {Run, ViewEntry} from './run';
+
+function linkRows(section: HTMLElement, view: ViewEntry): void {
+    section.querySelectorAll<HTMLTableRowElement>('tr[data-x]').forEach((row) => {
+        const cell = row.cells[0], {x, y} = row.dataset;
+        const link = element('a', {href: hashOf({view: view.link, x: Number(x), y: Number(y)})}, cell.textContent);
+        cell.replaceChildren(link);
+    });
+}
+
+/// A click into a picture opens the viewer at that pixel.
+function linkPictures(section: HTMLElement, view: ViewEntry): void {
+    section.querySelectorAll<HTMLImageElement>('figure a img').forEach((image) =>
+        image.addEventListener('click', (event) => {
+            if (event.ctrlKey || event.metaKey || event.shiftKey || event.button !== 0) return;
+            event.preventDefault();
+            const x = Math.floor(event.offsetX / image.clientWidth * view.width);
+            const y = Math.floor(event.offsetY / image.clientHeight * view.height);
+            location.hash = hashOf({view: view.link, x, y});
+        }));
+}
+
+export function linkSummary(run: Run): void {
+    for (const view of run.views) {
+        const section = document.getElementById(view.anchor);
+        if (!section || !view.planes) continue;
+        section.querySelector('h2')?.append(' ',
+            element('a', {class: 'inspect', href: hashOf({view: view.link})}, 'Open in the viewer'));
+        linkRows(section, view);
+        linkPictures(section, view);
+    }
+}
