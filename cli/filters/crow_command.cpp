@@ -8,7 +8,7 @@
 #include "frame/whole_file.h"
 #include "reports/filters/crow_page.h"
 #include "reports/output_folder.h"
-#include "study/study.h"
+#include "study/filters/study.h"
 
 namespace zproof {
 namespace {

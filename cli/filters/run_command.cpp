@@ -16,8 +16,8 @@
 #include "reports/filters/folder.h"
 #include "reports/filters/tables.h"
 #include "reports/output_folder.h"
-#include "study/claims.h"
-#include "study/study.h"
+#include "study/filters/claims.h"
+#include "study/filters/study.h"
 
 namespace zproof {
 namespace {

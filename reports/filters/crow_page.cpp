@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/filters/page_parts.h"
 #include "reports/filters/table_cells.h"
+#include "reports/page_parts.h"
 #include "reports/pictures.h"
 #include "reports/wording.h"
-#include "study/claims.h"
+#include "study/filters/claims.h"
 
 namespace zproof {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "frame/picture.h"
-#include "study/crow.h"
-#include "study/results.h"
+#include "study/filters/crow.h"
+#include "study/filters/results.h"
 
 namespace zproof {
 

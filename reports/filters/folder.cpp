@@ -8,9 +8,9 @@
 #include "frame/whole_file.h"
 #include "reports/filters/json.h"
 #include "reports/filters/page.h"
-#include "reports/filters/page_parts.h"
 #include "reports/filters/plots.h"
 #include "reports/filters/tables.h"
+#include "reports/page_parts.h"
 #include "reports/pictures.h"
 
 namespace zproof {

@@ -9,7 +9,7 @@
 #include "frame/picture.h"
 #include "reports/filters/crops.h"
 #include "reports/report_error.h"
-#include "study/results.h"
+#include "study/filters/results.h"
 
 namespace zproof {
 

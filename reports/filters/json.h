@@ -4,7 +4,7 @@
 #include <string>
 
 #include "reports/report_error.h"
-#include "study/results.h"
+#include "study/filters/results.h"
 
 namespace zproof {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "reports/base64.h"
-#include "reports/filters/page_parts.h"
 #include "reports/filters/table_cells.h"
+#include "reports/page_parts.h"
 #include "reports/wording.h"
-#include "study/claims.h"
+#include "study/filters/claims.h"
 
 namespace zproof {
 

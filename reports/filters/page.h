@@ -6,7 +6,7 @@
 
 #include "reports/filters/crops.h"
 #include "reports/filters/plots.h"
-#include "study/results.h"
+#include "study/filters/results.h"
 
 namespace zproof {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/filters/chart.h"
-#include "study/claims.h"
+#include "reports/chart.h"
+#include "study/filters/claims.h"
 
 namespace zproof {
 

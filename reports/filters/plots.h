@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/results.h"
+#include "study/filters/results.h"
 
 namespace zproof {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "reports/wording.h"
-#include "study/claims.h"
+#include "study/filters/claims.h"
 
 namespace zproof {
 

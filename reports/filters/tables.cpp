@@ -4,7 +4,7 @@
 
 #include "reports/filters/table_cells.h"
 #include "reports/wording.h"
-#include "study/claims.h"
+#include "study/filters/claims.h"
 
 namespace zproof {
 

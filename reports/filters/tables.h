@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "study/results.h"
+#include "study/filters/results.h"
 
 namespace zproof {
 

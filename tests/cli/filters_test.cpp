@@ -6,7 +6,7 @@
 #include "cli/usage_error.h"
 #include "frame/exr.h"
 #include "reports/filters/json.h"
-#include "study/claims.h"
+#include "study/filters/claims.h"
 #include "tests/cli/program.h"
 #include "texture/catalogue.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/filters/chart.h"
+#include "reports/chart.h"
 #include "reports/filters/crops.h"
 #include "reports/filters/json.h"
 #include "reports/filters/page.h"

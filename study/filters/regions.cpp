@@ -1,0 +1,105 @@
+#include "study/filters/regions.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <functional>
+
+namespace zproof::study {
+
+namespace {
+
+using oracle::TruthKind;
+
+struct Place {
+    const Patch& patch;
+    TruthKind kind;
+};
+
+struct Rule {
+    RegionCard card;
+    std::function<bool(const Place&)> holds;
+};
+
+/// A class of its own for round footprints, which rounding would else spread over two: up to an eighth of an
+/// octave, 2^(1/8).
+constexpr double isotropic = 1.0905;
+
+bool is_interior(const Place& p) { return p.kind == TruthKind::interior && p.patch.is_textured(); }
+
+double anisotropy(const Patch& patch) { return patch.major / patch.minor; }
+
+void add_anisotropies(std::vector<Rule>& rules) {
+    constexpr std::array<double, 7> starts{1, isotropic, 2, 4, 8, 16, 32};
+    constexpr std::array names{"1", "1-2", "2-4", "4-8", "8-16", "16-32", "32+"};
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        const double low = starts[i], high = i + 1 < starts.size() ? starts[i + 1] : 1e300;
+        rules.push_back(
+            {{std::string{"anisotropy "} + names[i],
+              i == 0 ? "interior, major axis below 1.09 minor axes" : "interior, major / minor axis"},
+             [=](const Place& p) {
+                 return is_interior(p) && anisotropy(p.patch) >= low && anisotropy(p.patch) < high;
+             }});
+    }
+}
+
+std::string degrees(double value) {
+    const int tenths = int(value * 10);
+    return std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10));
+}
+
+void add_angles(std::vector<Rule>& rules) {
+    constexpr double step = 7.5;
+    for (double low = 0; low < 90; low += step)
+        rules.push_back(
+            {{"angle " + degrees(low) + "-" + degrees(low + step),
+              "interior, anisotropy 2 and more, degrees of the major axis to the texture's u axis"},
+             [=](const Place& p) {
+                 const double angle = std::min(p.patch.angle_degrees, 90 - 1e-9);
+                 return is_interior(p) && anisotropy(p.patch) >= 2 && angle >= low && angle < low + step;
+             }});
+}
+
+std::vector<Rule> all_rules() {
+    std::vector<Rule> rules{
+        {{"all", "every pixel of the image"}, [](const Place&) { return true; }},
+        {{"interior", "one continuous textured surface all over the pixel"}, is_interior},
+        {{"silhouette", "several surfaces, or an edge, within the pixel; the truth is exact"},
+         [](const Place& p) { return p.kind == TruthKind::silhouette; }},
+        {{"sampled", "the truth is an estimate from samples"},
+         [](const Place& p) { return p.kind == TruthKind::sampled; }},
+        {{"magnified", "interior, minor axis below 1 texel"},
+         [](const Place& p) { return is_interior(p) && p.patch.minor < 1; }},
+        {{"horizon", "textured, major axis longer than the texture's longer side"},
+         [](const Place& p) { return p.patch.is_textured() && p.patch.major > p.patch.longest_side; }}};
+    add_anisotropies(rules);
+    add_angles(rules);
+    return rules;
+}
+
+Region region_of(const Rule& rule, const Plane<Patch>& patches, const Plane<TruthKind>& kinds) {
+    Region region{rule.card.name, Plane<std::uint8_t>(patches.size()), 0};
+    for (std::size_t i = 0; i < patches.pixels().size(); ++i) {
+        const bool holds = rule.holds({patches.pixels()[i], kinds.pixels()[i]});
+        region.mask.pixels()[i] = holds ? 1 : 0;
+        region.pixels += holds ? 1 : 0;
+    }
+    return region;
+}
+
+}  // namespace
+
+std::vector<RegionCard> region_cards() {
+    std::vector<RegionCard> cards;
+    for (const Rule& rule : all_rules()) cards.push_back(rule.card);
+    return cards;
+}
+
+std::vector<Region> regions(const Plane<Patch>& patches, const Plane<TruthKind>& kinds) {
+    assert(patches.size() == kinds.size());
+    std::vector<Region> all;
+    for (const Rule& rule : all_rules()) all.push_back(region_of(rule, patches, kinds));
+    return all;
+}
+
+}  // namespace zproof::study

@@ -1,0 +1,26 @@
+/// The parts of an image on which a filter is held to the truth apart from the rest.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oracle/area_integral.h"
+#include "study/filters/results.h"
+#include "study/filters/surface_map.h"
+
+namespace zproof::study {
+
+struct Region {
+    std::string name;
+    Plane<std::uint8_t> mask;  ///< 1: belongs to it
+    std::uint64_t pixels = 0;
+};
+
+/// Names and definitions, in the order of regions(): all, interior, silhouette, sampled, magnified, horizon,
+/// the classes of anisotropy, the angles.
+std::vector<RegionCard> region_cards();
+
+/// Every region of the view, empty ones as well. Planes of one size.
+std::vector<Region> regions(const Plane<Patch>& patches, const Plane<oracle::TruthKind>& kinds);
+
+}  // namespace zproof::study

@@ -1,0 +1,26 @@
+/// A picture held to the truth: every metric in every region, and the flicker of a few views.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compare/picture_metric.h"
+#include "frame/picture.h"
+#include "study/filters/regions.h"
+#include "study/filters/results.h"
+
+namespace zproof::study {
+
+/// The picture's float32 channels as doubles.
+LinearPicture in_double(const Picture& picture);
+
+/// For every region, in order, the metrics of picture_metrics(). `half_width` is the truth's.
+std::vector<RegionScore> scores(const LinearPicture& picture, const LinearPicture& truth,
+                                const Plane<double>& half_width, std::span<const Region> regions);
+
+/// Of pictures and truths of the same views, one after the other, over the pixels where the mask is not 0. No
+/// steps where there are fewer than two views or no pixel.
+Flicker flicker(std::span<const LinearPicture> pictures, std::span<const LinearPicture> truths,
+                const Plane<std::uint8_t>& mask);
+
+}  // namespace zproof::study

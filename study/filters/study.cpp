@@ -1,0 +1,162 @@
+#include "study/filters/study.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "compare/picture_metric.h"
+#include "rasterizer/rasterizer.h"
+#include "study/filters/cost.h"
+#include "study/filters/scores.h"
+
+namespace zproof::study {
+
+namespace {
+
+constexpr std::size_t most_lookups = 1 << 16;  ///< counted and timed
+
+/// A view, and the same a fraction of a pixel further on: what all methods have in common.
+struct Pan {
+    std::vector<View> views;
+    std::vector<Frame> frames;
+    std::vector<LinearPicture> truths;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+Picture in_float(const LinearPicture& light) {
+    Picture picture(light.size());
+    for (std::size_t i = 0; i < light.pixels().size(); ++i) {
+        const glm::vec3 c{light.pixels()[i]};
+        picture.pixels()[i] = {c.r, c.g, c.b};
+    }
+    return picture;
+}
+
+/// Textured and interior in every view of the pan; the first has the regions.
+Plane<std::uint8_t> steady_mask(const Scene& scene, const Pan& pan,
+                                const std::vector<Plane<oracle::TruthKind>>& kinds) {
+    Plane<std::uint8_t> mask(pan.frames[0].size(), 1);
+    for (std::size_t k = 0; k < pan.frames.size(); ++k) {
+        const Plane<Patch> patches = surface_map(scene, pan.views[k], pan.frames[k]);
+        for (std::size_t i = 0; i < mask.pixels().size(); ++i)
+            if (!patches.pixels()[i].is_textured() || kinds[k].pixels()[i] != oracle::TruthKind::interior)
+                mask.pixels()[i] = 0;
+    }
+    return mask;
+}
+
+/// The plane with `value` in the rows above the first that counts.
+template <class T>
+Plane<T> from_row(Plane<T> plane, int first_row, T value) {
+    for (int y = 0; y < std::min(first_row, plane.size().height); ++y) std::ranges::fill(plane.row(y), value);
+    return plane;
+}
+
+/// One view under study.
+class Stage {
+  public:
+    Stage(const Scene& scene, const View& view, const Plan& plan)
+        : scene_(scene), textures_(source_textures(scene)) {
+        std::vector<Plane<oracle::TruthKind>> kinds;
+        for (int step = 0; step <= plan.flicker_steps; ++step) {
+            pan_.views.push_back(shifted(view, step * flicker_step_x_px, step * flicker_step_y_px));
+            pan_.frames.push_back(rasterizer::render(scene, pan_.views.back()));
+            const auto start = std::chrono::steady_clock::now();
+            oracle::AreaTruth truth = oracle::area_truth(scene, pan_.views.back(), plan.truth);
+            if (step == 0) truth_seconds_ = seconds_since(start);
+            if (step == 0) half_width_ = truth.half_width;
+            kinds.push_back(from_row(std::move(truth.kind), plan.first_row, oracle::TruthKind::background));
+            pan_.truths.push_back(std::move(truth.mean));
+        }
+        regions_ = regions(surface_map(scene, view, pan_.frames[0]), kinds[0]);
+        steady_ = steady_mask(scene, pan_, kinds);
+        Frame counted = pan_.frames[0];
+        counted.primitive = from_row(std::move(counted.primitive), plan.first_row, PrimitiveId::none);
+        lookups_ = lookups(scene, view, counted, most_lookups);
+    }
+
+    MethodScore score(const Contestant& contestant, const Audience& audience) const {
+        std::vector<LinearPicture> pictures;
+        for (std::size_t k = 0; k < pan_.views.size(); ++k) {
+            const Picture picture =
+                rasterizer::filtered(scene_, pan_.views[k], pan_.frames[k], contestant.texturing);
+            if (k == 0) audience.is_shown(contestant.label, picture);
+            pictures.push_back(in_double(picture));
+        }
+        return {.label = contestant.label,
+                .regions = scores(pictures[0], pan_.truths[0], half_width_, regions_),
+                .cost = cost_of(contestant.texturing, textures_, lookups_),
+                .flicker = flicker(pictures, pan_.truths, steady_),
+                .file = {}};
+    }
+
+    Picture truth() const { return in_float(pan_.truths[0]); }
+    double truth_seconds() const { return truth_seconds_; }
+    std::string texture_sizes() const { return sizes_of(textures_); }
+
+  private:
+    const Scene& scene_;
+    SourceTextures textures_;
+    Pan pan_;
+    Plane<double> half_width_;
+    std::vector<Region> regions_;
+    Plane<std::uint8_t> steady_;
+    std::vector<Lookup> lookups_;
+    double truth_seconds_ = 0;
+};
+
+std::string letter_of(oracle::Reconstruction reconstruction) {
+    if (reconstruction == oracle::Reconstruction::nearest) return "N";
+    return reconstruction == oracle::Reconstruction::bilinear ? "B" : "G";
+}
+
+}  // namespace
+
+StudyResults begun(const Plan& plan) {
+    StudyResults results;
+    results.truth = letter_of(plan.truth);
+    for (const PictureMetric& m : picture_metrics())
+        results.metrics.push_back({std::string{m.name}, std::string{m.definition}, std::string{m.source},
+                                   m.better == Better::higher, m.decimals});
+    results.regions = region_cards();
+    for (const Contestant& c : plan.contestants) {
+        const texture::DefinitionCard& card = c.texturing.method.card;
+        results.methods.push_back({c.label, card.footprint, card.lod, card.taps, card.source});
+    }
+    return results;
+}
+
+ViewStudy study_view(const Scene& scene, const View& view, const Plan& plan, const Audience& audience) {
+    audience.begins("truth");
+    const Stage stage{scene, view, plan};
+    audience.is_shown("truth", stage.truth());
+    ViewStudy study{.scene = scene.name,
+                    .view = view.name,
+                    .reason = {},
+                    .width = view.width,
+                    .height = view.height,
+                    .first_row = plan.first_row,
+                    .textures = stage.texture_sizes(),
+                    .methods = {},
+                    .truth_file = {},
+                    .truth_seconds = stage.truth_seconds()};
+    for (const Contestant& contestant : plan.contestants) {
+        if (audience.wants_to_stop()) break;
+        audience.begins(contestant.label);
+        study.methods.push_back(stage.score(contestant, audience));
+    }
+    return study;
+}
+
+View shifted(const View& view, double dx_px, double dy_px) {
+    View moved = view;
+    const Window& w = view.camera.window;
+    const double right = dx_px * (w.right - w.left) / view.width,
+                 down = dy_px * (w.top - w.bottom) / view.height;
+    moved.camera.window = {w.left + right, w.right + right, w.bottom - down, w.top - down};
+    return moved;
+}
+
+}  // namespace zproof::study
