@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <stdexcept>
 
@@ -26,7 +25,7 @@ class ErrorMapper {
           map_(map),
           triangles_(remembered_triangles) {}
 
-    /// Pixels [left, right) of a row, at most tile_width of them.
+    /// Pixels [left, right) of a row.
     void map(int left, int right, int y) {
         const auto ids = witness_.frame().primitive.row(y);
         for (int x = left; x < right;) {
@@ -42,15 +41,9 @@ class ErrorMapper {
     void map_run(PrimitiveId id, int begin, int end, int y) {
         const TriangleDepth& triangle = triangles_(
             std::uint32_t(id), [&] { return depth_of(witness_.triangle_in_view(id), witness_.bounds()); });
-        const auto count = std::size_t(end - begin);
-        const auto depths = witness_.frame().camera_depth.row(y).subspan(std::size_t(begin), count);
-        std::array<double, tile_width> ratio;  // filled by hold()
-        triangle.hold(begin, y, depths, ratio.data());
-        for (std::size_t i = 0; i < count; ++i) {
-            const int x = begin + int(i);
-            map_.at(x, y) =
-                float(ratio[i] == unsettled ? error_over_bound(triangle.at(x, y), depths[i]) : ratio[i]);
-        }
+        const auto depths = witness_.frame().camera_depth.row(y);
+        for (int x = begin; x < end; ++x)
+            map_.at(x, y) = float(error_over_bound(triangle.at(x, y), depths[std::size_t(x)]));
     }
 
     std::size_t triangle_count_;
