@@ -12,6 +12,7 @@ let page;
 for (let i = 0; i < loads; ++i) {
     await page?.close();
     page = await browser.newPage({viewport: {width: 1920, height: 1080}});
+    page.setDefaultTimeout(120_000);
     await page.goto('file://' + file);
     paints.push(await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime));
     loaded.push(await page.evaluate(() => performance.getEntriesByType('navigation')[0].loadEventEnd));

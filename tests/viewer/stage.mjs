@@ -34,6 +34,7 @@ export async function openBrowser() {
 /// A page of a report from disk. Whatever the page complains of or asks the network for is in `page.trouble`.
 export async function openReport(browser, folder, hash = '', options = {}) {
     const page = await browser.newPage({viewport: {width: 1600, height: 1000}, ...options});
+    page.setDefaultTimeout(120_000);
     page.trouble = [];
     page.on('console', (message) => page.trouble.push(`console ${message.type()}: ${message.text()}`));
     page.on('pageerror', (error) => page.trouble.push('error: ' + error.message));
@@ -51,7 +52,7 @@ export async function viewerShows(page, view = null) {
     await page.waitForFunction((wanted) => {
         const shown = document.getElementById('viewer')?.dataset;
         return shown?.view && shown.complete === shown.view && (!wanted || shown.view === wanted);
-    }, view, {timeout: 60_000});
+    }, view, {timeout: 120_000});
     await frames(page);
 }
 

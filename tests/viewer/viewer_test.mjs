@@ -127,7 +127,7 @@ describe('a deep link', () => {
     it('is kept in the address while one walks', async () => {
         const page = await openReport(browser, failing, '#view=room-door&x=100&y=50');
         await press(page, 'ArrowRight', 'Shift+ArrowDown');
-        assert.match(page.url(), /#view=room-door&x=101&y=66$/);
+        await page.waitForURL(/#view=room-door&x=101&y=66$/);
         await page.close();
     });
 

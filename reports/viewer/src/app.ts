@@ -1,4 +1,6 @@
 // The viewer as a whole: what is open, and who is told when that changes.
+import {bindKeys} from './bindings';
+import {ClassList} from './classes';
 import {checksum} from './coding';
 import type {Container} from './container';
 import {append, element, replaceChildren} from './element';
@@ -7,18 +9,16 @@ import {errorBins, selectionOf, ulpBins} from './filters';
 import type {CodedBins} from './filters';
 import {makeHelp} from './help';
 import {Histogram} from './histogram';
-import {Inspector, badge} from './inspector';
-import {listenToKeys} from './keys';
+import {Inspector} from './inspector';
 import {layersOf} from './layers';
 import {Library} from './library';
 import {hashOf, readPlace} from './link';
 import type {Place} from './link';
 import {Look} from './look';
-import {counted, grouped, rounded} from './numbers';
+import {counted, grouped} from './numbers';
 import {Panes} from './panes';
 import type {Planes} from './planes';
 import type {Selection} from './raster';
-import {differing} from './run';
 import type {Run, ViewEntry} from './run';
 import {SceneList} from './scenes';
 import {toggleTheme} from './theme';
@@ -35,7 +35,7 @@ export class App {
     private readonly worst: WorstTable;
     private readonly errors = new Histogram((bin) => this.filterBy('errors', bin));
     private readonly ulps = new Histogram((bin) => this.filterBy('ulps', bin));
-    private readonly classes = element('div', {class: 'classes'});
+    private readonly classes: ClassList;
     private readonly title = element('h1');
     private readonly notice = element('p', {class: 'notice', role: 'status', hidden: true});
     private readonly filterNote = element('span', {class: 'filter-note'});
@@ -49,17 +49,20 @@ export class App {
     private selection: Selection | null = null;
     private severity: number[] | null = null;
     private noticeTimer = 0;
+    private addressTimer = 0;
     private opening = 0;
 
     constructor(private readonly run: Run) {
         this.inspector = new Inspector(run.classes, (text, what) => void this.copy(text, what),
             () => this.address(), () => this.nextStory());
         this.list = new SceneList(run, (index) => void this.open(index));
+        this.classes = new ClassList(run.classes, (kind) => this.filterByClass(kind));
         this.worst = new WorstTable(run.classes, (pixel) => this.go(pixel));
         this.files = new FileIntake((container, name) => this.take(container, name), (text) => this.tell(text));
         this.root = this.build();
         append(document.body, [this.root, this.help]);
-        this.listen();
+        window.addEventListener('hashchange', () => void this.follow());
+        bindKeys(this);
     }
 
     private build(): HTMLElement {
@@ -71,47 +74,16 @@ export class App {
                 element('span', {class: 'spring'}),
                 button('Panes', '2, 3 or 4 panes (M)', () => this.cyclePanes()),
                 button('Fit', 'the whole view (0)', () => this.fit()),
-                button('Open…', 'planes.zvp from disk (O)', () => this.files.ask()),
+                button('Open…', 'planes.zvp from disk (O)', () => this.askForFile()),
                 button('◐', 'light or dark (T)', () => this.switchTheme()),
-                button('?', 'keys (?)', () => this.help.showModal())),
+                button('?', 'keys (?)', () => this.toggleHelp())),
             this.list.root,
             element('main', {class: 'stage'}, this.panes.root,
-                element('div', {class: 'drawer'}, this.worst.root, this.classes, this.errors.root, this.ulps.root)),
+                element('div', {class: 'drawer'}, this.worst.root, this.classes.root, this.errors.root, this.ulps.root)),
             this.inspector.root, this.notice);
     }
 
-    private listen(): void {
-        window.addEventListener('hashchange', () => void this.follow());
-        const cross = (dx: number, dy: number) => () => this.step(dx, dy);
-        const zoom = (factor: number) => () => this.zoom(factor);
-        const copyCommand = () => {
-            const text = this.inspector.root.querySelector('.command code')?.textContent;
-            if (text) void this.copy(text, 'command');
-        };
-        const keys: Record<string, () => void> = {
-            n: () => void this.nextDefect(1), p: () => void this.nextDefect(-1), u: () => this.bySeverity(1), y: () => this.bySeverity(-1),
-            s: () => this.nextStory(), '[': () => void this.openBeside(-1), ']': () => void this.openBeside(1),
-            arrowleft: cross(-1, 0), arrowright: cross(1, 0), arrowup: cross(0, -1), arrowdown: cross(0, 1),
-            'shift arrowleft': cross(-16, 0), 'shift arrowright': cross(16, 0),
-            'shift arrowup': cross(0, -16), 'shift arrowdown': cross(0, 16),
-            h: cross(-1, 0), l: cross(1, 0), k: cross(0, -1), j: cross(0, 1),
-            '+': zoom(1.5), '=': zoom(1.5), '-': zoom(1 / 1.5), 0: () => this.fit(), z: () => this.zoomToCross(),
-            a: () => this.activateNext(), m: () => this.cyclePanes(), t: () => this.switchTheme(),
-            w: () => this.compare('wipe'), d: () => this.compare('difference'), x: () => this.select(null, ''),
-            ',': () => this.panes.moveWipe(-0.02), '.': () => this.panes.moveWipe(0.02),
-            c: () => void this.copy(this.address(), 'link'), e: copyCommand, o: () => this.files.ask(), q: () => void this.check(),
-            '?': () => this.help.open ? this.help.close() : this.help.showModal(),
-        };
-        for (let digit = 1; digit <= 9; ++digit) keys[digit] = () => this.panes.choose(digit - 1);
-        const open = new Set(['n', 't', '?']);  // those that the summary knows as well
-        const guarded = Object.entries(keys).map(([key, act]) =>
-            [key, () => { if (!this.root.hidden || open.has(key)) act(); }] as const);
-        listenToKeys({
-            ...Object.fromEntries(guarded),
-            v: () => this.root.hidden ? void this.open(Math.max(0, this.index)) : this.close(),
-            '/': () => { if (!this.root.hidden) this.list.search.focus(); },
-        }, {' ': {down: () => { if (!this.root.hidden) this.panes.force('flip'); }, up: () => this.panes.force(null)}});
-    }
+    get isOpen(): boolean { return !this.root.hidden; }
 
     // --- what is open ---------------------------------------------------------------------------------------
 
@@ -127,7 +99,7 @@ export class App {
         await this.open(index, place);
     }
 
-    private async open(index: number, place: Place | null = null): Promise<void> {
+    async open(index: number, place: Place | null = null): Promise<void> {
         const view = this.run.views[index], ticket = ++this.opening;
         if (!view) return;
         this.reveal();
@@ -139,6 +111,7 @@ export class App {
             if (ticket !== this.opening) return;
         }
         if (place) this.goTo(place);
+        this.remember();
         requestAnimationFrame(() => setTimeout(() => {
             performance.measure('open view', 'open');
             this.root.dataset.view = view.link;
@@ -162,7 +135,7 @@ export class App {
         this.look.fit(this.panes.size);
         const offered = new Set([...planes.names(), ...view.leftOut]);
         this.worst.show(planes, null);
-        this.showClasses(planes);
+        this.classes.show(view.counts);
         await Promise.all([
             this.panes.open(planes, layersOf(this.run.classes, offered, planes.header.witnesses), this.look),
             ...shownAtOnce.filter((name) => planes.has(name)).map((name) => planes.plane(name)),
@@ -194,7 +167,7 @@ export class App {
         document.body.classList.add('viewing');
     }
 
-    private close(): void {
+    close(): void {
         const anchor = this.run.views[this.index]?.anchor;
         this.root.hidden = true;
         document.body.classList.remove('viewing');
@@ -202,7 +175,7 @@ export class App {
         if (anchor) document.getElementById(anchor)?.scrollIntoView();
     }
 
-    private async openBeside(step: number): Promise<void> {
+    async openBeside(step: number): Promise<void> {
         const shown = this.list.visible(), at = shown.indexOf(this.index);
         const next = shown[(at + step + shown.length) % shown.length];
         if (next !== undefined) await this.open(next);
@@ -240,7 +213,7 @@ export class App {
         this.crossMoved();
     }
 
-    private step(dx: number, dy: number): void {
+    step(dx: number, dy: number): void {
         if (!this.planes) return;
         const {look} = this;
         if (look.hasCross) look.setCross(look.crossX + dx, look.crossY + dy);
@@ -254,7 +227,15 @@ export class App {
         this.inspect();
         const {look} = this;
         this.root.dataset.pixel = `${look.crossX},${look.crossY}`;
-        history.replaceState(null, '', hashOf(this.place(false)));
+        this.remember();
+    }
+
+    /// Keeps the address; browsers refuse too many changes of it.
+    private remember(): void {
+        clearTimeout(this.addressTimer);
+        this.addressTimer = window.setTimeout(() => {
+            if (this.isOpen) history.replaceState(null, '', hashOf(this.place(false)));
+        }, 200);
     }
 
     private inspect(): void { this.inspector.show(this.planes, this.look.crossX, this.look.crossY); }
@@ -268,7 +249,7 @@ export class App {
 
     private address(): string { return location.href.replace(/#.*$/s, '') + hashOf(this.place(true)); }
 
-    private async nextDefect(direction: 1 | -1): Promise<void> {
+    async nextDefect(direction: 1 | -1): Promise<void> {
         if (this.root.hidden || !this.planes) await this.open(Math.max(0, this.index));
         if (!this.planes) return;
         const fails = this.run.classes.findIndex((style) => !style.passes);
@@ -280,7 +261,7 @@ export class App {
         this.go(step.pixel);
     }
 
-    private bySeverity(direction: 1 | -1): void {
+    bySeverity(direction: 1 | -1): void {
         if (!this.planes) return;
         this.severity ??= bySeverity(this.planes);
         const match = this.selection?.match, order = match ? this.severity.filter((p) => match[p]) : this.severity;
@@ -291,7 +272,7 @@ export class App {
         this.tell(`Number ${grouped(next + 1)} of ${grouped(order.length)} by severity.`);
     }
 
-    private nextStory(): void {
+    nextStory(): void {
         const planes = this.planes;
         if (!planes?.stories.length) return this.tell('No stories are stored for this view.');
         const pixels = planes.stories.map((story) => story.y * planes.width + story.x);
@@ -300,43 +281,43 @@ export class App {
 
     // --- how it is looked at --------------------------------------------------------------------------------
 
-    private zoom(factor: number): void {
+    zoom(factor: number): void {
         const {look} = this;
         if (look.hasCross) look.zoomBy(factor, look.crossX + 0.5, look.crossY + 0.5);
         else look.zoomBy(factor);
         this.panes.redraw();
     }
 
-    private fit(): void {
+    fit(): void {
         this.look.fit(this.panes.size);
         this.panes.redraw();
     }
 
-    private zoomToCross(): void {
+    zoomToCross(): void {
         if (!this.look.hasCross || this.look.zoom >= pixelZoom) return this.fit();
         this.look.zoomBy(pixelZoom / this.look.zoom);
         this.look.follow({width: 0, height: 0});
         this.panes.redraw();
     }
 
-    private cyclePanes(): void {
+    cyclePanes(): void {
         const next = this.panes.count === 4 ? 2 : this.panes.count + 1;
         void this.panes.setCount(next).then(() => { if (this.look.isFitted) this.fit(); });
     }
 
-    private activateNext(): void {
+    activateNext(): void {
         this.panes.active = (this.panes.active + 1) % this.panes.count;
         this.panes.focusActive();
     }
 
-    private compare(way: 'wipe' | 'difference'): void {
+    compare(way: 'wipe' | 'difference'): void {
         this.panes.comparison = this.panes.comparison === way ? 'none' : way;
         this.panes.redraw();
         this.tell(this.panes.comparison === 'none' ? 'Panes as they are.' : way === 'wipe'
             ? 'Wipe: right of the line, the neighbouring pane.' : 'Difference of neighbouring panes, in the second of each pair.');
     }
 
-    private switchTheme(): void {
+    switchTheme(): void {
         toggleTheme();
         this.panes.redraw();
         this.errors.clear();
@@ -359,34 +340,49 @@ export class App {
         if (keep !== 'errors') this.errors.clear();
         if (keep !== 'ulps') this.ulps.clear();
         this.filterNote.textContent = words && 'Only ' + words + '   (X: all)';
-        if (keep !== 'classes')
-            this.classes.querySelectorAll('button').forEach((button) => button.setAttribute('aria-pressed', 'false'));
+        if (keep !== 'classes') this.classes.clear();
         this.panes.select(selection);
         if (this.planes) this.worst.show(this.planes, selection?.match ?? null);
     }
 
-    private showClasses(planes: Planes): void {
-        const view = this.run.views[this.index], all = planes.width * planes.height;
-        const row = (i: number) => {
-            const style = this.run.classes[i], button = element('button', {type: 'button', title: style.meaning, 'aria-pressed': 'false'},
-                badge(style), element('span', {class: 'n'}, grouped(view.counts[i])));
-            button.addEventListener('click', () => {
-                const on = button.getAttribute('aria-pressed') !== 'true';
-                this.classes.querySelectorAll('button').forEach((other) => other.setAttribute('aria-pressed', 'false'));
-                button.setAttribute('aria-pressed', String(on));
-                this.select(on ? selectionOf(planes, (p) => planes.classes[p] === i) : null, on ? style.name : '', 'classes');
-            });
-            return button;
-        };
-        replaceChildren(this.classes, element('h3', {}, 'Classes'),
-            ...view.counts.map((count, i) => count > 0 && row(i)),
-            element('p', {class: 'fine'}, `${rounded(100 * differing(view) / all)} % differ`));
+    private filterByClass(kind: number): void {
+        if (!this.planes) return;
+        if (kind < 0) return this.select(null, '');
+        const {classes} = this.planes;
+        this.select(selectionOf(this.planes, (p) => classes[p] === kind), this.run.classes[kind].name, 'classes');
     }
+
+    clearFilter(): void { this.select(null, ''); }
 
     // --- small talk -----------------------------------------------------------------------------------------
 
+    copyLink(): void { void this.copy(this.address(), 'link'); }
+
+    copyCommand(): void {
+        const text = this.inspector.root.querySelector('.command code')?.textContent;
+        if (text) void this.copy(text, 'command');
+    }
+
+    askForFile(): void { this.files.ask(); }
+
+    toggleHelp(): void { if (this.help.open) this.help.close(); else this.help.showModal(); }
+
+    search(): void { this.list.search.focus(); }
+
+    showLayer(n: number): void { this.panes.choose(n); }
+
+    flip(held: boolean): void { this.panes.force(held ? 'flip' : null); }
+
+    moveWipe(by: number): void { this.panes.moveWipe(by); }
+
+    /// The viewer where the summary is, and the other way round.
+    toggle(): void {
+        if (this.isOpen) this.close();
+        else void this.open(Math.max(0, this.index));
+    }
+
     /// Decodes all planes and holds them against the digests of what was written.
-    private async check(): Promise<void> {
+    async check(): Promise<void> {
         const planes = this.planes, digests: Record<string, number> = {}, bad: string[] = [];
         if (!planes) return;
         for (const name of planes.names().filter((name) => planes.digest(name) !== undefined)) {

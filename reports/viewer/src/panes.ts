@@ -37,7 +37,7 @@ export class Panes {
 
     get size(): Size { return this.panes[0].size; }
 
-    /// Resolves when every visible pane shows its layer.
+    /// Resolves when every visible pane is ready to show its layer; until then they show what they did before.
     async open(planes: Planes, layers: Layer[], look: Look): Promise<void> {
         this.planes = planes;
         this.layers = layers;
@@ -49,11 +49,8 @@ export class Panes {
     }
 
     private async showAll(): Promise<void> {
-        const shown = this.panes.slice(0, this.count).map(async (pane, i) => {
-            await pane.show(this.layerFor(i), this.planes!);
-            this.redraw();
-        });
-        await Promise.all(shown);
+        await Promise.all(this.panes.slice(0, this.count).map((pane, i) => pane.show(this.layerFor(i), this.planes!)));
+        this.redraw();
     }
 
     private layerFor(i: number): Layer {
