@@ -1,11 +1,25 @@
 // How long report.html takes in a browser: viewer_bench.mjs FOLDER of a run. Prints; judges nothing.
-import {statSync} from 'node:fs';
+import {readFileSync, readdirSync, statSync} from 'node:fs';
 import {join, resolve} from 'node:path';
 import {openBrowser, viewerShows} from '../tests/viewer/stage.mjs';
 
 const folder = resolve(process.argv[2] ?? 'zproof-out'), file = join(folder, 'report.html'), loads = 5;
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
 const ms = (values) => `${Math.round(median(values))} ms (${Math.round(Math.min(...values))} to ${Math.round(Math.max(...values))}, ${values.length} times)`;
+
+/// Of all below this process, the largest that shows a page: bytes that lie in memory.
+function renderersMemory() {
+    const processes = readdirSync('/proc').filter((name) => /^\d+$/.test(name)).flatMap((pid) => {
+        try {
+            const status = readFileSync(`/proc/${pid}/status`, 'utf8'), field = (name) => Number(new RegExp(`^${name}:\\s+(\\d+)`, 'm').exec(status)?.[1] ?? 0);
+            return [{pid: Number(pid), parent: field('PPid'), memory: 1024 * field('VmRSS'), words: readFileSync(`/proc/${pid}/cmdline`, 'utf8')}];
+        } catch {
+            return [];  // it has ended meanwhile
+        }
+    });
+    const isOurs = ({parent}) => parent === process.pid || processes.some((other) => other.pid === parent && isOurs(other));
+    return Math.max(...processes.filter((one) => one.words.includes('--type=renderer') && isOurs(one)).map((one) => one.memory));
+}
 
 const browser = await openBrowser(), paints = [], loaded = [];
 let page;
@@ -26,13 +40,11 @@ for (let i = 1; i < Math.min(views, 40); ++i) {
     await page.waitForTimeout(400);  // what comes after the switch is not part of it
 }
 const opened = await page.evaluate(() => performance.getEntriesByName('open view').map((entry) => entry.duration));
-const session = await page.context().newCDPSession(page);
-await session.send('HeapProfiler.collectGarbage');
-const {usedSize, backingStorageSize = 0} = await session.send('Runtime.getHeapUsage');
+const memory = renderersMemory();
 console.log(`page           ${(statSync(file).size / 1e6).toFixed(1)} MB, ${views} views`);
 console.log(`first paint    ${ms(paints)}`);
 console.log(`loaded         ${ms(loaded)}`);
 console.log(`first view     ${Math.round(opened[0])} ms`);
 if (opened.length > 1) console.log(`view switch    ${ms(opened.slice(1))}`);
-console.log(`memory         ${((usedSize + backingStorageSize) / 1e6).toFixed(0)} MB of scripts and planes, after all that`);
+console.log(`memory         ${(memory / 1e6).toFixed(0)} MB of the largest page process, after all that`);
 await browser.close();

@@ -31,6 +31,7 @@ struct Choice {
     const PageView* page = nullptr;
     std::filesystem::path file;
     std::vector<std::string> names;
+    std::vector<std::string> guesses;  ///< the block that decoding takes besides; empty: none
     std::vector<std::size_t> sizes;
     std::vector<bool> taken;
 };
@@ -44,23 +45,33 @@ Choice choice_for(const PageView& page, const std::filesystem::path& run_folder)
     Choice choice{.page = &page,
                   .file = run_folder / page.view->folder / "planes.zvp",
                   .names = {},
+                  .guesses = {},
                   .sizes = {},
                   .taken = {}};
     if (page.view->folder.empty() || !std::filesystem::exists(choice.file)) return choice;
     for (const planes::Block& block :
          planes::unpacked(content_of(choice.file), choice.file.string()).blocks) {
         choice.names.push_back(block.name);
+        choice.guesses.push_back(block.facts.value("beside", ""));
         choice.sizes.push_back(block.content.size());
     }
     choice.taken.resize(choice.names.size(), false);
     return choice;
 }
 
+/// Is there what decoding block i needs? Guesses stand before what is guessed from them.
+bool has_guess(const Choice& choice, std::size_t i) {
+    if (choice.guesses[i].empty()) return true;
+    const auto guess = std::ranges::find(choice.names, choice.guesses[i]);
+    return guess != choice.names.end() && choice.taken[std::size_t(guess - choice.names.begin())];
+}
+
 /// Takes what fits of one tier.
 void take(Choice& choice, int tier, std::size_t& budget) {
     for (std::size_t i = 0; i < choice.names.size(); ++i) {
         const std::size_t cost = (choice.sizes[i] + 2) / 3 * 4 + 200;  // base64, and its line in the header
-        if (choice.taken[i] || tier_of(choice.names[i]) != tier || cost > budget) continue;
+        if (choice.taken[i] || tier_of(choice.names[i]) != tier || cost > budget || !has_guess(choice, i))
+            continue;
         choice.taken[i] = true;
         budget -= cost;
     }

@@ -185,6 +185,18 @@ TEST(Html, EmbedsPlanesAsTheyAreAndAnotherBudgetIsKept) {
     EXPECT_EQ(occurrences(to_html(results, run.path(), 1000), "<script type=\"application/zvp\""), 0u);
 }
 
+TEST(Html, NeverEmbedsAPlaneWithoutTheOneThatItIsGuessedFrom) {
+    const TemporaryFolder run;
+    const Results results = sample_results();
+    planes::Container container = sample_planes(3'000);
+    container.blocks[1].content.assign(400'000, 'x');
+    container.blocks.push_back({"reference.id", {{"coding", "sparse"}, {"beside", "candidate.id"}}, "small"});
+    write_file(run.path() / results.views[1].folder / "planes.zvp", planes::packed(container));
+    const std::string page = to_html(results, run.path(), 300'000);
+    EXPECT_EQ(occurrences(page, R"("leftOut":["candidate.id","reference.id"])"), 1u);
+    EXPECT_EQ(occurrences(to_html(results, run.path()), R"("leftOut":[])"), 4u);
+}
+
 TEST(Html, DamagedPlanesAreNamed) {
     const TemporaryFolder run;
     const Results results = sample_results();

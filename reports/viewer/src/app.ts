@@ -100,9 +100,18 @@ export class App {
     }
 
     async open(index: number, place: Place | null = null): Promise<void> {
-        const view = this.run.views[index], ticket = ++this.opening;
+        const view = this.run.views[index];
         if (!view) return;
         this.reveal();
+        try {
+            await this.reach(view, index, place);
+        } catch (error) {
+            this.tell(`${view.scene}/${view.view} cannot be shown: ${error instanceof Error ? error.message : error}`);
+        }
+    }
+
+    private async reach(view: ViewEntry, index: number, place: Place | null): Promise<void> {
+        const ticket = ++this.opening;
         performance.mark('open');
         if (index !== this.index || !this.planes) {
             const planes = await this.library.get(view);

@@ -27,8 +27,12 @@ export class Planes {
     get header(): Header { return this.container.header; }
     get width(): number { return this.header.width; }
     get height(): number { return this.header.height; }
-    names(): string[] { return [...this.container.blocks.keys()]; }
-    has(name: string): boolean { return this.container.blocks.has(name); }
+    names(): string[] { return [...this.container.blocks.keys()].filter((name) => this.has(name)); }
+    /// Can it be decoded?
+    has(name: string): boolean {
+        const block = this.container.blocks.get(name);
+        return block !== undefined && (!block.facts.beside || this.has(block.facts.beside));
+    }
 
     /// What every view has: classes, findings, stories and names.
     async open(): Promise<void> {
