@@ -56,6 +56,11 @@ export async function viewerShows(page, view = null) {
     await frames(page);
 }
 
+/// Waits until the viewer's notice says so.
+export async function says(page, words) {
+    await page.waitForFunction((wanted) => document.querySelector('#viewer .notice').textContent.includes(wanted), words);
+}
+
 /// Lets the page draw what it has been asked to draw.
 export async function frames(page) {
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))));

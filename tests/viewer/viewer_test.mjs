@@ -5,7 +5,7 @@ import {join} from 'node:path';
 import {after, before, describe, it} from 'node:test';
 import {readExr, writeExr} from './exr.mjs';
 import {countColour, crc32, frames, makeFolder, openBrowser, openReport, paneDigest, pixelShown, press, removeFolder,
-        shell, viewerShows, zproof} from './stage.mjs';
+        says, shell, viewerShows, zproof} from './stage.mjs';
 
 const small = ['--width', '480', '--height', '270'];
 let folder, failing, lawful, browser;
@@ -93,7 +93,7 @@ describe('planes', () => {
         const page = await openReport(browser, failing);
         await page.evaluate(() => document.querySelectorAll('script[id^=planes-]').forEach((element) => element.remove()));
         await press(page, 'v');
-        assert.match(await page.textContent('#viewer .notice'), /holds no planes/);
+        await says(page, 'holds no planes');
         const chooser = page.waitForEvent('filechooser');
         await press(page, 'o');
         await (await chooser).setFiles(join(failing, folderOf(failing, 'floor'), 'planes.zvp'));
@@ -108,7 +108,7 @@ describe('planes', () => {
         const chooser = page.waitForEvent('filechooser');
         await press(page, 'o');
         await (await chooser).setFiles(join(failing, folderOf(failing, 'door'), 'candidate.exr'));
-        await page.waitForFunction(() => /does not begin with ZVP1/.test(document.querySelector('#viewer .notice').textContent));
+        await says(page, 'does not begin with ZVP1');
         await page.close();
     });
 });
@@ -134,7 +134,7 @@ describe('a deep link', () => {
     it('to what is not there is answered in words', async () => {
         const page = await browser.newPage();
         await page.goto(`file://${failing}/report.html#view=nowhere&x=1&y=1`);
-        await page.waitForFunction(() => /no view "nowhere"/.test(document.querySelector('#viewer .notice').textContent));
+        await says(page, 'no view "nowhere"');
         await page.close();
     });
 

@@ -165,7 +165,7 @@ export class App {
         if (!fresh()) return;
         this.coded.ulps = depths ? ulpBins(...depths) : undefined;
         this.ulps.show(this.coded.ulps?.bins ?? empty('Depths apart: not in this page'));
-        for (const name of planes.names().filter((name) => /^witness\..*\.(id|depth)$/.test(name))) await planes.plane(name);
+        for (const name of planes.names().filter((name) => /^witness\..*\.(id|depth)$|^reference\.error$/.test(name))) await planes.plane(name);
         if (!fresh()) return;
         if (this.look.hasCross) this.inspect();
         this.root.dataset.complete = this.run.views[this.index].link;

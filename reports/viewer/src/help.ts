@@ -20,7 +20,7 @@ export function makeHelp(): HTMLDialogElement {
     const dialog = element('dialog', {class: 'help', 'aria-label': 'keys'},
         element('h2', {}, 'Keys'),
         element('div', {class: 'help-groups'}, ...groups.map(([title, keys]) =>
-            element('section', {}, element('h3', {}, title), element('dl', {}, ...rows(keys))))),
+            element('div', {}, element('h3', {}, title), element('dl', {}, ...rows(keys))))),
         element('p', {class: 'fine'}, 'Wheel zooms in the panes, dragging pans, a click sets the crosshair, a double click zooms in.'),
         element('button', {type: 'button', onclick: () => dialog.close()}, 'Close'));
     dialog.addEventListener('click', (event) => { if (event.target === dialog) dialog.close(); });

@@ -7,10 +7,10 @@ import {background, floatOf, hexBits, idText, numberOf, rounded, shortestFloat, 
 import type {Planes} from './planes';
 import type {ClassStyle} from './run';
 import {ratioOf} from './layers';
-import {nameOf} from './story';
+import {nameOf, shortNameOf} from './story';
 import type {Candidate, Standing, Story} from './story';
 
-type Answer = {who: string; id: number; depth: number | null; error: number | null};  // depth: bits
+type Answer = {who: string; id: number; depth: number | null; error: string};  // depth: bits
 
 export class Inspector {
     readonly root = element('aside', {class: 'inspector', 'aria-label': 'pixel', 'aria-live': 'polite'});
@@ -45,15 +45,16 @@ export class Inspector {
     private answersTable(planes: Planes, pixel: number): HTMLElement {
         const answers = answersAt(planes, pixel), ours = answers[0];
         const rows = answers.map((answer) => {
-            const name = nameOf(planes.ranges, answer.id);
+            const name = shortNameOf(planes.ranges, answer.id);
             const ulps = ours.depth === null || answer.depth === null ? NaN : ulpsBetween(ours.depth, answer.depth);
             return element('tr', {},
                 element('th', {scope: 'row'}, answer.who),
-                element('td', {}, swatch(answer.id), idText(answer.id), name && element('div', {class: 'fine'}, name)),
+                element('td', {}, swatch(answer.id), idText(answer.id),
+                    name && element('div', {class: 'fine', title: nameOf(planes.ranges, answer.id)}, name)),
                 element('td', {class: 'n'}, answer.depth === null ? '–' : shortestFloat(floatOf(answer.depth)),
                     answer.depth !== null && element('div', {class: 'fine'}, hexBits(answer.depth))),
                 element('td', {class: 'n'}, answer === ours || Number.isNaN(ulps) ? '–' : signed(ulps)),
-                element('td', {class: 'n'}, answer.error === null ? '–' : rounded(answer.error)));
+                element('td', {class: 'n'}, answer.error));
         });
         return element('table', {class: 'answers'},
             element('thead', {}, element('tr', {}, ...['', 'triangle', 'depth', 'ULPs', 'error / bound'].map(
@@ -93,7 +94,8 @@ export class Inspector {
 
     private candidates(planes: Planes, story: Story): HTMLElement {
         const row = (c: Candidate) => element('tr', {},
-            element('td', {}, swatch(c.id), String(c.id), element('div', {class: 'fine'}, nameOf(planes.ranges, c.id))),
+            element('td', {}, swatch(c.id), String(c.id), 
+                element('div', {class: 'fine', title: nameOf(planes.ranges, c.id)}, shortNameOf(planes.ranges, c.id))),
             element('td', {class: 'n'}, ...c.edges.map((d) => element('div', {}, edgeText(numberOf(d))))),
             element('td', {class: 'n', title: `${c.depth[0]} to ${c.depth[2]}`}, rounded9(numberOf(c.depth[1])),
                 element('div', {class: 'fine'}, '± ' + rounded((numberOf(c.depth[2]) - numberOf(c.depth[0])) / 2))),
@@ -134,9 +136,9 @@ export class Inspector {
 function answersAt(planes: Planes, pixel: number): Answer[] {
     const f = planes.findings, row = planes.finding(pixel), {header} = planes;
     const word = (name: string): number | null => (planes.now(name) as Uint32Array | null)?.[pixel] ?? null;
-    const code = (name: string): number | null => {
+    const code = (name: string): string => {  // a code stands for a quarter octave
         const found = (planes.now(name) as Uint8Array | null)?.[pixel];
-        return found ? ratioOf(found) : null;
+        return !found ? '–' : found === 1 ? '0' : '≥ ' + rounded(ratioOf(found));
     };
     const answer = (who: string, plane: string, listed: [number, number] | null): Answer => ({
         who, id: word(plane + '.id') ?? listed?.[0] ?? background, depth: word(plane + '.depth') ?? listed?.[1] ?? null,
@@ -144,7 +146,7 @@ function answersAt(planes: Planes, pixel: number): Answer[] {
     });
     const listed = f && row !== undefined;
     const ours = answer(header.candidate, 'candidate', listed ? [f.candidate[row], f.candidateDepth[row]] : null);
-    if (listed) ours.error = Number.isNaN(f.error[row]) ? null : f.error[row];
+    if (listed) ours.error = rounded(f.error[row]);
     const answers = [ours, answer(header.reference, 'reference', listed ? [f.reference[row], f.referenceDepth[row]] : null)];
     for (const name of header.witnesses)
         if (planes.now(`witness.${name}.id`)) answers.push(answer(name, `witness.${name}`, null));

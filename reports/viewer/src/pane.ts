@@ -71,7 +71,7 @@ export class Pane {
         this.fill(out, frame, planes, painted, selection, scale);
         if (wipe) this.wipe(out, frame, planes, wipe, selection, scale);
         context.putImageData(image, 0, 0);
-        this.overlay(context, frame, painted, look, scale);
+        this.overlay(context, frame, painted, look, wipe ? null : scale);
         if (wipe) drawDivider(context, Math.round(wipe.at * width), height);
         this.value.textContent = look.hasCross ? painted.text(look.cross) : '';
     }
@@ -103,12 +103,13 @@ export class Pane {
             out.set(other.subarray(row + from, row + frame.width), row + from);
     }
 
+    /// `labels` is their scale; two layers side by side have none.
     private overlay(context: CanvasRenderingContext2D, frame: Frame, painted: Painted, look: Look,
-                    scale: number): void {
+                    labels: number | null): void {
         if (look.zoom >= gridFrom) drawGrid(context, frame, this.planes!, look.zoom);
         if (painted.outlines && look.zoom >= outlinesFrom) drawOutlines(context, frame, this.planes!, painted.outlines);
-        if (look.zoom >= labelsFrom) drawLabels(context, frame, this.planes!, painted, scale);
-        if (look.hasCross) drawCross(context, frame, look, scale);
+        if (labels !== null && look.zoom >= labelsFrom) drawLabels(context, frame, this.planes!, painted, labels);
+        if (look.hasCross) drawCross(context, frame, look, frame.perPixel / look.zoom);
     }
 
     differenceFrom(other: Pane): Painted | null {

@@ -26,6 +26,12 @@ export function rangeOf(ranges: TriangleRange[], id: number): TriangleRange | un
     return found && id >= found[0] ? found : undefined;
 }
 
+/// "Wheel · Spokes · 0", for narrow places; empty for an id of no range.
+export function shortNameOf(ranges: TriangleRange[], id: number): string {
+    const range = rangeOf(ranges, id);
+    return range ? `${range[2] || 'unnamed'} · ${range[3] || 'unnamed'} · ${range[4]}` : '';
+}
+
 /// "node Wheel, mesh Spokes, primitive 0"; empty for an id of no range.
 export function nameOf(ranges: TriangleRange[], id: number): string {
     const range = rangeOf(ranges, id);

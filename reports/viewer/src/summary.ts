@@ -1,5 +1,5 @@
 // Ways from the written report into the viewer.
-import {element} from './element';
+import {append, element} from './element';
 import {hashOf} from './link';
 import type {Run, ViewEntry} from './run';
 
@@ -23,7 +23,16 @@ function linkPictures(section: HTMLElement, view: ViewEntry): void {
         }));
 }
 
+function linkTop(run: Run): void {
+    const first = run.views.find((view) => view.planes)!;
+    append(document.querySelector('body > header')!, [
+        element('a', {class: 'enter', href: hashOf({view: first.link})}, 'Open the viewer'),
+        element('p', {class: 'fine'}, 'Keys: ', element('kbd', {}, 'V'), ' the viewer, ', element('kbd', {}, 'N'), ' the first defect, ',
+            element('kbd', {}, '?'), ' all keys')]);
+}
+
 export function linkSummary(run: Run): void {
+    linkTop(run);
     for (const view of run.views) {
         const section = document.getElementById(view.anchor);
         if (!section || !view.planes) continue;

@@ -21,7 +21,7 @@ export class WorstTable {
         if (!clusters.length)
             return replaceChildren(this.root, element('p', {class: 'quiet'}, match
                 ? 'None of the differing pixels is in the filter.' : 'Both renderers agree at every pixel.'));
-        const head = ['class', 'pixels', 'candidate', 'reference', 'worst error / bound', 'where', 'story'];
+        const head = ['class', 'pixels', 'triangles', 'error / bound', 'where'];
         const table = element('table', {class: 'clusters sortable'},
             element('thead', {}, element('tr', {}, ...head.map((title) => element('th', {}, title)))),
             element('tbody', {}, ...clusters.slice(0, mostRows).map((cluster) => this.row(planes, cluster))));
@@ -34,14 +34,14 @@ export class WorstTable {
 
     private row(planes: Planes, c: Cluster): HTMLElement {
         const x = c.pixel % planes.width, y = (c.pixel - x) / planes.width;
-        const triangle = (id: number) =>
-            element('td', {'data-key': id, title: nameOf(planes.ranges, id)}, idText(id));
+        const pair = c.candidate === c.reference ? idText(c.candidate) : `${idText(c.candidate)}, ${idText(c.reference)}`;
+        const names = `candidate: ${nameOf(planes.ranges, c.candidate) || idText(c.candidate)}; ` +
+            `reference: ${nameOf(planes.ranges, c.reference) || idText(c.reference)}`;
         const where = c.count === 1 ? `${x}, ${y}` : `${x}, ${y} in ${c.right - c.left + 1} × ${c.bottom - c.top + 1}`;
         return element('tr', {tabindex: 0, onclick: () => this.go(c.pixel),
                               onkeydown: (event: KeyboardEvent) => { if (event.key === 'Enter') this.go(c.pixel); }},
             element('td', {'data-key': c.class}, badge(this.classes[c.class])), element('td', {class: 'n'}, grouped(c.count)),
-            triangle(c.candidate), triangle(c.reference),
-            element('td', {class: 'n', 'data-key': Number.isNaN(c.worst) ? '' : c.worst}, rounded(c.worst)), element('td', {}, where),
-            element('td', {}, planes.story(c.pixel) ? '✓' : '–'));
+            element('td', {'data-key': c.candidate, title: names}, pair),
+            element('td', {class: 'n', 'data-key': Number.isNaN(c.worst) ? '' : c.worst}, rounded(c.worst)), element('td', {}, where));
     }
 }
