@@ -1,4 +1,4 @@
-// How long report.html takes in a browser: viewer_bench.mjs FOLDER of a run. Prints; judges nothing.
+// How long report.html takes in a browser: viewer.mjs FOLDER of a run. Prints; judges nothing.
 import {readFileSync, readdirSync, statSync} from 'node:fs';
 import {join, resolve} from 'node:path';
 import {openBrowser, viewerShows} from '../tests/viewer/stage.mjs';
