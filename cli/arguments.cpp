@@ -8,6 +8,7 @@
 
 #include "cli/filters/command_line.h"
 #include "cli/party_words.h"
+#include "cli/study/command_line.h"
 #include "cli/usage_error.h"
 #include "cli/version.h"
 
@@ -25,6 +26,7 @@ constexpr const char* examples = R"(Proves a z-buffer rasterizer right, pixel by
   zproof measure zproof                 measure what a renderer really does
   zproof selftest                       see the gate fail: inject known faults into good frames
   zproof filters run worked -o study    how far texture filters are from the truth, and at what cost
+  zproof study projection model.glb     every stage from world to pixel, against exact arithmetic
 
 Exit status: 0 proven, 1 a defect, 2 usage, 3 unreadable input, 4 nothing judged, 70 internal error,
 130 interrupted.)";
@@ -225,7 +227,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     SelftestArguments selftest;
     GenerateArguments generate;
     FiltersWords filters;
-    filters.run.typed = run.report.typed;
+    StudyArguments study;
+    filters.run.typed = study.typed = run.report.typed;
 
     CLI::App& run_app = *app.add_subcommand("run", "render, ask the reference, judge, write the reports");
     CLI::App& compare_app = *app.add_subcommand("compare", "judge frames that were rendered elsewhere");
@@ -254,6 +257,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_threads(selftest_app, selftest.threads);
     add_generate(generate_app, generate);
     add_filters(filters_app, filters);
+    CLI::App& study_app = *app.add_subcommand("study", "the lessons as instruments: what each stage does");
+    add_study(study_app, study);
 
     try {
         app.parse(argc, argv);
@@ -272,6 +277,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     if (filters_app.parsed())
         return std::visit([](auto chosen) { return Command{std::move(chosen)}; },
                           chosen_filters_command(filters_app, filters));
+    if (study_app.parsed()) return chosen_study(study_app, study);
     if (scenes_app.parsed()) throw UsageError{"scenes: 'generate' expected (see: zproof scenes --help)"};
     throw UsageError{"a command is expected, such as: zproof run (see: zproof --help)"};
 }
