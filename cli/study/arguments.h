@@ -14,6 +14,16 @@ class App;
 
 namespace zproof {
 
+/// The depth study's own. None: the first view's planes, and no gap.
+struct DepthWishes {
+    std::optional<double> near, far, gap;  ///< scene units
+};
+
+/// The cost study's own.
+struct CostWishes {
+    int repeats = 9;  ///< measured runs for each time
+};
+
 /// What every study is asked with. A study's own wishes get a member of their own here.
 struct StudyArguments {
     std::string study;                 ///< Study::name
@@ -24,6 +34,8 @@ struct StudyArguments {
     std::filesystem::path out = "zproof-study";
     ProgressStyle progress = ProgressStyle::automatic;
     std::string typed;  ///< the command line, quoted for a shell
+    DepthWishes depth;
+    CostWishes cost;
 };
 
 }  // namespace zproof

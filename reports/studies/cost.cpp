@@ -103,10 +103,11 @@ std::string quality_of(const Fit& fit) {
 
 Section apart_section(const Model& model) {
     return {"The constants",
-            {"Generated scenes vary the number of vertices, of triangles, of layers and of pixels, one at a time. "
+            {"Generated scenes vary the number of vertices, of triangles, of layers and of pixels, one at a "
+             "time. "
              "Stages are left out in turn, for the three constants that multiply v cannot be told apart "
              "otherwise. Rows are weighted so that residuals are shares of the time: " +
-                 quality_of(model.fit) + "."},
+             quality_of(model.fit) + "."},
             {constant_table(model.fit, "constants", "Fitted to stages that were left out in turn"),
              document::Plot{"residuals", "A model that fits leaves no pattern",
                             residual_chart(model.runs, model.fit)},
@@ -117,23 +118,25 @@ Section whole_section(const Model& model) {
     const Fit& fit = model.whole_fit;
     const double sum = fit.constant[0] + fit.constant[1] + fit.constant[2];
     const double apart = model.fit.constant[0] + model.fit.constant[1] + model.fit.constant[2];
-    return {"What whole frames alone can tell",
-            {"Measured from outside, as one would measure any program: whole frames of meshes at four finenesses "
-             "and three resolutions, no stage left out. k_bus, k_xform and k_shade have one and the same "
-             "factor: only their sum is known, " +
-                 rounded(sum) + " ns a vertex here, " + rounded(apart) +
-                 " ns from the stages above. That they come out equal is the shortest solution's doing and "
-                 "means nothing. A mesh's triangles and vertices grow together, and so do the pixels that it "
-                 "covers and the image: " +
-                 quality_of(fit) + "."},
-            {constant_table(fit, "constants-of-whole-frames", "Fitted to whole frames only"),
-             run_table(model.whole_runs, fit, "whole-runs")}};
+    return {
+        "What whole frames alone can tell",
+        {"Measured from outside, as one would measure any program: whole frames of meshes at four finenesses "
+         "and three resolutions, no stage left out. k_bus, k_xform and k_shade have one and the same "
+         "factor: only their sum is known, " +
+         rounded(sum) + " ns a vertex here, " + rounded(apart) +
+         " ns from the stages above. That they come out equal is the shortest solution's doing and "
+         "means nothing. A mesh's triangles and vertices grow together, and so do the pixels that it "
+         "covers and the image: " +
+         quality_of(fit) + "."},
+        {constant_table(fit, "constants-of-whole-frames", "Fitted to whole frames only"),
+         run_table(model.whole_runs, fit, "whole-runs")}};
 }
 
 Table work_table(const TrickStudy& study, const std::string& stem) {
     Table table{.name = stem + "-tricks",
-                .caption = "Visibility: what each trick saves. Times are medians; ids and depths against the "
-                           "plain z-buffer's, defects by the gate",
+                .caption =
+                    "Visibility: what each trick saves. Times are medians; ids and depths against the "
+                    "plain z-buffer's, defects by the gate",
                 .columns = {{"trick", "", ""},
                             {"time", "ms", ""},
                             {"quartiles", "ms", ""},
@@ -194,7 +197,8 @@ document::Document cost_document(const Model& model) {
     document::Document document;
     document.title = "Cost: what a z-buffer's time is made of";
     document.introduction = {
-        "The lecture's model, k_bus v + k_xform v + k_shade v + k_setup triangles + k_fragment d m^2, with two "
+        "The lecture's model, k_bus v + k_xform v + k_shade v + k_setup triangles + k_fragment d m^2, with "
+        "two "
         "terms that it leaves out (a pixel that is cleared and written, a run that draws nothing), fitted to "
         "this machine and held against scenes that took no part. Times are processor time of one thread, "
         "medians with quartiles; counts are exact and the same for any number of threads."};
@@ -218,23 +222,19 @@ std::vector<Section> prediction_sections(const std::vector<Prediction>& predicti
     for (const std::string& name : constant_names()) table.columns.push_back({name, "share", ""});
     for (const Prediction& p : predictions) {
         const Quantities& q = p.quantities;
-        Row row{p.scene + " / " + p.view,
-                std::int64_t(q.vertices),
-                std::int64_t(q.triangles),
-                q.fragments / q.pixels,
-                std::int64_t(q.pixels),
-                p.timing.median * milliseconds,
-                p.predicted * milliseconds,
-                p.predicted / p.timing.median};
+        Row row{p.scene + " / " + p.view,   std::int64_t(q.vertices),     std::int64_t(q.triangles),
+                q.fragments / q.pixels,     std::int64_t(q.pixels),       p.timing.median * milliseconds,
+                p.predicted * milliseconds, p.predicted / p.timing.median};
         for (const double share : p.share) row.push_back(share);
         table.rows.push_back(std::move(row));
     }
-    return {{"Prediction against measurement",
-             {"A share is a term's part of the prediction. The model knows neither a triangle's size nor whether "
-              "a fragment is written or only tested, so scenes of triangles much larger or smaller than those "
-              "of the fit are off by what that costs."},
-             {std::move(table),
-              document::Plot{"prediction", "On the grey line both are equal", prediction_chart(predictions)}}}};
+    return {
+        {"Prediction against measurement",
+         {"A share is a term's part of the prediction. The model knows neither a triangle's size nor whether "
+          "a fragment is written or only tested, so scenes of triangles much larger or smaller than those "
+          "of the fit are off by what that costs."},
+         {std::move(table),
+          document::Plot{"prediction", "On the grey line both are equal", prediction_chart(predictions)}}}};
 }
 
 Section trick_section(const TrickStudy& study, const std::string& stem) {

@@ -21,9 +21,7 @@ bool is_charted(const Format& format) {
     return format.range == Range::zero_to_one || format.store == Store::float32;
 }
 
-std::string power_of_ten(double value) {
-    return "1e" + std::to_string(int(std::lround(std::log10(value))));
-}
+std::string power_of_ten(double value) { return "1e" + std::to_string(int(std::lround(std::log10(value)))); }
 
 std::string joined(const std::vector<std::string>& names) {
     std::string text;
@@ -33,8 +31,9 @@ std::string joined(const std::vector<std::string>& names) {
 
 Table choice_table(const std::vector<Choice>& choices) {
     Table table{.name = "choice",
-                .caption = "The formats of the fewest bits that keep a gap in order everywhere between near and "
-                           "far. Gaps as shares of far; 1/z interpolated",
+                .caption =
+                    "The formats of the fewest bits that keep a gap in order everywhere between near and "
+                    "far. Gaps as shares of far; 1/z interpolated",
                 .columns = {{"far / near", "", ""}},
                 .rows = {}};
     for (const Choice& choice : choices) {
@@ -61,7 +60,9 @@ Table question_table(const DepthQuestion& question) {
     for (const WorstGap& one : worst_gaps(question.planes, question.gap))
         table.rows.push_back({std::string{one.format.name}, std::int64_t{bits_of(one.format.store)}, one.gap,
                               one.gap / question.planes.far,
-                              std::string{question.gap == 0 ? "-" : one.holds ? "yes" : "no"},
+                              std::string{question.gap == 0 ? "-"
+                                          : one.holds       ? "yes"
+                                                            : "no"},
                               definition_of(one.format)});
     return table;
 }
@@ -151,8 +152,8 @@ Table tightness_table(const std::vector<GapCurve>& curves) {
         std::vector<double>& values = shares[name];
         if (values.empty()) continue;
         std::ranges::sort(values);
-        table.rows.push_back({name, values.front(), values[values.size() / 2], values.back(),
-                              std::int64_t(values.size())});
+        table.rows.push_back(
+            {name, values.front(), values[values.size() / 2], values.back(), std::int64_t(values.size())});
     }
     return table;
 }
@@ -228,19 +229,21 @@ Section error_section(const DepthStudy& study, const std::string& stem) {
             grouped(study.pixels) + " pixels show depths from " + rounded(study.nearest) + " to " +
             rounded(study.farthest) + ", " + grouped(study.left_out) +
             " more lie before near, beyond far or just beside their triangle. The exact depth is that of the "
-            "scene's own plane at the pixel's centre, by interval arithmetic and rationals. Corners lie where "
+            "scene's own plane at the pixel's centre, by interval arithmetic and rationals. Corners lie "
+            "where "
             "they are, not on a sub-pixel grid: what is studied is depth alone.",
-        "In the maps black-violet is 1e-9 of the depth or less, yellow all of it, equal ratios are equally far "
+        "In the maps black-violet is 1e-9 of the depth or less, yellow all of it, equal ratios are equally "
+        "far "
         "apart, and grey shows nothing."};
     section.items.push_back(spread_table(study, stem));
-    section.items.push_back(document::Plot{
-        stem + "-formats", "1/z interpolated, by format",
-        distribution(
-            study, "Error by format",
-            [](const ErrorSpread& s) {
-                return s.interpolation == Interpolation::reciprocal && is_charted(s.format);
-            },
-            [](const ErrorSpread& s) { return std::string{s.format.name}; })});
+    section.items.push_back(
+        document::Plot{stem + "-formats", "1/z interpolated, by format",
+                       distribution(
+                           study, "Error by format",
+                           [](const ErrorSpread& s) {
+                               return s.interpolation == Interpolation::reciprocal && is_charted(s.format);
+                           },
+                           [](const ErrorSpread& s) { return std::string{s.format.name}; })});
     section.items.push_back(document::Plot{
         stem + "-interpolations", "By interpolation, of three formats",
         distribution(
@@ -289,10 +292,11 @@ Section fighting_section(const DepthStudy& study, const std::string& stem) {
                 .caption = "Share of the picture in which a second layer shows through, by its distance",
                 .columns = {{"format", "", ""}},
                 .rows = {}};
-    Chart chart{.title = "Layers that fight",
-                .x = {.title = "distance of the layers, scene units", .scale = Scale::logarithmic, .names = {}},
-                .y = {.title = "share of the picture", .names = {}},
-                .series = {}};
+    Chart chart{
+        .title = "Layers that fight",
+        .x = {.title = "distance of the layers, scene units", .scale = Scale::logarithmic, .names = {}},
+        .y = {.title = "share of the picture", .names = {}},
+        .series = {}};
     for (const double delta : study.deltas) table.columns.push_back({rounded(delta), "", ""});
     for (const FightingCurve& curve : study.fighting) {
         Row cells{std::string{curve.format.name}};
@@ -304,11 +308,12 @@ Section fighting_section(const DepthStudy& study, const std::string& stem) {
         table.rows.push_back(std::move(cells));
         if (is_charted(curve.format)) chart.series.push_back(std::move(series));
     }
-    return {study.scene + " / " + study.view + ": layers that fight",
-            {"Every triangle lies on a second one whose corners are delta deeper along their lines of sight. A "
-             "pixel fights where the second layer's stored depth is not farther: equal is enough, for then the "
-             "order of drawing decides. The view's own planes; 1/z interpolated."},
-            {std::move(table), document::Plot{stem + "-fights", "Equal counts as fighting", std::move(chart)}}};
+    return {
+        study.scene + " / " + study.view + ": layers that fight",
+        {"Every triangle lies on a second one whose corners are delta deeper along their lines of sight. A "
+         "pixel fights where the second layer's stored depth is not farther: equal is enough, for then the "
+         "order of drawing decides. The view's own planes; 1/z interpolated."},
+        {std::move(table), document::Plot{stem + "-fights", "Equal counts as fighting", std::move(chart)}}};
 }
 
 }  // namespace
@@ -317,7 +322,8 @@ document::Document depth_document(const GapStudy& gaps, const DepthQuestion& que
     document::Document document;
     document.title = "Depth: what a z-buffer keeps";
     document.introduction = {
-        "Which depth can a buffer hold, which gap between two surfaces does it keep in order, and which format "
+        "Which depth can a buffer hold, which gap between two surfaces does it keep in order, and which "
+        "format "
         "does a scene need? Every figure is held against exact depths; every gap is predicted from the "
         "format's step and the float32 roundings of the arithmetic, and tried."};
     document.sections.push_back(
@@ -325,18 +331,19 @@ document::Document depth_document(const GapStudy& gaps, const DepthQuestion& que
          {"A row of the first table is how far apart near and far lie, a column the gap that one needs; it "
           "holds for any near. The second says for one pair of planes what each format keeps."},
          {choice_table(gaps.choices), question_table(question)}});
-    Section section{"The smallest gap that is kept in order",
-                    {"Lines are predicted, grey points measured: triangles at random places, drawn again "
-                     "farther away, until a pixel shows the wrong one. Where a line ends, nothing behind that "
-                     "distance can be told from far."},
-                    {}};
+    Section section{
+        "The smallest gap that is kept in order",
+        {"Lines are predicted, grey points measured: triangles at random places, drawn again "
+         "farther away, until a pixel shows the wrong one. Where a line ends, nothing behind that "
+         "distance can be told from far."},
+        {}};
     for (const double ratio : {1e1, 1e3, 1e5, 1e7})
         section.items.push_back(document::Plot{"gaps-" + power_of_ten(ratio), "1/z interpolated, near is 1",
                                                gap_chart(gaps.curves, ratio)});
     section.items.push_back(tightness_table(gaps.curves));
-    section.items.push_back(document::Plot{
-        "gaps-by-interpolation", "Where corners are coded first, they bring their own rounding",
-        ways_chart(gaps.ways)});
+    section.items.push_back(document::Plot{"gaps-by-interpolation",
+                                           "Where corners are coded first, they bring their own rounding",
+                                           ways_chart(gaps.ways)});
     section.items.push_back(gap_table(gaps.curves, "gaps"));
     section.items.push_back(gap_table(gaps.ways, "gaps-of-interpolations"));
     document.sections.push_back(std::move(section));
@@ -345,7 +352,9 @@ document::Document depth_document(const GapStudy& gaps, const DepthQuestion& que
 
 std::vector<Section> depth_sections(const DepthStudy& study, const std::string& stem) {
     if (study.pixels == 0)
-        return {{study.scene + " / " + study.view, {"No pixel of this view shows anything between its planes."}, {}}};
+        return {{study.scene + " / " + study.view,
+                 {"No pixel of this view shows anything between its planes."},
+                 {}}};
     return {error_section(study, stem), ladder_section(study, stem), fighting_section(study, stem)};
 }
 

@@ -13,8 +13,7 @@ constexpr std::array<std::array<double, 3>, 5> anchors{
 constexpr Rgb8 unknown{128, 128, 128};
 
 std::uint8_t mixed(std::size_t anchor, std::size_t channel, double share) {
-    const double value =
-        (1 - share) * anchors[anchor][channel] + share * anchors[anchor + 1][channel];
+    const double value = (1 - share) * anchors[anchor][channel] + share * anchors[anchor + 1][channel];
     return std::uint8_t(std::lround(value));
 }
 
