@@ -162,7 +162,8 @@ Won draw_block(const Scan& scan, TilePixels& pixels, int place, int x, int y) {
     if (covered == 0) return {0, 0};
     const Floats seen = rounded((e0 * scan.weight[0] + e1 * scan.weight[1]) + e2 * scan.weight[2]);
     float* const nearness = pixels.nearness + 16 * place;
-    const auto wins = narrowed(inside) & greater(seen, load(nearness));
+    const Floats held = load(nearness);
+    const auto wins = narrowed(inside) & greater(seen, held);
     put(nearness, wins, seen);
     put(pixels.primitive + 16 * place, wins, scan.id);
     return {covered, bits_of(wins)};
@@ -173,7 +174,8 @@ bool is_hidden(const Scan& scan, const TilePixels& pixels, int place) {
 }
 
 void note_farthest(TilePixels& pixels, int place, unsigned covered) {
-    if (covered == 0xFFFF) pixels.farthest[place] = least_of(load(pixels.nearness + 16 * place));
+    const float* const nearness = pixels.nearness + 16 * place;
+    if (covered == 0xFFFF) pixels.farthest[place] = least_of(load(nearness));
 }
 
 struct Draw {

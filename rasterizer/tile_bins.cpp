@@ -100,8 +100,10 @@ void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, cons
     const std::size_t count = scene.triangles.size();
     const std::size_t length = run_length(count);
     std::vector<Range> ranges;
-    for (std::size_t begin = 0; begin < count; begin += length)
-        ranges.push_back({std::uint32_t(begin), std::uint32_t(std::min(count, begin + length))});
+    for (std::size_t begin = 0; begin < count; begin += length) {
+        const std::size_t end = std::min(count, begin + length);
+        ranges.push_back({std::uint32_t(begin), std::uint32_t(end)});
+    }
     fill(scene, projected, setup, ranges);
 }
 

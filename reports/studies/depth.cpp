@@ -38,8 +38,8 @@ Table choice_table(const std::vector<Choice>& choices) {
                 .rows = {}};
     for (const Choice& choice : choices) {
         if (table.rows.empty() || std::get<std::string>(table.rows.back()[0]) != power_of_ten(choice.ratio))
-            table.rows.push_back({power_of_ten(choice.ratio)});
-        table.rows.back().push_back(joined(choice.names));
+            table.rows.emplace_back().emplace_back(power_of_ten(choice.ratio));
+        table.rows.back().emplace_back(joined(choice.names));
         const std::string gap = "gap " + power_of_ten(choice.gap_of_far);
         if (table.rows.size() == 1) table.columns.push_back({gap, "of far", ""});
     }
@@ -269,13 +269,15 @@ Section ladder_section(const DepthStudy& study, const std::string& stem) {
                 .y = {.title = "p99 of error / depth", .scale = Scale::logarithmic, .names = {}},
                 .series = {}};
     for (const double ratio : study.ratios) table.columns.push_back({power_of_ten(ratio), "", ""});
-    Row left{std::string{"pixels beyond near"}};
-    for (const double share : study.pixels_left) left.push_back(share);
+    Row left;
+    left.emplace_back(std::string{"pixels beyond near"});
+    for (const double share : study.pixels_left) left.emplace_back(share);
     for (const LadderRow& row : study.ladder) {
-        Row cells{std::string{row.format.name}};
+        Row cells;
+        cells.emplace_back(std::string{row.format.name});
         Series series{.name = row.format.name, .points = {}};
         for (std::size_t i = 0; i < row.p99.size(); ++i) {
-            cells.push_back(row.p99[i]);
+            cells.emplace_back(row.p99[i]);
             series.points.push_back({study.ratios[i], row.p99[i]});
         }
         table.rows.push_back(std::move(cells));
@@ -299,10 +301,11 @@ Section fighting_section(const DepthStudy& study, const std::string& stem) {
         .series = {}};
     for (const double delta : study.deltas) table.columns.push_back({rounded(delta), "", ""});
     for (const FightingCurve& curve : study.fighting) {
-        Row cells{std::string{curve.format.name}};
+        Row cells;
+        cells.emplace_back(std::string{curve.format.name});
         Series series{.name = curve.format.name, .points = {}};
         for (std::size_t i = 0; i < curve.share.size(); ++i) {
-            cells.push_back(curve.share[i]);
+            cells.emplace_back(curve.share[i]);
             series.points.push_back({study.deltas[i], curve.share[i]});
         }
         table.rows.push_back(std::move(cells));

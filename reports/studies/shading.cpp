@@ -160,6 +160,16 @@ Table scene_table(const ShadingStudy& study, const std::string& stem) {
     return table;
 }
 
+std::string povray_words(const PovrayScore& score) {
+    if (!score.not_asked.empty()) return "POV-Ray was not asked: " + score.not_asked + ".";
+    return "Phong's method against POV-Ray's smooth triangles (directional light, Phong's highlight, "
+           "white): " +
+           grouped(score.pixels) + " pixels differ by " + rounded(score.rmse) +
+           " RMS, 99 of 100 by at most " + rounded(score.p99) + ", the worst by " + rounded(score.largest) +
+           "; its picture has steps of 1/65535, 1.5e-5. " + grouped(score.turned) +
+           " pixels are left out whose mixed normal points away from the eye: POV-Ray turns it over.";
+}
+
 }  // namespace
 
 document::Document shading_document(const TessellationStudy& study) {
@@ -188,8 +198,9 @@ document::Document shading_document(const TessellationStudy& study) {
 Section shading_section(const ShadingStudy& study, const std::string& stem) {
     Section section{study.scene + " / " + study.view,
                     {grouped(study.other_ids) +
-                     " pixels are left out because rasterizer and Embree name different triangles there. "
-                     "Materials' colours are left out: they multiply every method alike."},
+                         " pixels are left out because rasterizer and Embree name different triangles there. "
+                         "Materials' colours are left out: they multiply every method alike.",
+                     povray_words(study.povray)},
                     {scene_table(study, stem)}};
     for (const ScenePicture& p : study.pictures) {
         section.items.push_back(in_group(

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "oracle/embree.h"
+#include "oracle/oracle_error.h"
+#include "oracle/povray.h"
 #include "rasterizer/rasterizer.h"
 #include "scenes/light.h"
 
@@ -139,6 +141,71 @@ void for_each_technique(Visit visit) {
             if (method != Method::faceted || mixing == Mixing::perspective) visit(method, mixing);
 }
 
+/// White, so that light alone is seen.
+Scene without_materials(const Scene& scene) {
+    Scene white = scene;
+    for (Material& material : white.materials) material = {};
+    white.vertices.color.clear();
+    return white;
+}
+
+/// Does the mixed normal point away from the eye, though the face does not?
+bool is_turned(const Facet& facet, const View& view, const Weights& w) {
+    const glm::dvec3 normal = w[0] * facet.normal[0] + w[1] * facet.normal[1] + w[2] * facet.normal[2];
+    const glm::dvec3 place = w[0] * facet.p_world[0] + w[1] * facet.p_world[1] + w[2] * facet.p_world[2];
+    return glm::dot(normal, glm::dvec3(view.camera.eye_world) - place) <= 0;
+}
+
+PovrayScore held_against(const Picture& theirs, const Scene& scene, const View& view, const Frame& frame) {
+    const Lighting lighting = lighting_of(view, Highlight::phong);
+    const Plane<double> ours = picture(scene, view, frame, lighting, {});
+    PovrayScore score;
+    std::vector<double> differences;
+    double squares = 0;
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            const PrimitiveId id = frame.primitive.at(x, y);
+            if (id == PrimitiveId::none) continue;
+            const Facet facet = facet_of(scene, view, std::uint32_t(id));
+            if (is_turned(facet, view, rasterized_weights(view, facet, x, y))) {
+                ++score.turned;
+                continue;
+            }
+            const double d = std::abs(std::min(1.0, ours.at(x, y)) - double(theirs.at(x, y).g));
+            differences.push_back(d);
+            squares += d * d;
+        }
+    if (differences.empty()) return score;
+    std::ranges::sort(differences);
+    score.pixels = differences.size();
+    score.rmse = std::sqrt(squares / double(score.pixels));
+    score.p99 = differences[std::size_t(0.99 * double(score.pixels - 1))];
+    score.largest = differences.back();
+    return score;
+}
+
+PovrayScore refused(const std::string& why) {
+    PovrayScore score;
+    score.not_asked = why;
+    return score;
+}
+
+PovrayScore asked_of_povray(const Scene& scene, const View& view, const Frame& frame) {
+    if (view.camera.projection == Projection::parallel) return refused("a parallel projection");
+    if (!oracle::povray_version()) return refused("POV-Ray is not installed");
+    const Finish finish = lighting_of(view, Highlight::phong).finish;
+    Light light;
+    light.ambient = finish.ambient;
+    light.diffuse = finish.diffuse;
+    const Scene white = without_materials(scene);
+    try {
+        const Picture theirs = oracle::PovRay(white).picture(view, light, {finish.specular, finish.exponent});
+        return held_against(theirs, scene, view, frame);
+    } catch (const OracleError& e) {
+        return refused(e.what());
+    }
+}
+
 }  // namespace
 
 Lighting lighting_of(const View& view, Highlight highlight) {
@@ -147,13 +214,15 @@ Lighting lighting_of(const View& view, Highlight highlight) {
     return lighting;
 }
 
-int units_of_shading() { return 3; }
+int units_of_shading() { return 4; }
 
 ShadingStudy study_shading(const Scene& scene, const View& view, const Announce& announce) {
     announce("frames");
     const Frame ours = rasterizer::render(scene, view), traced = oracle::Embree(scene).trace(view);
     const Frame frame = agreed(ours, traced);
-    ShadingStudy study{scene.name, view.name, 0, 0, {}, {}};
+    ShadingStudy study;
+    study.scene = scene.name;
+    study.view = view.name;
     for (std::size_t i = 0; i < frame.primitive.pixels().size(); ++i) {
         study.pixels += frame.primitive.pixels()[i] != PrimitiveId::none ? 1 : 0;
         study.other_ids += ours.primitive.pixels()[i] != traced.primitive.pixels()[i] ? 1 : 0;
@@ -167,6 +236,8 @@ ShadingStudy study_shading(const Scene& scene, const View& view, const Announce&
             for_each_technique(
                 [&](Method method, Mixing mixing) { study.scores.push_back(studio.score(method, mixing)); });
         }
+    announce("POV-Ray");
+    study.povray = asked_of_povray(scene, view, frame);
     announce("pictures");
     const Studio studio{scene, view, frame, lighting_of(view, Highlight::phong)};
     for_each_technique(

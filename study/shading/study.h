@@ -24,6 +24,16 @@ struct SceneScore {
     double rmse_to_phong = 0, largest_to_phong = 0;
 };
 
+/// Phong's method against POV-Ray's smooth triangles: directional light, Phong's highlight, white surfaces.
+struct PovrayScore {
+    std::string not_asked;   ///< why; empty where it was
+    std::size_t pixels = 0;  ///< compared
+    /// Left out: pixels at a silhouette whose mixed normal points away from the eye, which POV-Ray turns
+    /// over.
+    std::size_t turned = 0;
+    double rmse = 0, p99 = 0, largest = 0;
+};
+
 struct ScenePicture {
     std::string name;
     Plane<double> intensity, difference;  ///< difference: from Phong at Embree's hits, absolute
@@ -34,13 +44,15 @@ struct ShadingStudy {
     std::size_t pixels = 0;     ///< compared
     std::size_t other_ids = 0;  ///< left out: edges, mostly
     std::vector<SceneScore> scores;
+    PovrayScore povray;
     std::vector<ScenePicture> pictures;  ///< of the directional light and Phong's highlight
 };
 
 using Announce = std::function<void(const std::string& what)>;
 
 /// The directional light comes over the viewer's shoulder, the point light hangs above and to the right of
-/// the eye by half the median depth. Throws OracleError.
+/// the eye by half the median depth. POV-Ray not being there, or refusing, is a value. Throws OracleError for
+/// Embree's.
 ShadingStudy study_shading(const Scene& scene, const View& view, const Announce& announce);
 int units_of_shading();
 

@@ -144,5 +144,15 @@ TEST(ShadingStudy, RasterizedAndTracedAgreeToRoundingAndAffineKeepsToItsBound) {
     }
 }
 
+// Both interpolate normals by the place on the triangle. A picture of 16 bits errs by half a step; POV-Ray's
+// mesh has float32 corners and normals, and a highlight's slope is its exponent.
+TEST(ShadingStudy, PovRaysSmoothTrianglesAreOurs) {
+    const Loaded loaded = sphere(2, 96);
+    const ShadingStudy study = study_shading(loaded.scene, loaded.views.front(), [](const std::string&) {});
+    ASSERT_EQ(study.povray.not_asked, "");
+    EXPECT_GT(study.povray.pixels, 3000u);
+    EXPECT_LT(study.povray.largest, 0.5 / 65535 + 2 * 40 * 0x1p-22);
+}
+
 }  // namespace
 }  // namespace zproof::study::shading
