@@ -1,6 +1,9 @@
 /// What a caller learns from the exit status alone (docs/cli.md). Never a count.
 #pragma once
 
+#include <span>
+#include <string_view>
+
 namespace zproof {
 
 enum class ExitCode : int {
@@ -13,5 +16,14 @@ enum class ExitCode : int {
     internal = 70,     ///< our own fault (EX_SOFTWARE of sysexits.h)
     interrupted = 130  ///< ended by Ctrl-C or SIGTERM; what was judged until then is written
 };
+
+/// A row of the table in docs/cli.md, word for word.
+struct ExitStatus {
+    ExitCode code;
+    std::string_view meaning;
+};
+
+/// All of them, by number.
+std::span<const ExitStatus> exit_statuses();
 
 }  // namespace zproof

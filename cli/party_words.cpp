@@ -1,5 +1,6 @@
 #include "cli/party_words.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 

@@ -1,12 +1,15 @@
 /// The options that choose renderers: --renderer, --precision, --oracle and so on.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/renderers/choice.h"
+
+namespace CLI {
+class App;
+}
 
 namespace zproof {
 

@@ -1,17 +1,61 @@
-# cmake --install: the program, the rooms as libraries, their headers, and what find_package(zproof) needs.
+# cmake --install: the program (component zproof), and the rooms as libraries with their headers and what
+# find_package(zproof) and pkg-config need (component libzproof-dev). docs/packages.md tells how they are used.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(rooms math frame scenes texture rasterizer oracle compare)
+set(rooms math frame scenes texture rasterizer oracle compare measure study reports)
 set(zproof_targets zproof_strict)
+set(zproof_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/zproof)
 foreach(room IN LISTS rooms)
     list(APPEND zproof_targets zproof_${room})
-    install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/zproof FILES_MATCHING PATTERN "*.h")
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/zproof
+            COMPONENT libzproof-dev FILES_MATCHING PATTERN "*.h")
 endforeach()
 set_target_properties(zproof_strict PROPERTIES EXPORT_NAME strict)
-install(TARGETS ${zproof_targets} EXPORT zproof)
-install(EXPORT zproof NAMESPACE zproof:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/zproof FILE zproof-targets.cmake)
-install(FILES cmake/zproof-config.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/zproof)
+install(TARGETS ${zproof_targets} EXPORT zproof ARCHIVE COMPONENT libzproof-dev)
+install(TARGETS zproof EXPORT zproof RUNTIME COMPONENT zproof)
+install(EXPORT zproof NAMESPACE zproof:: DESTINATION ${zproof_cmake_folder} FILE zproof-targets.cmake
+        COMPONENT libzproof-dev)
+
+configure_file(${CMAKE_CURRENT_LIST_DIR}/zproof-config.cmake.in ${PROJECT_BINARY_DIR}/zproof-config.cmake @ONLY)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/zproof-config-version.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/zproof-config-version.cmake
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/zproof)
+install(FILES ${PROJECT_BINARY_DIR}/zproof-config.cmake ${PROJECT_BINARY_DIR}/zproof-config-version.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/zproof_scene_test.cmake
+        DESTINATION ${zproof_cmake_folder} COMPONENT libzproof-dev)
+
+# Static libraries refer to one another in both directions: the linker must see them as one group.
+list(TRANSFORM rooms PREPEND -lzproof_ OUTPUT_VARIABLE room_flags)
+list(JOIN room_flags " " room_flags)
+set(opengl_modules "")
+get_target_property(oracle_libraries zproof_oracle LINK_LIBRARIES)
+if(OpenGL::EGL IN_LIST oracle_libraries)
+    set(opengl_modules "opengl egl")
+endif()
+# Found where the file lies, so that an installed tree may be moved.
+file(RELATIVE_PATH up_to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" pc_prefix "\${pcfiledir}/${up_to_prefix}")
+configure_file(${CMAKE_CURRENT_LIST_DIR}/zproof.pc.in ${PROJECT_BINARY_DIR}/zproof.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/zproof.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT libzproof-dev)
+
+# What a shell and man(1) want to know, as the program itself writes it.
+find_program(ZPROOF_GZIP gzip REQUIRED)
+add_custom_command(OUTPUT shell/zproof.1.gz shell/zproof shell/_zproof shell/zproof.fish DEPENDS zproof
+    COMMAND ${CMAKE_COMMAND} -E make_directory shell
+    COMMAND zproof man > shell/zproof.1
+    COMMAND ${ZPROOF_GZIP} -9 -n -f shell/zproof.1
+    COMMAND zproof completion bash > shell/zproof
+    COMMAND zproof completion zsh > shell/_zproof
+    COMMAND zproof completion fish > shell/zproof.fish)
+add_custom_target(zproof_shell ALL DEPENDS shell/zproof.1.gz)
+set(shell ${CMAKE_CURRENT_BINARY_DIR}/shell)
+install(FILES ${shell}/zproof.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT zproof)
+install(FILES ${shell}/zproof DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT zproof)
+install(FILES ${shell}/zproof.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT zproof)
+foreach(folder site-functions vendor-completions)  # below /usr/local, and below /usr, as Debian's zsh looks
+    install(FILES ${shell}/_zproof DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${folder} COMPONENT zproof)
+endforeach()
+
+install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT zproof)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT zproof
+        FILES_MATCHING PATTERN "*.md" PATTERN "*.png")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT libzproof-dev)

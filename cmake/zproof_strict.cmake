@@ -8,10 +8,14 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3 -g1")
 
 add_library(zproof_strict INTERFACE)
 target_include_directories(zproof_strict INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/zproof>)
-# Warnings are ours alone; the floating-point rules also hold for whoever compiles our headers.
+# Warnings are ours alone, not those of a project that has us as a subfolder; the floating-point rules also hold for
+# whoever compiles our headers.
+if(PROJECT_IS_TOP_LEVEL)
+    target_compile_options(zproof_strict INTERFACE
+        $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wnon-virtual-dtor;-Wold-style-cast>
+        $<BUILD_INTERFACE:-Woverloaded-virtual;-Werror>)
+endif()
 target_compile_options(zproof_strict INTERFACE
-    $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wnon-virtual-dtor;-Wold-style-cast>
-    $<BUILD_INTERFACE:-Woverloaded-virtual;-Werror>
     -ffp-contract=off -fno-fast-math
     # g++ 12 drops the rounding of two neighbouring floats that become doubles (tests/math/compiler_test.cpp).
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>

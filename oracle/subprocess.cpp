@@ -91,17 +91,25 @@ struct Tap {
     }
 };
 
+/// What a program is started with.
+struct Start {
+    std::vector<std::string> arguments;
+    std::filesystem::path folder;
+    int input, output, complaints;  ///< files that it gets as 0, 1 and 2
+    pid_t group;                    ///< the process group that it joins; 0: it leads one of its own
+};
+
 /// posix_spawn's two arguments that C must free.
 class SpawnPlan {
   public:
-    SpawnPlan(const Command& command, const Tap& output, const Tap& complaints) {
+    SpawnPlan(const Start& start, const Command& command) {
         require(posix_spawn_file_actions_init(&actions_), command);
         require(posix_spawnattr_init(&attributes_), command);
-        require(posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0), command);
-        require(posix_spawn_file_actions_adddup2(&actions_, output.theirs.number(), 1), command);
-        require(posix_spawn_file_actions_adddup2(&actions_, complaints.theirs.number(), 2), command);
-        require(posix_spawn_file_actions_addchdir_np(&actions_, command.folder.c_str()), command);
-        set_signals();
+        require(posix_spawn_file_actions_adddup2(&actions_, start.input, 0), command);
+        require(posix_spawn_file_actions_adddup2(&actions_, start.output, 1), command);
+        require(posix_spawn_file_actions_adddup2(&actions_, start.complaints, 2), command);
+        require(posix_spawn_file_actions_addchdir_np(&actions_, start.folder.c_str()), command);
+        set_signals_and_group(start.group);
     }
     ~SpawnPlan() {
         posix_spawn_file_actions_destroy(&actions_);
@@ -110,8 +118,7 @@ class SpawnPlan {
     SpawnPlan(const SpawnPlan&) = delete;
     SpawnPlan& operator=(const SpawnPlan&) = delete;
 
-    pid_t carry_out(const Command& command) const {
-        std::vector<std::string> arguments = command.arguments;
+    pid_t carry_out(std::vector<std::string> arguments, const Command& command) const {
         std::vector<char*> pointers;
         for (std::string& argument : arguments) pointers.push_back(argument.data());
         pointers.push_back(nullptr);
@@ -122,15 +129,15 @@ class SpawnPlan {
     }
 
   private:
-    /// A group of its own, no signal blocked, those that a parent may have set aside as they were.
-    void set_signals() {
+    /// No signal blocked, those that a parent may have set aside as they were.
+    void set_signals_and_group(pid_t group) {
         sigset_t none, as_usual;
         sigemptyset(&none);
         sigemptyset(&as_usual);
         for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGHUP, SIGCHLD}) sigaddset(&as_usual, signal);
         posix_spawnattr_setflags(&attributes_,
                                  POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-        posix_spawnattr_setpgroup(&attributes_, 0);
+        posix_spawnattr_setpgroup(&attributes_, group);
         posix_spawnattr_setsigmask(&attributes_, &none);
         posix_spawnattr_setsigdefault(&attributes_, &as_usual);
     }
@@ -139,11 +146,65 @@ class SpawnPlan {
     posix_spawnattr_t attributes_;
 };
 
+pid_t spawned(const Start& start, const Command& command) {
+    return SpawnPlan(start, command).carry_out(start.arguments, command);
+}
+
+void reap(pid_t id, int* status) {
+    while (waitpid(id, status, 0) < 0 && errno == EINTR) {
+    }
+}
+
+/// Leads a command's process group, and kills that group as soon as we are no more, whichever way we went: it
+/// waits for the end of a pipe whose other end nobody but this process holds. Not even SIGKILL, or a second
+/// Ctrl-C, leaves a command running.
+class Guardian {
+  public:
+    Guardian(const Command& command, const FileDescriptor& nowhere) {
+        std::array<int, 2> ends{};
+        require(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno, command);
+        const FileDescriptor theirs(ends[0]);
+        ours_ = FileDescriptor(ends[1]);
+        id_ = spawned({.arguments = {"/bin/sh", "-c", "read nothing; kill -9 0"},
+                       .folder = "/",
+                       .input = theirs.number(),
+                       .output = nowhere.number(),
+                       .complaints = nowhere.number(),
+                       .group = 0},
+                      command);
+    }
+    ~Guardian() { end_group(); }
+    Guardian(const Guardian&) = delete;
+    Guardian& operator=(const Guardian&) = delete;
+
+    pid_t group() const { return id_; }
+
+    /// The number of the group is nobody else's until its leader is reaped.
+    void end_group() {
+        if (id_ == 0) return;
+        ::kill(-id_, SIGKILL);
+        reap(std::exchange(id_, 0), nullptr);
+    }
+
+  private:
+    FileDescriptor ours_;
+    pid_t id_ = 0;
+};
+
 /// A started command. Nothing of its process group outlives this object.
 class Child {
   public:
-    Child(const Command& command, const SpawnPlan& plan)
-        : id_(plan.carry_out(command)), watched_(pidfd_open(id_, 0)) {
+    Child(const Command& command, const Tap& output, const Tap& complaints)
+        : nowhere_(open("/dev/null", O_RDWR | O_CLOEXEC)),
+          guardian_(command, nowhere_),
+          id_(spawned({.arguments = command.arguments,
+                       .folder = command.folder,
+                       .input = nowhere_.number(),
+                       .output = output.theirs.number(),
+                       .complaints = complaints.theirs.number(),
+                       .group = guardian_.group()},
+                      command)),
+          watched_(pidfd_open(id_, 0)) {
         if (watched_.is_open()) return;
         const int reason = errno;
         end();
@@ -156,19 +217,18 @@ class Child {
     /// Readable once the command has ended.
     int watched() const { return watched_.number(); }
 
-    /// Kills the group while the unreaped child still keeps its number from being given away, then reaps.
-    /// The status as waitpid reports it; nothing the second time.
+    /// Kills the group, then reaps. The status as waitpid reports it; nothing the second time.
     std::optional<int> end() {
         if (id_ == 0) return std::nullopt;
-        ::kill(-id_, SIGKILL);
+        guardian_.end_group();
         int status = 0;
-        while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
-        }
-        id_ = 0;
+        reap(std::exchange(id_, 0), &status);
         return status;
     }
 
   private:
+    FileDescriptor nowhere_;
+    Guardian guardian_;
     pid_t id_;
     FileDescriptor watched_;
 };
@@ -206,7 +266,7 @@ std::vector<std::string> shell_line(std::string line) { return {"/bin/sh", "-c",
 Outcome run(const Command& command) {
     const Clock::time_point deadline = Clock::now() + command.time_limit;
     Tap output(command), complaints(command);
-    Child child(command, SpawnPlan(command, output, complaints));
+    Child child(command, output, complaints);
     output.theirs.close();
     complaints.theirs.close();
     const Waited waited = wait_for(child, output, complaints, deadline);

@@ -36,9 +36,9 @@ struct Outcome {
 };
 
 /// Runs the command and waits for it. It stands in a process group of its own, and whatever of that group is
-/// left when the command has ended, or when its time is up, is killed; so a child that the command left
-/// behind neither lives on nor keeps us waiting. Throws OracleError, naming program and reason, where it
-/// cannot be started.
+/// left when the command has ended, when its time is up, or when this process is no more, is killed; so a
+/// child that the command left behind neither lives on nor keeps us waiting. Throws OracleError, naming
+/// program and reason, where it cannot be started.
 Outcome run(const Command& command);
 
 /// The last thousand characters of what it complained of, or else of what it said; for a message.

@@ -14,27 +14,12 @@
 namespace zproof {
 namespace {
 
-constexpr const char* run_examples = R"(
-  zproof filters run checker_plane --view phi-45 --truth B -o study
-                                                             every method on one view
-  zproof filters run worked --methods all,sat-strips:n=16    a method with a setting (see below)
-  zproof filters run model.glb --methods nearest,trilinear-gl,ewa-true
-  zproof filters table study                                 the figures on the terminal
-
-Settings of a method, NAME:key=value:key=value:
-)";
-
 const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automatic},
                                                   {"bar", ProgressStyle::bar},
                                                   {"lines", ProgressStyle::lines},
                                                   {"none", ProgressStyle::none}};
 
-constexpr const char* check_examples = R"(
-  zproof filters check trilinear-gl checker_plane --view phi-45
-  zproof filters check all                       every method on every filter scene
-  zproof filters check trilinear-gl worked --view phi-0 --picture mine.exr --precision weight_bits=8
-                                                 your own picture (R, G, B, linear light) of that view
-
+constexpr const char* check_remark = R"(
 What may be promised, each by default as exactly as zproof's own filters: arithmetic_bits, coordinate_bits,
 displacement_px, step_bits, place_bits, weight_bits, lod_bits, tap_bits, sum_bits, texel_bits, colour_bits
 (docs/filter-conformance.md).
@@ -59,10 +44,12 @@ void add_threads(CLI::App& app, int& threads) {
 }
 
 template <class T>
-void add_word(CLI::App& app, const std::string& option, T& value, const std::map<std::string, T>& choices) {
+CLI::Option* add_word(CLI::App& app, const std::string& option, T& value,
+                      const std::map<std::string, T>& choices) {
     std::vector<std::string> words;
     for (const auto& [word, meaning] : choices) words.push_back(word);
-    app.add_option_function<std::string>(option, [&](const std::string& word) { value = choices.at(word); })
+    return app
+        .add_option_function<std::string>(option, [&](const std::string& word) { value = choices.at(word); })
         ->check(CLI::IsMember(words));
 }
 
@@ -82,14 +69,15 @@ void add_run(CLI::App& app, FiltersWords& words) {
         ->check(CLI::Range(0, 32))
         ->capture_default_str();
     app.add_option("-o,--out", words.run.out, "folder for the study")->capture_default_str();
-    add_word(app, "--progress", words.run.progress, styles);
+    add_word(app, "--progress", words.run.progress, styles)
+        ->description("how it is told on stderr; auto: a bar on a terminal, else lines");
     app.add_option("--view", words.views, "names of views, separated by commas; default: all of every scene");
     app.add_option("--first-row", words.run.first_row,
                    "rows above count in the regions all and horizon only; default 0, of 'worked' 56 of 256")
         ->check(CLI::Range(0, 32767));
     add_size(app, words.run.width, words.run.height);
     add_threads(app, words.run.threads);
-    app.footer(run_examples + filter_settings_help());
+    app.footer("\nSettings of a method, NAME:key=value:key=value:\n" + filter_settings_help());
 }
 
 void add_table(CLI::App& app, FiltersWords& words) {
@@ -120,7 +108,7 @@ void add_check(CLI::App& app, FiltersWords& words) {
     app.add_option("--precision", words.precision, "what the filter promises, as key=value,key=value");
     add_size(app, words.check.width, words.check.height);
     add_threads(app, words.check.threads);
-    app.footer(check_examples);
+    app.footer(check_remark);
 }
 
 std::vector<std::string> split(const std::string& text) {

@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
+#include <thread>
 
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
@@ -92,6 +94,13 @@ class Witnessed {
     ~Witnessed() { close(reader_); }
     std::string path() const { return scratch_.path() / "fifo"; }
 
+    /// The first character, once somebody has opened the FIFO and written it.
+    char first_character() const {
+        char c = 0;
+        while (read(reader_, &c, 1) != 1) std::this_thread::yield();
+        return c;
+    }
+
     std::string all_that_was_written() const {
         std::string text;
         for (char c; read(reader_, &c, 1) == 1;) text += c;
@@ -117,6 +126,24 @@ TEST(Subprocess, AChildLeftBehindIsEndedAndNotWaitedFor) {
     const std::string line = "exec 3>" + fifo.path() + "; echo started >&3; (sleep 20; echo survived >&3) &";
     EXPECT_TRUE(run_line(line).succeeded());
     EXPECT_EQ(fifo.all_that_was_written(), "started\n");
+}
+
+/// A process that runs the line and is killed, with no chance to tidy up, as soon as the line has begun.
+void kill_amid(const std::string& line, const Witnessed& fifo) {
+    const pid_t runner = fork();
+    if (runner == 0) {
+        run_line(line);
+        _exit(0);
+    }
+    EXPECT_EQ(fifo.first_character(), 's');
+    kill(runner, SIGKILL);
+    waitpid(runner, nullptr, 0);
+}
+
+TEST(Subprocess, NothingOutlivesTheProcessThatRanIt) {
+    const Witnessed fifo;
+    kill_amid("exec 3>" + fifo.path() + "; echo started >&3; (sleep 20; echo survived >&3) & wait", fifo);
+    EXPECT_EQ(fifo.all_that_was_written(), "tarted\n");
 }
 
 TEST(Subprocess, AMissingProgramIsNamed) {

@@ -1,0 +1,22 @@
+/// The commands, each with its options: one function adds one command to the tree. Words must outlive it.
+#pragma once
+
+#include "cli/command_line/words.h"
+
+namespace zproof {
+
+Branch add_run(CLI::App& parent, CommandWords& words);
+Branch add_compare(CLI::App& parent, CommandWords& words);
+Branch add_explain(CLI::App& parent, CommandWords& words);
+Branch add_render(CLI::App& parent, CommandWords& words);
+Branch add_measure(CLI::App& parent, CommandWords& words);
+Branch add_contract_check(CLI::App& parent, CommandWords& words);
+Branch add_selftest(CLI::App& parent, CommandWords& words);
+Branch add_list(CLI::App& parent);
+Branch add_scenes(CLI::App& parent, CommandWords& words);
+Branch add_filters(CLI::App& parent, CommandWords& words);
+Branch add_study(CLI::App& parent, CommandWords& words);
+Branch add_completion(CLI::App& parent, CommandWords& words);
+Branch add_man(CLI::App& parent);
+
+}  // namespace zproof

@@ -1,0 +1,84 @@
+#include "cli/command_line/examples.h"
+
+#include <array>
+
+namespace zproof {
+namespace {
+
+constexpr auto all = std::to_array<Example>({
+    {"", "zproof run", "judge the built-in suite, write zproof-out/"},
+    {"", "zproof contract-check './mine {scene} {camera} {width} {height} {out}'",
+     "does your own renderer keep the contract?"},
+    {"", "zproof explain model.glb 812 344", "tell the whole story of one pixel"},
+    {"run", "zproof run", "the built-in suite, into zproof-out/"},
+    {"run", "zproof run models/ -o out", "every .gltf, .glb and .view.json below models/"},
+    {"run", "zproof run model.glb --renderer './mine {scene} {camera} {width} {height} {out}'",
+     "your own renderer"},
+    {"compare", "zproof compare frame.exr model.glb --view cam", "one stored frame, against Embree"},
+    {"compare", "zproof compare a.exr b.exr --scene model.glb",
+     "one against the other, and both against the scene"},
+    {"explain", "zproof explain model.glb 812 344", "column 812, row 344 of the scene's first view"},
+    {"explain", "zproof explain room 812 344 --view floor --renderer opengl",
+     "of that view, as OpenGL draws it"},
+    {"explain", "zproof explain model.glb 812 344 --candidate frame.exr", "of a stored frame"},
+    {"render", "zproof render textured_ground -o out", "VIEW.exr, id, depth and colour pictures"},
+    {"render", "zproof render model.glb --filter trilinear-gl", "also VIEW-filtered.exr and .png"},
+    {"render", "zproof render model.glb --filter nearest:uv=affine", "a filter with a setting"},
+    {"measure", "zproof measure zproof", "a table: measured, declared, and whether it is kept"},
+    {"measure", "zproof measure zproof --json", "the same for programs"},
+    {"measure", "zproof measure opengl", "an OpenGL driver"},
+    {"contract-check", "zproof contract-check './mine {scene} {camera} {width} {height} {out}'",
+     "three small scenes; what is wrong is said in words"},
+    {"contract-check",
+     "zproof contract-check './mine {scene} {camera} {width} {height} {out}' --precision ray",
+     "judged as a ray caster"},
+    {"selftest", "zproof selftest", "known faults, each injected into a good frame"},
+    {"selftest", "zproof selftest --threads 1", "the same verdicts on one thread"},
+    {"list", "zproof list", "the built-in suite, each scene with its reason"},
+    {"scenes generate", "zproof scenes generate", "the whole suite, into zproof-scenes/"},
+    {"scenes generate", "zproof scenes generate room oblique -o scenes", "two scenes of it"},
+    {"filters run", "zproof filters run checker_plane --view phi-45 --truth B -o study",
+     "every method on one view"},
+    {"filters run", "zproof filters run worked --methods all,sat-strips:n=16", "a method with a setting"},
+    {"filters run", "zproof filters run model.glb --methods nearest,trilinear-gl,ewa-true",
+     "three methods on a scene of your own"},
+    {"filters list", "zproof filters list", "methods, metrics and scenes"},
+    {"filters table", "zproof filters table study", "a study's figures on the terminal"},
+    {"filters table", "zproof filters table study --region silhouette --latex",
+     "another region, as a LaTeX table"},
+    {"filters figure", "zproof filters figure study --methods ewa-true,nearest",
+     "plots that name these two in colour"},
+    {"filters figure", "zproof filters figure study --crop 16,24,32,32", "crops of this part of the picture"},
+    {"filters check", "zproof filters check trilinear-gl checker_plane --view phi-45",
+     "one method on one view"},
+    {"filters check", "zproof filters check all", "every method on every filter scene"},
+    {"filters check",
+     "zproof filters check trilinear-gl worked --view phi-0 --picture mine.exr --precision weight_bits=8",
+     "your own picture (R, G, B, linear light) of that view"},
+    {"filters crow", "zproof filters crow -o crow", "the lecture's figure and its questions, answered"},
+    {"study projection", "zproof study projection", "a cube, every route from world to pixel"},
+    {"study projection", "zproof study projection model.glb -o study", "a scene of your own"},
+    {"completion", "zproof completion bash > zproof.bash", "then: source zproof.bash"},
+    {"completion", "zproof completion fish > zproof.fish", "for ~/.config/fish/completions/"},
+    {"man", "zproof man > zproof.1", "then: man ./zproof.1"},
+});
+
+constexpr std::size_t column = 40;
+
+}  // namespace
+
+std::span<const Example> examples() { return all; }
+
+std::string examples_in_words(std::string_view command) {
+    std::string text;
+    for (const Example& example : all) {
+        if (example.command != command) continue;
+        std::string line = "  " + std::string{example.line};
+        if (line.size() + 2 > column) line += "\n";
+        const std::size_t used = line.back() == '\n' ? 0 : line.size();
+        text += line + std::string(column - used, ' ') + std::string{example.meaning} + "\n";
+    }
+    return text;
+}
+
+}  // namespace zproof

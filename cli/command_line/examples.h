@@ -1,0 +1,22 @@
+/// Worked examples of every command: the help and the manual page begin with them, and a test runs each.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace zproof {
+
+struct Example {
+    std::string_view command;  ///< "run", "filters check"; empty: of zproof as a whole
+    std::string_view line;     ///< as typed in a shell
+    std::string_view meaning;  ///< a few words
+};
+
+/// All of them, in the order of the commands.
+std::span<const Example> examples();
+
+/// Those of one command, a line or two each, ending in a newline; empty where it has none.
+std::string examples_in_words(std::string_view command);
+
+}  // namespace zproof

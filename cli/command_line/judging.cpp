@@ -1,0 +1,74 @@
+// The commands that judge: run, compare, explain.
+#include "cli/command_line/branches.h"
+#include "cli/command_line/options.h"
+
+namespace zproof {
+namespace {
+
+constexpr const char* compare_remark = R"(
+The frames' own resolution is taken. Exit status as for run.)";
+
+/// SCENE, or a second frame where --scene names the scene.
+void add_frames(CLI::App& app, CompareArguments& compare, PartyWords& words) {
+    app.add_option("CANDIDATE", words.candidate, "frame to be judged (.exr with id and Z)")->required();
+    auto* other =
+        app.add_option("SCENE", compare.scene, std::string{scene_words} + "; with --scene: a frame");
+    other->required();
+    app.add_option_function<std::string>(
+        "--scene",
+        [&compare, &words, other](const std::string& scene) {
+            words.reference = other->as<std::string>();
+            compare.scene = scene;
+        },
+        "the scene, where both words are frames");
+}
+
+}  // namespace
+
+Branch add_run(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("run", "render, ask the reference, judge, write the reports");
+    app.add_option("SCENE", words.run.scenes,
+                   std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
+    add_renderer_options(app, words.parties);
+    add_witness_options(app, words.parties);
+    add_render_settings(app, words.run.settings);
+    add_report(app, words.run.report);
+    return {&app, [&words] {
+                words.run.parties = parties_of(words.parties);
+                return words.run;
+            }};
+}
+
+Branch add_compare(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("compare", "judge frames that were rendered elsewhere");
+    add_frames(app, words.compare, words.parties);
+    app.add_option("--view", words.compare.view, "name of the view; needed where the scene has several");
+    add_precision_options(app, words.parties);
+    add_reference_precision(app, words.parties);
+    add_witness_options(app, words.parties);
+    add_threads(app, words.compare.threads);
+    add_report(app, words.compare.report);
+    app.footer(compare_remark);
+    return {&app, [&words] {
+                words.compare.parties = parties_of(words.parties);
+                return words.compare;
+            }};
+}
+
+Branch add_explain(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("explain", "tell the whole story of one pixel");
+    ExplainArguments& explain = words.explain;
+    app.add_option("SCENE", explain.scene, scene_words)->required();
+    app.add_option("X", explain.x, "pixel column, 0 = left")->required()->check(CLI::Range(0, 32767));
+    app.add_option("Y", explain.y, "pixel row, 0 = top")->required()->check(CLI::Range(0, 32767));
+    app.add_option("--view", explain.view, "name of the view; default: the scene's first");
+    add_renderer_options(app, words.parties);
+    add_stored_frame_options(app, words.parties);
+    add_render_settings(app, explain.settings);
+    return {&app, [&words] {
+                words.explain.parties = parties_of(words.parties);
+                return words.explain;
+            }};
+}
+
+}  // namespace zproof

@@ -1,0 +1,31 @@
+/// Options that several commands have in common.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cli/arguments.h"
+
+namespace zproof {
+
+inline constexpr const char* scene_words = "suite scene, .gltf or .glb file, or view file (.json)";
+
+/// Binds a word from a fixed list; the help shows the list, an unknown word is a usage error.
+template <class T>
+CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value,
+                        const std::map<std::string, T>& choices) {
+    std::vector<std::string> words;
+    for (const auto& [word, meaning] : choices) words.push_back(word);
+    return app
+        .add_option_function<std::string>(option, [&](const std::string& word) { value = choices.at(word); })
+        ->check(CLI::IsMember(words))
+        ->default_str("auto");
+}
+
+void add_threads(CLI::App& app, int& threads);
+void add_render_settings(CLI::App& app, RenderSettings& settings);  ///< --width, --height, --threads
+void add_report(CLI::App& app, ReportArguments& report);            ///< --out, --color and what is printed
+
+}  // namespace zproof

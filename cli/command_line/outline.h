@@ -1,0 +1,45 @@
+/// The command line as plain text values, for what is written from it: completions and the manual page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace zproof {
+
+enum class Takes {
+    nothing,  ///< a flag
+    one,      ///< one value
+    many,     ///< any number of values
+};
+
+struct OutlineOption {
+    std::vector<std::string> names;    ///< "-o", "--out"; a positional's one name, "SCENE"
+    Takes takes = Takes::nothing;      ///< of positionals: one or many
+    std::vector<std::string> choices;  ///< the only words that it takes; empty: others
+    std::string kind;                  ///< "TEXT", "INT in [1 - 1024]"; empty for a flag
+    std::string description;
+    std::string default_value;  ///< empty: none
+};
+
+struct OutlineCommand {
+    std::string path;  ///< "run", "filters check"; empty: zproof itself
+    std::string description;
+    std::string footer;
+    std::vector<OutlineOption> options;      ///< in the order of the help; --help first
+    std::vector<OutlineOption> positionals;  ///< in the order of the command line
+    std::vector<OutlineCommand> commands;    ///< below it
+
+    std::string name() const;  ///< the last word of the path
+};
+
+/// Everything that the tree can parse.
+OutlineCommand outline_of(const CLI::App& root);
+
+/// Those that can be given by themselves, that is those with no command below them, in order.
+std::vector<OutlineCommand> leaves_of(const OutlineCommand& root);
+
+}  // namespace zproof

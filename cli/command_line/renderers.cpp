@@ -1,0 +1,91 @@
+// The commands that look at renderers and scenes without judging a run: render, measure, contract-check,
+// selftest, list, scenes.
+#include "cli/command_line/branches.h"
+#include "cli/command_line/options.h"
+#include "cli/usage_error.h"
+
+namespace zproof {
+namespace {
+
+constexpr const char* measure_remark =
+    "\nExit status: 0 everything as declared, 1 worse than declared, 2 no such renderer.";
+
+constexpr const char* contract_remark =
+    "\nThree small scenes. Exit status: 0 the contract is kept, 1 a frame is wrong, 3 no frame came.";
+
+}  // namespace
+
+Branch add_render(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("render", "write a renderer's frames as EXR and PNG, not judged");
+    app.add_option("SCENE", words.render.scene, scene_words)->required();
+    app.add_option("-o,--out", words.render.out, "folder for the frames")->capture_default_str();
+    add_renderer_options(app, words.parties);
+    app.add_option("--filter", words.parties.filter,
+                   "also write textures as this method reads them: NAME[:key=value]...");
+    add_render_settings(app, words.render.settings);
+    app.footer("\nSettings of a filter, NAME:key=value:key=value:\n" + filter_settings_help());
+    return {&app, [&words] {
+                words.render.renderer = candidate_of(words.parties);
+                if (!words.parties.filter.empty()) words.render.filter = filter_choice(words.parties.filter);
+                return words.render;
+            }};
+}
+
+Branch add_measure(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand(
+        "measure", "what a renderer really does: sub-pixel grid, fill side, depth steps, watertightness");
+    app.add_option("RENDERER", words.parties.renderer,
+                   "a name, or 'CMD {scene} {camera} {width} {height} {out}'")
+        ->required();
+    add_precision_options(app, words.parties);
+    app.add_flag_callback(
+        "--json", [&words] { words.measure.format = MeasurementFormat::json; },
+        "print JSON instead of a table");
+    app.footer(measure_remark);
+    return {&app, [&words] {
+                words.measure.renderer = candidate_of(words.parties);
+                return words.measure;
+            }};
+}
+
+Branch add_contract_check(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand(
+        "contract-check", "does a program keep the renderer contract? three small scenes, answers in words");
+    app.add_option("COMMAND", words.parties.renderer,
+                   "with {scene}, {camera}, {width}, {height} and {out} in it")
+        ->required();
+    add_precision_options(app, words.parties);
+    add_threads(app, words.contract_check.threads);
+    app.footer(contract_remark);
+    return {&app, [&words] {
+                words.contract_check.renderer = candidate_of(words.parties);
+                return words.contract_check;
+            }};
+}
+
+Branch add_selftest(CLI::App& parent, CommandWords& words) {
+    CLI::App& app =
+        *parent.add_subcommand("selftest", "see the gate fail: inject known faults into good frames");
+    add_threads(app, words.selftest.threads);
+    return {&app, [&words] { return words.selftest; }};
+}
+
+Branch add_list(CLI::App& parent) {
+    CLI::App& app = *parent.add_subcommand("list", "the built-in suite: each scene with its reason");
+    return {&app, [] { return ListArguments{}; }};
+}
+
+Branch add_scenes(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("scenes", "the built-in suite as files");
+    CLI::App& generate = *app.add_subcommand("generate", "write suite scenes as .glb and .view.json");
+    app.require_subcommand(0, 1);
+    generate.add_option("NAME", words.generate.names, "suite scenes (zproof list); none: all");
+    generate.add_option("-o,--out", words.generate.out, "folder for the files")->capture_default_str();
+    return {&app, [&words, &generate] {
+                if (!generate.parsed())
+                    throw UsageError{"scenes: 'generate' expected (see: zproof scenes --help)"};
+                return words.generate;
+            }};
+}
+
+}  // namespace zproof

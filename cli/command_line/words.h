@@ -1,0 +1,39 @@
+/// What is bound while a command line is read.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "cli/arguments.h"
+#include "cli/party_words.h"
+
+namespace CLI {
+class App;
+}
+
+namespace zproof {
+
+/// Every command's arguments with their defaults; an option writes into them as it is read.
+struct CommandWords {
+    PartyWords parties;
+    RunArguments run;
+    CompareArguments compare;
+    ExplainArguments explain;
+    RenderArguments render;
+    MeasureArguments measure;
+    ContractCheckArguments contract_check;
+    SelftestArguments selftest;
+    GenerateArguments generate;
+    FiltersWords filters;
+    StudyArguments study;
+    std::string shell;  ///< whose completion
+};
+
+/// A command of the tree, and how its words become arguments once they are read. Throws UsageError where they
+/// mean nothing.
+struct Branch {
+    CLI::App* app;
+    std::function<Command()> understood;
+};
+
+}  // namespace zproof

@@ -1,0 +1,128 @@
+#include "cli/completion/candidates.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "cli/renderers/roster.h"
+#include "compare/pixel_class.h"
+#include "scenes/filter_scenes.h"
+#include "scenes/suite.h"
+#include "study/filters/regions.h"
+#include "texture/catalogue.h"
+
+namespace zproof {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words suite_names() {
+    Words names;
+    for (const SuiteEntry& entry : suite_manifest()) names.push_back(entry.name);
+    return names;
+}
+
+Words filter_scene_names() {
+    Words names;
+    for (const FilterSceneEntry& entry : filter_scenes()) names.push_back(entry.name);
+    return names;
+}
+
+Words method_names() {
+    Words names;
+    for (const texture::Method& method : texture::methods()) names.push_back(method.name);
+    return names;
+}
+
+Words region_names() {
+    Words names;
+    for (const study::RegionCard& card : study::region_cards())
+        if (card.name.find(' ') == std::string::npos) names.push_back(card.name);
+    return names;
+}
+
+Words class_names() {
+    Words names;
+    for (int c = 0; c < pixel_class_count; ++c) names.emplace_back(name_of(PixelClass(c)));
+    return names;
+}
+
+Words with(Words words, const Words& more) {
+    std::ranges::copy(more, std::back_inserter(words));
+    return words;
+}
+
+Candidates scenes(const OutlineCommand& command) {
+    if (command.path.starts_with("filters"))
+        return {with(filter_scene_names(), suite_names()), Paths::files, Listing::single};
+    if (command.path == "run") return {with({"suite"}, suite_names()), Paths::files, Listing::single};
+    return {suite_names(), Paths::files, Listing::single};
+}
+
+Candidates promises(const OutlineCommand& command) {
+    if (command.path.starts_with("filters")) return {};  // key=value,key=value
+    return {{"raster", "ray", "plane_ray"}, Paths::files, Listing::single};
+}
+
+/// One name that stands for the same wherever it occurs.
+struct Meaning {
+    const char* name;
+    Candidates (*candidates)(const OutlineCommand& command);
+};
+
+constexpr std::array meanings{
+    Meaning{"SCENE", scenes},
+    Meaning{"--scene", scenes},
+    Meaning{"NAME", [](const OutlineCommand&) { return Candidates{suite_names()}; }},
+    Meaning{"RENDERER", [](const OutlineCommand&) { return Candidates{renderer_names()}; }},
+    Meaning{"--renderer", [](const OutlineCommand&) { return Candidates{renderer_names()}; }},
+    Meaning{"--oracle",
+            [](const OutlineCommand&) {
+                return Candidates{with({"none"}, renderer_names()), Paths::none, Listing::by_comma};
+            }},
+    Meaning{"--require",
+            [](const OutlineCommand&) {
+                return Candidates{renderer_names(), Paths::none, Listing::by_comma};
+            }},
+    Meaning{"--filter", [](const OutlineCommand&) { return Candidates{method_names()}; }},
+    Meaning{"--methods",
+            [](const OutlineCommand&) {
+                return Candidates{with({"all"}, method_names()), Paths::none, Listing::by_comma};
+            }},
+    Meaning{"METHODS",
+            [](const OutlineCommand&) {
+                return Candidates{with({"all"}, method_names()), Paths::none, Listing::by_comma};
+            }},
+    Meaning{"--region", [](const OutlineCommand&) { return Candidates{region_names()}; }},
+    Meaning{"--class", [](const OutlineCommand&) { return Candidates{class_names()}; }},
+    Meaning{"--precision", promises},
+    Meaning{"--reference-precision", promises},
+    Meaning{"--out",
+            [](const OutlineCommand&) {
+                return Candidates{{}, Paths::folders};
+            }},
+    Meaning{"DIR",
+            [](const OutlineCommand&) {
+                return Candidates{{}, Paths::folders};
+            }},
+    Meaning{"--view", [](const OutlineCommand&) { return Candidates{}; }},
+    Meaning{"--crop", [](const OutlineCommand&) { return Candidates{}; }},
+};
+
+bool is_number(const std::string& kind) {
+    return std::ranges::any_of(std::array{"INT", "UINT", "FLOAT"},
+                               [&](const char* number) { return kind.starts_with(number); });
+}
+
+}  // namespace
+
+Candidates candidates_for(const OutlineCommand& command, const OutlineOption& option) {
+    if (!option.choices.empty()) return {option.choices};
+    for (const std::string& name : option.names) {
+        const auto meaning = std::ranges::find_if(meanings, [&](const Meaning& m) { return m.name == name; });
+        if (meaning != meanings.end()) return meaning->candidates(command);
+    }
+    return {{}, is_number(option.kind) ? Paths::none : Paths::files};
+}
+
+}  // namespace zproof

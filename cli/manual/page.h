@@ -1,0 +1,13 @@
+/// The manual page zproof(1), written from the command line's own tree.
+#pragma once
+
+#include <string>
+
+#include "cli/command_line/outline.h"
+
+namespace zproof {
+
+/// In the roff of man(7), as `man` and groff read it without a warning.
+std::string manual_page(const OutlineCommand& root);
+
+}  // namespace zproof

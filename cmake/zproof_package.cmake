@@ -1,0 +1,43 @@
+# cpack -G DEB in the build folder: zproof_VERSION_ARCH.deb, the program, and libzproof-dev_VERSION_ARCH.deb, the libraries.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME zproof)
+set(ZPROOF_MAINTAINER "The authors of zproof <noreply@zproof.invalid>" CACHE STRING "who answers for the packages")
+set(CPACK_PACKAGE_CONTACT ${ZPROOF_MAINTAINER})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_COMPONENTS_ALL zproof libzproof-dev)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+
+set(CPACK_DEBIAN_ZPROOF_PACKAGE_NAME zproof)
+set(CPACK_DEBIAN_ZPROOF_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_ZPROOF_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_ZPROOF_PACKAGE_RECOMMENDS "povray, libgl1-mesa-dri")
+set(CPACK_COMPONENT_ZPROOF_DESCRIPTION "zproof renders a scene with the rasterizer under test, asks independent
+references what every pixel should hold, and decides every difference from
+the geometry itself, with error bounds derived from the arithmetic that the
+renderer declares. No threshold is tuned and no golden image is kept.")
+
+# What find_package(zproof) and zproof.pc ask for.
+set(CPACK_DEBIAN_LIBZPROOF-DEV_PACKAGE_NAME libzproof-dev)
+set(CPACK_DEBIAN_LIBZPROOF-DEV_PACKAGE_SECTION libdevel)
+set(development_packages "zproof (= ${PROJECT_VERSION})" libboost-dev libegl-dev libembree-dev libglm-dev libgmp-dev
+    libopengl-dev libopenimageio-dev libtbb-dev libtinygltf-dev nlohmann-json3-dev openimageio-tools zlib1g-dev)
+list(JOIN development_packages ", " CPACK_DEBIAN_LIBZPROOF-DEV_PACKAGE_DEPENDS)
+set(CPACK_COMPONENT_LIBZPROOF-DEV_DESCRIPTION "Static libraries, headers, CMake package and pkg-config file: load a scene,
+trace it, and hand your own frames to the judge.")
+
+# Debian's own two files of every package.
+configure_file(${PROJECT_SOURCE_DIR}/cmake/debian/changelog.in ${PROJECT_BINARY_DIR}/changelog @ONLY)
+add_custom_command(OUTPUT changelog.gz DEPENDS ${PROJECT_BINARY_DIR}/changelog
+    COMMAND ${ZPROOF_GZIP} -9 -n -c changelog > changelog.gz)
+add_custom_target(zproof_changelog ALL DEPENDS changelog.gz)
+foreach(package zproof libzproof-dev)
+    install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian/copyright ${PROJECT_BINARY_DIR}/changelog.gz
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${package})
+endforeach()
+include(CPack)

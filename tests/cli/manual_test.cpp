@@ -1,0 +1,110 @@
+// The manual page, the help, and what docs/cli.md says: one and the same.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "cli/command_line/examples.h"
+#include "cli/command_line/outline.h"
+#include "cli/command_line/tree.h"
+#include "cli/exit_code.h"
+#include "cli/manual/page.h"
+#include "oracle/subprocess.h"
+#include "tests/cli/program.h"
+
+namespace zproof::test {
+namespace {
+
+using testing::HasSubstr;
+
+OutlineCommand whole_outline() {
+    CommandTree tree;
+    return outline_of(tree.root());
+}
+
+std::string text_of(const std::string& name) {
+    std::ifstream in{std::string{ZPROOF_SOURCE_DIR} + "/" + name};
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+TEST(ManualPage, IsReadWithoutAWarning) {
+    const Folder folder;
+    folder.write("zproof.1", manual_page(whole_outline()));
+    for (const char* reader : {"man --warnings -E UTF-8 -l -Tutf8 -Z ./zproof.1 >/dev/null",
+                               "groff -man -ww -Tutf8 zproof.1 >/dev/null", "lexgrog zproof.1 >/dev/null"}) {
+        const oracle::Outcome outcome =
+            oracle::run({.arguments = oracle::shell_line(reader), .folder = folder.path()});
+        EXPECT_TRUE(outcome.succeeded()) << reader;
+        EXPECT_EQ(outcome.complaints, "") << reader;
+    }
+}
+
+TEST(ManualPage, SaysAllThatTheCommandLineKnows) {
+    const Folder folder;
+    folder.write("zproof.1", manual_page(whole_outline()));
+    const std::string page =
+        oracle::run({.arguments = oracle::shell_line("groff -man -Tascii -rLL=200n -P-c -P-u -P-b zproof.1"),
+                     .folder = folder.path(),
+                     .kept_bytes = 1 << 20})
+            .output;
+    for (const OutlineCommand& command : leaves_of(whole_outline())) {
+        EXPECT_THAT(page, HasSubstr("zproof " + command.path)) << command.path;
+        for (const OutlineOption& option : command.options) EXPECT_THAT(page, HasSubstr(option.names.back()));
+    }
+    for (const Example& example : examples()) EXPECT_THAT(page, HasSubstr(std::string{example.line}));
+}
+
+TEST(Help, OfEveryCommandBeginsWithExamples) {
+    const Folder folder;
+    for (const OutlineCommand& command : leaves_of(whole_outline())) {
+        std::istringstream in{command.path};
+        Words words;
+        for (std::string word; in >> word;) words.push_back(word);
+        words.push_back("--help");
+        const std::string help = run(folder, words).out;
+        const std::size_t example = help.find("\n  zproof " + command.path);
+        EXPECT_LT(example, help.find("Usage:"))
+            << command.path << " has no example (command_line/examples.cpp)";
+    }
+}
+
+TEST(Help, HasExamplesOfKnownCommandsOnly) {
+    std::set<std::string> paths{""};
+    for (const OutlineCommand& command : leaves_of(whole_outline())) paths.insert(command.path);
+    for (const Example& example : examples())
+        EXPECT_EQ(paths.count(std::string{example.command}), 1u) << example.line;
+}
+
+TEST(Help, EveryOptionAndPositionalIsDescribed) {
+    for (const OutlineCommand& command : leaves_of(whole_outline())) {
+        for (const OutlineOption& option : command.options)
+            EXPECT_FALSE(option.description.empty()) << command.path << " " << option.names.back();
+        for (const OutlineOption& option : command.positionals)
+            EXPECT_FALSE(option.description.empty()) << command.path << " " << option.names.back();
+    }
+}
+
+/// The rows "| 3 | meaning |" of docs/cli.md.
+std::map<int, std::string> documented_statuses() {
+    const std::string text = text_of("docs/cli.md");
+    std::map<int, std::string> rows;
+    const std::regex row{R"(\n\| (\d+) \| ([^|\n]*) \|)"};
+    for (std::sregex_iterator match{text.begin(), text.end(), row}, end; match != end; ++match)
+        rows[std::stoi((*match)[1])] = (*match)[2];
+    return rows;
+}
+
+TEST(ExitStatuses, AreThoseOfTheDocumentation) {
+    std::map<int, std::string> ours;
+    for (const ExitStatus& status : exit_statuses()) ours[int(status.code)] = status.meaning;
+    EXPECT_EQ(documented_statuses(), ours);
+}
+
+}  // namespace
+}  // namespace zproof::test

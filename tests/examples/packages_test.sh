@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# What docs/packages.md promises, kept: zproof is installed, or unpacked from its Debian packages, and somebody's project
+# finds it, links it, and gets its tests from zproof_add_scene_test.
+#   packages_test.sh installed|unpacked|subfolder BUILD_FOLDER SOURCE_FOLDER
+set -euo pipefail
+way=$1 build=$2 source=$3
+place=$(mktemp -d)
+trap 'rm -rf "$place"' EXIT
+cd "$place"
+
+die() { echo "packages_test: $*" >&2; exit 1; }
+quietly() { "$@" >log 2>&1 || { cat log >&2; die "$1 failed"; }; }
+
+# expect_status STATUS COMMAND...
+expect_status() {
+    local expected=$1 status=0
+    shift
+    "$@" >log 2>&1 || status=$?
+    [ $status = "$expected" ] || { cat log >&2; die "status $status, not $expected: $*"; }
+}
+
+configure_consumer() { quietly cmake -S "$source/tests/examples/consumer" -B consumer -G Ninja "$@"; }
+
+# The tests of the consumer: what is right passes, what is wrong fails and leaves its evidence.
+try_tests() {
+    expect_status 0 ctest --test-dir consumer -R '^(every_room|guard_band|own_rasterizer)$' --no-tests=error
+    expect_status 8 ctest --test-dir consumer -R '^boaster$' --no-tests=error
+    expect_status 8 ctest --test-dir consumer -R '^no_such_scene$' --no-tests=error
+    for file in zproof/guard_band/report.html zproof/own_rasterizer/junit.xml proof/report.html; do
+        [ -s "consumer/$file" ] || die "consumer/$file was not written"
+    done
+    [ "$(ctest --test-dir consumer -N -L rays | grep -c 'Test *#')" = 1 ] || die "the label names another number of tests"
+    [ "$(ctest --test-dir consumer -N -L zproof | grep -c 'Test *#')" = 4 ] || die "not every scene test has the label zproof"
+}
+
+case $way in
+    installed)
+        quietly cmake --install "$build" --prefix "$place/prefix"
+        configure_consumer -DCMAKE_PREFIX_PATH="$place/prefix"
+        quietly cmake --build consumer
+        try_tests
+        ;;
+    unpacked)
+        (cd "$build" && quietly cpack -G DEB -B "$place/packages")
+        for package in packages/*.deb; do quietly dpkg -x "$package" root; done
+        root/usr/bin/zproof --version
+        man -l root/usr/share/man/man1/zproof.1.gz | grep -q 'zproof filters check' || die "the manual page says too little"
+        for script in bash-completion/completions/zproof fish/vendor_completions.d/zproof.fish \
+            zsh/vendor-completions/_zproof; do
+            grep -q 'made by: zproof completion' "root/usr/share/$script" || die "$script is not in the package"
+        done
+        export PKG_CONFIG_PATH
+        PKG_CONFIG_PATH=$(echo root/usr/lib*/pkgconfig root/usr/lib/*/pkgconfig | tr ' ' :)
+        # shellcheck disable=SC2046
+        quietly g++ -O1 "$source/examples/raycaster/raycaster.cpp" -o raycaster $(pkg-config --cflags --libs zproof)
+        quietly root/usr/bin/zproof run guard_band --width 64 --height 40 --oracle none \
+            --renderer "$place/raycaster {scene} {camera} {out}" --precision ray,arithmetic=float64
+        quietly cmake -S "$source/examples/raycaster" -B example -G Ninja -DCMAKE_PREFIX_PATH="$place/root/usr"
+        ;;
+    subfolder)
+        configure_consumer -DZPROOF_SOURCE="$source"
+        ctest --test-dir consumer -N >tests
+        grep -q own_rasterizer tests || die "the consumer has no test"
+        grep -q HousePlan tests && die "the consumer was given zproof's own tests"
+        if [ "${4:-}" = build ]; then
+            quietly cmake --build consumer
+            try_tests
+        fi
+        ;;
+    *) die "no such way: $way" ;;
+esac
