@@ -49,6 +49,7 @@ const std::map<std::string, Names> spoken_to_in{
     {"CLI/", {"cli"}},
     {"openssl/", {"math"}},
     {"toml++/", {"cli"}},
+    {"Eigen/", {"study"}},
     {"iostream", {"cli"}},
     {"cstdio", {}},
 };
