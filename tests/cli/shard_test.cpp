@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 Words run_words(const Words& more) {
-    Words words{"run", "room",     "coplanar", "models",   "--width", "48", "--height",
-                "32",  "--oracle", "none",     "--config", "none",    "-q"};
+    Words words{"run", "near_plane", "coplanar", "models",   "--width", "48", "--height",
+                "32",  "--oracle",   "none",     "--config", "none",    "-q"};
     words.insert(words.end(), more.begin(), more.end());
     return words;
 }
