@@ -85,7 +85,7 @@ TEST(CostDocument, HoldsTogetherAndShowsWhatIsNotDetermined) {
         model.runs.push_back({"vertices", Stages::all, q, {1000. + i, 1000, 1001. + i, 3}});
     }
     std::vector<Observation> rows;
-    for (const Run& run : model.runs)
+    for (const study::cost::Run& run : model.runs)
         rows.push_back({factors_of(run.quantities, run.stages), run.timing.median});
     model.whole_runs = model.runs;
     model.fit = model.whole_fit = fitted(rows);
