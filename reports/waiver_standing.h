@@ -26,8 +26,9 @@ struct WaiverStanding {
 
 std::string_view name_of(WaiverStanding::State state);
 
-/// In the order of the file.
+/// In the order of the file. They point into the results.
 std::vector<WaiverStanding> waiver_standings(const Results& results);
+std::vector<WaiverStanding> waiver_standings(Results&& results) = delete;
 
 /// Why this standing needs a person's hand: one sentence with what to do; empty where it needs none.
 std::string advice_for(const WaiverStanding& standing);

@@ -55,7 +55,8 @@ TEST(WaiverStanding, OfSeveralViewsIsTheGravestButAnEmptyOneTakesNothingBack) {
 }
 
 TEST(WaiverStanding, FailsTheGateWhereExpiredAndIfStrictWhereNotNeeded) {
-    for (const WaiverStanding& s : waiver_standings(waived_run())) {
+    const Results run = waived_run();
+    for (const WaiverStanding& s : waiver_standings(run)) {
         EXPECT_EQ(fails(s, Strictness::lenient), s.state == State::expired) << s.waiver->id;
         EXPECT_EQ(fails(s, Strictness::strict),
                   s.state == State::expired || s.state == State::unused || s.state == State::improved)
