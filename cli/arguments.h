@@ -9,11 +9,10 @@
 
 #include "cli/filter_choice.h"
 #include "cli/filters/arguments.h"
-#include "cli/gate/gate.h"
+#include "cli/gate/arguments.h"
 #include "cli/renderers/choice.h"
 #include "cli/report_files.h"
 #include "cli/settings.h"
-#include "cli/settings/sources.h"
 #include "cli/study/arguments.h"
 
 namespace zproof {
@@ -103,55 +102,6 @@ struct SelftestArguments {
 struct MergeArguments {
     std::vector<std::filesystem::path> shards;  ///< output folders
     ReportArguments report;
-};
-
-/// Results shown again.
-struct ReportAgainArguments {
-    std::vector<std::filesystem::path> results;  ///< results.json, or the folders that hold one
-    std::filesystem::path out = "report.html";   ///< "-": stdout
-    std::optional<ReportFormat> format;          ///< nothing: by the ending of `out`
-};
-
-enum class DifferenceFormat { table, json };
-
-struct DiffResultsArguments {
-    std::filesystem::path before, after;  ///< results.json, or the folders that hold one
-    DifferenceFormat format = DifferenceFormat::table;
-};
-
-struct WaiveListArguments {
-    GateArguments gate;
-};
-
-struct WaiveCheckArguments {
-    GateArguments gate;
-    std::filesystem::path results;  ///< of a run, to find waivers without use; empty: none
-};
-
-struct WaivePruneArguments {
-    GateArguments gate;
-    std::filesystem::path results;  ///< as above: those without use go as well
-};
-
-/// What of the pixel's surroundings a new waiver is to cover.
-enum class WaiverReach {
-    pair,      ///< every pixel of the view with the same two answers
-    triangle,  ///< every pixel at which the candidate's triangle is named
-    pixels,    ///< the pixels that were named
-};
-
-struct WaiveAddArguments {
-    GateArguments gate;
-    std::filesystem::path results;
-    std::string scene, view;          ///< view empty: the scene's only one
-    std::vector<std::string> pixels;  ///< "X,Y"; one at least
-    WaiverReach reach = WaiverReach::pair;
-    std::string id, reason, link, expires;
-};
-
-/// What zproof stands on, and which settings hold here.
-struct DoctorArguments {
-    SettingsChoice settings;
 };
 
 struct ListArguments {};

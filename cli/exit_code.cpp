@@ -7,10 +7,12 @@ namespace {
 
 constexpr std::array rows{
     ExitStatus{ExitCode::proven, "proven: everything that was judged is right"},
-    ExitStatus{ExitCode::defect,
-               "a defect: a pixel fails the gate, a waiver has expired, a suite scene no longer shows what it is "
-               "there for, or a renderer is worse than it declares"},
-    ExitStatus{ExitCode::usage, "usage: the command line, a settings file or a waiver file cannot be understood"},
+    ExitStatus{
+        ExitCode::defect,
+        "a defect: a pixel fails the gate, a waiver has expired, a suite scene no longer shows what it is "
+        "there for, or a renderer is worse than it declares"},
+    ExitStatus{ExitCode::usage,
+               "usage: the command line, a settings file or a waiver file cannot be understood"},
     ExitStatus{ExitCode::cannot_judge,
                "an input is unreadable, a tool is missing or refused, or a result cannot be written"},
     ExitStatus{ExitCode::nothing, "nothing was judged at all"},
