@@ -37,7 +37,7 @@ void print_machine() {
     std::cout << "zproof " << version_number() << "\n";
     print_row("compiler", compiler_name());
     print_row("instructions", instruction_sets());
-    print_row("threads", std::to_string(available_threads()));
+    print_row("processors", std::to_string(available_threads()));
 }
 
 void print_renderers() {
