@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "study/projection/accuracy.h"
+#include "study/projection/border_lattice.h"
 #include "tests/study/projection/random_frusta.h"
 
 namespace zproof::study::projection {
@@ -109,6 +110,16 @@ TEST(Accuracy, APixelLostIsTracedToItsOperation) {
     }
     EXPECT_EQ(score_of(a, "canvas", "float32").other_pixel, 0u);  // eighths and sixty-fourths all the way
     EXPECT_GT(score_of(a, "stages", "float32").other_pixel, 0u);
+}
+
+TEST(BorderLattice, LiesOnBordersAndOnlyOneRouteKeepsAllOfThem) {
+    const ViewAccuracy a = accuracy_of(border_lattice(), lattice_view(), 10'000);
+    EXPECT_EQ(a.on_canvas, a.vertices);
+    EXPECT_EQ(a.on_pixel_border, a.vertices);
+    // No near plane: every number on the way is a multiple of a power of two.
+    EXPECT_EQ(score_of(a, "canvas", "float32").other_pixel, 0u);
+    EXPECT_GT(score_of(a, "stages", "float32").other_pixel, a.vertices / 10);
+    EXPECT_GT(score_of(a, "stages", "float64").other_pixel, a.vertices / 10);
 }
 
 TEST(Accuracy, TheCanvasIsAskedOnlyWhereThereIsOne) {
