@@ -25,6 +25,16 @@ struct ProjectionWishes {
     StudyWitnesses witnesses = StudyWitnesses::all;
 };
 
+/// The depth study's own. None: the first view's planes, and no gap.
+struct DepthWishes {
+    std::optional<double> near, far, gap;  ///< scene units
+};
+
+/// The cost study's own.
+struct CostWishes {
+    int repeats = 9;  ///< measured runs for each time
+};
+
 /// What every study is asked with. A study's own wishes get a member of their own here.
 struct StudyArguments {
     std::string study;                 ///< Study::name
@@ -36,6 +46,8 @@ struct StudyArguments {
     ProgressStyle progress = ProgressStyle::automatic;
     std::string typed;  ///< the command line, quoted for a shell
     ProjectionWishes projection;
+    DepthWishes depth;
+    CostWishes cost;
 };
 
 }  // namespace zproof
