@@ -210,12 +210,12 @@ document::Section vertex_section(const ProjectedView& view) {
 
 document::Section border_section(const study::projection::ViewAccuracy& accuracy) {
     ProjectedView view;
-    view.title = "Pixel borders", view.stem = "pixel-borders", view.size = {512, 512};
+    view.title = "Pixel borders", view.stem = "pixel-borders", view.size = {640, 480};
     view.accuracy = accuracy;
     document::Section section = vertex_section(view);
     section.heading = "Vertices on the borders of pixels";
     section.paragraphs = {
-        "The lessons' camera: a canvas from -1 to 1, near 0.1, 512 x 512 pixels. Every vertex lies on "
+        "The lessons' camera: a canvas from -1 to 1, near 0.1, 640 x 480 pixels. Every vertex lies on "
         "a crossing of pixel borders exactly, so that whatever errs towards the left or the top loses a "
         "pixel; the table of operations says which one did."};
     return section;

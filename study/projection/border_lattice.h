@@ -7,10 +7,10 @@
 
 namespace zproof::study::projection {
 
-/// The canvas from -1 to 1 at depth 1, near 0.1, 512 x 512 pixels, from the origin along -z.
+/// The canvas from -1 to 1 at depth 1, near 0.1, 640 x 480 pixels, from the origin along -z.
 View lattice_view();
 
-/// Every fifth crossing of its pixels' borders, at depths from 1 to 7; without triangles.
+/// Crossings of its pixels' borders, 5 px apart across and 15 px down, at depths from 1 to 7; no triangles.
 Scene border_lattice();
 
 }  // namespace zproof::study::projection
