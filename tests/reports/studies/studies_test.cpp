@@ -81,7 +81,7 @@ TEST(CostDocument, HoldsTogetherAndShowsWhatIsNotDetermined) {
     using namespace study::cost;
     Model model;
     for (int i = 1; i <= 9; ++i) {
-        const Quantities q{100. * i, 10. * i * i, 1000. / i, 64. * i, 9};
+        const Quantities q{100. * i, 10. * i * i, 1000. / i, 64. * i * i * i, 9};
         model.runs.push_back({"vertices", Stages::all, q, {1000. + i, 1000, 1001. + i, 3}});
     }
     std::vector<Observation> rows;
