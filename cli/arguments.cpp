@@ -32,7 +32,8 @@ int available_threads() { return std::clamp(int(std::thread::hardware_concurrenc
 Command parse_command_line(int argc, const char* const* argv) {
     CommandTree tree;
     CommandWords& words = tree.words();
-    words.run.report.typed = words.compare.report.typed = words.filters.run.typed = as_typed(argc, argv);
+    words.run.report.typed = words.compare.report.typed = words.filters.run.typed = words.study.typed =
+        as_typed(argc, argv);
     try {
         tree.root().parse(argc, argv);
     } catch (const CLI::ParseError& e) {

@@ -11,6 +11,7 @@
 #include "cli/filters/arguments.h"
 #include "cli/renderers/choice.h"
 #include "cli/settings.h"
+#include "cli/study/arguments.h"
 
 namespace zproof {
 
@@ -107,7 +108,7 @@ using Command =
     std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
                  ContractCheckArguments, SelftestArguments, ListArguments, GenerateArguments,
                  FiltersRunArguments, FiltersListArguments, FiltersTableArguments, FiltersFigureArguments,
-                 FiltersCrowArguments, FiltersCheckArguments, Answered>;
+                 FiltersCrowArguments, FiltersCheckArguments, StudyArguments, Answered>;
 
 /// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);

@@ -59,6 +59,10 @@ ExitCode execute(const FiltersCheckArguments& arguments);
 /// Writes the page that answers the lecture's questions about Crow 1984.
 ExitCode execute(const FiltersCrowArguments& arguments);
 
+/// Performs a study and writes its folder, terminal table included (cli/study/study.h). UsageError for a
+/// scene that there is not. An interrupt ends it after the view in hand; what was done is written.
+ExitCode execute(const StudyArguments& arguments);
+
 /// Prints the text that was asked for.
 ExitCode execute(const Answered& answered);
 

@@ -6,59 +6,41 @@
 #include <optional>
 
 #include "compare/memory.h"
+#include "compare/shown_triangles.h"
 
 namespace zproof {
 
 namespace {
 
-constexpr int tile_width = 64;
+constexpr int tile_width = Strip::width, tile_height = 16;
 
 /// What both witnesses may say of one triangle's depth.
 struct DepthOfBoth {
     TriangleDepth candidate, reference;
 };
 
-/// A tile seldom shows more triangles.
-constexpr std::size_t remembered_triangles = 512;
+/// Few triangles are ever asked about outside of the laws of a tile.
+constexpr std::size_t remembered_triangles = 64;
 
-/// Pixels [begin, end) of a row at which both name the same triangle, or both none; one pixel where they
-/// differ.
-struct Run {
-    PrimitiveId candidate, reference;
-    int begin, end;
+/// Pixels [left, right) x [top, bottom).
+struct Tile {
+    int left, top, right, bottom;
 };
 
-Run run_at(std::span<const PrimitiveId> candidate, std::span<const PrimitiveId> reference, int begin,
-           int limit) {
-    const auto at = [](std::span<const PrimitiveId> row, int x) { return row[std::size_t(x)]; };
-    Run run{at(candidate, begin), at(reference, begin), begin, begin + 1};
-    if (run.candidate != run.reference) return run;
-    while (run.end < limit && at(candidate, run.end) == run.candidate &&
-           at(reference, run.end) == run.candidate)
-        ++run.end;
-    return run;
-}
-
 /// A record in the making. Neighbouring pixels often fall into one bin: they are counted side by side.
-class Count {
-  public:
-    void add(std::span<const double> error_over_bound) {
-        for (std::size_t i = 0; i < error_over_bound.size(); ++i) {
-            const double bin = std::min(error_over_bound[i] * 20, 20.0);
-            ++bins_[i % lanes][bin >= 0 ? std::size_t(int(bin)) : 20];
-            most_ = std::max(most_, error_over_bound[i]);
-        }
+struct Count {
+    static constexpr std::size_t lanes = 4;
+    std::array<std::array<std::uint64_t, Strip::uncounted + 1>, lanes> bins{};
+    Largest largest{};
+
+    void add(const Strip::Values<std::int32_t>& bin) {
+        for (std::size_t i = 0; i < Strip::width; ++i) ++bins[i % lanes][std::size_t(bin[i])];
     }
     void add_to(BoundRecord& record) const {
-        record.max_error_over_bound = std::max(record.max_error_over_bound, most_);
-        for (const BoundHistogram& bins : bins_)
-            for (std::size_t i = 0; i < bins.size(); ++i) record.histogram[i] += bins[i];
+        for (const double l : largest) record.max_error_over_bound = std::max(record.max_error_over_bound, l);
+        for (const auto& lane : bins)
+            for (std::size_t i = 0; i < record.histogram.size(); ++i) record.histogram[i] += lane[i];
     }
-
-  private:
-    static constexpr std::size_t lanes = 4;
-    std::array<BoundHistogram, lanes> bins_{};
-    double most_ = 0;
 };
 
 /// A look at both witnesses, tile by tile or at one pixel.
@@ -68,15 +50,23 @@ class Comparison {
         : triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
+          shown_(candidate, reference),
           triangles_(remembered_triangles) {}
 
-    /// Compares pixels [left, right) of a row.
-    void compare(int left, int right, int y, Findings& found) {
-        const Frame &ours = candidate_.frame(), &theirs = reference_.frame();
-        for (int x = left; x < right;) {
-            const Run run = run_at(ours.primitive.row(y), theirs.primitive.row(y), x, right);
-            compare(run, y, found);
-            x = run.end;
+    /// Compares the pixels of a tile; `rows` are the findings of its rows.
+    void compare(const Tile& tile, std::span<Findings> rows) {
+        shown_.clear();
+        for (int y = tile.top; y < tile.bottom; ++y) {
+            Strip& strip = strips_[std::size_t(y - tile.top)];
+            strip.x = tile.left, strip.y = y;
+            fill(strip.candidate, candidate_, tile, y);
+            fill(strip.reference, reference_, tile, y);
+        }
+        shown_.make_laws();
+        for (int y = tile.top; y < tile.bottom; ++y) {
+            Strip& strip = strips_[std::size_t(y - tile.top)];
+            hold(strip);
+            settle(strip, rows[std::size_t(y - tile.top)]);
         }
     }
 
@@ -86,7 +76,7 @@ class Comparison {
         reference_count_.add_to(tally.reference);
     }
 
-    OpenPixel look_at(int x, int y) {
+    OpenPixel look_at(int x, int y, double known_reference_ratio = unsettled) {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();
         OpenPixel open;
         Finding& f = open.finding;
@@ -105,7 +95,9 @@ class Comparison {
             f.error_over_bound = check.error_over_bound;
             open.candidate_depth_lawful = check.lawful;
         }
-        if (!open.reference_invalid && f.reference.primitive != PrimitiveId::none) {
+        if (known_reference_ratio != unsettled) {
+            open.reference_error_over_bound = known_reference_ratio;
+        } else if (!open.reference_invalid && f.reference.primitive != PrimitiveId::none) {
             const DepthCheck check =
                 reference_.check(depth_of_both(f.reference.primitive).reference, f.reference, x, y);
             open.reference_error_over_bound = check.error_over_bound;
@@ -123,49 +115,59 @@ class Comparison {
         });
     }
 
-    void compare(const Run& run, int y, Findings& found) {
-        if (run.candidate != run.reference)
-            found.open.push_back(look_at(run.begin, y));
-        else if (run.candidate == PrimitiveId::none)
-            compare_bare(run, y, found);
-        else if (std::size_t(run.candidate) < triangle_count_)
-            compare_depths(run, y, found);
-        else
-            for (int x = run.begin; x < run.end; ++x) found.open.push_back(look_at(x, y));
-    }
-
-    void compare_bare(const Run& run, int y, Findings& found) {
-        for (int x = run.begin; x < run.end; ++x)
-            if (candidate_.answer_at(x, y).camera_depth != background_depth ||
-                reference_.answer_at(x, y).camera_depth != background_depth)
-                found.open.push_back(look_at(x, y));
-    }
-
-    void compare_depths(const Run& run, int y, Findings& found) {
-        const auto count_of_run = std::size_t(run.end - run.begin);
-        const auto depths = [&](const Witness& witness) {
-            return witness.frame().camera_depth.row(y).subspan(std::size_t(run.begin), count_of_run);
+    /// Beyond the tile's right side both frames are bare.
+    void fill(Strip::Side& side, const Witness& witness, const Tile& tile, int y) {
+        const auto left = std::size_t(tile.left), width = std::size_t(tile.right - tile.left);
+        const auto take = [&](const auto& plane, auto& values, auto beyond) {
+            std::ranges::copy(plane.row(y).subspan(left, width), values.begin());
+            std::fill(values.begin() + width, values.end(), beyond);
         };
-        std::array<double, tile_width> ours, theirs;  // filled by hold()
-        const DepthOfBoth& triangle = depth_of_both(run.candidate);
-        triangle.candidate.hold(run.begin, y, depths(candidate_), ours.data());
-        triangle.reference.hold(run.begin, y, depths(reference_), theirs.data());
-        std::size_t settled = 0;
-        for (std::size_t i = 0; i < count_of_run; ++i)
-            if (ours[i] == unsettled || theirs[i] == unsettled) {
-                settle(look_at(run.begin + int(i), y), found);
-            } else {
-                ours[settled] = ours[i];
-                theirs[settled++] = theirs[i];
-            }
-        candidate_count_.add(std::span(ours).first(settled));
-        reference_count_.add(std::span(theirs).first(settled));
+        take(witness.frame().primitive, side.primitive, PrimitiveId::none);
+        take(witness.frame().camera_depth, side.camera_depth, background_depth);
+        look_up_laws(side);
     }
 
-    /// Double precision did not say that both depths are lawful.
+    /// Eight at a time where they show what the pixel before them shows.
+    void look_up_laws(Strip::Side& side) {
+        constexpr std::size_t step = 8;
+        PrimitiveId latest = PrimitiveId::none;
+        std::uint32_t law = 0;
+        for (std::size_t first = 0; first < Strip::width; first += step) {
+            std::uint32_t difference = 0;
+            for (std::size_t i = first; i < first + step; ++i)
+                difference |= std::uint32_t(side.primitive[i]) ^ std::uint32_t(latest);
+            for (std::size_t i = first; i < first + step; ++i) {
+                if (difference != 0 && side.primitive[i] != latest) {
+                    latest = side.primitive[i];
+                    law = std::size_t(latest) < triangle_count_ ? shown_.place_of(latest) : 0;
+                }
+                side.law[i] = law;
+            }
+        }
+    }
+
+    void hold(Strip& strip) const {
+        const bool perspective = candidate_.projection() == Projection::perspective;
+        const auto hold = perspective ? hold_perspective : hold_parallel;
+        hold(shown_.candidate_laws(), strip.x, strip.y, strip.candidate);
+        hold(shown_.reference_laws(), strip.x, strip.y, strip.reference);
+    }
+
+    void settle(Strip& strip, Findings& found) {
+        sort_out(strip, candidate_count_.largest, reference_count_.largest);
+        candidate_count_.add(strip.candidate.bin);
+        reference_count_.add(strip.reference.bin);
+        if (std::ranges::count(strip.is_open, 0u) == Strip::width) return;
+        for (std::size_t i = 0; i < Strip::width; ++i)
+            if (strip.is_open[i]) settle(look_at(strip.x + int(i), strip.y, strip.reference.ratio[i]), found);
+    }
+
     void settle(const OpenPixel& pixel, Findings& found) {
-        if (!pixel.candidate_invalid && !pixel.reference_invalid) {
-            count(found.tally.candidate, pixel.finding.error_over_bound);
+        const Finding& f = pixel.finding;
+        const bool is_shared =
+            f.candidate.primitive == f.reference.primitive && f.candidate.primitive != PrimitiveId::none;
+        if (is_shared && !pixel.candidate_invalid && !pixel.reference_invalid) {
+            count(found.tally.candidate, f.error_over_bound);
             count(found.tally.reference, pixel.reference_error_over_bound);
         }
         if (!is_settled(pixel)) found.open.push_back(pixel);
@@ -173,6 +175,8 @@ class Comparison {
 
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
+    ShownTriangles shown_;
+    std::array<Strip, tile_height> strips_;
     Count candidate_count_, reference_count_;
     Memory<std::uint32_t, DepthOfBoth> triangles_;
 };
@@ -204,9 +208,12 @@ Findings compare_rows(const Scene& scene, const View& view, const Witness& candi
     Findings found;
     Comparison comparison(scene, candidate, reference);
     std::vector<Findings> rows(std::size_t(bottom - top));
-    for (int left = 0; left < view.width; left += tile_width)
-        for (int y = top; y < bottom; ++y)
-            comparison.compare(left, std::min(left + tile_width, view.width), y, rows[std::size_t(y - top)]);
+    for (int tile_top = top; tile_top < bottom; tile_top += tile_height)
+        for (int left = 0; left < view.width; left += tile_width) {
+            const Tile tile{left, tile_top, std::min(left + tile_width, view.width),
+                            std::min(tile_top + tile_height, bottom)};
+            comparison.compare(tile, std::span(rows).subspan(std::size_t(tile_top - top)));
+        }
     for (const Findings& row : rows) {
         add(found.tally, row.tally);
         found.open.insert(found.open.end(), row.open.begin(), row.open.end());

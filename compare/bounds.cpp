@@ -28,10 +28,8 @@ class Gammas {
   private:
     std::array<double, 17> values_{};
 };
-const Gammas& gammas_of(double unit) {
-    static const Gammas single(unit_roundoff_float32), wide(unit_roundoff_float64);
-    return unit == unit_roundoff_float32 ? single : wide;
-}
+const Gammas single_gammas(unit_roundoff_float32), double_gammas(unit_roundoff_float64);
+const Gammas& gammas_of(double unit) { return unit == unit_roundoff_float32 ? single_gammas : double_gammas; }
 
 glm::dvec3 abs_cross(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 p = glm::abs(a), q = glm::abs(b);
@@ -52,7 +50,7 @@ double largest_defect(const Camera& camera) {
 }  // namespace
 
 PlaneError::PlaneError(const PlaneSize& size)
-    : rounding_(gammas_of(unit_roundoff_float64)[16]),
+    : rounding_(double_gammas[16]),
       condition_(size.volume_abs / size.volume),
       numerator_(size.numerator_abs / size.volume),
       of_origin_(2 * size.origin_error / size.volume) {
@@ -136,8 +134,8 @@ PlaneSize ViewBounds::plane_size_of(const TriangleExtent& extent, const CornersW
     const double along_sight = glm::dot(direction_abs_, normal_abs);
     if (perspective_) return {std::abs(glm::dot(extent.v_world[0], normal)), from_corner, along_sight, 0};
     const glm::dvec3 direction = c.shear.x * c.right + c.shear.y * c.up - c.back;
-    const double origin_error = gammas_of(unit_roundoff_float64)[6] *
-                                glm::dot(glm::abs(glm::dvec3(c.eye_world)) + origin_abs_, normal_abs);
+    const double origin_error =
+        double_gammas[6] * glm::dot(glm::abs(glm::dvec3(c.eye_world)) + origin_abs_, normal_abs);
     return {std::abs(glm::dot(direction, normal)), along_sight, from_corner, origin_error};
 }
 
@@ -399,19 +397,19 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRa
     return bounds;
 }
 
-DepthRow BoundsOnPlane::depth_row() const {
-    DepthRow row{};
-    row.least = least_;
-    row.highest = highest_;
-    row.base = depth_eps_px_.base;
-    row.per = depth_eps_px_.per;
-    row.most = depth_eps_px_.most;
-    row.amplification = depth_eps_px_.amplification;
-    row.depth_factor = depth_factor_;
-    row.plane_offset = plane_offset_;
-    row.absolute = depth_absolute_;
-    row.nearness_error = nearness_error_;
-    return row;
+DepthLaw BoundsOnPlane::depth_law() const {
+    DepthLaw law{};
+    law.least = least_;
+    law.highest = highest_;
+    law.base = depth_eps_px_.base;
+    law.per = depth_eps_px_.per;
+    law.most = depth_eps_px_.most;
+    law.amplification = depth_eps_px_.amplification;
+    law.depth_factor = depth_factor_;
+    law.plane_offset = plane_offset_;
+    law.absolute = depth_absolute_;
+    law.nearness_error = nearness_error_;
+    return law;
 }
 
 LocalBounds TriangleBounds::at(double nearness, double gradient) const {

@@ -6,7 +6,7 @@
 #include <array>
 #include <limits>
 
-#include "compare/depth_row.h"
+#include "compare/depth_law.h"
 #include "frame/precision.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
@@ -97,8 +97,8 @@ class BoundsOnPlane {
                 .nearness_error = nearness_error_};
     }
 
-    /// What compare/depth_row.h needs of it; the rest of the row is left for the caller.
-    DepthRow depth_row() const;
+    /// What compare/depth_law.h needs of it; the rest of the law is left for the caller.
+    DepthLaw depth_law() const;
 
     /// What factors and divisors whose relative errors add up to `sum` may come to: 1 / (1 - sum) - 1 (Higham
     /// 2002, Lemma 3.1); unlimited from 1 up.

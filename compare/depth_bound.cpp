@@ -81,27 +81,7 @@ TriangleDepth::TriangleDepth(const TriangleNearness& nearness, const TriangleBou
       bounds_(bounds, nearness.gradient),
       nearest_(bounds.nearest),
       farthest_(bounds.farthest),
-      keeps_to_corners_(keeps_to_corners),
-      row_(bounds_.depth_row()),
-      has_rows_(!nearness.edge_on && std::isfinite(nearness.own_error) &&
-                std::isfinite(row_.absolute + row_.nearness_error)) {
-    row_.nearness_step = nearness.nearness.a;
-    row_.nearness_offset = nearness.nearness.c;
-    row_.gradient = nearness.gradient;
-    row_.own_error = nearness.own_error;
-    row_.nearest = keeps_to_corners ? nearest_ : -unlimited;
-    row_.farthest = keeps_to_corners ? farthest_ : unlimited;
-}
-
-void TriangleDepth::hold(int first_x, int y, std::span<const float> depth, double* ratio) const {
-    if (!has_rows_) {
-        std::fill_n(ratio, depth.size(), unsettled);
-        return;
-    }
-    DepthRow row = row_;
-    row.nearness_row = plane_.nearness.b * y;
-    (plane_.perspective ? hold_perspective_row : hold_parallel_row)(row, first_x, depth, ratio);
-}
+      keeps_to_corners_(keeps_to_corners) {}
 
 DepthBound TriangleDepth::at(int x, int y) const {
     const double nearness = plane_.nearness.at(x, y);
@@ -120,6 +100,22 @@ DepthBound TriangleDepth::at(int x, int y) const {
 
 TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds) {
     return {triangle.nearness, bounds.of_depth(triangle.extent), bounds.keeps_to_corners()};
+}
+
+DepthLaw depth_law_of(const TriangleInView& triangle, const ViewBounds& of_view) {
+    const TriangleNearness& plane = triangle.nearness;
+    const TriangleBounds bounds = of_view.of_depth(triangle.extent);
+    DepthLaw law = BoundsOnPlane(bounds, plane.gradient).depth_law();
+    if (plane.edge_on || !std::isfinite(plane.own_error) || !std::isfinite(law.absolute + law.nearness_error))
+        return law_of_nothing;
+    law.nearness_per_x = plane.nearness.a;
+    law.nearness_per_y = plane.nearness.b;
+    law.nearness_offset = plane.nearness.c;
+    law.gradient = plane.gradient;
+    law.own_error = plane.own_error;
+    law.nearest = of_view.keeps_to_corners() ? bounds.nearest : -unlimited;
+    law.farthest = of_view.keeps_to_corners() ? bounds.farthest : unlimited;
+    return law;
 }
 
 bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world, int x, int y,

@@ -41,17 +41,11 @@ class TriangleDepth {
                z <= bound.high - margin - 8 * unit_roundoff_float64 * z;
     }
 
-    /// Both for depth[i] at pixel (first_x + i, y): error_over_bound where the interval certainly holds it,
-    /// else, and in other cases that are rare, `unsettled`.
-    void hold(int first_x, int y, std::span<const float> depth, double* ratio) const;
-
   private:
     TriangleNearness plane_;
     BoundsOnPlane bounds_;
     double nearest_, farthest_;  ///< camera depths
     bool keeps_to_corners_;
-    DepthRow row_;  ///< of row 0
-    bool has_rows_;
 };
 
 /// What renderers of one view share about one triangle.
@@ -68,6 +62,9 @@ struct TriangleInView {
 };
 
 TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds);
+/// What both at() and certainly_holds() say, over the whole image; law_of_nothing where that takes more than
+/// a law.
+DepthLaw depth_law_of(const TriangleInView& triangle, const ViewBounds& bounds);
 
 /// Decides by exact arithmetic where double does not suffice.
 bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world, int x, int y,

@@ -27,6 +27,7 @@ struct Series {
     std::vector<std::pair<double, double>> points;  ///< (x, y); what is not finite is left out
     SeriesStyle style = SeriesStyle::marked;
     Joining joining = Joining::line;
+    bool operator==(const Series&) const = default;
 };
 
 struct ChartAxis {
@@ -34,12 +35,14 @@ struct ChartAxis {
     Scale scale = Scale::linear;
     /// Named places instead of round numbers: names[i] stands at x = i.
     std::vector<std::string> names;
+    bool operator==(const ChartAxis&) const = default;
 };
 
 struct Chart {
     std::string title;
     ChartAxis x, y;
     std::vector<Series> series;
+    bool operator==(const Chart&) const = default;
 };
 
 /// 760 units wide; as high as the names at the margin need.

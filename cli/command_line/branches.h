@@ -15,6 +15,7 @@ Branch add_selftest(CLI::App& parent, CommandWords& words);
 Branch add_list(CLI::App& parent);
 Branch add_scenes(CLI::App& parent, CommandWords& words);
 Branch add_filters(CLI::App& parent, CommandWords& words);
+Branch add_study(CLI::App& parent, CommandWords& words);
 Branch add_completion(CLI::App& parent, CommandWords& words);
 Branch add_man(CLI::App& parent);
 

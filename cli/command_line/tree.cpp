@@ -6,6 +6,7 @@
 #include "cli/command_line/branches.h"
 #include "cli/command_line/help.h"
 #include "cli/filters/command_line.h"
+#include "cli/study/command_line.h"
 #include "cli/usage_error.h"
 #include "cli/version.h"
 
@@ -28,18 +29,31 @@ Branch add_filters(CLI::App& parent, CommandWords& words) {
             }};
 }
 
+Branch add_study(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("study", "the lessons as instruments: what each stage does");
+    add_study(app, words.study);
+    return {&app, [&words, &app] { return chosen_study(app, words.study); }};
+}
+
 CommandTree::CommandTree()
     : root_(std::make_unique<CLI::App>("Proves a z-buffer rasterizer right, pixel by pixel.", "zproof")) {
     explain_by_example(*root_);
     root_->footer(statuses);
     root_->set_version_flag("--version", version_line);
     root_->require_subcommand(0, 1);  // none is answered by chosen(), in words that name what is missing
-    branches_ = {add_run(*root_, words_),        add_compare(*root_, words_),
-                 add_explain(*root_, words_),    add_render(*root_, words_),
-                 add_measure(*root_, words_),    add_contract_check(*root_, words_),
-                 add_selftest(*root_, words_),   add_list(*root_),
-                 add_scenes(*root_, words_),     add_filters(*root_, words_),
-                 add_completion(*root_, words_), add_man(*root_)};
+    branches_ = {add_run(*root_, words_),
+                 add_compare(*root_, words_),
+                 add_explain(*root_, words_),
+                 add_render(*root_, words_),
+                 add_measure(*root_, words_),
+                 add_contract_check(*root_, words_),
+                 add_selftest(*root_, words_),
+                 add_list(*root_),
+                 add_scenes(*root_, words_),
+                 add_filters(*root_, words_),
+                 add_study(*root_, words_),
+                 add_completion(*root_, words_),
+                 add_man(*root_)};
 }
 
 CommandTree::~CommandTree() = default;

@@ -25,6 +25,7 @@ struct CommandWords {
     SelftestArguments selftest;
     GenerateArguments generate;
     FiltersWords filters;
+    StudyArguments study;
     std::string shell;  ///< whose completion
 };
 

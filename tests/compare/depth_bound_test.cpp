@@ -60,6 +60,26 @@ TEST(DepthBound, CertainlyHoldsOnlyWhatIsLawfulAtTheEndsAndTheirNeighbours) {
     EXPECT_LT(lawful, 9 * asked / 10);
 }
 
+/// The ratios of depths at pixels from (x, y) on that all show one triangle.
+struct Place {
+    int x, y;
+};
+std::vector<double> held(const DepthLaw& law, const View& view, const Place& from,
+                         std::span<const float> depths) {
+    const std::vector<DepthLaw> laws{law_of_nothing, law};
+    const bool perspective = view.camera.projection == Projection::perspective;
+    std::vector<double> ratios;
+    for (std::size_t first = 0; first < depths.size(); first += Strip::width) {
+        const auto here = depths.subspan(first, std::min(Strip::width, depths.size() - first));
+        Strip::Side side{};
+        std::ranges::copy(here, side.camera_depth.begin());
+        std::fill_n(side.law.begin(), here.size(), 1);
+        (perspective ? hold_perspective : hold_parallel)(laws, from.x + int(first), from.y, side);
+        ratios.insert(ratios.end(), side.ratio.begin(), side.ratio.begin() + std::ptrdiff_t(here.size()));
+    }
+    return ratios;
+}
+
 TEST(DepthBound, OfARowHasTheBitsOfEveryPixelsOwn) {
     int settled = 0, asked = 0;
     for (std::uint32_t seed = 0; seed < 600; ++seed) {
@@ -67,14 +87,14 @@ TEST(DepthBound, OfARowHasTheBitsOfEveryPixelsOwn) {
         const Surroundings s = random_surroundings(seed);
         const ViewBounds bounds(s.view, seed % 2 ? Precision(RayPrecision{}) : Precision(RasterPrecision{}));
         for (const Neighbour& n : s.around.neighbours) {
-            const TriangleDepth depth = depth_of(TriangleInView(s.view, bounds, n.p_world), bounds);
+            const TriangleInView triangle(s.view, bounds, n.p_world);
+            const TriangleDepth depth = depth_of(triangle, bounds);
             std::vector<float> z;
             for (int x = 0; x < s.view.width; ++x) {
                 const auto around = depths_around(depth.at(x, s.y));
                 z.push_back(around.empty() ? 1 : around[std::size_t(x) % around.size()]);
             }
-            std::vector<double> ratio(z.size());
-            depth.hold(0, s.y, z, ratio.data());
+            const std::vector<double> ratio = held(depth_law_of(triangle, bounds), s.view, {0, s.y}, z);
             for (std::size_t x = 0; x < z.size(); ++x) {
                 ++asked;
                 if (ratio[x] == unsettled) continue;
@@ -87,6 +107,38 @@ TEST(DepthBound, OfARowHasTheBitsOfEveryPixelsOwn) {
     }
     EXPECT_GT(settled, asked / 10);
     EXPECT_LT(settled, 9 * asked / 10);
+}
+
+/// The laws of all neighbours in turn, pixel by pixel, and in runs.
+TEST(DepthBound, OfNeighboursIsEachOnesOwnInOneStrip) {
+    int settled = 0;
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const ViewBounds bounds(s.view, seed % 2 ? Precision(RayPrecision{}) : Precision(RasterPrecision{}));
+        std::vector<DepthLaw> laws{law_of_nothing};
+        for (const Neighbour& n : s.around.neighbours)
+            laws.push_back(depth_law_of(TriangleInView(s.view, bounds, n.p_world), bounds));
+        const bool perspective = s.view.camera.projection == Projection::perspective;
+        const auto hold = perspective ? hold_perspective : hold_parallel;
+        Strip::Side mixed{};
+        for (std::size_t i = 0; i < Strip::width; ++i) {
+            mixed.law[i] = std::uint32_t(i < 24 ? i : i / 11) % std::uint32_t(laws.size());
+            mixed.camera_depth[i] = s.around.neighbours.empty() ? 1 : float(s.around.neighbours[0].nearest);
+        }
+        hold(laws, 3, s.y, mixed);
+        for (std::uint32_t which = 0; which < laws.size(); ++which) {
+            Strip::Side alone = mixed;
+            alone.law.fill(which);
+            hold(laws, 3, s.y, alone);
+            for (std::size_t i = 0; i < Strip::width; ++i) {
+                if (mixed.law[i] != which) continue;
+                ASSERT_EQ(mixed.ratio[i], alone.ratio[i]) << i;
+                settled += mixed.ratio[i] != unsettled;
+            }
+        }
+    }
+    EXPECT_GT(settled, 1000);
 }
 
 TEST(DepthBound, IsDecidedAsRationalsDecide) {
@@ -112,31 +164,36 @@ TEST(DepthBound, IsDecidedAsRationalsDecide) {
 }
 
 /// A wall at depth 4 in a view of 4 x 4 pixels, its plane in double as badly known as the test says.
-TriangleDepth wall_known_to(double own_error, Projection projection) {
-    const View view = pixel_view(projection, 4, 4);
-    const ViewBounds bounds(view, ray_precision());
-    const Scene scene = scene_of(view, {wall(4)});
-    TriangleInView triangle(view, bounds, corners_of(scene, 0));
-    triangle.nearness.own_error = own_error;
-    return depth_of(triangle, bounds);
-}
+struct Wall {
+    Wall(double own_error, Projection projection)
+        : view(pixel_view(projection, 4, 4)),
+          bounds(view, ray_precision()),
+          triangle(view, bounds, corners_of(scene_of(view, {wall(4)}), 0)) {
+        triangle.nearness.own_error = own_error;
+    }
+    TriangleDepth depth() const { return depth_of(triangle, bounds); }
+    double ratio_at_1_1(float z) const {
+        return held(depth_law_of(triangle, bounds), view, {1, 1}, std::span(&z, 1))[0];
+    }
+
+    View view;
+    ViewBounds bounds;
+    TriangleInView triangle;
+};
 
 class OwnError : public testing::TestWithParam<Projection> {};
 INSTANTIATE_TEST_SUITE_P(Projections, OwnError,
                          testing::Values(Projection::perspective, Projection::parallel));
 
 TEST_P(OwnError, KeepsADepthNearItsBoundFromBeingCertain) {
-    const DepthBound bound = wall_known_to(0, GetParam()).at(1, 1);
+    const DepthBound bound = Wall(0, GetParam()).depth().at(1, 1);
     const float inside[] = {std::nextafter(float(bound.low), 4.f), std::nextafter(float(bound.high), 4.f)};
     for (const float z : inside) {
-        double settled = 0, doubted = 0;
-        const TriangleDepth known = wall_known_to(1e-12, GetParam()), vague = wall_known_to(1e-3, GetParam());
-        EXPECT_TRUE(known.certainly_holds(bound, z));
-        EXPECT_FALSE(vague.certainly_holds(bound, z));
-        known.hold(1, 1, std::span(&z, 1), &settled);
-        vague.hold(1, 1, std::span(&z, 1), &doubted);
-        EXPECT_EQ(settled, error_over_bound(bound, z));
-        EXPECT_EQ(doubted, unsettled);
+        const Wall known(1e-12, GetParam()), vague(1e-3, GetParam());
+        EXPECT_TRUE(known.depth().certainly_holds(bound, z));
+        EXPECT_FALSE(vague.depth().certainly_holds(bound, z));
+        EXPECT_EQ(known.ratio_at_1_1(z), error_over_bound(bound, z));
+        EXPECT_EQ(vague.ratio_at_1_1(z), unsettled);
     }
 }
 
@@ -145,15 +202,14 @@ TEST(DepthBound, HasNoDepthBeyondTheHorizonOfThePlane) {
     const ViewBounds bounds(view, ray_precision());
     // nearness falls from 1 at x = 0 to 0 at x = 8
     const Scene scene = scene_of(view, {{{{0, -4, 1}, {4, -4, 2}, {0, 4, 1}}}});
-    const TriangleDepth depth = depth_of(TriangleInView(view, bounds, corners_of(scene, 0)), bounds);
+    const TriangleInView triangle(view, bounds, corners_of(scene, 0));
+    const TriangleDepth depth = depth_of(triangle, bounds);
     const DepthBound before = depth.at(6, 0), beyond = depth.at(9, 0);
     EXPECT_NEAR(before.truth, 8 / 1.5, 1e-4);
     EXPECT_LT(before.high, 6);
     for (const double end : {beyond.truth, beyond.high}) EXPECT_TRUE(std::isinf(end) && end > 0);
     for (const float z : {0.f, 1.f, 1e30f}) {
-        double ratio = 0;
-        depth.hold(9, 0, std::span(&z, 1), &ratio);
-        EXPECT_EQ(ratio, unsettled);
+        EXPECT_EQ(held(depth_law_of(triangle, bounds), view, {9, 0}, std::span(&z, 1))[0], unsettled);
         EXPECT_FALSE(depth.certainly_holds(beyond, z));
         EXPECT_FALSE(is_lawful_depth(view, bounds, corners_of(scene, 0), 9, 0, z)) << z;
     }

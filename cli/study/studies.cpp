@@ -1,0 +1,34 @@
+#include <algorithm>
+
+#include "cli/folder_names.h"
+#include "cli/interrupt.h"
+#include "cli/study/study.h"
+
+namespace zproof {
+namespace {
+
+std::string in_lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    return text;
+}
+
+}  // namespace
+
+const std::vector<Study>& studies() {
+    static const std::vector<Study> all{projection_study()};
+    return all;
+}
+
+void each_view(const StudyTask& task, const std::function<void(const StudiedView&)>& study_one) {
+    FolderNames names;
+    for (const Loaded& subject : task.subjects)
+        for (const View& view : subject.views) {
+            if (interrupted()) return;
+            const std::string title = subject.scene.name + " / " + view.name;
+            task.progress.begin_view(title);
+            study_one({subject.scene, view, in_lower_case(names.next(subject.scene.name, view.name)), title});
+        }
+}
+
+}  // namespace zproof

@@ -1,0 +1,39 @@
+/// The triangles that a tile of either frame shows, each with both renderers' laws of its depth.
+#pragma once
+
+#include <vector>
+
+#include "compare/witness.h"
+
+namespace zproof {
+
+class ShownTriangles {
+  public:
+    ShownTriangles(const Witness& candidate, const Witness& reference);
+
+    /// Forgets all, for another tile.
+    void clear();
+    /// Where the laws of a triangle of the scene will stand; never 0, which is the place of law_of_nothing.
+    std::uint32_t place_of(PrimitiveId triangle);
+    /// Makes the laws of what was shown since.
+    void make_laws();
+
+    std::span<const DepthLaw> candidate_laws() const { return candidate_laws_; }
+    std::span<const DepthLaw> reference_laws() const { return reference_laws_; }
+
+  private:
+    /// Of a table with open addressing; of this tile where its tile is the present one.
+    struct Slot {
+        std::uint32_t triangle = 0, place = 0;
+        std::uint64_t tile = 0;
+    };
+    void grow();
+
+    const Witness &candidate_, &reference_;
+    std::vector<PrimitiveId> triangles_;  ///< by place
+    std::vector<Slot> slots_;
+    std::uint64_t tile_ = 1;
+    std::vector<DepthLaw> candidate_laws_, reference_laws_;
+};
+
+}  // namespace zproof

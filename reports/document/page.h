@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "reports/document/document.h"
+
+namespace zproof::document {
+
+/// One page that holds all it shows: no scripts, no network. Tables have the class "sortable", and cells of
+/// numbers their exact value as data-value.
+std::string page_of(const Document& document);
+
+/// The sections alone, for a page that has room for several documents; `anchor` begins the ids of its parts.
+std::string page_sections(const Document& document, const std::string& anchor);
+
+/// What these sections need beside html_style().
+std::string_view page_style();
+
+}  // namespace zproof::document

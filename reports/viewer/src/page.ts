@@ -1,0 +1,6 @@
+// Entry for pages of tables and pictures: nothing of the viewer.
+import {linkCrops} from './crops';
+import {makeTablesSortable} from './sortable';
+
+makeTablesSortable(document);
+linkCrops(document);

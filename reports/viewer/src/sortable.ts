@@ -1,0 +1,66 @@
+// Tables that are sorted by a click, or Enter, on a column's heading.
+//
+//   <table class="sortable">: the last row of its thead holds the headings. A cell's key is its data-key, else its
+//   text; keys that are numbers ("1,234", "0.93", "41 %", "1.2e+07") sort as numbers. Rows without a key stay last.
+//   <th class="unsortable">: not this column.
+
+type Key = {number: number; text: string};
+
+/// The number that a text begins with, or NaN.
+export function leadingNumber(text: string): number {
+    const match = /^[-+−]?(?:\d[\d,\u202f]*)?\.?\d+(?:e[-+]?\d+)?|^[-+]?inf/i.exec(text.trim());
+    if (!match) return NaN;
+    const plain = match[0].replace(/[,\u202f]/g, '').replace('−', '-');
+    return /inf/i.test(plain) ? (plain.startsWith('-') ? -Infinity : Infinity) : Number(plain);
+}
+
+function keyOf(row: HTMLTableRowElement, column: number): Key {
+    const cell = row.cells[column];
+    const text = (cell?.dataset.key ?? cell?.textContent ?? '').trim();
+    return {number: leadingNumber(text), text};
+}
+
+function compare(a: Key, b: Key): number {
+    const aIs = !Number.isNaN(a.number), bIs = !Number.isNaN(b.number);
+    if (aIs && bIs) return a.number - b.number;
+    if (aIs !== bIs) return aIs ? -1 : 1;
+    return a.text.localeCompare(b.text);
+}
+
+function sortBy(table: HTMLTableElement, column: number, direction: 1 | -1): void {
+    for (const body of table.tBodies) {
+        const keyed = [...body.rows].map((row, place) => ({row, place, key: keyOf(row, column)}));
+        keyed.sort((a, b) => {
+            if (!a.key.text || !b.key.text) return a.key.text ? -1 : b.key.text ? 1 : a.place - b.place;
+            return direction * compare(a.key, b.key) || a.place - b.place;
+        });
+        body.append(...keyed.map((entry) => entry.row));
+    }
+}
+
+function activate(table: HTMLTableElement, headings: HTMLTableCellElement[], heading: HTMLTableCellElement): void {
+    const direction = heading.getAttribute('aria-sort') === 'descending' ? 1 : -1;
+    for (const other of headings) other.removeAttribute('aria-sort');
+    heading.setAttribute('aria-sort', direction === 1 ? 'ascending' : 'descending');
+    sortBy(table, heading.cellIndex, direction);
+}
+
+function prepare(table: HTMLTableElement): void {
+    const rows = table.tHead?.rows;
+    if (!rows?.length) return;
+    const headings = [...rows[rows.length - 1].cells].filter((th) => !th.classList.contains('unsortable'));
+    for (const heading of headings) {
+        heading.tabIndex = 0;
+        heading.style.cursor = 'pointer';
+        heading.addEventListener('click', () => activate(table, headings, heading));
+        heading.addEventListener('keydown', (event) => {
+            if (event.key !== 'Enter' && event.key !== ' ') return;
+            event.preventDefault();
+            activate(table, headings, heading);
+        });
+    }
+}
+
+export function makeTablesSortable(root: ParentNode): void {
+    root.querySelectorAll<HTMLTableElement>('table.sortable').forEach(prepare);
+}

@@ -1,0 +1,1 @@
+import {makeTablesSortable} from './sortable'; makeTablesSortable(document);

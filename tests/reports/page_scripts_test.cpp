@@ -1,0 +1,33 @@
+#include "reports/page_scripts.h"
+
+#include <gtest/gtest.h>
+
+#include "reports/deep_link.h"
+#include "tests/reports/sample.h"
+
+namespace zproof {
+
+TEST(PageScripts, StandInTheirElementsWithoutEndingThem) {
+    for (const PageScript& script : {table_script(), viewer_script()}) {
+        EXPECT_GT(script.text.size(), 1000u);
+        EXPECT_EQ(script.sha256.size(), 44u) << "32 bytes as base64";
+        const std::string element = script_element(script);
+        EXPECT_EQ(occurrences(element, "</script"), 1u);
+        EXPECT_EQ(occurrences(element, "://"), 0u);
+        EXPECT_EQ(
+            occurrences(content_policy(script), "script-src 'sha256-" + std::string(script.sha256) + "';"),
+            1u);
+    }
+    EXPECT_NE(table_script().sha256, viewer_script().sha256);
+}
+
+TEST(DeepLink, NamesTheViewByItsFolder) {
+    ViewResult view = sample_results().views[1];
+    EXPECT_EQ(deep_link(view, 812, 344), "report.html#view=room-corner&x=812&y=344");
+    view.folder = "scenes/a b";
+    EXPECT_EQ(deep_link(view, 0, 1), "report.html#view=a%20b&x=0&y=1");
+    view.folder.clear();
+    EXPECT_EQ(deep_link(view, 0, 0), "");
+}
+
+}  // namespace zproof
