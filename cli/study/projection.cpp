@@ -11,7 +11,7 @@ document::Document perform(const StudyTask& task) {
                      {"vertices", "", "Of the baked scene."},
                      {"triangles", "", ""}};
     each_view(task, [&](const StudiedView& one) {
-        task.progress.begin_unit("vertices");
+        task.progress.begin("vertices");
         views.rows.push_back({one.title, std::int64_t(one.view.width), std::int64_t(one.view.height),
                               std::int64_t(one.scene.vertices.position_world.size()),
                               std::int64_t(one.scene.triangles.size())});
