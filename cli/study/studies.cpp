@@ -16,7 +16,7 @@ std::string in_lower_case(std::string text) {
 }  // namespace
 
 const std::vector<Study>& studies() {
-    static const std::vector<Study> all{projection_study()};
+    static const std::vector<Study> all{projection_study(), depth_study(), shading_study(), cost_study()};
     return all;
 }
 

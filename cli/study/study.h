@@ -48,5 +48,8 @@ void each_view(const StudyTask& task, const std::function<void(const StudiedView
 
 /// One file per study: projection.cpp, ...
 Study projection_study();
+Study depth_study();
+Study shading_study();
+Study cost_study();
 
 }  // namespace zproof

@@ -217,13 +217,16 @@ std::string light_text(const Camera& c, const Light& light, const PovrayUnits& u
 
 }  // namespace
 
-PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& light) {
+PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& light, const Gloss& gloss) {
     const PovrayUnits units = povray_geometry(scene, view).units;
     MeshWriter mesh(scene, view, units.scale);
+    const std::string highlight = gloss.specular > 0 ? " phong " + number_text(gloss.specular) +
+                                                           " phong_size " + number_text(gloss.exponent)
+                                                     : "";
     std::string text =
         "#version 3.7;\nglobal_settings{assumed_gamma 1 adc_bailout 0}\n#default{finish{ambient " +
-        number_text(light.ambient) + " diffuse " + number_text(light.diffuse) + "}}\nbackground{rgb 0}\n" +
-        povray_camera_text(view, units) + light_text(view.camera, light, units) +
+        number_text(light.ambient) + " diffuse " + number_text(light.diffuse) + highlight +
+        "}}\nbackground{rgb 0}\n" + povray_camera_text(view, units) + light_text(view.camera, light, units) +
         mesh.text(povray_clip_text(view.camera, units));
     return {std::move(text), std::move(mesh).images()};
 }
