@@ -62,16 +62,16 @@ void ask_povray(const StudiedView& one, ProjectedView& found) {
 ProjectedView projected(const StudiedView& one, const StudyTask& task, const oracle::Embree& embree) {
     ProjectedView found;
     found.title = one.title, found.stem = one.stem, found.size = {one.view.width, one.view.height};
-    task.progress.begin_unit("vertices");
+    task.progress.begin("vertices");
     found.accuracy = accuracy_of(one.scene, one.view, std::size_t(task.arguments.projection.vertices));
-    task.progress.begin_unit("wireframe");
+    task.progress.begin("wireframe");
     const Frame frame = rasterizer::render(one.scene, one.view);
     found.wireframe = told_apart(wireframe_of(one.scene, one.view), frame.primitive);
     found.ids = picture_of_ids(frame.primitive);
     compare(one, "zproof", frame, rasterizer::precision(), found);
     found.pictures.push_back(
         {"zproof", picture_of_light(rasterizer::shade(one.scene, one.view, frame, Light{}))});
-    task.progress.begin_unit("Embree, POV-Ray");
+    task.progress.begin("Embree, POV-Ray");
     compare(one, "Embree", embree.trace(one.view), oracle::embree_precision(), found);
     if (task.arguments.projection.witnesses == StudyWitnesses::all) ask_povray(one, found);
     return found;
