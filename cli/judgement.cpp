@@ -34,6 +34,22 @@ Ending judge_all(const std::vector<SceneSource>& sources, const Desk& desk, std:
     return ending;
 }
 
+/// What an earlier run into this folder found; nothing where there was none, or one of another version.
+Results earlier_results(const std::filesystem::path& folder) {
+    try {
+        return read_results(folder);
+    } catch (const ReportError&) {
+        return {};
+    }
+}
+
+std::vector<SceneWork> expected_work(const std::vector<SceneSource>& sources,
+                                     const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    for (const SceneSource& source : sources) names.push_back(source.name);
+    return expected_work(names, earlier_results(folder));
+}
+
 /// Candidate, reference, and the witnesses that can be asked. Throws OracleError for one that must be there
 /// and is not.
 std::vector<RendererFacts> roll_call(const Parties& parties) {
@@ -47,6 +63,11 @@ std::vector<RendererFacts> roll_call(const Parties& parties) {
     call(parties.reference, WitnessChoice::Need::required);
     for (const WitnessChoice& witness : parties.witnesses) call(witness.renderer, witness.need);
     return present;
+}
+
+/// A scene that was left counts as one view.
+Share judged_of(const Results& results) {
+    return {std::size_t(std::ranges::count_if(results.views, was_judged)), results.views.size()};
 }
 
 }  // namespace
@@ -72,14 +93,16 @@ ExitCode judge_and_report(const Assignment& assignment) {
 
     FolderNames names;
     {
-        Progress progress{std::cerr, resolve(report.progress), sources.size()};
+        Progress progress{std::cerr, resolve(report.progress), expected_work(sources, report.out)};
         const Desk desk{settings.resolution, out.working(), names, progress, parties, gate,
                         report.pictures,     only_view};
         on_threads(settings.threads, [&] { results.ending = judge_all(sources, desk, results.views); });
     }
     write_reports(out.working(), results, report.formats);
     out.publish();
-    return announce(results, report);
+    const ExitCode code = announce(results, report);
+    return code == ExitCode::interrupted ? say_interrupted(judged_of(results), "view", "judged and written")
+                                         : code;
 }
 
 }  // namespace zproof

@@ -12,11 +12,15 @@
 #include "rasterizer/shading.h"
 #include "reports/pictures.h"
 #include "reports/projection/sections.h"
+#include "study/projection/border_lattice.h"
 
 namespace zproof {
 namespace {
 
 using namespace study::projection;
+
+/// More than the lattice has.
+constexpr std::size_t most_lattice = 100'000;
 
 /// POV-Ray reads its scene as text: larger ones take minutes.
 constexpr std::size_t most_povray_triangles = 100'000;
@@ -58,16 +62,16 @@ void ask_povray(const StudiedView& one, ProjectedView& found) {
 ProjectedView projected(const StudiedView& one, const StudyTask& task, const oracle::Embree& embree) {
     ProjectedView found;
     found.title = one.title, found.stem = one.stem, found.size = {one.view.width, one.view.height};
-    task.progress.begin_unit("vertices");
+    task.progress.begin("vertices");
     found.accuracy = accuracy_of(one.scene, one.view, std::size_t(task.arguments.projection.vertices));
-    task.progress.begin_unit("wireframe");
+    task.progress.begin("wireframe");
     const Frame frame = rasterizer::render(one.scene, one.view);
     found.wireframe = told_apart(wireframe_of(one.scene, one.view), frame.primitive);
     found.ids = picture_of_ids(frame.primitive);
     compare(one, "zproof", frame, rasterizer::precision(), found);
     found.pictures.push_back(
         {"zproof", picture_of_light(rasterizer::shade(one.scene, one.view, frame, Light{}))});
-    task.progress.begin_unit("Embree, POV-Ray");
+    task.progress.begin("Embree, POV-Ray");
     compare(one, "Embree", embree.trace(one.view), oracle::embree_precision(), found);
     if (task.arguments.projection.witnesses == StudyWitnesses::all) ask_povray(one, found);
     return found;
@@ -82,11 +86,13 @@ document::Document perform(const StudyTask& task) {
         shown_to_embree = &one.scene;
         views.push_back(projected(one, task, *embree));
     });
-    document::Document document{.title = "The projection, stage by stage",
-                                .command = "",
-                                .version = "",
-                                .introduction = projection_introduction(views),
-                                .sections = {lesson_section()}};
+    document::Document document{
+        .title = "The projection, stage by stage",
+        .command = "",
+        .version = "",
+        .introduction = projection_introduction(views),
+        .sections = {lesson_section(),
+                     border_section(accuracy_of(border_lattice(), lattice_view(), most_lattice))}};
     for (const ProjectedView& view : views) {
         document.sections.push_back(vertex_section(view));
         document.sections.push_back(wireframe_section(view));
@@ -108,7 +114,7 @@ void add_options(CLI::App& app, StudyArguments& arguments) {
 Study projection_study() {
     return {.name = "projection",
             .purpose = "every stage from world to raster space, against exact arithmetic; the wireframe",
-            .subjects = {"textured_ground"},
+            .subjects = {"room", "far_from_origin"},
             .resolution = {960, 540},
             .units_per_view = 3,
             .add_options = add_options,

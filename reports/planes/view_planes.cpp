@@ -53,20 +53,20 @@ Block beside(const std::string& name, Words values, Words candidate, const std::
     return block;
 }
 
-Block bytes_block(const std::string& name, std::string_view coding, const std::string& bytes) {
-    return {name, plane_facts(coding, bytes), deflated(bytes, Effort::thorough)};
+Block bytes_block(const std::string& name, const std::string& bytes, Effort effort) {
+    return {name, plane_facts("bytes", bytes), deflated(bytes, effort)};
 }
 
 Block class_block(const Plane<PixelClass>& classes) {
     std::string bytes;
     for (const PixelClass c : classes.pixels()) bytes += char(c);
-    return bytes_block("class", "bytes", bytes);
+    return bytes_block("class", bytes, Effort::thorough);
 }
 
-Block error_block(const std::string& name, const Plane<float>& errors) {
+Block error_block(const std::string& name, const Plane<float>& errors, Effort effort) {
     std::string bytes;
     for (const float error : errors.pixels()) bytes += char(error_code(error));
-    return bytes_block(name, "bytes", bytes);
+    return bytes_block(name, bytes, effort);
 }
 
 Block json_block(const std::string& name, const nlohmann::json& content) {
@@ -205,8 +205,8 @@ Container container_of(const ViewPlanes& v) {
                                 [&] { return json_block("ranges", to_json(v.ranges)); },
                                 [&] { return predicted("candidate.id", ours.ids, width, Prediction::left); }};
     add_beside(recipes, theirs, ours, ".id");
-    recipes.push_back([&] { return error_block("candidate.error", v.candidate_error); });
-    recipes.push_back([&] { return error_block("reference.error", v.reference_error); });
+    recipes.push_back([&] { return error_block("candidate.error", v.candidate_error, Effort::thorough); });
+    recipes.push_back([&] { return error_block("reference.error", v.reference_error, Effort::fast); });
     recipes.push_back([&] { return predicted("candidate.depth", ours.depths, width, Prediction::planar); });
     add_beside(recipes, theirs, ours, ".depth");
     for (const Answers& other : others) add_beside(recipes, other, ours, ".id");

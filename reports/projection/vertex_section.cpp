@@ -139,7 +139,7 @@ Table vertices_table(const ProjectedView& view) {
     return table;
 }
 
-/// Share of the vertices whose error is at most x, in 200 steps at most.
+/// Share of the vertices whose error is at most x, in some 40 steps.
 Series distribution(const ProjectedView& view, std::size_t route) {
     std::vector<double> errors;
     for (const VertexRow& row : view.accuracy.rows)
@@ -147,7 +147,7 @@ Series distribution(const ProjectedView& view, std::size_t route) {
     std::ranges::sort(errors);
     const RouteScore& score = view.accuracy.routes[route];
     Series series{label_of(score), {}, SeriesStyle::marked, Joining::line};
-    const std::size_t step = std::max<std::size_t>(1, errors.size() / 200);
+    const std::size_t step = std::max<std::size_t>(1, errors.size() / 40);
     const std::size_t exact = view.accuracy.rows.size() - errors.size();
     for (std::size_t i = 0; i < errors.size(); i += step)
         series.points.emplace_back(errors[i], double(exact + i + 1) / double(view.accuracy.rows.size()));
@@ -190,17 +190,34 @@ Plot depth_plot(const ProjectedView& view) {
 
 document::Section vertex_section(const ProjectedView& view) {
     document::Section section{view.title + ": vertices", {}, {}};
-    section.paragraphs = {
-        std::to_string(view.size.width) + " x " + std::to_string(view.size.height) +
-        " pixels. The scene is baked: its vertices are in world space, and local to world has been applied."};
+    section.paragraphs = {std::to_string(view.size.width) + " x " + std::to_string(view.size.height) +
+                          " pixels. The scene is baked: its vertices are in world space, and local to world "
+                          "has been applied."};
     section.items = {places_table(view)};
     if (view.accuracy.rows.empty()) {
         section.paragraphs.push_back("No vertex lies on the canvas: there is nothing to compare.");
         return section;
     }
-    section.items.insert(section.items.end(),
-                         {routes_table(view), distribution_plot(view), depth_plot(view),
-                          operations_table(view), lost_table(view), vertices_table(view)});
+    section.items.insert(section.items.end(), {routes_table(view), distribution_plot(view), depth_plot(view),
+                                               operations_table(view)});
+    if (view.accuracy.lost.empty())
+        section.paragraphs.push_back("No route puts any of these vertices into another pixel.");
+    else
+        section.items.push_back(lost_table(view));
+    section.items.push_back(vertices_table(view));
+    return section;
+}
+
+document::Section border_section(const study::projection::ViewAccuracy& accuracy) {
+    ProjectedView view;
+    view.title = "Pixel borders", view.stem = "pixel-borders", view.size = {640, 480};
+    view.accuracy = accuracy;
+    document::Section section = vertex_section(view);
+    section.heading = "Vertices on the borders of pixels";
+    section.paragraphs = {
+        "The lessons' camera: a canvas from -1 to 1, near 0.1, 640 x 480 pixels. Every vertex lies on "
+        "a crossing of pixel borders exactly, so that whatever errs towards the left or the top loses a "
+        "pixel; the table of operations says which one did."};
     return section;
 }
 

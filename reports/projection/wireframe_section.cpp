@@ -66,6 +66,25 @@ Drawing closest_look(const ProjectedView& view, const EdgeAgreement& agreement) 
             magnified_svg(drawing, agreement.farthest, 6)};
 }
 
+/// Sums up a route over views.
+void add_to(std::vector<RouteScore>& scores, const RouteScore& score) {
+    const auto same = std::ranges::find(scores, score.route, &RouteScore::route);
+    if (same == scores.end()) {
+        scores.push_back(score);
+        return;
+    }
+    same->other_pixel += score.other_pixel;
+    same->px.largest = std::max(same->px.largest, score.px.largest);
+}
+
+std::string in_words(const std::vector<RouteScore>& scores) {
+    std::string words;
+    for (const RouteScore& s : scores)
+        words += (words.empty() ? "" : ", ") + grouped(s.other_pixel) + " by " + s.route + " (" +
+                 rounded(s.px.largest) + " px)";
+    return words.empty() ? "none" : words;
+}
+
 }  // namespace
 
 document::Section wireframe_section(const ProjectedView& view) {
@@ -94,26 +113,22 @@ document::Section wireframe_section(const ProjectedView& view) {
 }
 
 std::vector<std::string> projection_introduction(const std::vector<ProjectedView>& views) {
-    std::uint64_t vertices = 0, single = 0, twice = 0;
-    double largest = 0, largest_edge = 0;
+    std::uint64_t vertices = 0;
+    double largest_edge = 0;
+    std::vector<RouteScore> single, twice;
     for (const ProjectedView& view : views) {
         vertices += view.accuracy.on_canvas;
-        for (const RouteScore& s : view.accuracy.routes) {
-            if (s.route != "stages") continue;
-            (s.numbers == "float32" ? single : twice) += s.other_pixel;
-            if (s.numbers == "float32") largest = std::max(largest, s.px.largest);
-        }
+        for (const RouteScore& s : view.accuracy.routes) add_to(s.numbers == "float32" ? single : twice, s);
         for (const EdgeAgreement& a : view.agreements)
             if (a.renderer == "zproof") largest_edge = std::max(largest_edge, a.largest_px);
     }
     return {
         "From world to raster space by every route of the lessons, in float32 and in float64, against exact "
-        "rational "
-        "arithmetic; and the wireframe against the pictures.",
-        "Of " + grouped(vertices) + " vertices on the canvas the route by stages puts " + grouped(single) +
-            " into another pixel in float32 (largest error " + rounded(largest) + " px) and " +
-            grouped(twice) + " in float64. Edges lie within " + rounded(largest_edge) +
-            " px of the rasterized picture's boundaries."};
+        "rational arithmetic; and the wireframe against the pictures.",
+        "Of " + grouped(vertices) + " vertices on the canvas another pixel is given, in float32, to " +
+            in_words(single) + "; in float64, to " + in_words(twice) +
+            ". The largest error stands behind each.",
+        "Edges lie within " + rounded(largest_edge) + " px of the rasterized picture's boundaries."};
 }
 
 }  // namespace zproof

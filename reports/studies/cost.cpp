@@ -214,6 +214,7 @@ std::vector<Section> prediction_sections(const std::vector<Prediction>& predicti
                             {"v", "", "vertices"},
                             {"triangles", "", "set up"},
                             {"d", "", "depth complexity"},
+                            {"fragments / block", "", "of 16: what a triangle covers of the blocks it meets"},
                             {"m^2", "", "pixels"},
                             {"measured", "ms", ""},
                             {"predicted", "ms", ""},

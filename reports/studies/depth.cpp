@@ -40,7 +40,7 @@ Table choice_table(const std::vector<Choice>& choices) {
         if (table.rows.empty() || std::get<std::string>(table.rows.back()[0]) != power_of_ten(choice.ratio))
             table.rows.emplace_back().emplace_back(power_of_ten(choice.ratio));
         table.rows.back().emplace_back(joined(choice.names));
-        const std::string gap = "gap " + power_of_ten(choice.gap_of_far);
+        const std::string gap = "gap " + shortest(choice.gap_of_far);
         if (table.rows.size() == 1) table.columns.push_back({gap, "of far", ""});
     }
     return table;

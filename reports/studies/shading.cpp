@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "reports/studies/error_colours.h"
 #include "reports/wording.h"
@@ -61,7 +62,8 @@ Table level_table(const TessellationStudy& study) {
                     {"peak", "", "brightest pixel"},
                     {"sphere's peak", "", ""},
                     {"bend at edges", "", "second difference, 99 of 100 pixels have no more"},
-                    {"bend inside", "", "the same where no edge lies between the pixels"}},
+                    {"bend inside", "",
+                     "the same where no edge lies between the pixels; nan where there is no such pixel"}},
         .rows = {}};
     for (const LevelScore& s : study.scores)
         table.rows.push_back({std::int64_t{s.level}, std::int64_t(s.triangles), s.edge_px,
@@ -119,23 +121,29 @@ Chart band_chart(const TessellationStudy& study) {
     return chart;
 }
 
+/// Group by group, for only neighbours stand side by side.
 std::vector<document::Item> level_pictures(const TessellationStudy& study) {
-    std::vector<document::Item> items;
+    std::vector<document::Item> pictures, differences, bends, all;
     for (const LevelPicture& p : study.pictures) {
         if (p.level > 3) continue;
         const std::string method = name_of(p.method), level = std::to_string(p.level);
         const std::string stem = "sphere-" + level + "-" + lower(method);
-        items.push_back(in_group(document::picture_of(stem, method + ", level " + level, shown(p.intensity)),
-                                 "level " + level));
-        items.push_back(
-            in_group(document::picture_of(stem + "-difference", "difference from the sphere",
+        pictures.emplace_back(in_group(
+            document::picture_of(stem, method + ", level " + level, shown(p.intensity)), "level " + level));
+        differences.emplace_back(
+            in_group(document::picture_of(stem + "-difference", method + ": difference from the sphere",
                                           error_colours(in_float(p.difference), difference_scale)),
                      "level " + level + " differences"));
-        items.push_back(in_group(document::picture_of(stem + "-bends", method + ": second difference",
-                                                      error_colours(p.bend, difference_scale)),
-                                 "level " + level + " bends"));
+        bends.emplace_back(in_group(document::picture_of(stem + "-bends", method + ": second difference",
+                                                         error_colours(p.bend, difference_scale)),
+                                    "level " + level + " bends"));
+        if (p.method != all_methods.back()) continue;
+        for (auto* group : {&pictures, &differences, &bends}) {
+            std::ranges::move(*group, std::back_inserter(all));
+            group->clear();
+        }
     }
-    return items;
+    return all;
 }
 
 Table scene_table(const ShadingStudy& study, const std::string& stem) {
@@ -202,15 +210,15 @@ Section shading_section(const ShadingStudy& study, const std::string& stem) {
                          "Materials' colours are left out: they multiply every method alike.",
                      povray_words(study.povray)},
                     {scene_table(study, stem)}};
-    for (const ScenePicture& p : study.pictures) {
+    for (const ScenePicture& p : study.pictures)
         section.items.push_back(in_group(
             document::picture_of(stem + "-" + lower(p.name), p.name, shown(p.intensity)), "pictures"));
+    for (const ScenePicture& p : study.pictures)
         section.items.push_back(
             in_group(document::picture_of(stem + "-" + lower(p.name) + "-difference",
                                           p.name + ": difference from Phong at Embree's hits",
                                           error_colours(in_float(p.difference), difference_scale)),
                      "differences"));
-    }
     return section;
 }
 

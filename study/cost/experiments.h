@@ -17,6 +17,7 @@ struct Quantities {
     double vertices = 0, triangles = 0;  ///< triangles: that are set up, not those that clipping left out
     double fragments = 0;                ///< d m^2: covered pixels, layer by layer
     double pixels = 0;                   ///< m^2
+    double blocks = 0;  ///< of 4 x 4 pixels that triangles may cover: scanned whole for each of them
 };
 
 /// What a picture of this scene is made of; exact.

@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace zproof::study::cost {
@@ -15,22 +16,33 @@ double thread_nanoseconds() {
     return 1e9 * double(now.tv_sec) + double(now.tv_nsec);
 }
 
+Timing timing_of(std::vector<double> times) {
+    std::ranges::sort(times);
+    const std::size_t n = times.size();
+    return {times[n / 2], times[n / 4], times[3 * n / 4], int(n)};
+}
+
 }  // namespace
 
 Timing timed(int runs, const std::function<void()>& work) {
-    std::vector<double> times;
+    return timed_in_turn(runs, std::span(&work, 1)).front();
+}
+
+std::vector<Timing> timed_in_turn(int runs, std::span<const std::function<void()>> works) {
+    std::vector<std::vector<double>> times(works.size());
     tbb::task_arena alone(1);
     alone.execute([&] {
-        work();
-        for (int i = 0; i < runs; ++i) {
-            const double start = thread_nanoseconds();
-            work();
-            times.push_back(thread_nanoseconds() - start);
-        }
+        for (const auto& work : works) work();
+        for (int i = 0; i < runs; ++i)
+            for (std::size_t w = 0; w < works.size(); ++w) {
+                const double start = thread_nanoseconds();
+                works[w]();
+                times[w].push_back(thread_nanoseconds() - start);
+            }
     });
-    std::ranges::sort(times);
-    const std::size_t n = times.size();
-    return {times[n / 2], times[n / 4], times[3 * n / 4], runs};
+    std::vector<Timing> timings;
+    for (std::vector<double>& of_work : times) timings.push_back(timing_of(std::move(of_work)));
+    return timings;
 }
 
 }  // namespace zproof::study::cost

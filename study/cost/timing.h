@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <span>
+#include <vector>
 
 namespace zproof::study::cost {
 
@@ -15,5 +17,8 @@ struct Timing {
 /// What is measured is that thread's processor time, so that others who use the machine cost nothing but what
 /// they do to its caches and clock.
 Timing timed(int runs, const std::function<void()>& work);
+
+/// The same for several works, in turn: what disturbs the machine for a while disturbs all of them alike.
+std::vector<Timing> timed_in_turn(int runs, std::span<const std::function<void()>> works);
 
 }  // namespace zproof::study::cost

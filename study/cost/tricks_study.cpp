@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
 #include <map>
 
 #include "compare/judge.h"
@@ -83,12 +84,21 @@ class Gate {
     std::uint64_t plain_defects_;
 };
 
-TrickRun studied(const Scene& scene, const View& view, const Named& named, int repeats) {
+/// Every trick's work counted, and all of them timed in turn.
+std::vector<TrickRun> trick_runs(const Scene& scene, const View& view, int repeats) {
     const std::vector<Chunk> chunks = chunks_of(scene);
-    Pipeline pipeline(lawful_rules, widest_kernel(), named.tricks);
-    TrickRun run{named.name, named.tricks, pipeline.count_work(scene, view, chunks), {}, {}};
-    run.timing = timed(repeats, [&] { pipeline.render(scene, view, chunks); });
-    return run;
+    std::vector<TrickRun> runs;
+    std::vector<Pipeline> pipelines;
+    pipelines.reserve(named_tricks.size());
+    std::vector<std::function<void()>> works;
+    for (const Named& named : named_tricks) {
+        Pipeline& pipeline = pipelines.emplace_back(lawful_rules, widest_kernel(), named.tricks);
+        runs.push_back({named.name, named.tricks, pipeline.count_work(scene, view, chunks), {}, {}});
+        works.emplace_back([&] { pipeline.render(scene, view, chunks); });
+    }
+    const std::vector<Timing> timings = timed_in_turn(repeats, works);
+    for (std::size_t i = 0; i < runs.size(); ++i) runs[i].timing = timings[i];
+    return runs;
 }
 
 std::uint64_t other_colours(const Picture& a, const Picture& b) {
@@ -120,21 +130,26 @@ std::vector<ShadingRun> shading_runs(const Scene& scene, const View& view, int r
     Renderer renderer;
     const Frame frame = renderer.render(scene, view);
     const Picture deferred = shade(scene, view, frame, light);
-    std::vector<ShadingRun> runs;
-    for (const NamedShading& named : named_shadings) {
-        Pipeline pipeline(lawful_rules, widest_kernel(), named.tricks);
-        ShadingRun run{named.name, 0, {}, 0};
-        run.timing = timed(repeats, [&] {
+    std::vector<ShadingRun> runs(named_shadings.size() + 1);
+    std::vector<Pipeline> pipelines;
+    pipelines.reserve(named_shadings.size());
+    std::vector<std::function<void()>> works;
+    for (std::size_t i = 0; i < named_shadings.size(); ++i) {
+        const NamedShading& named = named_shadings[i];
+        Pipeline& pipeline = pipelines.emplace_back(lawful_rules, widest_kernel(), named.tricks);
+        runs[i].name = named.name;
+        works.emplace_back([&, i] {
             const ShadedFrame shaded = pipeline.render_shaded(scene, view, light, named.time, chunks);
-            run.shaded = shaded.shaded;
-            run.other_colours = other_colours(shaded.picture, deferred);
+            runs[i].shaded = shaded.shaded;
+            runs[i].other_colours = other_colours(shaded.picture, deferred);
         });
-        runs.push_back(run);
     }
-    ShadingRun last{"deferred: shaded when all is drawn", 0, {}, 0};
-    for (const PrimitiveId id : frame.primitive.pixels()) last.shaded += id != PrimitiveId::none ? 1 : 0;
-    last.timing = timed(repeats, [&] { shade(scene, view, renderer.render(scene, view), light); });
-    runs.push_back(last);
+    runs.back().name = "deferred: shaded when all is drawn";
+    for (const PrimitiveId id : frame.primitive.pixels())
+        runs.back().shaded += id != PrimitiveId::none ? 1 : 0;
+    works.emplace_back([&] { shade(scene, view, renderer.render(scene, view), light); });
+    const std::vector<Timing> timings = timed_in_turn(repeats, works);
+    for (std::size_t i = 0; i < runs.size(); ++i) runs[i].timing = timings[i];
     return runs;
 }
 
@@ -164,10 +179,10 @@ TrickStudy study_tricks(const Scene& scene, const View& view, int repeats) {
     const Frame plain_frame = plain_pipeline.take_frame();
     const Gate gate(scene, view, plain_frame);
     const std::vector<Chunk> chunks = chunks_of(scene);
-    for (const Named& named : named_tricks) {
-        study.runs.push_back(studied(scene, view, named, repeats));
-        Pipeline pipeline(lawful_rules, widest_kernel(), named.tricks);
-        study.runs.back().same = gate.ask(pipeline.render(scene, view, chunks));
+    study.runs = trick_runs(scene, view, repeats);
+    for (TrickRun& run : study.runs) {
+        Pipeline pipeline(lawful_rules, widest_kernel(), run.tricks);
+        run.same = gate.ask(pipeline.render(scene, view, chunks));
     }
     study.shading = shading_runs(scene, view, repeats);
     return study;

@@ -25,7 +25,8 @@ struct FightingCurve {
     std::vector<double> share;  ///< by DepthStudy::deltas, 0 to 1
 };
 
-/// The cheapest formats that keep a gap in order everywhere between near and far.
+/// The cheapest formats that keep a gap in order everywhere between near and far; those in [-1, 1] are never
+/// better than their likes in [0, 1] and left out.
 struct Choice {
     double ratio = 0;                ///< far / near
     double gap_of_far = 0;           ///< the gap wanted, as a share of far

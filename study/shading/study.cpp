@@ -216,8 +216,25 @@ Lighting lighting_of(const View& view, Highlight highlight) {
 
 int units_of_shading() { return 4; }
 
-ShadingStudy study_shading(const Scene& scene, const View& view, const Announce& announce) {
+Scene with_normals(const Scene& scene) {
+    Scene smooth = scene;
+    if (!scene.vertices.normal_world.empty()) return smooth;
+    const auto& p = scene.vertices.position_world;
+    std::vector<glm::dvec3> sum(p.size(), glm::dvec3(0));
+    for (const glm::uvec3& t : scene.triangles) {
+        const glm::dvec3 a{p[t.x]}, b{p[t.y]}, c{p[t.z]};
+        for (int k = 0; k < 3; ++k) sum[t[k]] += glm::cross(b - a, c - a);
+    }
+    for (const glm::dvec3& n : sum) {
+        const double length = glm::length(n);
+        smooth.vertices.normal_world.push_back(length > 0 ? glm::vec3(n / length) : glm::vec3(0));
+    }
+    return smooth;
+}
+
+ShadingStudy study_shading(const Scene& given, const View& view, const Announce& announce) {
     announce("frames");
+    const Scene scene = with_normals(given);
     const Frame ours = rasterizer::render(scene, view), traced = oracle::Embree(scene).trace(view);
     const Frame frame = agreed(ours, traced);
     ShadingStudy study;

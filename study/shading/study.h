@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,8 @@ struct SceneScore {
     Lamp::Kind lamp = Lamp::Kind::directional;
     /// Against the same method, perspective-correct, at Embree's hits: what rasterizing and mixing cost.
     double rmse_to_traced = 0, largest_to_traced = 0;
-    /// The most that affine mixing may cost (docs/shading.md); 0 for perspective mixing.
-    double predicted_largest = 0;
+    /// The most that affine mixing may cost Gouraud's method (docs/shading.md); NaN for all else.
+    double predicted_largest = std::numeric_limits<double>::quiet_NaN();
     /// Against Phong's method at Embree's hits: what the method costs.
     double rmse_to_phong = 0, largest_to_phong = 0;
 };
@@ -50,9 +51,13 @@ struct ShadingStudy {
 
 using Announce = std::function<void(const std::string& what)>;
 
-/// The directional light comes over the viewer's shoulder, the point light hangs above and to the right of
-/// the eye by half the median depth. POV-Ray not being there, or refusing, is a value. Throws OracleError for
-/// Embree's.
+/// The scene with normals at its vertices: its own where it has any, else the sum of the normals of the
+/// triangles around each vertex, weighted by their areas, as the lecture's first step has it.
+Scene with_normals(const Scene& scene);
+
+/// Of with_normals(scene). The directional light comes over the viewer's shoulder, the point light hangs
+/// above and to the right of the eye by half the median depth. POV-Ray not being there, or refusing, is a
+/// value. Throws OracleError for Embree's.
 ShadingStudy study_shading(const Scene& scene, const View& view, const Announce& announce);
 int units_of_shading();
 

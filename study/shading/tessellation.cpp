@@ -116,11 +116,17 @@ double percentile99(std::vector<double> values) {
     return values[std::min(values.size() - 1, std::size_t(0.99 * double(values.size())))];
 }
 
-void add_bends(LevelScore& score, const Frame& frame, const Plane<float>& bend) {
+/// Does the sphere turn by no more than 45 degrees from the eye there?
+bool is_faced(const View& view, int x, int y) {
+    const auto p = met(view, x, y);
+    return p && glm::dot(*p, glm::normalize(glm::dvec3(view.camera.eye_world) - *p)) > std::sqrt(0.5);
+}
+
+void add_bends(LevelScore& score, const View& view, const Frame& frame, const Plane<float>& bend) {
     std::vector<double> at_edges, inside;
     for (int y = 1; y + 1 < frame.size().height; ++y)
         for (int x = 1; x + 1 < frame.size().width; ++x) {
-            if (std::isnan(bend.at(x, y))) continue;
+            if (std::isnan(bend.at(x, y)) || !is_faced(view, x, y)) continue;
             const PrimitiveId id = frame.primitive.at(x, y);
             const bool one = frame.primitive.at(x - 1, y) == id && frame.primitive.at(x + 1, y) == id &&
                              frame.primitive.at(x, y - 1) == id && frame.primitive.at(x, y + 1) == id;
@@ -252,7 +258,7 @@ TessellationStudy study_tessellation(const Lighting& lighting, int most_levels, 
             shown.difference = difference_of(shown.intensity, round);
             shown.bend = bends(shown.intensity);
             add_errors(score, shown.difference);
-            add_bends(score, frame, shown.bend);
+            add_bends(score, view, frame, shown.bend);
             score.peak = peak_of(shown.intensity);
             score.peak_of_sphere = peak_of(round);
             if (method == Method::gouraud) study.missed.back().measured_peak = score.peak;

@@ -25,7 +25,8 @@ struct LevelScore {
     /// The brightest highlight (intensity without ambient and diffuse parts is not told apart: all of it).
     double peak = 0, peak_of_sphere = 0;
     /// Mach bands: |I(x - 1) - 2 I(x) + I(x + 1)|, and down, where an edge of the mesh lies between these
-    /// pixels, and where none does; 99 of 100 have no more.
+    /// pixels, and where none does; 99 of 100 have no more. Where the sphere turns by no more than 45 degrees
+    /// from the eye: farther out foreshortening bends every picture.
     double bend_at_edges = 0, bend_inside = 0;
 };
 

@@ -44,17 +44,18 @@ export class Inspector {
 
     private answersTable(planes: Planes, pixel: number): HTMLElement {
         const answers = answersAt(planes, pixel), ours = answers[0];
-        const rows = answers.map((answer) => {
+        const rows = answers.flatMap((answer) => {
             const name = shortNameOf(planes.ranges, answer.id);
             const ulps = ours.depth === null || answer.depth === null ? NaN : ulpsBetween(ours.depth, answer.depth);
-            return element('tr', {},
-                element('th', {scope: 'row'}, answer.who),
-                element('td', {}, swatch(answer.id), idText(answer.id),
-                    name && element('div', {class: 'fine', title: nameOf(planes.ranges, answer.id)}, name)),
-                element('td', {class: 'n'}, answer.depth === null ? '–' : shortestFloat(floatOf(answer.depth)),
-                    answer.depth !== null && element('div', {class: 'fine'}, hexBits(answer.depth))),
+            return [element('tr', {},
+                element('th', {scope: 'row', rowspan: 2}, answer.who),
+                element('td', {}, swatch(answer.id), idText(answer.id)),
+                element('td', {class: 'n'}, answer.depth === null ? '–' : shortestFloat(floatOf(answer.depth))),
                 element('td', {class: 'n'}, answer === ours || Number.isNaN(ulps) ? '–' : signed(ulps)),
-                element('td', {class: 'n'}, answer.error));
+                element('td', {class: 'n'}, answer.error)),
+            element('tr', {class: 'fine'}, element('td', {colspan: 4},
+                element('span', {title: nameOf(planes.ranges, answer.id)}, name),
+                element('span', {class: 'bits'}, answer.depth === null ? '' : hexBits(answer.depth))))];
         });
         return element('table', {class: 'answers'},
             element('thead', {}, element('tr', {}, ...['', 'triangle', 'depth', 'ULPs', 'error / bound'].map(

@@ -81,7 +81,7 @@ TEST(CostDocument, HoldsTogetherAndShowsWhatIsNotDetermined) {
     using namespace study::cost;
     Model model;
     for (int i = 1; i <= 9; ++i) {
-        const Quantities q{100. * i, 10. * i * i, 1000. / i, 64. * i};
+        const Quantities q{100. * i, 10. * i * i, 1000. / i, 64. * i * i * i, 9};
         model.runs.push_back({"vertices", Stages::all, q, {1000. + i, 1000, 1001. + i, 3}});
     }
     std::vector<Observation> rows;
@@ -89,7 +89,7 @@ TEST(CostDocument, HoldsTogetherAndShowsWhatIsNotDetermined) {
         rows.push_back({factors_of(run.quantities, run.stages), run.timing.median});
     model.whole_runs = model.runs;
     model.fit = model.whole_fit = fitted(rows);
-    Prediction prediction{"a scene", "a view", {1, 2, 3, 4}, {5, 4, 6, 3}, 5, {}};
+    Prediction prediction{"a scene", "a view", {1, 2, 3, 4, 5}, {5, 4, 6, 3}, 5, {}};
     prediction.share.assign(constant_names().size(), 0.1);
     const Loaded loaded = generate_suite_scene("closed_surfaces", 64, 36);
     const TrickStudy tricks = study_tricks(loaded.scene, loaded.views.front(), 1);

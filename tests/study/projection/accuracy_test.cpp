@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "study/projection/accuracy.h"
+#include "study/projection/border_lattice.h"
 #include "tests/study/projection/random_frusta.h"
 
 namespace zproof::study::projection {
@@ -108,7 +109,21 @@ TEST(Accuracy, APixelLostIsTracedToItsOperation) {
         EXPECT_EQ(lost, score.other_pixel) << score.route << " " << score.numbers;
     }
     EXPECT_EQ(score_of(a, "canvas", "float32").other_pixel, 0u);  // eighths and sixty-fourths all the way
+    const RouteScore& stages = score_of(a, "stages", "float32");
+    EXPECT_GT(stages.other_pixel, 100u);
+    for (const OperationScore& operation : stages.operations)
+        EXPECT_EQ(operation.pixels_lost, operation.operation == "near x" ? stages.other_pixel : 0u);
+}
+
+TEST(BorderLattice, LiesOnBordersAndTheRouteWithoutANearPlaneKeepsAllOfThem) {
+    const ViewAccuracy a = accuracy_of(border_lattice(), lattice_view(), 10'000);
+    EXPECT_EQ(a.on_canvas, a.vertices);
+    EXPECT_EQ(a.on_pixel_border, a.vertices);
+    // No near plane: every number on the way is a multiple of a power of two.
+    EXPECT_EQ(score_of(a, "canvas", "float32").other_pixel, 0u);
+    EXPECT_EQ(score_of(a, "canvas", "float64").px.largest, 0);
     EXPECT_GT(score_of(a, "stages", "float32").other_pixel, 0u);
+    EXPECT_GT(score_of(a, "stages", "float32").px.largest, score_of(a, "stages", "float64").px.largest);
 }
 
 TEST(Accuracy, TheCanvasIsAskedOnlyWhereThereIsOne) {

@@ -146,6 +146,15 @@ TEST(ShadingStudy, RasterizedAndTracedAgreeToRoundingAndAffineKeepsToItsBound) {
 
 // Both interpolate normals by the place on the triangle. A picture of 16 bits errs by half a step; POV-Ray's
 // mesh has float32 corners and normals, and a highlight's slope is its exponent.
+TEST(ShadingStudy, NormalsAreMadeWhereNoneAreGiven) {
+    Scene bare = sphere(3, 8).scene;
+    EXPECT_EQ(with_normals(bare).vertices.normal_world, bare.vertices.normal_world);
+    bare.vertices.normal_world.clear();
+    const Scene smooth = with_normals(bare);
+    for (std::size_t i = 0; i < bare.vertices.position_world.size(); ++i)
+        EXPECT_GT(glm::dot(smooth.vertices.normal_world[i], bare.vertices.position_world[i]), 0.999f);
+}
+
 TEST(ShadingStudy, PovRaysSmoothTrianglesAreOurs) {
     const Loaded loaded = sphere(2, 96);
     const ShadingStudy study = study_shading(loaded.scene, loaded.views.front(), [](const std::string&) {});
