@@ -65,6 +65,7 @@ const std::vector<Case> cases{
     {"PointsAmongTriangles", {"run", "mixed"}, 0, "no triangles"},
     {"Completion", {"completion", "bash"}, 0, "complete -F _zproof zproof"},
     {"Manual", {"man"}, 0, ".TH ZPROOF 1"},
+    {"Doctor", {"doctor", "--config", "none"}, 0, "everything that these settings need is here"},
     {"Generate", {"scenes", "generate", "guard_band"}, 0, "guard_band.view.json"},
     {"Render", {"render", "one.gltf", "--width", "8", "--height", "6"}, 0, "frame-all.exr"},
     {"Explain", {"explain", "one.gltf", "1", "1", "--width", "8", "--height", "6"}, 0, "agree"},
