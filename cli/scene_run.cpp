@@ -147,7 +147,9 @@ Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewRe
                       summon(desk.parties.witnesses, loaded.scene)};
     const double build_time = watch.lap();
 
-    for (const View& view : wanted_views(loaded, desk.only_view)) {
+    const std::vector<View> views = wanted_views(loaded, desk.only_view);
+    desk.progress.expect_views(views.size());
+    for (const View& view : views) {
         if (interrupted()) return Ending::interrupted;
         const Docket docket{source, loaded.scene, view, desk.parties};
         std::optional<ViewResult> result = run_view_or_say_why_not({docket, court, desk});
@@ -157,6 +159,7 @@ Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewRe
             result->times.reference_build = build_time;
         }
         results.push_back(std::move(*result));
+        desk.progress.end_view();
     }
     return Ending::complete;
 }
@@ -181,7 +184,8 @@ SceneReport run_scene(const SceneSource& source, const Desk& desk) {
     } catch (const OracleError& e) {
         report.views.push_back(unjudged(source, Outcome::unreadable, e.what()));
     }
-    for (const ViewResult& view : report.views) desk.progress.finish_view(view);
+    desk.progress.finish_scene();
+    for (const ViewResult& view : report.views) desk.progress.tell(view);
     return report;
 }
 

@@ -12,6 +12,7 @@
 #include "frame/frame.h"
 #include "frame/picture.h"
 #include "frame/precision.h"
+#include "oracle/povray/gloss.h"
 #include "scenes/light.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
@@ -37,7 +38,7 @@ class PovRay {
 
     /// A lit, textured picture of the same view (oracle/povray/picture.h), linear, 16 bits a channel, cut to
     /// [0, 1]. Throws OracleError as render, and for what povray_picture refuses.
-    Picture picture(const View& view, const Light& light) const;
+    Picture picture(const View& view, const Light& light, const Gloss& gloss = {}) const;
 
   private:
     const Scene& scene_;

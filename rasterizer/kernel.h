@@ -11,6 +11,7 @@
 
 #include "frame/frame.h"
 #include "rasterizer/snap.h"
+#include "rasterizer/tricks.h"
 
 namespace zproof::rasterizer {
 
@@ -62,6 +63,31 @@ struct TileSamples {
     std::int32_t sample_offset = 128;
     /// The least value of an edge function that is covered, by top and left edges and by the others.
     std::int32_t least_of_top_left = 0, least_of_others = 1;
+    int columns = tile_size, rows = tile_size;  ///< of the tile that are the image's
+};
+
+/// What a tile was made of. Whole numbers, the same for every instruction set and number of threads.
+struct Tally {
+    std::uint64_t blocks = 0;         ///< of 4 x 4 pixels that a triangle may cover
+    std::uint64_t hidden_blocks = 0;  ///< of those, left alone because all they hold is nearer
+    std::uint64_t fragments = 0;      ///< covered pixels of the image in the others: depth tests
+    std::uint64_t written = 0;        ///< tests that were passed
+};
+
+/// When a fragment is shaded.
+enum class ShadingTime {
+    before_the_test,  ///< late z: every covered pixel of every triangle
+    after_the_test,   ///< early z: those that pass
+};
+
+/// What becomes of a shaded fragment.
+enum class Fate { kept, discarded };
+
+/// Called for the fragments of pixel (x, y) of the image, in the order of drawing.
+struct FragmentShader {
+    void (*shade)(void* stage, PrimitiveId id, int x, int y, Fate fate) = nullptr;
+    void* stage = nullptr;
+    ShadingTime time = ShadingTime::after_the_test;
 };
 
 /// Some triangles of a run, in the order of the scene, for one tile. They need an area and to be within the
@@ -72,6 +98,9 @@ struct TileWork {
     std::uint32_t count = 0;
     const TileSamples& samples;
     TilePixels& pixels;
+    HierarchicalZ hierarchical_z = HierarchicalZ::blocks;
+    Tally* tally = nullptr;                  ///< for draw_tallied
+    const FragmentShader* shader = nullptr;  ///< for draw_shaded
 };
 
 enum class Isa { scalar, avx2, avx512 };
@@ -81,6 +110,10 @@ struct Kernel {
     const char* name = "";
     void (*draw)(const TileWork&) noexcept = nullptr;   ///< depth test, depth and id of every covered pixel
     void (*count)(const TileWork&) noexcept = nullptr;  ///< one more in `primitive` of every covered pixel
+    // The same pixels as draw, by `hierarchical_z`, and more beside; all but the first at leisure.
+    void (*draw_every_block)(const TileWork&) noexcept = nullptr;  ///< without hierarchical z
+    void (*draw_tallied)(const TileWork&) noexcept = nullptr;      ///< counts into `tally`
+    void (*draw_shaded)(const TileWork&) = nullptr;                ///< hands fragments to `shader`
 };
 
 namespace scalar {

@@ -146,29 +146,113 @@ struct Scan {
     double at(int k, int x, int y) const { return (e[k] + a[k] * x) + b[k] * y; }
 };
 
-/// The pixels of block (column, row), the block's place in the tile.
+/// Bit i: pixel i of a block.
+struct Won {
+    unsigned covered, nearer;
+};
+
+/// Depth test, depth and id of the pixels of a block; (x, y) is the block's place in the tile.
+Won draw_block(const Scan& scan, TilePixels& pixels, int place, int x, int y) {
+    const Doubles e0 = all(scan.at(0, x, y)) + scan.offset[0];
+    const Doubles e1 = all(scan.at(1, x, y)) + scan.offset[1];
+    const Doubles e2 = all(scan.at(2, x, y)) + scan.offset[2];
+    const auto inside =
+        at_least(e0, scan.least[0]) & at_least(e1, scan.least[1]) & at_least(e2, scan.least[2]);
+    const unsigned covered = bits_of(inside);
+    if (covered == 0) return {0, 0};
+    const Floats seen = rounded((e0 * scan.weight[0] + e1 * scan.weight[1]) + e2 * scan.weight[2]);
+    float* const nearness = pixels.nearness + 16 * place;
+    const Floats held = load(nearness);
+    const auto wins = narrowed(inside) & greater(seen, held);
+    put(nearness, wins, seen);
+    put(pixels.primitive + 16 * place, wins, scan.id);
+    return {covered, bits_of(wins)};
+}
+
+bool is_hidden(const Scan& scan, const TilePixels& pixels, int place) {
+    return !(scan.nearest > pixels.farthest[place]);
+}
+
+void note_farthest(TilePixels& pixels, int place, unsigned covered) {
+    const float* const nearness = pixels.nearness + 16 * place;
+    if (covered == 0xFFFF) pixels.farthest[place] = least_of(load(nearness));
+}
+
 struct Draw {
-    static void block(const Scan& scan, TilePixels& pixels, int place, int x, int y) {
-        if (!(scan.nearest > pixels.farthest[place])) return;
-        const Doubles e0 = all(scan.at(0, x, y)) + scan.offset[0];
-        const Doubles e1 = all(scan.at(1, x, y)) + scan.offset[1];
-        const Doubles e2 = all(scan.at(2, x, y)) + scan.offset[2];
-        const auto inside =
-            at_least(e0, scan.least[0]) & at_least(e1, scan.least[1]) & at_least(e2, scan.least[2]);
-        const unsigned covered = bits_of(inside);
-        if (covered == 0) return;
-        const Floats seen = rounded((e0 * scan.weight[0] + e1 * scan.weight[1]) + e2 * scan.weight[2]);
-        float* const nearness = pixels.nearness + 16 * place;
-        const Floats held = load(nearness);
-        const auto wins = narrowed(inside) & greater(seen, held);
-        put(nearness, wins, seen);
-        put(pixels.primitive + 16 * place, wins, scan.id);
-        if (covered == 0xFFFF) pixels.farthest[place] = least_of(load(nearness));
+    explicit Draw(const TileWork&) {}
+    void leave_out(unsigned) const {}
+    void block(const Scan& scan, TilePixels& pixels, int place, int x, int y) const {
+        if (is_hidden(scan, pixels, place)) return;
+        note_farthest(pixels, place, draw_block(scan, pixels, place, x, y).covered);
+    }
+};
+
+/// What is farthest is never noted, so that no block is hidden.
+struct DrawEveryBlock {
+    explicit DrawEveryBlock(const TileWork&) {}
+    void leave_out(unsigned) const {}
+    void block(const Scan& scan, TilePixels& pixels, int place, int x, int y) const {
+        draw_block(scan, pixels, place, x, y);
+    }
+};
+
+/// Which pixels of the block at (x, y) of the tile are the image's.
+unsigned within_image(const TileSamples& tile, int x, int y) {
+    unsigned bits = 0;
+    for (int i = 0; i < 16; ++i) bits |= (x + i % 4 < tile.columns && y + i / 4 < tile.rows ? 1u : 0u) << i;
+    return bits;
+}
+
+unsigned count_of(unsigned bits) { return unsigned(__builtin_popcount(bits)); }
+
+struct DrawTallied {
+    Tally& tally;
+    HierarchicalZ hierarchical_z;
+    const TileSamples& tile;
+
+    explicit DrawTallied(const TileWork& work)
+        : tally(*work.tally), hierarchical_z(work.hierarchical_z), tile(work.samples) {}
+    void leave_out(unsigned blocks) const {
+        tally.blocks += count_of(blocks);
+        tally.hidden_blocks += count_of(blocks);
+    }
+    void block(const Scan& scan, TilePixels& pixels, int place, int x, int y) const {
+        if (is_hidden(scan, pixels, place)) return leave_out(1);
+        const Won won = draw_block(scan, pixels, place, x, y);
+        const unsigned image = within_image(tile, x, y);
+        tally.blocks += 1;
+        tally.fragments += count_of(won.covered & image);
+        tally.written += count_of(won.nearer & image);
+        if (hierarchical_z == HierarchicalZ::blocks) note_farthest(pixels, place, won.covered);
+    }
+};
+
+struct DrawShaded {
+    const FragmentShader& shader;
+    HierarchicalZ hierarchical_z;
+    const TileSamples& tile;
+
+    explicit DrawShaded(const TileWork& work)
+        : shader(*work.shader), hierarchical_z(work.hierarchical_z), tile(work.samples) {}
+    void leave_out(unsigned) const {}
+    void block(const Scan& scan, TilePixels& pixels, int place, int x, int y) const {
+        if (is_hidden(scan, pixels, place)) return;
+        const Won won = draw_block(scan, pixels, place, x, y);
+        const bool late = shader.time == ShadingTime::before_the_test;
+        const unsigned shaded = (late ? won.covered : won.nearer) & within_image(tile, x, y);
+        for (unsigned left = shaded; left != 0; left &= left - 1) {
+            const int i = __builtin_ctz(left);
+            shader.shade(shader.stage, PrimitiveId{scan.id}, tile.x0 + x + i % 4, tile.y0 + y + i / 4,
+                         won.nearer >> i & 1 ? Fate::kept : Fate::discarded);
+        }
+        if (hierarchical_z == HierarchicalZ::blocks) note_farthest(pixels, place, won.covered);
     }
 };
 
 struct Count {
-    static void block(const Scan& scan, TilePixels& pixels, int place, int x, int y) {
+    explicit Count(const TileWork&) {}
+    void leave_out(unsigned) const {}
+    void block(const Scan& scan, TilePixels& pixels, int place, int x, int y) const {
         const auto inside = at_least(all(scan.at(0, x, y)) + scan.offset[0], scan.least[0]) &
                             at_least(all(scan.at(1, x, y)) + scan.offset[1], scan.least[1]) &
                             at_least(all(scan.at(2, x, y)) + scan.offset[2], scan.least[2]);
@@ -177,54 +261,66 @@ struct Count {
     }
 };
 
-/// Which of the 16 blocks from pixel (x, y) may have covered pixels that can win: E is affine, so of each
-/// block the corner decides that lies farthest inwards.
-unsigned blocks_reached(const Scan& scan, const TilePixels& pixels, int x, int y) {
+/// Of 16 blocks, bit by bit.
+struct Blocks {
+    unsigned met;   ///< may have covered pixels
+    unsigned open;  ///< of those, may have pixels that can win
+};
+
+/// Of the 16 blocks from pixel (x, y): E is affine, so of each block the corner decides that lies farthest
+/// inwards.
+Blocks blocks_reached(const Scan& scan, const TilePixels& pixels, int x, int y) {
     const auto reached = [&](int k) {
         const double to_corner = 3 * (greater_of(scan.a[k], 0.0) + greater_of(scan.b[k], 0.0));
         return at_least(all(scan.at(k, x, y) + to_corner) + scan.offset[k] * 4.0, scan.least[k]);
     };
     const unsigned inside = bits_of(reached(0) & reached(1) & reached(2));
     const float* const farthest = pixels.farthest + (y / 16 * 4 + x / 16) * 16;
-    return inside & bits_of(greater(all(scan.nearest), load(farthest)));
+    return {inside, inside & bits_of(greater(all(scan.nearest), load(farthest)))};
 }
 
 template <class Visit>
-void scan_large(const Scan& scan, TilePixels& pixels, const Batch& batch, int i) {
+void scan_large(const Scan& scan, TilePixels& pixels, const Batch& batch, int i, const Visit& visit) {
     for (int y = batch.row0[i] & ~15; y <= batch.row1[i]; y += 16) {
         for (int x = batch.column0[i] & ~15; x <= batch.column1[i]; x += 16) {
             const int first = (y / 16 * 4 + x / 16) * 16;
-            for (unsigned left = blocks_reached(scan, pixels, x, y); left != 0; left &= left - 1) {
+            const Blocks blocks = blocks_reached(scan, pixels, x, y);
+            visit.leave_out(blocks.met & ~blocks.open);
+            for (unsigned left = blocks.open; left != 0; left &= left - 1) {
                 const int block = __builtin_ctz(left);
-                Visit::block(scan, pixels, first + block, x + block % 4 * 4, y + block / 4 * 4);
+                visit.block(scan, pixels, first + block, x + block % 4 * 4, y + block / 4 * 4);
             }
         }
     }
 }
 
 template <class Visit>
-void scan_triangle(TilePixels& pixels, const Batch& batch, int i) {
+void scan_triangle(TilePixels& pixels, const Batch& batch, int i, const Visit& visit) {
     const Scan scan(batch, i);
     const int x0 = batch.column0[i] & ~3, x1 = batch.column1[i] & ~3;
     const int y0 = batch.row0[i] & ~3, y1 = batch.row1[i] & ~3;
-    if (x1 - x0 > 4 || y1 - y0 > 4) return scan_large<Visit>(scan, pixels, batch, i);
+    if (x1 - x0 > 4 || y1 - y0 > 4) return scan_large(scan, pixels, batch, i, visit);
     for (int y = y0; y <= y1; y += 4)
         for (int x = x0; x <= x1; x += 4)
-            Visit::block(scan, pixels, (y / 16 * 4 + x / 16) * 16 + y / 4 % 4 * 4 + x / 4 % 4, x, y);
+            visit.block(scan, pixels, (y / 16 * 4 + x / 16) * 16 + y / 4 % 4 * 4 + x / 4 % 4, x, y);
 }
 
 /// A batch is filled up with its last triangle.
 template <class Visit>
 void for_each_triangle(const TileWork& work) {
+    const Visit visit(work);
     Batch batch;
     for (std::uint32_t first = 0; first < work.count; first += batch_size) {
         const int last = lesser(batch_size, std::int32_t(work.count - first)) - 1;
         for (int i = 0; i < batch_size; ++i)
             batch.load(work.run, work.places[first + std::uint32_t(lesser(i, last))], i);
         batch.set_up(work.samples);
-        for (int i = 0; i <= last; ++i) scan_triangle<Visit>(work.pixels, batch, i);
+        for (int i = 0; i <= last; ++i) scan_triangle(work.pixels, batch, i, visit);
     }
 }
 
 void draw(const TileWork& work) noexcept { for_each_triangle<Draw>(work); }
 void count(const TileWork& work) noexcept { for_each_triangle<Count>(work); }
+void draw_every_block(const TileWork& work) noexcept { for_each_triangle<DrawEveryBlock>(work); }
+void draw_tallied(const TileWork& work) noexcept { for_each_triangle<DrawTallied>(work); }
+void draw_shaded(const TileWork& work) { for_each_triangle<DrawShaded>(work); }

@@ -125,6 +125,6 @@ float least_of(const Floats& f) {
 
 }  // namespace
 
-const Kernel kernel{Isa::avx2, "AVX2", draw, count};
+const Kernel kernel{Isa::avx2, "AVX2", draw, count, draw_every_block, draw_tallied, draw_shaded};
 
 }  // namespace zproof::rasterizer::avx2

@@ -61,6 +61,6 @@ float least_of(const Floats& f) { return _mm512_reduce_min_ps(f.lanes); }
 
 }  // namespace
 
-const Kernel kernel{Isa::avx512, "AVX-512", draw, count};
+const Kernel kernel{Isa::avx512, "AVX-512", draw, count, draw_every_block, draw_tallied, draw_shaded};
 
 }  // namespace zproof::rasterizer::avx512

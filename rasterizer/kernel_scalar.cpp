@@ -92,6 +92,6 @@ float least_of(const Floats& f) {
 
 }  // namespace
 
-const Kernel kernel{Isa::scalar, "scalar", draw, count};
+const Kernel kernel{Isa::scalar, "scalar", draw, count, draw_every_block, draw_tallied, draw_shaded};
 
 }  // namespace zproof::rasterizer::scalar

@@ -5,32 +5,72 @@
 #include <utility>
 
 #include "frame/frame.h"
+#include "frame/picture.h"
 #include "rasterizer/dispatch.h"
+#include "rasterizer/draw_list.h"
 #include "rasterizer/rules.h"
 #include "rasterizer/tile_bins.h"
 #include "rasterizer/view_setup.h"
+#include "scenes/light.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
 namespace zproof::rasterizer {
 
+/// What a frame was made of. Whole numbers, the same for any number of threads.
+struct Work {
+    std::uint64_t vertices = 0;          ///< transformed
+    std::uint64_t triangles = 0;         ///< looked at
+    std::uint64_t outside = 0;           ///< of those, by their vertices' outcodes
+    std::uint64_t cut = 0;               ///< clipped by near, far or the guard band
+    std::uint64_t facing_away = 0;       ///< left out by Facing::front, pieces included
+    std::uint64_t set_up = 0;            ///< put into tiles, pieces included
+    std::uint64_t places = 0;            ///< in tiles: a triangle counts in each tile that it may reach
+    std::uint64_t chunks_culled = 0;     ///< left out by their boxes
+    std::uint64_t pixels = 0, seen = 0;  ///< of the image; that show a triangle
+    Tally tally;
+
+    /// How often a pixel of the image is covered, on average: d of docs/cost.md.
+    double depth_complexity() const { return double(tally.fragments) / double(pixels); }
+};
+
+/// A picture shaded fragment by fragment while it is drawn.
+struct ShadedFrame {
+    Picture picture;
+    std::uint64_t shaded = 0;  ///< fragments that were shaded
+};
+
 /// Vertices, then triangles into tiles, then tiles, each in parallel. Tiles share no pixel and draw in scene
 /// order, so the bits depend on scene, view and rules alone. What it allocates it keeps for the next frame.
 class Pipeline {
   public:
-    explicit Pipeline(const Rules& rules, const Kernel& kernel = widest_kernel())
-        : rules_(rules), kernel_(kernel) {}
+    explicit Pipeline(const Rules& rules, const Kernel& kernel = widest_kernel(), const Tricks& tricks = {})
+        : rules_(rules), kernel_(kernel), tricks_(tricks) {}
 
-    /// Valid until the next call.
-    const Frame& render(const Scene& scene, const View& view);
+    /// Valid until the next call. `chunks` are chunks_of(scene): needed where need_chunks() says so, else
+    /// unread.
+    const Frame& render(const Scene& scene, const View& view, const std::vector<Chunk>& chunks = {});
     /// The frame of the last render(), to be kept; the next one begins a new one.
     Frame take_frame() { return std::exchange(frame_, Frame{}); }
 
     Plane<std::uint32_t> count_fragments(const Scene& scene, const View& view);
 
+    /// What render() does, counted.
+    Work count_work(const Scene& scene, const View& view, const std::vector<Chunk>& chunks = {});
+
+    /// The colours of shade() of shading.h, made while drawing. Hierarchical z is not used before the test,
+    /// where every fragment is to be shaded.
+    ShadedFrame render_shaded(const Scene& scene, const View& view, const Light& light, ShadingTime time,
+                              const std::vector<Chunk>& chunks = {});
+
   private:
+    ViewSetup prepare(const Scene& scene, const View& view, const std::vector<Chunk>& chunks);
+    void count_triangles(const Scene& scene, const ViewSetup& setup, const Range& range, Work& work) const;
+
     Rules rules_;
     Kernel kernel_;
+    Tricks tricks_;
+    DrawList list_;  ///< of the last prepare(), where tricks need chunks
     ProjectedVertices projected_;
     TileBins bins_;
     Frame frame_;

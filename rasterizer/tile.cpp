@@ -24,7 +24,9 @@ TileSamples samples_of(const PixelRect& pixels, const ViewSetup& setup) {
             .subpixel_bits = setup.grid.bits,
             .sample_offset = setup.grid.sample_offset,
             .least_of_top_left = least_covered(setup.fill, EdgeKind::top_left),
-            .least_of_others = least_covered(setup.fill, EdgeKind::other)};
+            .least_of_others = least_covered(setup.fill, EdgeKind::other),
+            .columns = pixels.x1 - pixels.x0,
+            .rows = pixels.y1 - pixels.y0};
 }
 
 /// One row of a tile, out of its blocks.
@@ -38,15 +40,37 @@ std::array<Value, tile_size> row_of(const Value* values, int y) {
 }  // namespace
 
 Tile::Tile(const PixelRect& pixels, const ViewSetup& setup) noexcept
-    : pixels_(pixels), depth_(setup.depth), samples_(samples_of(pixels, setup)) {
+    : pixels_(pixels),
+      depth_(setup.depth),
+      samples_(samples_of(pixels, setup)),
+      hierarchical_z_(setup.hierarchical_z) {
     std::ranges::fill(values_.nearness, nothing_seen);
     std::ranges::fill(values_.primitive, std::uint32_t(PrimitiveId::none));
     std::ranges::fill(values_.farthest, nothing_seen);
 }
 
+TileWork Tile::work(const TriangleRun& run, std::span<const std::uint32_t> places) noexcept {
+    return {run, places.data(), std::uint32_t(places.size()), samples_, values_, hierarchical_z_};
+}
+
 void Tile::draw(const Kernel& kernel, const TriangleRun& run,
                 std::span<const std::uint32_t> places) noexcept {
-    kernel.draw({run, places.data(), std::uint32_t(places.size()), samples_, values_});
+    const auto draw = hierarchical_z_ == HierarchicalZ::blocks ? kernel.draw : kernel.draw_every_block;
+    draw(work(run, places));
+}
+
+void Tile::draw_tallied(const Kernel& kernel, const TriangleRun& run, std::span<const std::uint32_t> places,
+                        Tally& tally) noexcept {
+    TileWork counted = work(run, places);
+    counted.tally = &tally;
+    kernel.draw_tallied(counted);
+}
+
+void Tile::draw_shaded(const Kernel& kernel, const TriangleRun& run, std::span<const std::uint32_t> places,
+                       const FragmentShader& shader) {
+    TileWork shaded = work(run, places);
+    shaded.shader = &shader;
+    kernel.draw_shaded(shaded);
 }
 
 void Tile::resolve(Frame& frame) const noexcept {

@@ -18,6 +18,12 @@ class Tile {
 
     /// Triangles of one run, by their places in it.
     void draw(const Kernel& kernel, const TriangleRun& run, std::span<const std::uint32_t> places) noexcept;
+    /// The same, and adds to the tally.
+    void draw_tallied(const Kernel& kernel, const TriangleRun& run, std::span<const std::uint32_t> places,
+                      Tally& tally) noexcept;
+    /// The same, and hands every fragment to the shader.
+    void draw_shaded(const Kernel& kernel, const TriangleRun& run, std::span<const std::uint32_t> places,
+                     const FragmentShader& shader);
 
     /// Writes ids and camera depths of this tile's pixels.
     void resolve(Frame& frame) const noexcept;
@@ -25,7 +31,10 @@ class Tile {
   private:
     PixelRect pixels_;
     DepthFunctional depth_;
+    TileWork work(const TriangleRun& run, std::span<const std::uint32_t> places) noexcept;
+
     TileSamples samples_;
+    HierarchicalZ hierarchical_z_;
     TilePixels values_;
 };
 

@@ -99,12 +99,21 @@ void BinnedRun::sort() {
 void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup) {
     const std::size_t count = scene.triangles.size();
     const std::size_t length = run_length(count);
+    std::vector<Range> ranges;
+    for (std::size_t begin = 0; begin < count; begin += length) {
+        const std::size_t end = std::min(count, begin + length);
+        ranges.push_back({std::uint32_t(begin), std::uint32_t(end)});
+    }
+    fill(scene, projected, setup, ranges);
+}
+
+void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup,
+                    std::span<const Range> ranges) {
     tiles_ = TileGrid(setup.size);
-    used_ = (count + length - 1) / length;
+    used_ = ranges.size();
     if (runs_.size() < used_) runs_.resize(used_);
     tbb::parallel_for(std::size_t{0}, used_, [&](std::size_t r) {
-        const std::size_t begin = r * length, end = std::min(count, begin + length);
-        runs_[r].fill(scene, projected, setup, begin, end);
+        runs_[r].fill(scene, projected, setup, ranges[r].begin, ranges[r].end);
     });
 }
 

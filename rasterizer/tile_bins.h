@@ -60,6 +60,10 @@ class TileBins {
     /// tbb::task_arena: the bins do not depend on the number of threads.
     void fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup);
 
+    /// The same for some triangles, a run for each range, drawn in the order of the ranges.
+    void fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup,
+              std::span<const Range> ranges);
+
     std::span<const BinnedRun> runs() const { return std::span(runs_).first(used_); }
     const TileGrid& tiles() const { return tiles_; }
     bool is_empty(std::size_t tile) const;

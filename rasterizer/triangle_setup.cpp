@@ -45,6 +45,7 @@ std::optional<Placed> placed(const Corners& corners, const ViewSetup& setup) noe
     const std::int64_t area = doubled_area(corners[0], corners[1], corners[2]);
     const PixelRect pixels = pixels_within(corners, setup);
     if (area == 0 || pixels.is_empty()) return std::nullopt;
+    if (setup.facing == Facing::front && area > 0) return std::nullopt;
     Placed triangle{corners, pixels, area < 0};
     if (area < 0) std::swap(triangle.corners[1], triangle.corners[2]);
     return triangle;

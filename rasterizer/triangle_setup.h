@@ -30,8 +30,8 @@ struct Placed {
     bool was_counter = false;  ///< it was counter-clockwise; its last two corners have changed places
 };
 
-/// Both windings are drawn. Nothing where the snapped area is 0 or no sample of the image is in the bounding
-/// box: such a triangle covers no sample.
+/// Both windings are drawn, or the counter-clockwise (setup.facing). Nothing where the snapped area is 0 or
+/// no sample of the image is in the bounding box: such a triangle covers no sample.
 std::optional<Placed> placed(const Corners& corners, const ViewSetup& setup) noexcept;
 
 /// What is left of a triangle, by the outcodes of its vertices.

@@ -46,7 +46,7 @@ bool is_in_guard_band(double coordinate_px, double guard_px) {
 
 }  // namespace
 
-ViewSetup::ViewSetup(const View& view, const Rules& rules)
+ViewSetup::ViewSetup(const View& view, const Rules& rules, const Tricks& tricks)
     : size{view.width, view.height},
       clip_from_world(view.camera),
       guard_px(guard_band_px(rules.subpixel_bits)),
@@ -54,7 +54,9 @@ ViewSetup::ViewSetup(const View& view, const Rules& rules)
       grid(grid_of(rules)),
       depth(depth_functional(view.camera.projection, rules)),
       fill(rules.fill),
-      raster_y(rules.raster_y) {}
+      raster_y(rules.raster_y),
+      facing(tricks.facing),
+      hierarchical_z(tricks.hierarchical_z) {}
 
 std::optional<SnappedVertex> ViewSetup::snap(const ClipVertex& v) const noexcept {
     const double x_ndc = v.x / v.w;
@@ -66,6 +68,12 @@ std::optional<SnappedVertex> ViewSetup::snap(const ClipVertex& v) const noexcept
 }
 
 void ProjectedVertices::fill(const Vertices& vertices, const ViewSetup& setup) {
+    const Range all{0, std::uint32_t(vertices.position_world.size())};
+    fill(vertices, setup, std::span(&all, 1));
+}
+
+void ProjectedVertices::fill(const Vertices& vertices, const ViewSetup& setup,
+                             std::span<const Range> ranges) {
     const std::size_t count = vertices.position_world.size();
     snapped.resize(count);
     outcode.resize(count);
@@ -80,9 +88,10 @@ void ProjectedVertices::fill(const Vertices& vertices, const ViewSetup& setup) {
         }
         outcode[i] = code;
     };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) project_one(i);
-    });
+    for (const Range& r : ranges)
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(r.begin, r.end, 1024), [&](const auto& range) {
+            for (std::size_t i = range.begin(); i != range.end(); ++i) project_one(i);
+        });
 }
 
 }  // namespace zproof::rasterizer

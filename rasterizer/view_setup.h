@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "frame/plane.h"
 #include "rasterizer/clip.h"
 #include "rasterizer/depth_functional.h"
+#include "rasterizer/draw_list.h"
 #include "rasterizer/kernel.h"
 #include "rasterizer/projection.h"
 #include "rasterizer/rules.h"
@@ -26,8 +28,10 @@ struct ViewSetup {
     DepthFunctional depth;
     FillRule fill = FillRule::top_left;
     RasterY raster_y = RasterY::down;
+    Facing facing = Facing::both;
+    HierarchicalZ hierarchical_z = HierarchicalZ::blocks;
 
-    ViewSetup(const View& view, const Rules& rules);
+    ViewSetup(const View& view, const Rules& rules, const Tricks& tricks = {});
 
     /// Divide by w > 0, viewport, snap. Nothing where the result leaves the guard band, which takes rounding
     /// gone astray (subnormal depths), or NaN: no such number is ever converted to an integer.
@@ -43,6 +47,9 @@ struct ProjectedVertices {
     /// Transforms every vertex once, on the threads of the surrounding tbb::task_arena. Memory is kept from
     /// the time before.
     void fill(const Vertices& vertices, const ViewSetup& setup);
+
+    /// The same for some vertices; what is known of the others means nothing.
+    void fill(const Vertices& vertices, const ViewSetup& setup, std::span<const Range> ranges);
 };
 
 }  // namespace zproof::rasterizer

@@ -47,6 +47,7 @@ const std::map<std::string, Names> spoken_to_in{
     {"tiny_gltf.h", {"scenes"}},
     {"nlohmann/", {"frame", "scenes", "reports"}},
     {"CLI/", {"cli"}},
+    {"Eigen/", {"study"}},
     {"iostream", {"cli"}},
     {"cstdio", {}},
 };

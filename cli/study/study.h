@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/filters/study_progress.h"
 #include "cli/study/arguments.h"
+#include "cli/work_progress.h"
 #include "reports/document/document.h"
 #include "scenes/loaded.h"
 
@@ -24,7 +24,7 @@ struct StudiedView {
 struct StudyTask {
     const StudyArguments& arguments;
     const std::vector<Loaded>& subjects;  ///< with the views that were asked for
-    StudyProgress& progress;              ///< begin_unit() is owed Study::units_per_view times a view
+    WorkProgress& progress;               ///< begin() is owed Study::units_per_view times a view
 };
 
 struct Study {
@@ -48,5 +48,8 @@ void each_view(const StudyTask& task, const std::function<void(const StudiedView
 
 /// One file per study: projection.cpp, ...
 Study projection_study();
+Study depth_study();
+Study shading_study();
+Study cost_study();
 
 }  // namespace zproof

@@ -206,25 +206,32 @@ class MeshWriter {
     std::vector<PovrayImage> images_;
 };
 
-/// At infinity, as far as parallel light is concerned; without shadows.
-std::string light_text(const Camera& c, const Light& light, const PovrayUnits& units) {
+/// At infinity, as far as parallel light is concerned. `shadows` says how it goes without any.
+std::string light_text(const Camera& c, const Light& light, const PovrayUnits& units,
+                       const std::string& shadows) {
     const glm::dvec3 l = light.toward_camera;
     const glm::dvec3 toward_world = l.x * c.right + l.y * c.up + l.z * c.back;
     const double distance = 4 * (units.high + units.origin_reach);
-    return "light_source{" + vector_text(distance * toward_world) +
-           " rgb 1 parallel point_at<0,0,0> shadowless}\n";
+    return "light_source{" + vector_text(distance * toward_world) + " rgb 1 parallel point_at<0,0,0>" +
+           shadows + "}\n";
 }
 
 }  // namespace
 
-PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& light) {
+PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& light, const Gloss& gloss) {
     const PovrayUnits units = povray_geometry(scene, view).units;
     MeshWriter mesh(scene, view, units.scale);
+    // A shadowless light makes no highlight (POV-Ray takes it for a fill light), so the mesh is told instead.
+    const bool is_glossy = gloss.specular > 0;
+    const std::string highlight =
+        is_glossy ? " phong " + number_text(gloss.specular) + " phong_size " + number_text(gloss.exponent)
+                  : "";
     std::string text =
         "#version 3.7;\nglobal_settings{assumed_gamma 1 adc_bailout 0}\n#default{finish{ambient " +
-        number_text(light.ambient) + " diffuse " + number_text(light.diffuse) + "}}\nbackground{rgb 0}\n" +
-        povray_camera_text(view, units) + light_text(view.camera, light, units) +
-        mesh.text(povray_clip_text(view.camera, units));
+        number_text(light.ambient) + " diffuse " + number_text(light.diffuse) + highlight +
+        "}}\nbackground{rgb 0}\n" + povray_camera_text(view, units) +
+        light_text(view.camera, light, units, is_glossy ? "" : " shadowless") +
+        mesh.text(povray_clip_text(view.camera, units) + (is_glossy ? " no_shadow" : ""));
     return {std::move(text), std::move(mesh).images()};
 }
 

@@ -72,9 +72,9 @@ Frame PovRay::render(const View& view) const {
     return frame_of(read_ppm16(scratch.path() / picture_file, {view.width, view.height}), scene);
 }
 
-Picture PovRay::picture(const View& view, const Light& light) const {
+Picture PovRay::picture(const View& view, const Light& light, const Gloss& gloss) const {
     const ScratchFolder scratch;
-    const PovrayPicture picture = povray_picture(scene_, view, light);
+    const PovrayPicture picture = povray_picture(scene_, view, light, gloss);
     scratch.write(scene_file, picture.text);
     for (const PovrayImage& image : picture.images) scratch.write(image.name, image.bytes);
     run_povray(options_, view, scratch.path());

@@ -36,6 +36,28 @@ TEST(Study, ItsFolderIsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one, two);
 }
 
+TEST(Study, EveryStudyTakesAStrangersModel) {
+    const Folder folder;
+    folder.write("model.gltf", one_triangle());
+    for (const char* name : {"depth", "shading"}) {
+        const Ran ran =
+            run(folder, {"study", name, "model.gltf", "--width", "32", "--height", "24", "-o", name});
+        ASSERT_EQ(ran.exit_code, 0) << ran.err;
+        EXPECT_FALSE(document::read_document(folder.path() / name).sections.empty());
+    }
+    const Ran ran = run(folder, {"study", "cost", "model.gltf", "--width", "32", "--height", "24",
+                                 "--repeats", "1", "-o", "cost"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("k_fragment"), std::string::npos) << ran.out;
+}
+
+TEST(Study, PlanesThatAreNoneAreUsageErrors) {
+    const Folder folder;
+    folder.write("model.gltf", one_triangle());
+    EXPECT_EQ(run(folder, {"study", "depth", "model.gltf", "--near", "5", "--far", "2"}).exit_code, 2);
+    EXPECT_EQ(run(folder, {"study", "depth", "model.gltf", "--near", "-1"}).exit_code, 2);
+}
+
 TEST(Study, WordsThatMeanNothingAreUsageErrors) {
     const Folder folder;
     folder.write("model.gltf", one_triangle());

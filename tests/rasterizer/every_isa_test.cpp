@@ -103,6 +103,8 @@ void expect_plain_bits(const Scene& scene, const View& view, const Rules& rules 
                 EXPECT_TRUE(same_bits(expected, pipeline.render(scene, view))) << threads << " threads";
             });
         }
+        Pipeline every_block(rules, kernel, {.hierarchical_z = HierarchicalZ::none});
+        EXPECT_TRUE(same_bits(expected, every_block.render(scene, view))) << "without hierarchical z";
         EXPECT_TRUE(std::ranges::equal(fragments.pixels(), pipeline.count_fragments(scene, view).pixels()));
     }
 }

@@ -1,0 +1,36 @@
+/// What saves a z-buffer work without changing its picture. As it stands, nothing but hierarchical
+/// z is on. Plain data only: kernels see it (kernel.h).
+#pragma once
+
+namespace zproof::rasterizer {
+
+/// Which triangles are drawn.
+enum class Facing {
+    both,
+    front,  ///< counter-clockwise on the screen, glTF's front. Right for closed meshes seen from outside
+};
+
+/// What is known of the depths of a block of pixels.
+enum class HierarchicalZ {
+    blocks,  ///< the farthest of 4 x 4 pixels: a triangle behind that is not scanned there
+    none,    ///< every covered pixel is tested by itself
+};
+
+enum class FrustumCulling {
+    triangles,  ///< each by its own vertices, after they were transformed
+    chunks,     ///< runs of triangles by their box first: their vertices are not transformed
+};
+
+enum class DrawOrder {
+    as_stored,
+    front_to_back,  ///< chunk by chunk, by their boxes' nearest depth: of equal depths another may win
+};
+
+struct Tricks {
+    Facing facing = Facing::both;
+    HierarchicalZ hierarchical_z = HierarchicalZ::blocks;
+    FrustumCulling frustum_culling = FrustumCulling::triangles;
+    DrawOrder order = DrawOrder::as_stored;
+};
+
+}  // namespace zproof::rasterizer
