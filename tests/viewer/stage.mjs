@@ -61,6 +61,14 @@ export async function says(page, words) {
     await page.waitForFunction((wanted) => document.querySelector('#viewer .notice').textContent.includes(wanted), words);
 }
 
+/// Presses O, which must ask for a file, and chooses one. The browser's own dialog stays closed: whether it is caught in
+/// time would depend on the machine.
+export async function choose(page, file) {
+    await page.evaluate(() => { HTMLInputElement.prototype.click = function () { this.dataset.asked = 'yes'; }; });
+    await press(page, 'o');
+    await page.setInputFiles('input[type=file][data-asked]', file);
+}
+
 /// Lets the page draw what it has been asked to draw.
 export async function frames(page) {
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))));

@@ -4,7 +4,7 @@ import {readFileSync, readdirSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, describe, it} from 'node:test';
 import {readExr, writeExr} from './exr.mjs';
-import {countColour, crc32, frames, makeFolder, openBrowser, openReport, paneDigest, pixelShown, press, removeFolder,
+import {choose, countColour, crc32, frames, makeFolder, openBrowser, openReport, paneDigest, pixelShown, press, removeFolder,
         says, shell, viewerShows, zproof} from './stage.mjs';
 
 const small = ['--width', '480', '--height', '270'];
@@ -94,9 +94,7 @@ describe('planes', () => {
         await page.evaluate(() => document.querySelectorAll('script[id^=planes-]').forEach((element) => element.remove()));
         await press(page, 'v');
         await says(page, 'holds no planes');
-        const chooser = page.waitForEvent('filechooser');
-        await press(page, 'o');
-        await (await chooser).setFiles(join(failing, folderOf(failing, 'floor'), 'planes.zvp'));
+        await choose(page, join(failing, folderOf(failing, 'floor'), 'planes.zvp'));
         await viewerShows(page, 'room-floor');
         await press(page, 'n');
         assert.equal(failsGate(findings(failing, 'floor').get((await pixelShown(page)).join())), true);
@@ -105,9 +103,7 @@ describe('planes', () => {
 
     it('of another format are refused in words', async () => {
         const page = await openReport(browser, failing, '#view=room-door');
-        const chooser = page.waitForEvent('filechooser');
-        await press(page, 'o');
-        await (await chooser).setFiles(join(failing, folderOf(failing, 'door'), 'candidate.exr'));
+        await choose(page, join(failing, folderOf(failing, 'door'), 'candidate.exr'));
         await says(page, 'does not begin with ZVP1');
         await page.close();
     });
