@@ -56,7 +56,7 @@ constexpr auto all = std::to_array<Example>({
      "zproof filters check trilinear-gl worked --view phi-0 --picture mine.exr --precision weight_bits=8",
      "your own picture (R, G, B, linear light) of that view"},
     {"filters crow", "zproof filters crow -o crow", "the lecture's figure and its questions, answered"},
-    {"study projection", "zproof study projection", "two scenes of the suite, every route from world to pixel"},
+    {"study projection", "zproof study projection", "two suite scenes, every route from world to pixel"},
     {"study projection", "zproof study projection model.glb -o study", "a scene of your own"},
     {"completion", "zproof completion bash > zproof.bash", "then: source zproof.bash"},
     {"completion", "zproof completion fish > zproof.fish", "for ~/.config/fish/completions/"},
