@@ -5,6 +5,7 @@
 #include <sstream>
 #include <thread>
 
+#include "cli/command_line/misspelling.h"
 #include "cli/command_line/tree.h"
 #include "cli/usage_error.h"
 
@@ -19,7 +20,7 @@ std::string as_typed(int argc, const char* const* argv) {
 
 /// CLI11 throws both for mistakes and for --help; only the former are errors of the user.
 Answered answer_or_throw(const CLI::App& app, const CLI::ParseError& e) {
-    if (e.get_exit_code() != 0) throw UsageError{std::string{e.what()} + " (see: zproof --help)"};
+    if (e.get_exit_code() != 0) throw UsageError{e.what() + misspelling_in(app) + " (see: zproof --help)"};
     std::ostringstream text;
     app.exit(e, text, text);
     return {text.str()};

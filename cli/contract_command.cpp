@@ -4,8 +4,10 @@
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/renderers/roster.h"
 #include "cli/threads.h"
+#include "cli/work_progress.h"
 #include "compare/diagnosis.h"
 #include "compare/explain.h"
 #include "oracle/oracle_error.h"
@@ -24,6 +26,7 @@ constexpr Resolution picture_size{.width = 160, .height = 100};
 
 /// What came of the conversation so far; the worst of it is the exit status.
 struct Minutes {
+    int expected = 0;  ///< pictures, unless we are interrupted
     int pictures = 0, wrong = 0, missing = 0;
     std::map<std::string, int> causes;  ///< of how many wrong pictures each is the likely one
 };
@@ -36,34 +39,52 @@ std::string in_words(const Scene& scene, const Verdict& verdict, const std::opti
     return text;
 }
 
-void talk_about(const Scene& scene, const View& view, const Renderer& renderer, Minutes& minutes) {
+/// One picture: what came of it, in words that end a line.
+std::string judged(const Scene& scene, const View& view, const Renderer& renderer, Minutes& minutes) {
     const Renderer embree = open({.who = BuiltIn{"embree"}, .precision_word = {}}, scene);
     const Frame candidate = renderer.render(view), reference = embree.render(view);
     const Testimony ours{candidate, renderer.precision}, theirs{reference, embree.precision};
     const Verdict verdict = judge(scene, view, ours, theirs);
-    if (defect_count(verdict) == 0) {
-        std::cout << "kept\n";
-        return;
-    }
+    if (defect_count(verdict) == 0) return "kept\n";
     const std::optional<Diagnosis> diagnosis = diagnose(scene, view, ours, theirs, verdict);
     ++minutes.wrong;
     if (diagnosis && diagnosis->cause) ++minutes.causes[diagnosis->cause->name];
-    std::cout << in_words(scene, verdict, diagnosis) << "\n";
+    return in_words(scene, verdict, diagnosis) + "\n";
 }
 
-void talk_about(const std::string& name, const RendererChoice& choice, Minutes& minutes) {
-    const Loaded loaded = generate_suite_scene(name, picture_size.width, picture_size.height);
+/// The same where no frame may come.
+std::string answer_of(const Scene& scene, const View& view, const Renderer& renderer, Minutes& minutes) {
+    ++minutes.pictures;
+    try {
+        return judged(scene, view, renderer, minutes);
+    } catch (const OracleError& e) {
+        ++minutes.missing;
+        return std::string{"no frame\n    "} + e.what() + "\n";
+    }
+}
+
+void talk_about(const Loaded& loaded, const RendererChoice& choice, WorkProgress& progress,
+                Minutes& minutes) {
     const Renderer renderer = open(choice, loaded.scene);
     for (const View& view : loaded.views) {
-        ++minutes.pictures;
-        std::cout << name << "/" << view.name << ": " << std::flush;
-        try {
-            talk_about(loaded.scene, view, renderer, minutes);
-        } catch (const OracleError& e) {
-            ++minutes.missing;
-            std::cout << "no frame\n    " << e.what() << "\n";
-        }
+        if (interrupted()) return;
+        const std::string picture = loaded.scene.name + "/" + view.name;
+        progress.begin(picture);
+        progress.say(std::cout, picture + ": " + answer_of(loaded.scene, view, renderer, minutes));
     }
+}
+
+std::vector<Loaded> scenes_of_the_conversation() {
+    std::vector<Loaded> scenes;
+    for (const char* name : conversation)
+        scenes.push_back(generate_suite_scene(name, picture_size.width, picture_size.height));
+    return scenes;
+}
+
+int views_of(const std::vector<Loaded>& scenes) {
+    int views = 0;
+    for (const Loaded& loaded : scenes) views += int(loaded.views.size());
+    return views;
 }
 
 ExitCode conclusion(const Minutes& minutes) {
@@ -73,6 +94,11 @@ ExitCode conclusion(const Minutes& minutes) {
     std::cout << "\n"
               << counted(std::uint64_t(minutes.pictures), "picture") << ": " << minutes.wrong << " wrong, "
               << minutes.missing << " missing. ";
+    if (minutes.pictures < minutes.expected) {
+        std::cout << "Not all were asked for.\n" << std::flush;
+        return say_interrupted({std::size_t(minutes.pictures), std::size_t(minutes.expected)}, "picture",
+                               "asked for and judged");
+    }
     if (minutes.missing > 0) {
         std::cout << "The contract is not kept; docs/renderer-contract.md says what a program must do.\n";
         return ExitCode::cannot_judge;
@@ -85,10 +111,15 @@ ExitCode conclusion(const Minutes& minutes) {
 }  // namespace
 
 ExitCode execute(const ContractCheckArguments& arguments) {
-    Minutes minutes;
-    on_threads(arguments.threads, [&] {
-        for (const char* name : conversation) talk_about(name, arguments.renderer, minutes);
-    });
+    const std::vector<Loaded> scenes = scenes_of_the_conversation();
+    note_interrupts();
+    Minutes minutes{.expected = views_of(scenes), .causes = {}};
+    {
+        WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(minutes.expected)};
+        on_threads(arguments.threads, [&] {
+            for (const Loaded& loaded : scenes) talk_about(loaded, arguments.renderer, progress, minutes);
+        });
+    }
     return conclusion(minutes);
 }
 

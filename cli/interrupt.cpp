@@ -1,7 +1,11 @@
 #include "cli/interrupt.h"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
+#include <iostream>
+#include <string>
 
 namespace zproof {
 namespace {
@@ -11,7 +15,14 @@ namespace {
 std::atomic<bool> noted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-extern "C" void note(int) { noted = true; }
+constexpr std::string_view answer =
+    "\nzproof: interrupted; finishing the piece in hand (once more: ends at once)\n";
+
+/// Nothing but what POSIX allows in a handler.
+extern "C" void note(int) {
+    if (noted.exchange(true)) return;
+    [[maybe_unused]] const ssize_t told = write(STDERR_FILENO, answer.data(), answer.size());
+}
 
 }  // namespace
 
@@ -24,5 +35,11 @@ void note_interrupts() {
 }
 
 bool interrupted() { return noted; }
+
+ExitCode say_interrupted(Share share, std::string_view unit, std::string_view how) {
+    std::cerr << "zproof: interrupted: " << share.done << " of " << share.all << " " << unit
+              << (share.all == 1 ? " " : "s ") << how << ", " << share.all - share.done << " not\n";
+    return ExitCode::interrupted;
+}
 
 }  // namespace zproof

@@ -1,12 +1,27 @@
-/// Ctrl-C as a question that the run asks between two stages of work.
+/// Ctrl-C as a question that long work asks between two pieces of it.
 #pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "cli/exit_code.h"
 
 namespace zproof {
 
-/// From now on the first SIGINT or SIGTERM is only noted; a second one ends the program at once.
+/// From now on the first SIGINT or SIGTERM is only noted, and stderr says that the piece in hand will be
+/// finished; a second one ends the program at once, and with it every program that it has started.
 void note_interrupts();
 
 /// Has one been noted?
 bool interrupted();
+
+/// How much of some work was done.
+struct Share {
+    std::size_t done, all;
+};
+
+/// Says on stderr what is finished and what is not: "zproof: interrupted: 2 of 5 views judged and written, 3
+/// not". Returns ExitCode::interrupted.
+ExitCode say_interrupted(Share share, std::string_view unit, std::string_view how);
 
 }  // namespace zproof

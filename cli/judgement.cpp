@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 
 #include "cli/interrupt.h"
 #include "cli/outcome_code.h"
@@ -64,6 +65,25 @@ Ending judge_all(const std::vector<SceneSource>& sources, const Desk& desk, std:
     return ending;
 }
 
+/// What an earlier run into this folder found; nothing where there was none, or one of another version.
+Results earlier_results(const std::filesystem::path& folder) {
+    std::ifstream in{folder / "results.json"};
+    std::stringstream text;
+    text << in.rdbuf();
+    try {
+        return in ? results_from_json(text.str()) : Results{};
+    } catch (const ReportError&) {
+        return {};
+    }
+}
+
+std::vector<SceneWork> expected_work(const std::vector<SceneSource>& sources,
+                                     const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    for (const SceneSource& source : sources) names.push_back(source.name);
+    return expected_work(names, earlier_results(folder));
+}
+
 void print(const ReportArguments& report, const Results& results, ExitCode code) {
     if (report.detail != Detail::verdict) std::cout << summary_table(results, resolve(report.colour));
     if (report.detail == Detail::times) std::cout << times_table(results);
@@ -86,6 +106,11 @@ std::vector<RendererFacts> roll_call(const Parties& parties) {
     return present;
 }
 
+/// A scene that was left counts as one view.
+Share judged_of(const Results& results) {
+    return {std::size_t(std::ranges::count_if(results.views, was_judged)), results.views.size()};
+}
+
 }  // namespace
 
 ExitCode judge_and_report(const Assignment& assignment) {
@@ -103,7 +128,7 @@ ExitCode judge_and_report(const Assignment& assignment) {
     FolderNames names;
     Ending ending = Ending::complete;
     {
-        Progress progress{std::cerr, resolve(report.progress), sources.size()};
+        Progress progress{std::cerr, resolve(report.progress), expected_work(sources, report.out)};
         const Desk desk{settings.resolution, out.working(), names, progress, parties,
                         report.pictures,     only_view};
         on_threads(settings.threads, [&] { ending = judge_all(sources, desk, results.views); });
@@ -112,7 +137,8 @@ ExitCode judge_and_report(const Assignment& assignment) {
     write_reports(out.working(), results);
     out.publish();
     print(report, results, code);
-    return code;
+    return code == ExitCode::interrupted ? say_interrupted(judged_of(results), "view", "judged and written")
+                                         : code;
 }
 
 }  // namespace zproof

@@ -1,8 +1,10 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/renderers/roster.h"
 #include "cli/threads.h"
+#include "cli/work_progress.h"
 #include "measure/measure.h"
 #include "reports/measurement_report.h"
 
@@ -21,11 +23,21 @@ measure::Renderer subject(const RendererChoice& choice) {
 
 ExitCode execute(const MeasureArguments& arguments) {
     const measure::Renderer renderer = subject(arguments.renderer);
+    note_interrupts();
     measure::Measurement measurement;
-    on_threads(1, [&] { measurement = measure::measure(renderer); });  // hundreds of pictures, all tiny
+    Share instruments{0, measure::instrument_count};
+    {
+        WorkProgress progress{std::cerr, resolve(ProgressStyle::automatic), measure::about_all_pictures};
+        const measure::Audience audience{
+            .begins = [&](const std::string& what, int pictures) { progress.begin(what, pictures); },
+            .ends = [&] { ++instruments.done; },
+            .wants_to_stop = interrupted};
+        on_threads(1, [&] { measurement = measure::measure(renderer, audience); });  // hundreds, all tiny
+    }
     const auto findings = measure::findings(measurement, renderer.declared);
     std::cout << (arguments.format == MeasurementFormat::json ? measurement_json(renderer.name, findings)
                                                               : measurement_table(renderer.name, findings));
+    if (instruments.done < instruments.all) return say_interrupted(instruments, "instrument", "read");
     return measure::is_worse(findings) ? ExitCode::defect : ExitCode::proven;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cli/nearest_word.h"
 #include "cli/renderers/roster.h"
 #include "cli/usage_error.h"
 
@@ -26,7 +27,8 @@ RendererChoice witness_called(const std::string& name) {
     if (std::ranges::count(renderer_names(), name) > 0) return renderer_from_word(name);
     std::string names = nobody;
     for (const std::string& known : renderer_names()) names += ", " + known;
-    throw UsageError{"oracle '" + name + "': expected one of " + names};
+    throw UsageError{"oracle '" + name + "': expected one of " + names +
+                     did_you_mean(name, renderer_names())};
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {

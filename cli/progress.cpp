@@ -1,18 +1,14 @@
 #include "cli/progress.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
+#include <map>
+#include <numeric>
 #include <ostream>
 
 #include "reports/wording.h"
 
 namespace zproof {
 namespace {
-
-constexpr std::size_t bar_width = 24;
-constexpr const char* erase_line = "\r\x1b[K";
 
 /// "defective   room / main  0.3 s". Names come from files: what could write to the terminal is taken out of
 /// them.
@@ -22,52 +18,62 @@ std::string line_for(const ViewResult& view) {
     line += "  " + one_line(view.scene);
     if (!view.view.empty()) line += " / " + one_line(view.view);
     if (!view.message.empty()) line += ": " + one_line(view.message);
-    return line + "  " + fixed(seconds(view.times), 1) + " s\n";
+    return line + "  " + fixed(seconds(view.times), 1) + " s";
+}
+
+double all_of(const std::vector<SceneWork>& scenes) {
+    return std::accumulate(scenes.begin(), scenes.end(), 0.0,
+                           [](double sum, const SceneWork& scene) { return sum + scene.work; });
 }
 
 }  // namespace
 
-bool is_terminal(int file_descriptor) {
-    const char* term = std::getenv("TERM");
-    return isatty(file_descriptor) == 1 && term != nullptr && std::string{term} != "dumb";
+std::vector<SceneWork> expected_work(const std::vector<std::string>& scenes, const Results& earlier) {
+    std::map<std::string, double> took;
+    for (const ViewResult& view : earlier.views)
+        if (seconds(view.times) > 0) took[view.scene] += seconds(view.times);
+    double known = 0;
+    std::size_t count = 0;
+    for (const std::string& scene : scenes)
+        if (took.contains(scene)) known += took[scene], ++count;
+    const double otherwise = count == 0 ? 1 : known / double(count);
+    std::vector<SceneWork> work;
+    for (const std::string& scene : scenes)
+        work.push_back({scene, took.contains(scene) ? took[scene] : otherwise});
+    return work;
 }
 
-ProgressStyle resolve(ProgressStyle wish) {
-    if (wish != ProgressStyle::automatic) return wish;
-    return is_terminal(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::lines;
-}
-
-Progress::Progress(std::ostream& out, ProgressStyle style, std::size_t scene_count)
-    : out_(out), style_(style), scene_count_(scene_count) {}
-
-Progress::~Progress() { clear_bar(); }
+Progress::Progress(std::ostream& out, ProgressStyle style, std::vector<SceneWork> scenes)
+    : out_(out), style_(style), scenes_(std::move(scenes)), work_(out, style, all_of(scenes_)) {}
 
 void Progress::begin_scene(const std::string& name) {
-    ++current_;
-    scene_ = name;
+    left_ = per_view_ = begun_ < scenes_.size() ? scenes_[begun_].work : 0;
+    ++begun_;
+    work_.within(name + ": ");
 }
 
-void Progress::begin_stage(const std::string& stage) {
-    if (style_ == ProgressStyle::bar) draw_bar(stage);
+void Progress::expect_views(std::size_t count) {
+    per_view_ = left_ / double(std::max<std::size_t>(count, 1));
 }
 
-void Progress::finish_view(const ViewResult& view) {
-    if (style_ == ProgressStyle::lines)
-        out_ << "[" << current_ << "/" << scene_count_ << "] " << line_for(view) << std::flush;
-    if (style_ != ProgressStyle::bar || view.outcome == Outcome::proven) return;
-    clear_bar();
-    out_ << line_for(view) << std::flush;
+void Progress::begin_stage(const std::string& stage) { work_.mention(stage); }
+
+void Progress::end_view() {
+    const double part = std::min(per_view_, left_);
+    work_.advance(part);
+    left_ -= part;
 }
 
-void Progress::draw_bar(const std::string& stage) {
-    const std::size_t done = scene_count_ == 0 ? 0 : bar_width * (current_ - 1) / scene_count_;
-    const std::string text = one_line(scene_ + ": " + stage);
-    out_ << erase_line << "[" << std::string(done, '#') << std::string(bar_width - done, '.') << "] "
-         << current_ << "/" << scene_count_ << "  " << text.substr(0, 40) << std::flush;
+void Progress::finish_scene() {
+    work_.advance(left_);
+    left_ = 0;
 }
 
-void Progress::clear_bar() {
-    if (style_ == ProgressStyle::bar) out_ << erase_line << std::flush;
+void Progress::tell(const ViewResult& view) {
+    const std::string place = "[" + std::to_string(begun_) + "/" + std::to_string(scenes_.size()) + "] ";
+    if (style_ == ProgressStyle::lines) out_ << place << line_for(view) << work_.left() << "\n" << std::flush;
+    if (style_ == ProgressStyle::bar && view.outcome != Outcome::proven)
+        work_.say(out_, line_for(view) + "\n");
 }
 
 }  // namespace zproof

@@ -2,9 +2,11 @@
 
 #include "cli/commands.h"
 #include "cli/folder_names.h"
+#include "cli/interrupt.h"
 #include "cli/renderers/roster.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
+#include "cli/work_progress.h"
 #include "frame/exr.h"
 #include "frame/png.h"
 #include "rasterizer/shading.h"
@@ -31,10 +33,16 @@ void write_colours(const std::string& stem, const Picture& picture) {
 ExitCode execute(const RenderArguments& arguments) {
     const Loaded loaded = load(select_scene(arguments.scene), arguments.settings.resolution);
     OutputFolder out{arguments.out};
+    note_interrupts();
+    std::vector<std::string> written;
+    WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(loaded.views.size())};
     on_threads(arguments.settings.threads, [&] {
         const Renderer renderer = open(arguments.renderer, loaded.scene);
         for (const View& view : loaded.views) {
-            const std::filesystem::path stem = out.working() / safe_name(view.name);
+            if (interrupted()) return;
+            progress.begin(view.name);
+            written.push_back(safe_name(view.name));
+            const std::filesystem::path stem = out.working() / written.back();
             const Frame frame = renderer.render(view);
             write_frame(stem, frame);
             write_colours(stem.string() + "-colour", rasterizer::shade(loaded.scene, view, frame, Light{}));
@@ -44,9 +52,10 @@ ExitCode execute(const RenderArguments& arguments) {
         }
     });
     out.publish();
-    for (const View& view : loaded.views)
-        std::cout << (arguments.out / (safe_name(view.name) + ".exr")).string() << "\n";
-    return ExitCode::proven;
+    for (const std::string& name : written)
+        progress.say(std::cout, (arguments.out / (name + ".exr")).string() + "\n");
+    if (written.size() == loaded.views.size()) return ExitCode::proven;
+    return say_interrupted({written.size(), loaded.views.size()}, "view", "rendered and written");
 }
 
 }  // namespace zproof

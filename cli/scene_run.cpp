@@ -8,6 +8,7 @@
 #include "cli/stopwatch.h"
 #include "cli/usage_error.h"
 #include "cli/view_result.h"
+#include "cli/viewer_evidence.h"
 #include "cli/witness_hearing.h"
 #include "compare/diagnosis.h"
 #include "oracle/oracle_error.h"
@@ -30,25 +31,25 @@ struct Trial {
     const Desk& desk;
 };
 
-/// What the candidate answered, and what it was judged to be.
-struct JudgedFrame {
-    const Frame& frame;
-    const Plane<PixelClass>& classes;
+/// What candidate and reference answered, and what the judge said.
+struct JudgedPair {
+    Testimony candidate, reference;
+    const Verdict& verdict;
 };
 
 /// Asks the witnesses, and counts where everybody names the same triangle.
-void hear_witnesses(const Trial& trial, const JudgedFrame& candidate, const Testimony& reference,
-                    ViewResult& result) {
+std::vector<Statement> hear_witnesses(const Trial& trial, const JudgedPair& judged, ViewResult& result) {
+    const Frame &candidate = judged.candidate.frame, &reference = judged.reference.frame;
     std::vector<Statement> statements;
     for (const SummonedWitness& witness : trial.court.witnesses) {
         trial.desk.progress.begin_stage("ask " + name_of(witness.choice.renderer) + " " +
                                         trial.docket.view.name);
-        statements.push_back(hear(witness, trial.docket, reference));
+        statements.push_back(hear(witness, trial.docket, judged.reference));
     }
     const std::filesystem::path folder = trial.desk.run_folder / result.folder;
     if (trial.desk.pictures == PictureWish::shaded)
-        paint({trial.docket, candidate.frame, candidate.classes, folder}, trial.court.witnesses, statements);
-    std::vector<const Frame*> frames{&candidate.frame, &reference.frame};
+        paint({trial.docket, candidate, judged.verdict.classes, folder}, trial.court.witnesses, statements);
+    std::vector<const Frame*> frames{&candidate, &reference};
     for (const Statement& statement : statements) {
         result.witnesses.push_back(statement.result);
         if (!statement.frame) continue;
@@ -58,6 +59,7 @@ void hear_witnesses(const Trial& trial, const JudgedFrame& candidate, const Test
     result.accord = accord_of(frames);
     const std::string missing = missing_witness(trial.court.witnesses, result.witnesses);
     if (!missing.empty()) result.outcome = Outcome::unreadable, result.message = missing;
+    return statements;
 }
 
 /// nullopt: interrupted between two stages.
@@ -89,8 +91,12 @@ std::optional<ViewResult> run_view(const Trial& trial) {
     write_view_evidence(desk.run_folder / result.folder, candidate, reference, verdict);
     times.write = watch.lap();
 
-    hear_witnesses(trial, {candidate, verdict.classes}, theirs, result);
+    const std::vector<Statement> statements = hear_witnesses(trial, {ours, theirs, verdict}, result);
     times.witnesses = watch.lap();
+
+    desk.progress.begin_stage("write " + view.name);
+    write_viewer_evidence(desk.run_folder / result.folder, {docket, ours, theirs, verdict, statements});
+    times.write += watch.lap();
     result.times = times;
     return result;
 }
@@ -141,7 +147,9 @@ Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewRe
                       summon(desk.parties.witnesses, loaded.scene)};
     const double build_time = watch.lap();
 
-    for (const View& view : wanted_views(loaded, desk.only_view)) {
+    const std::vector<View> views = wanted_views(loaded, desk.only_view);
+    desk.progress.expect_views(views.size());
+    for (const View& view : views) {
         if (interrupted()) return Ending::interrupted;
         const Docket docket{source, loaded.scene, view, desk.parties};
         std::optional<ViewResult> result = run_view_or_say_why_not({docket, court, desk});
@@ -151,6 +159,7 @@ Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewRe
             result->times.reference_build = build_time;
         }
         results.push_back(std::move(*result));
+        desk.progress.end_view();
     }
     return Ending::complete;
 }
@@ -175,7 +184,8 @@ SceneReport run_scene(const SceneSource& source, const Desk& desk) {
     } catch (const OracleError& e) {
         report.views.push_back(unjudged(source, Outcome::unreadable, e.what()));
     }
-    for (const ViewResult& view : report.views) desk.progress.finish_view(view);
+    desk.progress.finish_scene();
+    for (const ViewResult& view : report.views) desk.progress.tell(view);
     return report;
 }
 

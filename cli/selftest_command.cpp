@@ -1,21 +1,38 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/selftest/filter_fault.h"
 #include "cli/selftest/score.h"
 #include "cli/threads.h"
+#include "cli/work_progress.h"
 
 namespace zproof {
 
 ExitCode execute(const SelftestArguments& arguments) {
+    const std::vector<selftest::Fault> faults = selftest::catalogue();
+    const int trials = int(faults.size()) + selftest::filter_trial_count();
+    note_interrupts();
     selftest::Score score;
-    on_threads(arguments.threads, [&] {
-        score = try_all(selftest::catalogue(), std::cout);
-        score += selftest::try_filters(std::cout);
-    });
-    std::cout << (score.gate_works() ? "the gate works: " : "THE GATE DOES NOT WORK: ") << score.caught
-              << " of " << score.faults << " faults caught, " << score.passed << " of " << score.controls
-              << " good frames passed\n";
+    {
+        WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(trials)};
+        const selftest::Audience audience{
+            .begins = [&](const std::string& name) { progress.begin(name); },
+            .told = [&](const std::string& line) { progress.say(std::cout, line); },
+            .wants_to_stop = interrupted};
+        on_threads(arguments.threads, [&] {
+            score = try_all(faults, audience);
+            score += selftest::try_filters(audience);
+        });
+    }
+    const std::string counts = std::to_string(score.caught) + " of " + std::to_string(score.faults) +
+                               " faults caught, " + std::to_string(score.passed) + " of " +
+                               std::to_string(score.controls) + " good frames passed\n";
+    if (score.trials() < trials) {
+        std::cout << "so far: " << counts << std::flush;
+        return say_interrupted({std::size_t(score.trials()), std::size_t(trials)}, "trial", "made");
+    }
+    std::cout << (score.gate_works() ? "the gate works: " : "THE GATE DOES NOT WORK: ") << counts;
     return score.gate_works() ? ExitCode::proven : ExitCode::defect;
 }
 

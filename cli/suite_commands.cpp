@@ -1,6 +1,8 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/work_progress.h"
 #include "reports/output_folder.h"
 #include "scenes/glb_writer.h"
 #include "scenes/scene_error.h"
@@ -29,13 +31,19 @@ ExitCode execute(const ListArguments&) {
 }
 
 ExitCode execute(const GenerateArguments& arguments) {
+    const std::vector<std::string> names = arguments.names.empty() ? names_of_suite() : arguments.names;
     OutputFolder out{arguments.out};
-    for (const std::string& name : arguments.names.empty() ? names_of_suite() : arguments.names) {
-        write_glb(out.working(), generate_suite_scene(name));
-        std::cout << (arguments.out / (name + ".view.json")).string() << "\n";
+    note_interrupts();
+    WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(names.size())};
+    std::size_t written = 0;
+    for (; written < names.size() && !interrupted(); ++written) {
+        progress.begin(names[written]);
+        write_glb(out.working(), generate_suite_scene(names[written]));
+        progress.say(std::cout, (arguments.out / (names[written] + ".view.json")).string() + "\n");
     }
     out.publish();
-    return ExitCode::proven;
+    if (written == names.size()) return ExitCode::proven;
+    return say_interrupted({written, names.size()}, "scene", "written");
 }
 
 ExitCode execute(const Answered& answered) {

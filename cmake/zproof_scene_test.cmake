@@ -1,6 +1,6 @@
 # A test per scene in anybody's CMake project (docs/ci.md):
 #
-#   zproof_add_scene_test(NAME name [SCENE scene] RENDERER who [PRECISION promise] [VIEW view]
+#   zproof_add_scene_test(NAME name [SCENE scene] RENDERER who [PRECISION promise]
 #                         [RESOLUTION 640x480] [TIMEOUT seconds] [EVIDENCE folder] [LABELS label ...] [OPTIONS option ...])
 #
 # NAME       of the test; also the scene where SCENE is not given
@@ -8,7 +8,6 @@
 # RENDERER   a name that zproof knows, or a command with {scene}, {camera}, {width}, {height} and {out} in it. Generator
 #            expressions are understood: "$<TARGET_FILE:mine> {scene} {camera} {width} {height} {out}"
 # PRECISION  what the renderer promises, as of zproof run --precision
-# VIEW       only this view of the scene
 # RESOLUTION of suite scenes and glTF files, WIDTHxHEIGHT
 # TIMEOUT    of the whole test, seconds; 600
 # EVIDENCE   where report.html, results.json, junit.xml and the frames go; zproof/NAME in the current build folder
@@ -18,7 +17,7 @@
 # The test passes where zproof ends with 0 and fails with every other status, also where nothing was judged.
 function(zproof_add_scene_test)
     cmake_parse_arguments(PARSE_ARGV 0 TEST ""
-        "NAME;SCENE;RENDERER;PRECISION;VIEW;RESOLUTION;TIMEOUT;EVIDENCE" "LABELS;OPTIONS")
+        "NAME;SCENE;RENDERER;PRECISION;RESOLUTION;TIMEOUT;EVIDENCE" "LABELS;OPTIONS")
     if(TEST_UNPARSED_ARGUMENTS)
         message(FATAL_ERROR "zproof_add_scene_test: unknown arguments: ${TEST_UNPARSED_ARGUMENTS}")
     endif()
@@ -40,12 +39,9 @@ function(zproof_add_scene_test)
 
     string(REPLACE ";" "\\;" TEST_RENDERER "${TEST_RENDERER}")  # a shell's, not a list's
     set(options --out ${TEST_EVIDENCE} --renderer ${TEST_RENDERER})
-    foreach(word PRECISION VIEW)
-        if(TEST_${word})
-            string(TOLOWER ${word} option)
-            list(APPEND options --${option} ${TEST_${word}})
-        endif()
-    endforeach()
+    if(TEST_PRECISION)
+        list(APPEND options --precision ${TEST_PRECISION})
+    endif()
     if(TEST_RESOLUTION)
         if(NOT TEST_RESOLUTION MATCHES "^([0-9]+)x([0-9]+)$")
             message(FATAL_ERROR "zproof_add_scene_test: RESOLUTION ${TEST_RESOLUTION}: WIDTHxHEIGHT expected")

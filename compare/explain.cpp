@@ -14,16 +14,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Everything that comes within eps of the centre, or within a pixel's width if nothing has to come so near.
-Neighbourhood surroundings(const Scene& scene, const View& view, const ViewBounds& bounds, const Finding& f,
-                           double eps_px) {
-    Site site{f.x, f.y, eps_px, {}};
-    find_nearby_triangles(scene, view, std::span(&site, 1));
-    Neighbourhood around = neighbourhood_of(scene, view, bounds, site, eps_px);
-    around.eps_px = eps_px;
-    return around;
-}
-
 std::array<double, 3> edge_distances(const Sight<double>& sight, const CornersWorld& p_world) {
     const auto image = image_of(sight, corners<double>(p_world));
     std::array<double, 3> distance{nan, nan, nan};
@@ -49,15 +39,9 @@ std::vector<Candidate> candidates_in(const View& view, const Witness& witness, c
     return candidates;
 }
 
-}  // namespace
-
-PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
-                   const Testimony& reference, int x, int y) {
-    if (x < 0 || y < 0 || x >= view.width || y >= view.height)
-        throw std::out_of_range("explain: the pixel lies outside the view");
-    const Witness ours(scene, view, candidate), theirs(scene, view, reference);
-    const OpenPixel open = open_pixel(scene, ours, theirs, x, y);
-    const Ruling ruling = rule_on(scene, view, ours, theirs, std::span(&open, 1)).front();
+/// A pixel before its surroundings are looked into: everything but `candidates` and `background`, and eps
+/// only where the ids differ.
+PixelStory told_so_far(const OpenPixel& open, const Ruling& ruling) {
     const bool same = open.finding.candidate.primitive == open.finding.reference.primitive;
     PixelStory story{open.finding,
                      ruling.candidate.decision,
@@ -67,14 +51,56 @@ PixelStory explain(const Scene& scene, const View& view, const Testimony& candid
                      {},
                      {}};
     story.finding.verdict = is_settled(open) ? PixelClass::agree : class_of(open, ruling);
-    story.finding.eps_px =
-        same ? own_eps_px(scene, view, ours.bounds(), x, y, open.finding.candidate.primitive)
-             : ruling.candidate.eps_px;
-    const Neighbourhood around =
-        surroundings(scene, view, ours.bounds(), story.finding, story.finding.eps_px);
-    story.candidates = candidates_in(view, ours, around);
-    story.background = decide(around, PrimitiveId::none);
+    story.finding.eps_px = ruling.candidate.eps_px;
     return story;
+}
+
+void require_inside(const View& view, const PixelPlace& place) {
+    if (place.x < 0 || place.y < 0 || place.x >= view.width || place.y >= view.height)
+        throw std::out_of_range("explain: the pixel lies outside the view");
+}
+
+/// All that comes within each pixel's eps of its centre.
+std::vector<Site> sites_of(const Scene& scene, const View& view, const std::vector<PixelStory>& stories) {
+    std::vector<Site> sites;
+    for (const PixelStory& story : stories)
+        sites.push_back({story.finding.x, story.finding.y, story.finding.eps_px, {}});
+    find_nearby_triangles(scene, view, sites);
+    return sites;
+}
+
+}  // namespace
+
+PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
+                   const Testimony& reference, int x, int y) {
+    const PixelPlace place{x, y};
+    return explain(scene, view, candidate, reference, std::span(&place, 1)).front();
+}
+
+std::vector<PixelStory> explain(const Scene& scene, const View& view, const Testimony& candidate,
+                                const Testimony& reference, std::span<const PixelPlace> places) {
+    const Witness ours(scene, view, candidate), theirs(scene, view, reference);
+    std::vector<OpenPixel> open;
+    for (const PixelPlace& place : places) {
+        require_inside(view, place);
+        open.push_back(open_pixel(scene, ours, theirs, place.x, place.y));
+    }
+    const std::vector<Ruling> rulings = rule_on(scene, view, ours, theirs, open);
+    std::vector<PixelStory> stories;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        stories.push_back(told_so_far(open[i], rulings[i]));
+        Finding& f = stories[i].finding;
+        if (!stories[i].ids_differ && !open[i].candidate_invalid)
+            f.eps_px = own_eps_px(scene, view, ours.bounds(), f.x, f.y, f.candidate.primitive);
+    }
+    const std::vector<Site> sites = sites_of(scene, view, stories);
+    for (std::size_t i = 0; i < stories.size(); ++i) {
+        Neighbourhood around = neighbourhood_of(scene, view, ours.bounds(), sites[i], sites[i].reach_px);
+        around.eps_px = sites[i].reach_px;
+        stories[i].candidates = candidates_in(view, ours, around);
+        stories[i].background = decide(around, PrimitiveId::none);
+    }
+    return stories;
 }
 
 }  // namespace zproof

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,15 @@ struct PixelStory {
 /// Judges one pixel and keeps the evidence. (x, y) must lie inside the view (std::out_of_range otherwise).
 PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
                    const Testimony& reference, int x, int y);
+
+/// Where a pixel lies in its view.
+struct PixelPlace {
+    int x = 0, y = 0;
+};
+
+/// The same for many pixels of one view, in order, with few passes over the scene.
+std::vector<PixelStory> explain(const Scene& scene, const View& view, const Testimony& candidate,
+                                const Testimony& reference, std::span<const PixelPlace> places);
 
 /// One sentence for a report: what was answered, what was expected, and why the verdict.
 std::string in_words(const Scene& scene, const Finding& finding);

@@ -6,14 +6,44 @@
 namespace zproof::measure {
 namespace {
 
-/// Runs one instrument; what it cannot measure is written down.
-template <class Work>
-void attempt(Measurement& measurement, const std::string& what, Work work) {
-    try {
-        work();
-    } catch (const Unmeasurable& e) {
-        measurement.unmeasured.push_back(what + ": " + e.what());
+/// Thrown through an instrument that the audience does not want to see to its end.
+struct Stopped {};
+
+/// Runs instruments one by one, before an audience.
+class Bench {
+  public:
+    Bench(Measurement& measurement, const Audience& audience)
+        : measurement_(measurement), audience_(audience) {}
+
+    /// What it cannot measure is written down.
+    template <class Work>
+    void attempt(const std::string& what, int pictures, Work work) {
+        if (audience_.wants_to_stop()) return;
+        audience_.begins(what, pictures);
+        try {
+            work();
+        } catch (const Unmeasurable& e) {
+            measurement_.unmeasured.push_back(what + ": " + e.what());
+        } catch (const Stopped&) {
+            return;
+        }
+        audience_.ends();
     }
+
+  private:
+    Measurement& measurement_;
+    const Audience& audience_;
+};
+
+/// Draws for as long as the audience stays.
+Renderer watched(const Renderer& renderer, const Audience& audience) {
+    return {.name = renderer.name,
+            .render =
+                [&](const Scene& scene, const View& view) {
+                    if (audience.wants_to_stop()) throw Stopped{};
+                    return renderer.render(scene, view);
+                },
+            .declared = renderer.declared};
 }
 
 /// Where the sample was found, by the simplest number that it can be; else where it should be.
@@ -24,20 +54,22 @@ Sample sample_of(const Measurement& measurement) {
 
 }  // namespace
 
-Measurement measure(const Renderer& renderer) {
+Measurement measure(const Renderer& subject, const Audience& audience) {
     Measurement m;
-    attempt(m, "pixel centre", [&] {
+    Bench bench{m, audience};
+    const Renderer renderer = watched(subject, audience);
+    bench.attempt("pixel centre", 2, [&] {
         const auto [x, y] = pixel_centre(renderer);
         m.centre_px = {x, y};
     });
     const Sample sample = sample_of(m);
     for (const Axis axis : both_axes)
-        attempt(m, axis == Axis::x ? "sub-pixel grid, x" : "sub-pixel grid, y",
-                [&] { m.displacement[std::size_t(axis)] = displacement(renderer, sample, axis); });
-    attempt(m, "fill side", [&] { m.fill = fill_sides(renderer, sample); });
-    attempt(m, "depth steps", [&] { m.depth_steps = depth_steps(renderer); });
-    attempt(m, "near and far", [&] { m.depth_limits = depth_limits(renderer); });
-    attempt(m, "watertightness", [&] { m.watertightness = watertightness(renderer, sample); });
+        bench.attempt(axis == Axis::x ? "sub-pixel grid, x" : "sub-pixel grid, y", 32,
+                      [&] { m.displacement[std::size_t(axis)] = displacement(renderer, sample, axis); });
+    bench.attempt("fill side", 1, [&] { m.fill = fill_sides(renderer, sample); });
+    bench.attempt("depth steps", 372, [&] { m.depth_steps = depth_steps(renderer); });
+    bench.attempt("near and far", 140, [&] { m.depth_limits = depth_limits(renderer); });
+    bench.attempt("watertightness", 42, [&] { m.watertightness = watertightness(renderer, sample); });
     return m;
 }
 

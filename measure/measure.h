@@ -1,6 +1,7 @@
 /// Measures a renderer, and holds what it does against what it declares.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,9 +12,20 @@
 
 namespace zproof::measure {
 
+/// Who follows a measurement.
+struct Audience {
+    /// An instrument begins: "fill side", and about how many pictures it takes.
+    std::function<void(const std::string& what, int pictures)> begins = [](const std::string&, int) {};
+    std::function<void()> ends = [] {};                          ///< it has read what it can
+    std::function<bool()> wants_to_stop = [] { return false; };  ///< asked before every picture
+};
+
+inline constexpr int instrument_count = 7, about_all_pictures = 621;  ///< of a whole measurement
+
 /// Draws the probe scenes, some 700 pictures of at most 16384 pixels, and reads them. What they do not tell
-/// stands in Measurement::unmeasured; what the renderer throws is passed on.
-Measurement measure(const Renderer& renderer);
+/// stands in Measurement::unmeasured; what the renderer throws is passed on. Where the audience wants to
+/// stop, what the instruments before found is all that is found.
+Measurement measure(const Renderer& renderer, const Audience& audience = {});
 
 enum class Standing {
     as_declared,  ///< as good as declared, or better

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "oracle/block_rays.h"
 #include "oracle/embree_complaints.h"
 #include "oracle/embree_geometry.h"
 #include "oracle/primary_ray.h"
@@ -16,8 +17,8 @@ namespace {
 /// A packet is a block of 4 x 4 pixels, so that its rays stay together; lane = 4 row + column. The blocks
 /// stand at multiples of 4 whatever the threads do: Embree's choice among exactly equal depths depends on a
 /// packet's company.
-constexpr int block_side = 4;
-constexpr int lane_count = block_side * block_side;
+constexpr int block_side = BlockRays::side;
+constexpr int lane_count = BlockRays::lanes;
 constexpr int blocks_per_task_side = 8;
 
 /// The upper left pixel of a block.
@@ -26,9 +27,15 @@ struct Block {
 };
 
 struct Packet {
-    alignas(64) std::array<int, lane_count> valid;  ///< -1 = trace this lane, 0 = pixel outside the image
+    alignas(64) std::array<int, lane_count> valid;  ///< -1 = trace this lane, 0 = leave it
     alignas(64) RTCRayHit16 rays;
-    std::array<double, lane_count> origin_depth;
+
+    Packet() {
+        valid.fill(-1);
+        std::fill_n(rays.hit.geomID, lane_count, RTC_INVALID_GEOMETRY_ID);
+        std::fill_n(rays.hit.instID[0], lane_count, RTC_INVALID_GEOMETRY_ID);
+    }
+    bool is_hit(int lane) const { return rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
 };
 
 void set_lane(Packet& packet, int lane, const PrimaryRay& ray) {
@@ -45,27 +52,36 @@ void set_lane(Packet& packet, int lane, const PrimaryRay& ray) {
     to.mask[lane] = ~0u;
     to.id[lane] = static_cast<unsigned>(lane);
     to.flags[lane] = 0;
-    packet.rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-    packet.rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
-    packet.origin_depth[static_cast<std::size_t>(lane)] = ray.origin_depth;
 }
 
-void aim(Packet& packet, const View& view, Block block) {
-    for (int lane = 0; lane < lane_count; ++lane) {
-        const int x = block.x + lane % block_side, y = block.y + lane / block_side;
-        packet.valid[static_cast<std::size_t>(lane)] = x < view.width && y < view.height ? -1 : 0;
-        set_lane(packet, lane, primary_ray(view, x, y));
-    }
+/// What of the block lies in the image.
+struct Part {
+    int columns, rows;
+
+    bool is_whole() const { return columns == block_side && rows == block_side; }
+};
+
+Part part_in(const Resolution& size, const Block& block) {
+    return {std::min(block_side, size.width - block.x), std::min(block_side, size.height - block.y)};
 }
 
-void store_hits(const Packet& packet, Block block, Frame& frame) {
-    for (int lane = 0; lane < lane_count; ++lane) {
-        const auto at = static_cast<std::size_t>(lane);
-        if (packet.valid[at] == 0 || packet.rays.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID) continue;
-        const int x = block.x + lane % block_side, y = block.y + lane / block_side;
-        const double depth = packet.origin_depth[at] + double{packet.rays.ray.tfar[lane]};
-        frame.primitive.at(x, y) = PrimitiveId{packet.rays.hit.primID[lane]};
-        frame.camera_depth.at(x, y) = static_cast<float>(depth);
+void leave_out_what_is_beyond(Packet& packet, const Part& part) {
+    for (int lane = 0; lane < lane_count; ++lane)
+        if (lane % block_side >= part.columns || lane / block_side >= part.rows)
+            packet.valid[std::size_t(lane)] = 0;
+}
+
+void store_hits(const Packet& packet, double origin_depth, const Block& block, const Part& part,
+                Frame& frame) {
+    for (int row = 0; row < part.rows; ++row) {
+        PrimitiveId* const primitive = &frame.primitive.at(block.x, block.y + row);
+        float* const camera_depth = &frame.camera_depth.at(block.x, block.y + row);
+        for (int column = 0; column < part.columns; ++column) {
+            const int lane = row * block_side + column;
+            if (!packet.is_hit(lane)) continue;
+            primitive[column] = PrimitiveId{packet.rays.hit.primID[lane]};
+            camera_depth[column] = static_cast<float>(origin_depth + double{packet.rays.ray.tfar[lane]});
+        }
     }
 }
 
@@ -76,11 +92,13 @@ void intersect(RTCScene scene, Packet& packet) {
     rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
 }
 
-void trace_block(RTCScene scene, const View& view, Block block, Frame& frame) {
+void trace_block(RTCScene scene, const BlockRays& rays, const Block& block, Frame& frame) {
     Packet packet;
-    aim(packet, view, block);
+    const Part part = part_in(frame.size(), block);
+    if (!part.is_whole()) leave_out_what_is_beyond(packet, part);
+    rays.aim(block.x, block.y, packet.rays.ray);
     intersect(scene, packet);
-    store_hits(packet, block, frame);
+    store_hits(packet, rays.origin_depth(), block, part, frame);
 }
 
 int blocks_across(int pixels) { return (pixels + block_side - 1) / block_side; }
@@ -110,12 +128,13 @@ Embree& Embree::operator=(Embree&&) noexcept = default;
 
 Frame Embree::trace(const View& view) const {
     Frame frame({view.width, view.height});
+    const BlockRays rays(view);
     const tbb::blocked_range2d<int> blocks(0, blocks_across(view.height), blocks_per_task_side, 0,
                                            blocks_across(view.width), blocks_per_task_side);
     tbb::parallel_for(blocks, [&](const tbb::blocked_range2d<int>& task) {
         for (int row = task.rows().begin(); row < task.rows().end(); ++row) {
             for (int column = task.cols().begin(); column < task.cols().end(); ++column) {
-                trace_block(device_->triangles.get(), view, {column * block_side, row * block_side}, frame);
+                trace_block(device_->triangles.get(), rays, {column * block_side, row * block_side}, frame);
             }
         }
     });
@@ -129,13 +148,11 @@ std::vector<PrimitiveId> Embree::met(const View& view, std::span<const glm::dvec
         Packet packet;
         for (int lane = 0; lane < lane_count; ++lane) {
             const std::size_t at = std::min(first + std::size_t(lane), p_raster.size() - 1);
-            packet.valid[std::size_t(lane)] = -1;
             set_lane(packet, lane, ray_through(view, p_raster[at]));
         }
         intersect(device_->triangles.get(), packet);
         for (std::size_t lane = 0; lane < lane_count && first + lane < p_raster.size(); ++lane)
-            if (packet.rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID)
-                found[first + lane] = PrimitiveId{packet.rays.hit.primID[lane]};
+            if (packet.is_hit(int(lane))) found[first + lane] = PrimitiveId{packet.rays.hit.primID[lane]};
     }
     return found;
 }

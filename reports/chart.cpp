@@ -91,14 +91,16 @@ std::vector<double> ticks(const ChartAxis& axis, const Range& range) {
     };
     if (axis.scale == Scale::logarithmic) {
         const bool is_short = range.high - range.low < 2.5;
+        constexpr double most_decades = 9;  // so many numbers stand side by side
+        const int every = std::max(1, int(std::ceil((range.high - range.low) / most_decades)));
         for (int decade = int(std::floor(range.low)); decade <= int(std::ceil(range.high)); ++decade)
             for (const double factor : {1.0, 2.0, 5.0})
-                if (is_short || factor == 1) add(factor * std::pow(10.0, decade));
+                if (decade % every == 0 && (is_short || factor == 1)) add(factor * std::pow(10.0, decade));
         return found;
     }
     const double rough = (range.high - range.low) / 5, unit = std::pow(10.0, std::floor(std::log10(rough)));
     const double step = rough > 5 * unit ? 10 * unit : rough > 2 * unit ? 5 * unit : 2 * unit;
-    for (double k = std::ceil(range.low / step); k * step <= range.high; ++k) add(k * step);
+    for (double k = std::ceil(range.low / step); k * step <= range.high; ++k) add(k * step + 0.0);  // no -0
     return found;
 }
 

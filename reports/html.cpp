@@ -4,13 +4,14 @@
 
 #include "reports/class_style.h"
 #include "reports/html_parts.h"
+#include "reports/page_scripts.h"
 #include "reports/wording.h"
 
 namespace zproof {
 
 namespace {
 
-constexpr std::string_view policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
+constexpr std::size_t reserve_per_view = 2'000;  // for what the page says of it to the viewer
 
 std::ptrdiff_t number_of(const Results& results, Outcome outcome) {
     return std::ranges::count(results.views, outcome, &ViewResult::outcome);
@@ -99,7 +100,8 @@ std::string summary(const std::vector<PageView>& pages) {
     for (const std::string_view name :
          {"edge", "depth<br>tie", "abutting<br>edges", "clip", "reference<br>wrong", "defects"})
         classes += "<th class=\"n\">" + std::string(name) + "</th>";
-    return "<div class=\"wide\"><table class=\"summary\"><thead><tr><th>verdict</th><th>scene, view</th>"
+    return "<div class=\"wide\"><table class=\"summary sortable\"><thead><tr><th>verdict</th><th>scene, "
+           "view</th>"
            "<th class=\"n\">triangles</th><th class=\"n\">pixels</th>" +
            classes +
            "<th class=\"n\" title=\"largest depth error / bound, candidate\">error / bound,<br>candidate</th>"
@@ -134,22 +136,37 @@ std::string legend() {
 std::string head(const Results& results) {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
-           std::string(policy) +
+           content_policy(viewer_script()) +
            "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
            "<meta name=\"color-scheme\" content=\"light dark\">\n<title>zproof: " +
            escaped(headline(results)) + "</title>\n<style>\n" + std::string(html_style()) + class_colours() +
-           "</style>\n</head>\n";
+           std::string(viewer_style()) + "</style>\n</head>\n";
+}
+
+/// What a reader must know of what the page does not hold.
+std::string omissions(const PagePlanes& planes) {
+    if (planes.blocks_left_out == 0) return "";
+    return "<p class=\"facts\">To keep this page small, " + counted(planes.blocks_left_out, "plane") + " (" +
+           fixed(double(planes.bytes_left_out) / 1e6, 1) +
+           " MB) of the views are left out of it. They are in each view&#39;s planes.zvp; the viewer opens "
+           "such a "
+           "file when it is dropped on it.</p>\n";
 }
 
 }  // namespace
 
-std::string to_html(const Results& results, const std::filesystem::path& run_folder) {
-    const std::vector<PageView> pages = page_views(results, run_folder);
-    std::string page = head(results) + "<body>\n<header>\n<h1>" + escaped(headline(results)) + "</h1>\n" +
-                       provenance(results) + "</header>\n<main>\n" + summary(pages) +
-                       html_renderers(results) + legend();
-    for (const PageView& one : pages) page += html_view(one);
-    return page + "</main>\n</body>\n</html>\n";
+std::string to_html(const Results& results, const std::filesystem::path& run_folder, std::size_t budget) {
+    const std::vector<PageView> pages = page_views(results, run_folder, picture_budget(budget));
+    const std::string script = script_element(viewer_script());
+    std::string sections;
+    for (const PageView& one : pages) sections += html_view(one);
+    const std::string begin = head(results) + "<body>\n<header>\n<h1>" + escaped(headline(results)) +
+                              "</h1>\n" + provenance(results) + "</header>\n<main>\n" + summary(pages);
+    const std::string end = html_renderers(results) + legend() + sections + "</main>\n";
+    const std::size_t spent =
+        begin.size() + end.size() + script.size() + (1 + pages.size()) * reserve_per_view;
+    const PagePlanes planes = page_planes(pages, run_folder, budget > spent ? budget - spent : 0);
+    return begin + omissions(planes) + end + planes.elements + script + "</body>\n</html>\n";
 }
 
 }  // namespace zproof

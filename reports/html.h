@@ -8,15 +8,20 @@
 
 namespace zproof {
 
-/// Embedded pictures of a page take at most this many bytes as text, so that the page stays below 25 MB.
-/// Failed views are served first; a picture that no longer fits is replaced by a sentence that names its
-/// file.
-inline constexpr std::size_t picture_budget = 22'000'000;
+/// A page stays below this many bytes unless somebody asks for another limit.
+inline constexpr std::size_t page_budget = 25'000'000;
 
-/// One self-contained page without scripts, which its own content security policy forbids along with the
-/// network: summary first (failed views on top), then each view with its pictures
+/// Small pictures, which serve readers without scripts, take at most this part of a page as text. Failed
+/// views are served first; a picture that no longer fits is replaced by a sentence that names its file.
+constexpr std::size_t picture_budget(std::size_t budget) { return budget / 5 * 2; }
+
+/// One self-contained page: summary first (failed views on top), then each view with its pictures
 /// (run_folder/view.folder/*-small.png, left out where absent), class counts, depth error histograms and
-/// worst pixels in words.
-std::string to_html(const Results& results, const std::filesystem::path& run_folder);
+/// worst pixels in words; all that without scripts. Where scripts run, the viewer opens on what is embedded
+/// of run_folder/view.folder/planes.zvp, and tells what was left out to stay within the budget. The page's
+/// content security policy admits that one script and forbids the network. Throws ReportError where a
+/// planes.zvp is damaged.
+std::string to_html(const Results& results, const std::filesystem::path& run_folder,
+                    std::size_t budget = page_budget);
 
 }  // namespace zproof

@@ -29,8 +29,18 @@ struct PageView {
     std::vector<PagePicture> pictures;
 };
 
-/// The views, failed first, with pictures read from run_folder as far as picture_budget goes.
-std::vector<PageView> page_views(const Results& results, const std::filesystem::path& run_folder);
+/// The views, failed first, with pictures read from run_folder as far as the budget (bytes as text) goes.
+std::vector<PageView> page_views(const Results& results, const std::filesystem::path& run_folder,
+                                 std::size_t budget);
+
+/// What the viewer reads, as elements of the page: the run, and of each view's planes.zvp as much as the
+/// budget (bytes of the page) allows.
+struct PagePlanes {
+    std::string elements;
+    std::size_t blocks_left_out = 0, bytes_left_out = 0;
+};
+PagePlanes page_planes(const std::vector<PageView>& pages, const std::filesystem::path& run_folder,
+                       std::size_t budget);
 
 /// The section of one view.
 std::string html_view(const PageView& page);

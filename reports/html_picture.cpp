@@ -48,9 +48,9 @@ PagePicture picture(const Kind& kind, const std::filesystem::path& folder, std::
 
 }  // namespace
 
-std::vector<PageView> page_views(const Results& results, const std::filesystem::path& run_folder) {
+std::vector<PageView> page_views(const Results& results, const std::filesystem::path& run_folder,
+                                 std::size_t budget) {
     std::vector<PageView> pages;
-    std::size_t budget = picture_budget;
     for (const ViewResult* view : failed_first(results)) {
         PageView page{.view = view, .anchor = "view-" + std::to_string(pages.size() + 1), .pictures = {}};
         if (!view->folder.empty())

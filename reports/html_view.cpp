@@ -112,9 +112,9 @@ std::string depth_cell(const Answer& answer) {
 
 std::string worst_row(const ReportedFinding& reported) {
     const Finding& f = reported.finding;
-    return "<tr>" + cell("n", std::to_string(f.x) + ", " + std::to_string(f.y)) +
-           cell("", class_badge(f.verdict)) + cell("n", depth_cell(f.candidate)) +
-           cell("n", depth_cell(f.reference)) +
+    return "<tr data-x=\"" + std::to_string(f.x) + "\" data-y=\"" + std::to_string(f.y) + "\">" +
+           cell("n", std::to_string(f.x) + ", " + std::to_string(f.y)) + cell("", class_badge(f.verdict)) +
+           cell("n", depth_cell(f.candidate)) + cell("n", depth_cell(f.reference)) +
            cell("n", std::isnan(f.error_over_bound) ? "–" : rounded(f.error_over_bound)) +
            cell("words", escaped(reported.explanation) + "<br>" + code(reported.command)) + "</tr>\n";
 }
@@ -137,7 +137,7 @@ std::string worst_table(const ViewResult& v) {
     std::string rows;
     for (std::size_t i = 0; i < worst_shown(v); ++i) rows += worst_row(v.worst[i]);
     return "<h3>" + std::string(defect_count(v) > 0 ? "Worst pixels" : "Closest calls") +
-           "</h3>\n<div class=\"wide\"><table class=\"worst\"><thead><tr><th class=\"n\">x, "
+           "</h3>\n<div class=\"wide\"><table class=\"worst sortable\"><thead><tr><th class=\"n\">x, "
            "y</th>"
            "<th>class</th><th class=\"n\">candidate<br>id, depth</th><th class=\"n\">reference<br>id, "
            "depth</th>"

@@ -8,6 +8,7 @@
 #include "cli/selftest/filter_fault.h"
 #include "cli/threads.h"
 #include "cli/usage_error.h"
+#include "cli/work_progress.h"
 #include "frame/exr.h"
 #include "rasterizer/rasterizer.h"
 
@@ -60,25 +61,38 @@ Picture picture_of(const FilterStage& stage, const FilterChoice& choice, const s
 /// Judges every method on one view; how many of them keep to their definition.
 class Bench {
   public:
-    explicit Bench(const FiltersCheckArguments& arguments) : arguments_(arguments) {}
+    Bench(const FiltersCheckArguments& arguments, std::size_t scenes)
+        : arguments_(arguments),
+          expected_(scenes * arguments.methods.size()),
+          progress_(std::cerr, beside_lines(ProgressStyle::automatic), double(expected_)) {}
+
+    /// A scene has more views than the one that was expected of it.
+    void expect_views(std::size_t views) {
+        expected_ += (views - 1) * arguments_.methods.size();
+        progress_.expect_more(double((views - 1) * arguments_.methods.size()));
+    }
 
     void judge(const FilterStage& stage) {
         for (const FilterChoice& choice : arguments_.methods) {
             if (interrupted()) return;
+            const std::string name = stage.scene.name + " / " + stage.view.name + ": " + choice.typed + ": ";
+            progress_.begin(name);
             const Picture picture = picture_of(stage, choice, arguments_.picture);
             const FilterTrial trial = selftest::conformance_of(picture, stage, claim_of(choice, arguments_));
-            std::cout << (trial.is_caught() ? "FAILED  " : "passed  ") << stage.scene.name << " / "
-                      << stage.view.name << ": " << choice.typed << ": " << found_in_words(trial)
-                      << where_in_words(trial.found) << std::endl;
+            progress_.say(std::cout, (trial.is_caught() ? "FAILED  " : "passed  ") + name +
+                                         found_in_words(trial) + where_in_words(trial.found) + "\n");
             ++judged_;
             failed_ += trial.is_caught();
         }
     }
 
-    ExitCode outcome() const {
-        std::cout << judged_ << (judged_ == 1 ? " picture: " : " pictures: ") << judged_ - failed_
-                  << " within the law of their method, " << failed_ << " not\n";
-        if (interrupted()) return ExitCode::interrupted;
+    ExitCode outcome() {
+        std::ostringstream line;
+        line << judged_ << (judged_ == 1 ? " picture: " : " pictures: ") << judged_ - failed_
+             << " within the law of their method, " << failed_ << " not\n";
+        progress_.say(std::cout, line.str());
+        if (std::size_t(judged_) < expected_)
+            return say_interrupted({std::size_t(judged_), expected_}, "picture", "judged");
         if (judged_ == 0) return ExitCode::nothing;
         return failed_ == 0 ? ExitCode::proven : ExitCode::defect;
     }
@@ -86,25 +100,32 @@ class Bench {
   private:
     const FiltersCheckArguments& arguments_;
     int judged_ = 0, failed_ = 0;
+    std::size_t expected_;  ///< pictures, as far as the scenes are known
+    WorkProgress progress_;
 };
 
 }  // namespace
 
 ExitCode execute(const FiltersCheckArguments& arguments) {
     for (const FilterChoice& choice : arguments.methods) claim_of(choice, arguments);
-    Bench bench{arguments};
-    int views_judged = 0;
-    for (const StudyScene& source : study_scenes(arguments.scenes)) {
+    const std::vector<StudyScene> sources = study_scenes(arguments.scenes);
+    note_interrupts();
+    Bench bench{arguments, sources.size()};
+    std::size_t views_judged = 0;
+    for (const StudyScene& source : sources) {
+        if (interrupted()) break;
         const Resolution natural = natural_resolution(source);
         const Loaded loaded = load(
             source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
-        for (const View& view : chosen_views(loaded, arguments.views)) {
-            if (!arguments.picture.empty() && ++views_judged > 1)
-                throw UsageError{"--picture: one view is expected; name it (--view)"};
+        const std::vector<View> views = chosen_views(loaded, arguments.views);
+        bench.expect_views(views.size());
+        views_judged += views.size();
+        if (!arguments.picture.empty() && views_judged > 1)
+            throw UsageError{"--picture: one view is expected; name it (--view)"};
+        for (const View& view : views)
             on_threads(arguments.threads, [&] {
                 bench.judge({loaded.scene, view, rasterizer::render(loaded.scene, view)});
             });
-        }
     }
     return bench.outcome();
 }

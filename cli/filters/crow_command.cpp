@@ -3,8 +3,10 @@
 
 #include "cli/commands.h"
 #include "cli/filters/scenes.h"
+#include "cli/interrupt.h"
 #include "cli/threads.h"
 #include "cli/version.h"
+#include "cli/work_progress.h"
 #include "frame/whole_file.h"
 #include "reports/filters/crow_page.h"
 #include "reports/output_folder.h"
@@ -34,21 +36,26 @@ ExitCode execute(const FiltersCrowArguments& arguments) {
     results.version = version_number();
     results.compiler = compiler_name();
     std::vector<CrowPicture> pictures;
-    const study::Audience audience{.begins = [](const std::string&) {},
+    note_interrupts();
+    WorkProgress progress{std::cerr, resolve(ProgressStyle::automatic), 1.0 + study::units_of(plan)};
+    const study::Audience audience{.begins = [&](const std::string& what) { progress.begin(what); },
                                    .is_shown =
                                        [&](const std::string& name, const Picture& picture) {
                                            pictures.push_back({name, picture});
                                        },
-                                   .wants_to_stop = [] { return false; }};
+                                   .wants_to_stop = interrupted};
     study::CrowAnswers answers;
     on_threads(arguments.settings.threads, [&] {
         results.views.push_back(study::study_view(loaded.scene, loaded.views.at(0), plan, audience));
+        if (interrupted()) return;
+        progress.begin("answers");
         answers = study::crow_answers();
     });
+    if (interrupted()) return say_interrupted({0, 1}, "page", "written");
     const std::string page = crow_page(results, pictures, answers);
     write_whole_file(out.working() / "crow1984.html", std::as_bytes(std::span{page}));
     out.publish();
-    std::cout << (arguments.out / "crow1984.html").string() << "\n";
+    progress.say(std::cout, (arguments.out / "crow1984.html").string() + "\n");
     return ExitCode::proven;
 }
 

@@ -3,15 +3,14 @@
 
 #include "cli/commands.h"
 #include "cli/filters/scenes.h"
-#include "cli/filters/study_progress.h"
 #include "cli/folder_names.h"
 #include "cli/interrupt.h"
-#include "cli/progress.h"
 #include "cli/scene_selection.h"
 #include "cli/stopwatch.h"
 #include "cli/threads.h"
 #include "cli/usage_error.h"
 #include "cli/version.h"
+#include "cli/work_progress.h"
 #include "frame/exr.h"
 #include "reports/filters/folder.h"
 #include "reports/filters/tables.h"
@@ -34,21 +33,28 @@ study::Plan plan_of(const FiltersRunArguments& arguments) {
 /// The study in the making, and the folder that its pictures go to.
 class Workshop {
   public:
-    Workshop(study::Plan plan, const fs::path& folder, StudyProgress& progress, study::StudyResults& results)
+    Workshop(study::Plan plan, const fs::path& folder, WorkProgress& progress, study::StudyResults& results)
         : plan_(std::move(plan)), folder_(folder), progress_(progress), results_(results) {}
+
+    /// Methods on views, as far as the views are known.
+    Share share() const { return {scored_, views_ * plan_.contestants.size()}; }
+
+    void leave(const StudyScene&) { ++views_; }  ///< interrupted: not even loaded
 
     void study_scene(const StudyScene& source, const FiltersRunArguments& arguments) {
         const Resolution natural = natural_resolution(source);
         const Loaded loaded = load(
             source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
         const std::vector<View> views = chosen_views(loaded, arguments.views);
-        progress_.expect_more((int(views.size()) - 1) * study::units_of(plan_));
+        progress_.expect_more(double(views.size() - 1) * study::units_of(plan_));
+        views_ += views.size();
         for (const View& view : views) {
             if (interrupted()) return;
             plan_.first_row = arguments.first_row.value_or(natural_first_row(source, view.height));
-            progress_.begin_view(loaded.scene.name + " / " + view.name);
+            progress_.within(loaded.scene.name + " / " + view.name + ": ");
             study::ViewStudy one = study_one(loaded.scene, view);
             one.reason = source.reason;
+            scored_ += one.methods.size();
             results_.views.push_back(std::move(one));
         }
     }
@@ -57,7 +63,7 @@ class Workshop {
     study::ViewStudy study_one(const Scene& scene, const View& view) {
         const std::string home = "pictures/" + names_.next(scene.name, view.name) + "/";
         fs::create_directories(folder_ / home);
-        const study::Audience audience{.begins = [&](const std::string& what) { progress_.begin_unit(what); },
+        const study::Audience audience{.begins = [&](const std::string& what) { progress_.begin(what); },
                                        .is_shown =
                                            [&](const std::string& name, const Picture& picture) {
                                                write_exr(folder_ / home / (file_stem(name) + ".exr"),
@@ -72,9 +78,10 @@ class Workshop {
 
     study::Plan plan_;
     fs::path folder_;
-    StudyProgress& progress_;
+    WorkProgress& progress_;
     study::StudyResults& results_;
     FolderNames names_;
+    std::size_t scored_ = 0, views_ = 0;
 };
 
 study::StudyResults results_of(const FiltersRunArguments& arguments, const study::Plan& plan) {
@@ -90,8 +97,8 @@ bool shows_a_texture(const study::ViewStudy& view) {
     return std::ranges::any_of(view.methods, [](const study::MethodScore& m) { return m.cost.pixels > 0; });
 }
 
-ExitCode conclusion(const study::StudyResults& results) {
-    if (!results.is_complete) return ExitCode::interrupted;
+ExitCode conclusion(const study::StudyResults& results, Share share) {
+    if (!results.is_complete) return say_interrupted(share, "picture", "scored and written");
     if (std::ranges::any_of(results.views, shows_a_texture)) return ExitCode::proven;
     std::cerr << "zproof: nothing to study: no pixel of these scenes shows a texture\n";
     return ExitCode::nothing;
@@ -106,23 +113,25 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     OutputFolder out{arguments.out};
     note_interrupts();
     Stopwatch watch;
+    Share share{};
     {
-        StudyProgress progress{std::cerr, resolve(arguments.progress),
-                               int(scenes.size()) * study::units_of(plan)};
+        WorkProgress progress{std::cerr, resolve(arguments.progress),
+                              double(scenes.size()) * study::units_of(plan)};
         Workshop workshop{plan, out.working(), progress, results};
         on_threads(arguments.threads, [&] {
             for (const StudyScene& scene : scenes)
-                if (!interrupted()) workshop.study_scene(scene, arguments);
+                interrupted() ? workshop.leave(scene) : workshop.study_scene(scene, arguments);
         });
+        share = workshop.share();
     }
-    results.is_complete = !interrupted();
+    results.is_complete = share.done == share.all;
     results.seconds = watch.lap();
     write_filters_results(out.working(), results);
     write_filters_figures(out.working(), results, {});
     out.publish();
     std::cout << filters_table(results, "interior")
               << "\nstudy: " << (arguments.out / "filters.html").string() << "\n";
-    return conclusion(results);
+    return conclusion(results, share);
 }
 
 }  // namespace zproof

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/arguments.h"
+#include "cli/nearest_word.h"
 #include "cli/renderers/roster.h"
 #include "cli/usage_error.h"
 
@@ -32,7 +33,8 @@ RendererChoice renderer_from_word(const std::string& word) {
     if (std::ranges::count(renderer_names(), word) > 0) return {.who = BuiltIn{word}, .precision_word = {}};
     if (word.find("{out}") != std::string::npos) return {.who = Program{word}, .precision_word = {}};
     throw UsageError{"renderer '" + word + "': expected one of " + known_names() +
-                     ", or a command that writes its frame to {out} (docs/renderer-contract.md)"};
+                     ", or a command that writes its frame to {out} (docs/renderer-contract.md)" +
+                     did_you_mean(word, renderer_names())};
 }
 
 bool are_the_usual(const Parties& parties) {

@@ -2,7 +2,6 @@
 
 #include <iomanip>
 #include <map>
-#include <ostream>
 #include <sstream>
 #include <stdexcept>
 
@@ -72,34 +71,68 @@ std::string in_words(const FilterTrial& trial) {
     return text.str();
 }
 
-Score try_filters(std::ostream& out) {
-    std::map<Ground, FilterStage> stages;
-    const auto stage_of = [&](Ground ground) -> const FilterStage& {
-        const auto found = stages.find(ground);
-        return found != stages.end() ? found->second
-                                     : stages.emplace(ground, filter_stage(ground)).first->second;
-    };
-    const auto tell = [&](const char* mark, const std::string& name, const std::string& words) {
-        out << mark << "  " << std::left << std::setw(32) << name << words << "\n";
-    };
-    Score score;
-    for (const texture::Method& method : texture::methods()) {
+namespace {
+
+/// Runs trials one by one, on stages that are made when first needed.
+class Round {
+  public:
+    explicit Round(const Audience& audience) : audience_(audience) {}
+
+    void control(const texture::Method& method) {
+        if (!begins("filter " + method.name)) return;
         const FilterStage& stage = stage_of(Ground::noise);
         const Picture picture =
             rasterizer::filtered(stage.scene, stage.view, stage.frame, {.method = method});
         const FilterTrial trial = conformance_of(picture, stage, method.name, {});
         tell(trial.is_caught() ? "FAILED" : "passed", "filter " + method.name, in_words(trial));
-        ++score.controls;
-        score.passed += !trial.is_caught();
+        ++score_.controls;
+        score_.passed += !trial.is_caught();
     }
-    for (const FilterFault& fault : filter_faults()) {
+
+    void fault(const FilterFault& fault) {
+        if (!begins(fault.name)) return;
         const FilterTrial trial = try_filter_fault(fault, stage_of(fault.ground));
         tell(trial.is_caught() ? "caught" : "MISSED", fault.name,
              in_words(trial) + " (" + fault.sentence + ")");
-        ++score.faults;
-        score.caught += trial.is_caught();
+        ++score_.faults;
+        score_.caught += trial.is_caught();
     }
-    return score;
+
+    const Score& score() const { return score_; }
+
+  private:
+    bool begins(const std::string& name) {
+        if (audience_.wants_to_stop()) return false;
+        audience_.begins(name);
+        return true;
+    }
+
+    void tell(const char* mark, const std::string& name, const std::string& words) {
+        std::ostringstream line;
+        line << mark << "  " << std::left << std::setw(32) << name << words << "\n";
+        audience_.told(line.str());
+    }
+
+    const FilterStage& stage_of(Ground ground) {
+        const auto found = stages_.find(ground);
+        return found != stages_.end() ? found->second
+                                      : stages_.emplace(ground, filter_stage(ground)).first->second;
+    }
+
+    const Audience& audience_;
+    std::map<Ground, FilterStage> stages_;
+    Score score_;
+};
+
+}  // namespace
+
+int filter_trial_count() { return int(texture::methods().size() + filter_faults().size()); }
+
+Score try_filters(const Audience& audience) {
+    Round round{audience};
+    for (const texture::Method& method : texture::methods()) round.control(method);
+    for (const FilterFault& fault : filter_faults()) round.fault(fault);
+    return round.score();
 }
 
 }  // namespace zproof::selftest

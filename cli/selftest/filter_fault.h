@@ -1,8 +1,6 @@
 /// A filter fault: one way in which a filtered picture can be wrong, and the trial that must find it.
 #pragma once
 
-#include <iosfwd>
-
 #include "cli/selftest/filter_stage.h"
 #include "cli/selftest/score.h"
 #include "compare/conformance.h"
@@ -57,7 +55,10 @@ FilterTrial try_filter_fault(const FilterFault& fault, const FilterStage& stage)
 /// "7310 of 11520 pixels outside, slack 1.2e+06; likeliest: LOD, to 0 bits"
 std::string in_words(const FilterTrial& trial);
 
-/// Tries every filter fault, and each method of the catalogue as a control; a line for each goes to `out`.
-Score try_filters(std::ostream& out);
+/// Tries each method of the catalogue as a control, and every filter fault, and tells a line of each.
+Score try_filters(const Audience& audience);
+
+/// How many trials that are.
+int filter_trial_count();
 
 }  // namespace zproof::selftest

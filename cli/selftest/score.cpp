@@ -2,7 +2,7 @@
 
 #include <iomanip>
 #include <map>
-#include <ostream>
+#include <sstream>
 
 #include "cli/selftest/theatre.h"
 
@@ -15,9 +15,11 @@ const char* mark_of(const Fault& fault, const Trial& trial) {
     return trial.as_expected ? "caught" : "MISSED";
 }
 
-void tell(std::ostream& out, const Fault& fault, const Trial& trial) {
-    out << mark_of(fault, trial) << "  " << std::left << std::setw(32) << fault.name << in_words(trial)
-        << " (" << fault.sentence << ")\n";
+std::string line_of(const Fault& fault, const Trial& trial) {
+    std::ostringstream line;
+    line << mark_of(fault, trial) << "  " << std::left << std::setw(32) << fault.name << in_words(trial)
+         << " (" << fault.sentence << ")\n";
+    return line.str();
 }
 
 void count(Score& score, const Fault& fault, const Trial& trial) {
@@ -27,13 +29,15 @@ void count(Score& score, const Fault& fault, const Trial& trial) {
 
 }  // namespace
 
-Score try_all(const std::vector<Fault>& faults, std::ostream& out) {
+Score try_all(const std::vector<Fault>& faults, const Audience& audience) {
     std::map<StageSize, Theatre> theatres;  // made when first needed
     Score score;
     for (const Fault& fault : faults) {
+        if (audience.wants_to_stop()) break;
+        audience.begins(fault.name);
         const Theatre& theatre = theatres.try_emplace(fault.stage_size, fault.stage_size).first->second;
         const Trial trial = try_fault(fault, theatre.stage());
-        tell(out, fault, trial);
+        audience.told(line_of(fault, trial));
         count(score, fault, trial);
     }
     return score;

@@ -1,7 +1,8 @@
 /// How many faults the gate catches, told fault by fault.
 #pragma once
 
-#include <iosfwd>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "cli/selftest/fault.h"
@@ -17,12 +18,21 @@ struct Score {
         controls += other.controls, passed += other.passed;
         return *this;
     }
+    int trials() const { return faults + controls; }
+
     /// Everything is caught, nothing good is called bad, and there was something to catch.
     bool gate_works() const { return faults > 0 && caught == faults && passed == controls; }
 };
 
-/// Tries every fault on a stage of its size; a line for each goes to `out`. Uses the surrounding
-/// tbb::task_arena.
-Score try_all(const std::vector<Fault>& faults, std::ostream& out);
+/// Who follows the trials.
+struct Audience {
+    std::function<void(const std::string& name)> begins = [](const std::string&) {};
+    std::function<void(const std::string& line)> told;           ///< what came of a trial; ends in a newline
+    std::function<bool()> wants_to_stop = [] { return false; };  ///< asked before every trial
+};
+
+/// Tries every fault on a stage of its size and tells a line of each, until the audience wants to stop. Uses
+/// the surrounding tbb::task_arena.
+Score try_all(const std::vector<Fault>& faults, const Audience& audience);
 
 }  // namespace zproof::selftest

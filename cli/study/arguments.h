@@ -14,6 +14,17 @@ class App;
 
 namespace zproof {
 
+/// Whose pictures a study asks for beside our own.
+enum class StudyWitnesses {
+    all,     ///< POV-Ray too, where it is installed
+    embree,  ///< what is always there
+};
+
+struct ProjectionWishes {
+    int vertices = 4096;  ///< at most so many of a view are studied
+    StudyWitnesses witnesses = StudyWitnesses::all;
+};
+
 /// The depth study's own. None: the first view's planes, and no gap.
 struct DepthWishes {
     std::optional<double> near, far, gap;  ///< scene units
@@ -34,6 +45,7 @@ struct StudyArguments {
     std::filesystem::path out = "zproof-study";
     ProgressStyle progress = ProgressStyle::automatic;
     std::string typed;  ///< the command line, quoted for a shell
+    ProjectionWishes projection;
     DepthWishes depth;
     CostWishes cost;
 };

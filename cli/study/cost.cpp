@@ -11,14 +11,14 @@ document::Document perform(const StudyTask& task) {
     const int repeats = task.arguments.cost.repeats;
     task.progress.expect_more(study::cost::units_of_model());
     const study::cost::Model model =
-        study::cost::fitted_model(repeats, [&](const std::string& what) { task.progress.begin_unit(what); });
+        study::cost::fitted_model(repeats, [&](const std::string& what) { task.progress.begin(what); });
     document::Document document = cost_document(model);
     std::vector<study::cost::Prediction> predictions;
     std::vector<document::Section> tricks;
     each_view(task, [&](const StudiedView& one) {
-        task.progress.begin_unit("prediction");
+        task.progress.begin("prediction");
         predictions.push_back(study::cost::predict(model, one.scene, one.view, repeats));
-        task.progress.begin_unit("tricks");
+        task.progress.begin("tricks");
         tricks.push_back(trick_section(study::cost::study_tricks(one.scene, one.view, repeats), one.stem));
     });
     std::ranges::move(prediction_sections(predictions), std::back_inserter(document.sections));

@@ -24,7 +24,7 @@ DepthQuestion question_of(const StudyTask& task) {
 
 document::Document perform(const StudyTask& task) {
     const DepthQuestion question = question_of(task);
-    const auto announce = [&](const std::string& what) { task.progress.begin_unit(what); };
+    const auto announce = [&](const std::string& what) { task.progress.begin(what); };
     task.progress.expect_more(study::depth::units_of_gaps());
     document::Document document = depth_document(study::depth::study_gaps(announce), question);
     each_view(task, [&](const StudiedView& one) {

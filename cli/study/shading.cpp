@@ -7,7 +7,7 @@ namespace {
 constexpr int most_levels = 6, side_px = 256;
 
 document::Document perform(const StudyTask& task) {
-    const auto announce = [&](const std::string& what) { task.progress.begin_unit(what); };
+    const auto announce = [&](const std::string& what) { task.progress.begin(what); };
     task.progress.expect_more(1);
     announce("a sphere");
     const View view = study::shading::sphere(0, side_px).views.front();

@@ -26,7 +26,7 @@ void each_view(const StudyTask& task, const std::function<void(const StudiedView
         for (const View& view : subject.views) {
             if (interrupted()) return;
             const std::string title = subject.scene.name + " / " + view.name;
-            task.progress.begin_view(title);
+            task.progress.within(title + ": ");
             study_one({subject.scene, view, in_lower_case(names.next(subject.scene.name, view.name)), title});
         }
 }

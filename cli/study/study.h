@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/filters/study_progress.h"
 #include "cli/study/arguments.h"
+#include "cli/work_progress.h"
 #include "reports/document/document.h"
 #include "scenes/loaded.h"
 
@@ -24,7 +24,7 @@ struct StudiedView {
 struct StudyTask {
     const StudyArguments& arguments;
     const std::vector<Loaded>& subjects;  ///< with the views that were asked for
-    StudyProgress& progress;              ///< begin_unit() is owed Study::units_per_view times a view
+    WorkProgress& progress;               ///< begin() is owed Study::units_per_view times a view
 };
 
 struct Study {

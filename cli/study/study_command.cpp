@@ -4,10 +4,10 @@
 #include "cli/commands.h"
 #include "cli/filters/scenes.h"
 #include "cli/interrupt.h"
-#include "cli/progress.h"
 #include "cli/study/study.h"
 #include "cli/threads.h"
 #include "cli/version.h"
+#include "cli/work_progress.h"
 #include "reports/document/folder.h"
 #include "reports/document/terminal.h"
 #include "reports/output_folder.h"
@@ -35,7 +35,7 @@ int units_of(const Study& study, const std::vector<Loaded>& subjects) {
 
 document::Document performed(const Study& study, const StudyArguments& arguments) {
     const std::vector<Loaded> subjects = subjects_of(study, arguments);
-    StudyProgress progress{std::cerr, resolve(arguments.progress), units_of(study, subjects)};
+    WorkProgress progress{std::cerr, resolve(arguments.progress), double(units_of(study, subjects))};
     document::Document document;
     on_threads(arguments.threads, [&] { document = study.perform({arguments, subjects, progress}); });
     document.command = arguments.typed;

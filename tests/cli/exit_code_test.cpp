@@ -3,6 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <set>
+#include <sstream>
+
+#include "cli/command_line/outline.h"
+#include "cli/command_line/tree.h"
+#include "cli/exit_code.h"
 #include "scenes/suite.h"
 #include "tests/cli/program.h"
 
@@ -18,9 +24,9 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
-class ExitCodes : public testing::TestWithParam<Case> {
+class ExitCodesOf : public testing::TestWithParam<Case> {
   protected:
-    ExitCodes() {
+    ExitCodesOf() {
         folder.write("one.gltf", one_triangle());
         folder.write("points.gltf", point_cloud());
         folder.write("broken.gltf", R"({"asset": {"version": "2.0"}, "scenes")");
@@ -35,7 +41,7 @@ class ExitCodes : public testing::TestWithParam<Case> {
     Folder folder;
 };
 
-TEST_P(ExitCodes, AreAsDocumented) {
+TEST_P(ExitCodesOf, AreAsDocumented) {
     Words arguments = GetParam().arguments;
     const Words small{"--width", "64", "--height", "48"};
     if (!arguments.empty() && arguments[0] == "run")
@@ -57,8 +63,28 @@ const std::vector<Case> cases{
     {"MeasureOpenGl", {"measure", "opengl"}, 0, "opengl: as declared"},
     {"HelpOfMeasure", {"measure", "--help"}, 0, "zproof measure zproof"},
     {"PointsAmongTriangles", {"run", "mixed"}, 0, "no triangles"},
+    {"Completion", {"completion", "bash"}, 0, "complete -F _zproof zproof"},
+    {"Manual", {"man"}, 0, ".TH ZPROOF 1"},
+    {"Generate", {"scenes", "generate", "guard_band"}, 0, "guard_band.view.json"},
+    {"Render", {"render", "one.gltf", "--width", "8", "--height", "6"}, 0, "frame-all.exr"},
+    {"Explain", {"explain", "one.gltf", "1", "1", "--width", "8", "--height", "6"}, 0, "agree"},
+    {"FiltersList", {"filters", "list"}, 0, "nearest"},
+    {"FiltersCheck",
+     {"filters", "check", "nearest", "worked", "--view", "phi-0", "--width", "32", "--height", "32"},
+     0,
+     "0 not"},
+    {"Defect", {"run", "oblique", "--precision", "raster,subpixel_bits=16"}, 1, "defect"},
+    {"MeasureABoaster", {"measure", "zproof", "--precision", "raster,subpixel_bits=16"}, 1, "worse"},
     {"NoCommand", {}, 2, "--help"},
     {"UnknownCommand", {"frobnicate"}, 2, "frobnicate"},
+    {"MisspelledCommand", {"rnu"}, 2, "did you mean 'run'?"},
+    {"MisspelledCommandOfFilters", {"filters", "chekc", "all"}, 2, "did you mean 'check'?"},
+    {"MisspelledOption", {"run", "--widht", "64"}, 2, "did you mean '--width'?"},
+    {"MisspelledOptionWithValue", {"selftest", "--thread=1"}, 2, "did you mean '--threads'?"},
+    {"MisspelledRenderer", {"run", "one.gltf", "--renderer", "embre"}, 2, "did you mean 'embree'?"},
+    {"MisspelledOracle", {"run", "one.gltf", "--oracle", "povry"}, 2, "did you mean 'povray'?"},
+    {"MisspelledMethod", {"filters", "run", "worked", "--methods", "neares"}, 2, "did you mean 'nearest'?"},
+    {"UnknownShell", {"completion", "csh"}, 2, "csh"},
     {"ScenesWithoutVerb", {"scenes"}, 2, "generate"},
     {"UnknownOption", {"run", "--frobnicate"}, 2, "--frobnicate"},
     {"OptionWithoutValue", {"run", "one.gltf", "--out"}, 2, "--out"},
@@ -80,13 +106,41 @@ const std::vector<Case> cases{
     {"ForeignOutputFolder", {"run", "one.gltf", "--out", "foreign"}, 3, "foreign"},
     {"OutputBelowAFile", {"run", "one.gltf", "--out", "file/out"}, 3, "file"},
     {"UnknownSuiteScene", {"scenes", "generate", "no-such-scene"}, 3, "no-such-scene"},
+    {"CompareMissingFrame", {"compare", "absent.exr", "one.gltf"}, 3, "absent.exr"},
+    {"RenderAbsentScene", {"render", "absent.glb"}, 3, "absent.glb"},
+    {"ContractCheckOfAMute", {"contract-check", "true {out}"}, 3, "no frame"},
+    {"RequiredWitnessThatFails", {"run", "one.gltf", "--renderer", "false {out}"}, 3, "exit status 1"},
+    {"FiltersTableOfNothing", {"filters", "table", "empty"}, 3, "empty"},
+    {"FiltersRunWithoutTexture", {"filters", "run", "one.gltf", "--methods", "nearest"}, 4, "no pixel"},
     {"EmptyFolder", {"run", "empty"}, 4, "nothing to judge"},
     {"OnlyPoints", {"run", "clouds"}, 4, "no triangles"},
     {"ExplainPoints", {"explain", "points.gltf", "1", "1"}, 4, "no triangles"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Program, ExitCodes, testing::ValuesIn(cases),
+INSTANTIATE_TEST_SUITE_P(Program, ExitCodesOf, testing::ValuesIn(cases),
                          [](const auto& row) { return std::string{row.param.name}; });
+
+/// The rows of docs/cli.md (ManualPage's test holds them to exit_statuses()) and those tried here. 70 is a
+/// fault of ours, which no command line may provoke; 130 has tests of its own (interrupt_test.cpp).
+TEST(ExitCodes, EveryStatusIsTried) {
+    std::set<int> tried{int(ExitCode::internal), int(ExitCode::interrupted)};
+    for (const Case& c : cases) tried.insert(c.exit_code);
+    for (const ExitStatus& status : exit_statuses())
+        EXPECT_EQ(tried.count(int(status.code)), 1u) << status.meaning;
+}
+
+/// Every command ends well somewhere, and refuses a command line that it cannot understand.
+TEST(ExitCodes, EveryCommandRefusesWhatItDoesNotKnow) {
+    const Folder folder;
+    CommandTree tree;
+    for (const OutlineCommand& command : leaves_of(outline_of(tree.root()))) {
+        std::istringstream in{command.path};
+        Words words;
+        for (std::string word; in >> word;) words.push_back(word);
+        words.push_back("--frobnicate");
+        EXPECT_EQ(run(folder, words).exit_code, 2) << command.path;
+    }
+}
 
 TEST(ForeignOutputFolder, IsNotTouched) {
     const Folder folder;

@@ -1,6 +1,8 @@
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,6 +14,9 @@
 
 namespace zproof::test {
 namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
 
 /// A pipe that is full: whoever writes to it waits until it is read.
 struct FullPipe {
@@ -31,10 +36,14 @@ struct FullPipe {
     FullPipe(const FullPipe&) = delete;
     FullPipe& operator=(const FullPipe&) = delete;
 
-    void drain() {
+    /// Everything that is written from now on.
+    std::string drain() {
         close(write_end);
+        std::string text;
         std::array<char, 4096> buffer;
-        while (read(read_end, buffer.data(), buffer.size()) > 0) continue;
+        for (ssize_t n; (n = read(read_end, buffer.data(), buffer.size())) > 0;)
+            text.append(buffer.data(), std::size_t(n));
+        return text.substr(text.find_first_not_of('.'));
     }
 };
 
@@ -47,27 +56,45 @@ bool catches_interrupts(pid_t pid) {
     return false;
 }
 
-/// Runs both scenes and interrupts while the program waits to tell of the first: the second cannot have
-/// begun.
-int interrupted_run(const Folder& folder, int signal_number) {
-    FullPipe progress;
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    const pid_t pid =
-        start(folder, {"run", "a.gltf", "b.gltf", "--progress", "lines", "--width", "64", "--height", "48"},
-              {nowhere, progress.write_end});
+void wait_until_interrupts_are_caught(pid_t pid) {
     while (!catches_interrupts(pid)) std::this_thread::yield();
-    kill(pid, signal_number);
-    progress.drain();
-    close(nowhere);
-    return exit_code_of(pid);
 }
+
+void wait_until_a_second_one_ends_it(pid_t pid) {
+    while (catches_interrupts(pid)) std::this_thread::yield();
+}
+
+/// Where the program is made to wait, so that it is interrupted in the midst of its work.
+enum class Blocked { at_its_results, at_its_progress };
+
+/// Interrupts the program while it waits to tell of the first piece of its work. out is kept where err is
+/// blocked, and the other way round: what is blocked is read as well.
+Ran interrupted_run(const Folder& folder, const Words& arguments, Blocked where, int signal_number = SIGINT) {
+    FullPipe pipe;
+    const Folder kept;
+    const int file = open((kept.path() / "kept").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+    const bool blocks_out = where == Blocked::at_its_results;
+    const pid_t pid =
+        start(folder, arguments, {blocks_out ? pipe.write_end : file, blocks_out ? file : pipe.write_end});
+    wait_until_interrupts_are_caught(pid);
+    kill(pid, signal_number);
+    const std::string drained = pipe.drain();
+    close(file);
+    const int code = exit_code_of(pid);
+    return blocks_out ? Ran{code, drained, kept.read("kept")} : Ran{code, kept.read("kept"), drained};
+}
+
+const Words two_scenes{"run", "a.gltf", "b.gltf", "--progress", "lines", "--width", "64", "--height", "48"};
 
 TEST(Interrupt, WritesWhatWasJudgedAndMarksTheRest) {
     for (const int signal_number : {SIGINT, SIGTERM}) {
         const Folder folder;
         folder.write("a.gltf", one_triangle());
         folder.write("b.gltf", two_triangles());
-        EXPECT_EQ(interrupted_run(folder, signal_number), 130);
+        const Ran ran = interrupted_run(folder, two_scenes, Blocked::at_its_progress, signal_number);
+        EXPECT_EQ(ran.exit_code, 130);
+        EXPECT_THAT(ran.err, HasSubstr("finishing the piece in hand"));
+        EXPECT_THAT(ran.err, ContainsRegex("interrupted: [01] of 2 views judged and written, [12] not\n"));
         const auto views = nlohmann::json::parse(folder.read("zproof-out/results.json")).at("views");
         ASSERT_EQ(views.size(), 2u);
         EXPECT_EQ(views[1].at("scene"), "b");
@@ -75,6 +102,121 @@ TEST(Interrupt, WritesWhatWasJudgedAndMarksTheRest) {
         EXPECT_EQ(views[1].at("message"), "interrupted before it was judged");
         EXPECT_EQ(folder.names(), (Words{"a.gltf", "b.gltf", "zproof-out"}));
     }
+}
+
+/// A command in the midst of which somebody presses Ctrl-C.
+struct Long {
+    const char* name;
+    Words arguments;
+    Blocked where;
+    const char*
+        said;  ///< what is finished and what is not; the signal comes during the first piece or before
+    const char* folder;  ///< is there afterwards; empty: none is
+};
+
+void PrintTo(const Long& c, std::ostream* out) { *out << c.name; }
+
+class InterruptOf : public testing::TestWithParam<Long> {
+  protected:
+    InterruptOf() {
+        folder.write("a.gltf", one_triangle());
+        const Ran ran = run(folder, {"render", "a.gltf", "--width", "64", "--height", "48", "-o", "frames"});
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    }
+    Folder folder;
+};
+
+TEST_P(InterruptOf, SaysWhatIsFinished) {
+    const Ran ran = interrupted_run(folder, GetParam().arguments, GetParam().where);
+    EXPECT_EQ(ran.exit_code, 130) << ran.out << ran.err;
+    EXPECT_THAT(ran.err, ContainsRegex(std::string{"zproof: interrupted: "} + GetParam().said));
+    Words expected{"a.gltf", "frames"};
+    if (*GetParam().folder != '\0') expected.push_back(GetParam().folder);
+    EXPECT_THAT(folder.names(), testing::UnorderedElementsAreArray(expected));
+}
+
+const std::vector<Long> commands{
+    {"Compare",
+     {"compare", "frames/frame-all.exr", "a.gltf", "--progress", "bar"},
+     Blocked::at_its_progress,
+     "0 of 1 view judged and written, 1 not",
+     "zproof-out"},
+    {"FiltersRun",
+     {"filters", "run", "worked", "--view", "phi-0", "--methods", "nearest,bilinear", "--width", "32",
+      "--height", "32", "-o", "s"},
+     Blocked::at_its_progress,
+     "0 of 2 pictures scored and written, 2 not",
+     "s"},
+    {"FiltersCheck",
+     {"filters", "check", "nearest,bilinear", "worked", "--view", "phi-0", "--width", "32", "--height", "32"},
+     Blocked::at_its_results,
+     "[01] of 2 pictures judged, [12] not",
+     ""},
+    {"FiltersCrow",
+     {"filters", "crow", "--width", "32", "--height", "32"},
+     Blocked::at_its_progress,
+     "0 of 1 page written, 1 not",
+     ""},
+    {"Selftest", {"selftest"}, Blocked::at_its_results, "[01] of 157 trials made, 15[67] not", ""},
+    {"Measure", {"measure", "zproof"}, Blocked::at_its_progress, "0 of 7 instruments read, 7 not", ""},
+    {"ContractCheck",
+     {"contract-check", "cp {scene} {out}"},
+     Blocked::at_its_results,
+     "[01] of 7 pictures asked for and judged, [67] not",
+     ""},
+    {"ScenesGenerate",
+     {"scenes", "generate", "guard_band", "fan_at_pixel_centre", "-o", "s"},
+     Blocked::at_its_results,
+     "[01] of 2 scenes written, [12] not",
+     "s"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Program, InterruptOf, testing::ValuesIn(commands),
+                         [](const auto& row) { return std::string{row.param.name}; });
+
+/// A FIFO in the folder: a renderer's command waits there until it is opened, or says that it has begun.
+void make_fifo(const Folder& folder) { mkfifo((folder.path() / "fifo").c_str(), 0600); }
+
+TEST(Interrupt, OfRenderLeavesTheViewsThatAreDone) {
+    const Folder folder;
+    run(folder, {"render", "room", "--width", "64", "--height", "48", "-o", "frames"});
+    make_fifo(folder);
+    const std::string place = folder.path().string();
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const pid_t pid = start(folder,
+                            {"render", "room", "--width", "64", "--height", "48", "-o", "out", "--renderer",
+                             "cat " + place + "/fifo; cp " + place + "/frames/door.exr {out}"},
+                            {nowhere, nowhere});
+    const int gate = open((place + "/fifo").c_str(), O_WRONLY | O_CLOEXEC);  // waits for the renderer
+    kill(pid, SIGINT);
+    close(gate);
+    close(nowhere);
+    EXPECT_EQ(exit_code_of(pid), 130);
+    EXPECT_FALSE(folder.read("out/door.exr").empty());
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/floor.exr"));
+}
+
+TEST(Interrupt, ASecondOneEndsTheRunAndTheRendererAtOnce) {
+    const Folder folder;
+    folder.write("a.gltf", one_triangle());
+    make_fifo(folder);
+    const std::string fifo = folder.path().string() + "/fifo";
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const pid_t pid = start(folder,
+                            {"run", "a.gltf", "--oracle", "none", "--renderer",
+                             "exec 3>" + fifo + "; echo begun >&3; sleep 20; echo survived >&3; : {out}"},
+                            {nowhere, nowhere});
+    const int reader = open(fifo.c_str(), O_RDONLY | O_CLOEXEC);  // waits for the renderer
+    kill(pid, SIGINT);
+    wait_until_a_second_one_ends_it(pid);
+    kill(pid, SIGINT);
+    close(nowhere);
+    EXPECT_EQ(exit_code_of(pid), -1) << "ended by the signal, which a shell reports as 130";
+    std::string heard;
+    for (char c; read(reader, &c, 1) == 1;) heard += c;
+    close(reader);
+    EXPECT_EQ(heard, "begun\n");
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "zproof-out"));
 }
 
 }  // namespace

@@ -7,8 +7,11 @@
 #include <fstream>
 #include <sstream>
 
+#include "reports/base64.h"
 #include "reports/evidence.h"
 #include "reports/html_parts.h"
+#include "reports/page_scripts.h"
+#include "reports/planes/container.h"
 #include "tests/reports/sample.h"
 
 namespace zproof {
@@ -24,18 +27,22 @@ void write_file(const std::filesystem::path& file, const std::string& content) {
 
 }  // namespace
 
-TEST(Html, HoldsNoScriptAndNoAddress) {
+TEST(Html, HoldsOneScriptThatItsPolicyAdmitsAndNoAddress) {
     const TemporaryFolder run;
     const SampleView sample = sample_view();
     write_view_evidence(run.path() / "scenes/room-corner", sample.candidate, sample.reference,
                         sample.verdict);
     const std::string page = to_html(sample_results(), run.path());
-    EXPECT_EQ(occurrences(page, "<script"), 0u);
+    EXPECT_EQ(occurrences(page, "<script>"), 1u);
+    EXPECT_EQ(occurrences(page, "<script>") + occurrences(page, "<script type=\"application/"),
+              occurrences(page, "<script"))
+        << "all others are data";
     EXPECT_EQ(occurrences(page, "://"), 0u);
     EXPECT_EQ(occurrences(page, "url("), 0u);
     EXPECT_EQ(occurrences(page, "@import"), 0u);
     EXPECT_EQ(occurrences(page, "http"), 1u) << "http-equiv of the policy only";
-    EXPECT_EQ(occurrences(page, "default-src 'none'; style-src 'unsafe-inline'; img-src data:\""), 1u);
+    EXPECT_EQ(occurrences(page, "content=\"" + content_policy(viewer_script()) + "\""), 1u);
+    EXPECT_EQ(occurrences(page, "default-src 'none'; script-src 'sha256-"), 1u);
     EXPECT_EQ(occurrences(page, "<img"), 4u);
     EXPECT_EQ(occurrences(page, "src=\"data:image/png;base64,iVBORw0KGgo"), 4u);
 }
@@ -117,22 +124,89 @@ TEST(Html, EveryClassIsInTheLegend) {
         EXPECT_GE(occurrences(page, "</i>" + std::string(name_of(PixelClass(i))) + "</span></dt>"), 1u);
 }
 
-TEST(Html, StaysBelow25MegabytesWhateverThePicturesWeigh) {
-    const TemporaryFolder run;
+/// Twenty failing views in folders of their own.
+Results twenty_views() {
     Results results = sample_results();
     results.views.assign(20, results.views[1]);
-    for (int i = 0; i < 20; ++i) {
-        ViewResult& view = results.views[std::size_t(i)];
-        view.folder = "scenes/" + std::to_string(i);
+    for (int i = 0; i < 20; ++i) results.views[std::size_t(i)].folder = "scenes/" + std::to_string(i);
+    return results;
+}
+
+TEST(Html, StaysBelow25MegabytesWhateverThePicturesWeigh) {
+    const TemporaryFolder run;
+    const Results results = twenty_views();
+    for (const ViewResult& view : results.views) {
         write_file(run.path() / view.folder / "class-small.png", "tiny");
         write_file(run.path() / view.folder / "id-small.png", std::string(1'500'000, 'x'));
     }
     const std::string page = to_html(results, run.path());
-    EXPECT_LT(page.size(), 25'000'000u);
-    EXPECT_GT(page.size(), 20'000'000u);
+    EXPECT_LT(page.size(), page_budget);
+    EXPECT_GT(page.size(), 8'000'000u);
     EXPECT_EQ(occurrences(page, "data:image/png;base64,dGlueQ=="), 20u) << "small pictures still fit";
-    EXPECT_EQ(occurrences(page, "Left out to keep this page small."), 10u);
+    EXPECT_EQ(occurrences(page, "Left out to keep this page small."), 16u);
     EXPECT_EQ(occurrences(page, "href=\"scenes/19/id.png\""), 1u);
+}
+
+/// A block of each tier: classes, ids, depths.
+planes::Container sample_planes(std::size_t weight) {
+    const auto block = [&](const std::string& name) {
+        return planes::Block{name, {{"coding", "bytes"}}, std::string(weight, name[0])};
+    };
+    return {{{"width", 8}}, {block("class"), block("candidate.id"), block("candidate.depth")}};
+}
+
+TEST(Html, StaysBelow25MegabytesWhateverThePlanesWeighAndSaysWhatIsLeftOut) {
+    const TemporaryFolder run;
+    Results results = twenty_views();
+    results.views[19].outcome = Outcome::proven;
+    for (const ViewResult& view : results.views)
+        write_file(run.path() / view.folder / "planes.zvp", planes::packed(sample_planes(700'000)));
+    const std::string page = to_html(results, run.path());
+    EXPECT_LT(page.size(), page_budget);
+    EXPECT_GT(page.size(), 23'000'000u);
+    EXPECT_EQ(occurrences(page, "<script type=\"application/zvp\""), 20u) << "classes of every view";
+    EXPECT_EQ(occurrences(page, "34 planes (23.8 MB) of the views are left out"), 1u);
+    EXPECT_EQ(occurrences(page, R"("leftOut":[])"), 3u) << "failed views are served first";
+    EXPECT_EQ(occurrences(page, R"("leftOut":["candidate.id","candidate.depth"])"), 17u);
+}
+
+TEST(Html, EmbedsPlanesAsTheyAreAndAnotherBudgetIsKept) {
+    const TemporaryFolder run;
+    const Results results = sample_results();
+    const std::string all = planes::packed(sample_planes(50'000));
+    for (const std::size_t view : {0u, 1u})
+        write_file(run.path() / results.views[view].folder / "planes.zvp", all);
+    const std::string whole = to_html(results, run.path());
+    EXPECT_EQ(occurrences(whole, base64(all)), 2u);
+    EXPECT_EQ(occurrences(whole, "are left out"), 0u);
+    const std::string tight = to_html(results, run.path(), whole.size() - 50'000);
+    EXPECT_LT(tight.size(), whole.size() - 50'000);
+    EXPECT_EQ(occurrences(tight, "1 plane (0.1 MB) of the views are left out"), 1u);
+    EXPECT_EQ(occurrences(to_html(results, run.path(), 1000), "<script type=\"application/zvp\""), 0u);
+}
+
+TEST(Html, NeverEmbedsAPlaneWithoutTheOneThatItIsGuessedFrom) {
+    const TemporaryFolder run;
+    const Results results = sample_results();
+    planes::Container container = sample_planes(3'000);
+    container.blocks[1].content.assign(400'000, 'x');
+    container.blocks.push_back({"reference.id", {{"coding", "sparse"}, {"beside", "candidate.id"}}, "small"});
+    write_file(run.path() / results.views[1].folder / "planes.zvp", planes::packed(container));
+    const std::string page = to_html(results, run.path(), 300'000);
+    EXPECT_EQ(occurrences(page, R"("leftOut":["candidate.id","reference.id"])"), 1u);
+    EXPECT_EQ(occurrences(to_html(results, run.path()), R"("leftOut":[])"), 4u);
+}
+
+TEST(Html, DamagedPlanesAreNamed) {
+    const TemporaryFolder run;
+    const Results results = sample_results();
+    write_file(run.path() / results.views[1].folder / "planes.zvp", "damaged");
+    EXPECT_THROW(to_html(results, run.path()), ReportError);
+}
+
+TEST(Html, WhatTheViewerReadsCannotEndItsElement) {
+    const std::string page = page_without_pictures();
+    EXPECT_EQ(occurrences(page, "\\u003c/script>\\u003cimg onerror=x>"), 1u);
 }
 
 TEST(Html, HistogramHasABarPerFilledBinAndMarksTheBound) {

@@ -1,7 +1,7 @@
 /// The selftest itself can fail: a fault that is no fault, the wrong class, the wrong count, a false alarm.
 #include <gtest/gtest.h>
 
-#include <sstream>
+#include <string>
 
 #include "cli/selftest/score.h"
 
@@ -24,9 +24,10 @@ Frame with_a_hole(const Stage& stage) {
 
 /// The line that the fault gets, and the score.
 std::pair<std::string, Score> told(Expected expected, std::function<Frame(const Stage&)> inject) {
-    std::ostringstream out;
-    const Score score = try_all({{"x", "y", std::move(expected), std::move(inject)}}, out);
-    return {out.str(), score};
+    std::string lines;
+    const Score score = try_all({{"x", "y", std::move(expected), std::move(inject)}},
+                                {.told = [&](const std::string& line) { lines += line; }});
+    return {lines, score};
 }
 
 TEST(Score, ACaughtFaultCounts) {

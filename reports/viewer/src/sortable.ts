@@ -1,6 +1,6 @@
 // Tables that are sorted by a click, or Enter, on a column's heading.
 //
-//   <table class="sortable">: the last row of its thead holds the headings. A cell's key is its data-key, else its
+//   <table class="sortable">: the last row of its thead holds the headings. A cell's key is its data-key or data-value, else its
 //   text; keys that are numbers ("1,234", "0.93", "41 %", "1.2e+07") sort as numbers. Rows without a key stay last.
 //   <th class="unsortable">: not this column.
 
@@ -16,7 +16,7 @@ export function leadingNumber(text: string): number {
 
 function keyOf(row: HTMLTableRowElement, column: number): Key {
     const cell = row.cells[column];
-    const text = (cell?.dataset.key ?? cell?.textContent ?? '').trim();
+    const text = (cell?.dataset.key ?? cell?.dataset.value ?? cell?.textContent ?? '').trim();
     return {number: leadingNumber(text), text};
 }
 

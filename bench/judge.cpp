@@ -1,0 +1,63 @@
+// The verdict on each view of the suite beside the reference's rays for it, at 1920 x 1080.
+#include "compare/judge.h"
+
+#include "bench/lazy.h"
+#include "bench/suites.h"
+#include "oracle/embree.h"
+#include "rasterizer/rasterizer.h"
+#include "scenes/suite.h"
+
+namespace zproof::bench {
+namespace {
+
+/// One scene at a time: the next one takes its place.
+struct Stage {
+    std::string name;
+    std::optional<Loaded> loaded;
+    std::optional<oracle::Embree> embree;
+
+    void set(const std::string& scene) {
+        if (name == scene) return;
+        embree.reset();
+        loaded = generate_suite_scene(scene, 1920, 1080);
+        embree.emplace(loaded->scene);
+        name = scene;
+    }
+};
+
+void add_view(const std::shared_ptr<Stage>& stage, const std::string& scene, std::size_t index,
+              const std::string& view_name) {
+    const std::string name = "judge/" + scene + "-" + view_name;
+    add(name + "/Embree's rays", [=] {
+        stage->set(scene);
+        benchmark::DoNotOptimize(stage->embree->trace(stage->loaded->views[index]));
+    });
+    struct Frames {
+        Frame candidate, reference;
+    };
+    const Lazy<Frames> frames{[=] {
+        stage->set(scene);
+        const View& view = stage->loaded->views[index];
+        return Frames{rasterizer::render(stage->loaded->scene, view), stage->embree->trace(view)};
+    }};
+    add(name + "/zproof", [=] {
+        const auto& [candidate, reference] = *frames;
+        stage->set(scene);
+        const View& view = stage->loaded->views[index];
+        benchmark::DoNotOptimize(judge(stage->loaded->scene, view, {candidate, rasterizer::precision()},
+                                       {reference, oracle::embree_precision()}));
+    });
+}
+
+}  // namespace
+
+void add_judge() {
+    const auto stage = std::make_shared<Stage>();
+    for (const SuiteEntry& entry : suite_manifest()) {
+        const Loaded small = generate_suite_scene(entry.name, 16, 9);
+        for (std::size_t i = 0; i < small.views.size(); ++i)
+            add_view(stage, entry.name, i, small.views[i].name);
+    }
+}
+
+}  // namespace zproof::bench

@@ -1,0 +1,61 @@
+/// How far long work is, and about how long it will still take, told on stderr.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "cli/settings.h"
+#include "cli/stopwatch.h"
+
+namespace zproof {
+
+/// Is this file descriptor a terminal that understands cursor movements?
+bool is_terminal(int file_descriptor);
+
+/// The style that `automatic` stands for here.
+ProgressStyle resolve(ProgressStyle wish);
+
+/// The same for a command whose results are lines that tell as much: a bar on a terminal, else nothing.
+ProgressStyle beside_lines(ProgressStyle wish);
+
+/// "2:05 left"; "1:02:05 left" from an hour on.
+std::string time_left(double seconds);
+
+/// Work is counted in units of any kind: each is taken to last as long as those before it did on the average.
+class WorkProgress {
+  public:
+    /// The stream must outlive this object. style: not automatic. `work`: all of it, as far as known.
+    WorkProgress(std::ostream& out, ProgressStyle style, double work);
+    ~WorkProgress();  ///< clears the bar
+    WorkProgress(const WorkProgress&) = delete;
+    WorkProgress& operator=(const WorkProgress&) = delete;
+
+    void expect_more(double work) { all_ += work; }            ///< a scene has more views than one
+    void within(const std::string& whole) { whole_ = whole; }  ///< what the next pieces are parts of: a view
+
+    /// Ends the piece in hand and begins the next.
+    void begin(const std::string& what, double work = 1);
+
+    /// Ends the piece in hand, where its work was begun without begin().
+    void advance(double work);
+
+    /// Names what is being done, which is no piece of its own. Draws the bar; says nothing in lines.
+    void mention(const std::string& what);
+
+    /// Prints a line of results; a bar makes way for it.
+    void say(std::ostream& results, const std::string& line);
+
+    std::string left() const;  ///< "  2:05 left"; empty until some work is done
+
+  private:
+    void draw(const std::string& what);
+    std::string percent() const;
+
+    std::ostream& out_;
+    ProgressStyle style_;
+    double all_, done_ = 0, in_hand_ = 0, seconds_ = 0;
+    Stopwatch watch_;
+    std::string whole_;
+};
+
+}  // namespace zproof

@@ -1,0 +1,25 @@
+/// The triangles around a pixel as geometry, for a drawing beside its story. Nothing is decided from it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compare/explain.h"
+#include "math/affine.h"
+
+namespace zproof {
+
+/// A triangle's image around a pixel's centre, in double; (x, y) are offsets from the centre, px, y down.
+struct NearbyImage {
+    PrimitiveId primitive = PrimitiveId::none;
+    std::array<Affine<double>, 3> edge;  ///< signed distance from each edge, px, positive inside
+    Affine<double> nearness;             ///< larger is nearer: compare/triangle_image.h
+};
+
+/// For each place, the triangles whose image may come within reach_px of its centre, nearest at the centre
+/// first, at most `most` of them; none that is seen edge-on. One pass over the scene for all places.
+std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const View& view,
+                                                    std::span<const PixelPlace> places, double reach_px,
+                                                    std::size_t most);
+
+}  // namespace zproof

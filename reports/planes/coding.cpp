@@ -1,0 +1,156 @@
+#include "reports/planes/coding.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstring>
+#include <new>
+
+#include "reports/report_error.h"
+
+namespace zproof::planes {
+
+static_assert(std::endian::native == std::endian::little, "planes are stored as they lie in memory");
+
+namespace {
+
+const Bytef* zlib_bytes(std::string_view bytes) { return reinterpret_cast<const Bytef*>(bytes.data()); }
+
+std::uint32_t folded(std::uint32_t difference) { return (difference << 1) ^ (0u - (difference >> 31)); }
+std::uint32_t unfolded(std::uint32_t folded) { return (folded >> 1) ^ (0u - (folded & 1)); }
+
+/// Byte k of every number, for k = 0, 1, ... until the rest is zero.
+template <class T>
+std::string byte_planes(std::span<const T> values) {
+    T any = 0;
+    for (const T value : values) any |= value;
+    const std::size_t count = (std::size_t(std::bit_width(any)) + 7) / 8;
+    std::string bytes(count * values.size(), '\0');
+    for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t i = 0; i < values.size(); ++i)
+            bytes[k * values.size() + i] = char(values[i] >> (8 * k) & 0xFF);
+    return bytes;
+}
+
+template <class T>
+std::vector<T> from_byte_planes(std::string_view deflated_bytes, std::size_t count) {
+    const std::string bytes = inflated(deflated_bytes, sizeof(T) * count);
+    if (count == 0 ? !bytes.empty() : bytes.size() % count != 0)
+        throw ReportError("planes: a block is damaged: not a whole number of byte planes; run zproof again");
+    std::vector<T> values(count);
+    for (std::size_t at = 0; at < bytes.size(); ++at)
+        values[at % count] |= T(std::uint8_t(bytes[at])) << (8 * (at / count));
+    return values;
+}
+
+std::uint32_t guess_for(const std::uint32_t* values, std::size_t i, std::size_t width,
+                        Prediction prediction) {
+    const bool has_left = i % width > 0, has_upper = i >= width;
+    if (prediction == Prediction::left) return has_left ? values[i - 1] : 0;
+    if (has_left && has_upper) return values[i - 1] + values[i - width] - values[i - width - 1];
+    return has_left ? values[i - 1] : has_upper ? values[i - width] : 0;
+}
+
+}  // namespace
+
+std::string encode(std::span<const std::uint32_t> values, std::size_t width, Prediction prediction,
+                   Effort effort) {
+    assert(width > 0 && values.size() % width == 0);
+    std::vector<std::uint32_t> missed(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        missed[i] = folded(values[i] - guess_for(values.data(), i, width, prediction));
+    return deflated(byte_planes(std::span<const std::uint32_t>(missed)), effort);
+}
+
+std::vector<std::uint32_t> decode(std::string_view bytes, std::size_t count, std::size_t width,
+                                  Prediction prediction) {
+    std::vector<std::uint32_t> values = from_byte_planes<std::uint32_t>(bytes, count);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = unfolded(values[i]) + guess_for(values.data(), i, width, prediction);
+    return values;
+}
+
+std::string encode(std::span<const std::uint32_t> values, std::span<const std::uint32_t> guess,
+                   Effort effort) {
+    assert(values.size() == guess.size());
+    std::vector<std::uint32_t> missed(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) missed[i] = folded(values[i] - guess[i]);
+    return deflated(byte_planes(std::span<const std::uint32_t>(missed)), effort);
+}
+
+std::vector<std::uint32_t> decode(std::string_view bytes, std::span<const std::uint32_t> guess) {
+    std::vector<std::uint32_t> values = from_byte_planes<std::uint32_t>(bytes, guess.size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = unfolded(values[i]) + guess[i];
+    return values;
+}
+
+std::string encode_sparse(std::span<const std::uint32_t> values, std::span<const std::uint32_t> guess) {
+    assert(values.size() == guess.size());
+    std::vector<std::uint32_t> places, kept;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i] == guess[i]) continue;
+        places.push_back(std::uint32_t(i));
+        kept.push_back(values[i]);
+    }
+    const std::size_t width = std::max<std::size_t>(places.size(), 1);
+    places.insert(places.end(), kept.begin(), kept.end());
+    return encode(places, width, Prediction::left, Effort::thorough);
+}
+
+std::vector<std::uint32_t> decode_sparse(std::string_view bytes, std::size_t count,
+                                         std::span<const std::uint32_t> guess) {
+    const std::vector<std::uint32_t> words =
+        decode(bytes, 2 * count, std::max<std::size_t>(count, 1), Prediction::left);
+    std::vector<std::uint32_t> values(guess.begin(), guess.end());
+    for (std::size_t i = 0; i < count; ++i) values.at(words[i]) = words[count + i];
+    return values;
+}
+
+std::size_t missed_by(std::span<const std::uint32_t> values, std::span<const std::uint32_t> guess) {
+    std::size_t missed = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) missed += values[i] != guess[i];
+    return missed;
+}
+
+std::string encode(std::span<const double> values) {
+    std::vector<std::uint64_t> bits;
+    for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
+    return deflated(byte_planes(std::span<const std::uint64_t>(bits)), Effort::thorough);
+}
+
+std::vector<double> decode_doubles(std::string_view bytes, std::size_t count) {
+    std::vector<double> values;
+    for (const std::uint64_t bits : from_byte_planes<std::uint64_t>(bytes, count))
+        values.push_back(std::bit_cast<double>(bits));
+    return values;
+}
+
+std::string deflated(std::string_view bytes, Effort effort) {
+    uLongf size = compressBound(bytes.size());
+    std::string packed(size, '\0');
+    const int level = effort == Effort::fast ? 1 : 4;  // 6 takes twice the time for a twentieth
+    if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, zlib_bytes(bytes), bytes.size(), level) !=
+        Z_OK)
+        throw std::bad_alloc();
+    packed.resize(size);
+    return packed;
+}
+
+std::string inflated(std::string_view bytes, std::size_t most) {
+    std::string plain(most + 1, '\0');  // zlib refuses to write nothing into nothing
+    uLongf size = plain.size();
+    if (uncompress(reinterpret_cast<Bytef*>(plain.data()), &size, zlib_bytes(bytes), bytes.size()) != Z_OK ||
+        size > most)
+        throw ReportError("planes: a block is damaged: expected at most " + std::to_string(most) +
+                          " bytes of deflated content; run zproof again");
+    plain.resize(size);
+    return plain;
+}
+
+std::uint32_t checksum(std::string_view bytes) {
+    return std::uint32_t(crc32_z(0, zlib_bytes(bytes), bytes.size()));
+}
+
+}  // namespace zproof::planes

@@ -1,0 +1,226 @@
+#include "reports/planes/view_planes.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <fstream>
+#include <functional>
+
+#include "reports/pictures.h"
+#include "reports/planes/coding.h"
+#include "reports/planes/stories.h"
+
+namespace zproof::planes {
+
+namespace {
+
+using Words = std::span<const std::uint32_t>;
+
+std::vector<std::uint32_t> bits_of(const Plane<PrimitiveId>& ids) {
+    std::vector<std::uint32_t> bits;
+    bits.reserve(ids.pixels().size());
+    for (const PrimitiveId id : ids.pixels()) bits.push_back(std::uint32_t(id));
+    return bits;
+}
+
+std::vector<std::uint32_t> bits_of(const Plane<float>& depths) {
+    std::vector<std::uint32_t> bits;
+    bits.reserve(depths.pixels().size());
+    for (const float depth : depths.pixels()) bits.push_back(std::bit_cast<std::uint32_t>(depth));
+    return bits;
+}
+
+nlohmann::json plane_facts(std::string_view coding, std::string_view decoded) {
+    return {{"coding", coding}, {"crc32", checksum(decoded)}};
+}
+
+Block predicted(const std::string& name, Words values, std::size_t width, Prediction prediction) {
+    const bool planar = prediction == Prediction::planar;
+    return {name, plane_facts(planar ? "planar" : "left", as_bytes(values)),
+            encode(values, width, prediction, planar ? Effort::fast : Effort::thorough)};
+}
+
+/// Guessed from the candidate's plane; the reader needs that as well.
+Block beside(const std::string& name, Words values, Words candidate, const std::string& guess) {
+    const std::size_t missed = missed_by(values, candidate);
+    const bool sparse = missed < values.size() / 16;
+    Block block{name, plane_facts(sparse ? "sparse" : "beside", as_bytes(values)),
+                sparse ? encode_sparse(values, candidate) : encode(values, candidate, Effort::fast)};
+    if (sparse) block.facts["count"] = missed;
+    block.facts["beside"] = guess;
+    return block;
+}
+
+Block bytes_block(const std::string& name, const std::string& bytes, Effort effort) {
+    return {name, plane_facts("bytes", bytes), deflated(bytes, effort)};
+}
+
+Block class_block(const Plane<PixelClass>& classes) {
+    std::string bytes;
+    for (const PixelClass c : classes.pixels()) bytes += char(c);
+    return bytes_block("class", bytes, Effort::thorough);
+}
+
+Block error_block(const std::string& name, const Plane<float>& errors, Effort effort) {
+    std::string bytes;
+    for (const float error : errors.pixels()) bytes += char(error_code(error));
+    return bytes_block(name, bytes, effort);
+}
+
+Block json_block(const std::string& name, const nlohmann::json& content) {
+    const std::string text = content.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return {name, {{"coding", "json"}, {"length", text.size()}}, deflated(text, Effort::thorough)};
+}
+
+/// The three channels one after another, each number less its left neighbour, modulo 256.
+Block colour_block(const std::string& name, const Picture& colours) {
+    const Plane<Rgb8> light = picture_of_light(colours);
+    const auto pixels = light.pixels();
+    std::string plain, missed;
+    for (const std::uint8_t Rgb8::*channel : {&Rgb8::r, &Rgb8::g, &Rgb8::b}) {
+        std::uint8_t left = 0;
+        for (const Rgb8& pixel : pixels) {
+            const std::uint8_t value = pixel.*channel;
+            plain += char(value);
+            missed += char(value - left);
+            left = value;
+        }
+    }
+    return {name, plane_facts("channels", plain), deflated(missed, Effort::fast)};
+}
+
+std::vector<const Finding*> listed_findings(const Verdict& verdict) {
+    std::vector<const Finding*> listed;
+    for (const Finding& finding : verdict.findings) listed.push_back(&finding);
+    std::ranges::stable_partition(listed, [](const Finding* f) { return !passes(f->verdict); });
+    if (listed.size() > most_findings) listed.resize(most_findings);
+    std::ranges::sort(listed, {}, [](const Finding* f) { return std::pair{f->y, f->x}; });
+    return listed;
+}
+
+std::uint32_t word(float value) { return std::bit_cast<std::uint32_t>(value); }
+
+/// A table: its columns of words one after another, as one plane with a row per column, then those of
+/// doubles.
+Block findings_block(const Verdict& verdict, int width) {
+    const std::vector<const Finding*> listed = listed_findings(verdict);
+    std::vector<std::uint32_t> words;
+    std::vector<double> doubles;
+    const auto add = [&](auto& column, const auto& value_of) {
+        for (const Finding* f : listed) column.push_back(value_of(*f));
+    };
+    add(words,
+        [&](const Finding& f) { return std::uint32_t(f.y) * std::uint32_t(width) + std::uint32_t(f.x); });
+    add(words, [](const Finding& f) { return std::uint32_t(f.candidate.primitive); });
+    add(words, [](const Finding& f) { return std::uint32_t(f.reference.primitive); });
+    add(words, [](const Finding& f) { return word(f.candidate.camera_depth); });
+    add(words, [](const Finding& f) { return word(f.reference.camera_depth); });
+    add(doubles, [](const Finding& f) { return f.eps_px; });
+    add(doubles, [](const Finding& f) { return f.candidate_depth.low; });
+    add(doubles, [](const Finding& f) { return f.candidate_depth.truth; });
+    add(doubles, [](const Finding& f) { return f.candidate_depth.high; });
+    add(doubles, [](const Finding& f) { return f.error_over_bound; });
+    const std::string first =
+        encode(words, std::max<std::size_t>(listed.size(), 1), Prediction::left, Effort::thorough);
+    return {"findings",
+            {{"coding", "table"},
+             {"count", listed.size()},
+             {"words", first.size()},
+             {"all", verdict.findings.size()}},
+            first + encode(doubles)};
+}
+
+/// A block that is yet to be made: they are made side by side.
+using Recipe = std::function<Block()>;
+
+/// A renderer's ids and depths. Beside the candidate's they are nearly nothing.
+struct Answers {
+    std::string name;
+    std::vector<std::uint32_t> ids, depths;
+};
+
+Answers answers_of(const std::string& name, const Frame& frame) {
+    return {name, bits_of(frame.primitive), bits_of(frame.camera_depth)};
+}
+
+void add_beside(std::vector<Recipe>& recipes, const Answers& other, const Answers& candidate,
+                const std::string& plane) {
+    const bool ids = plane == ".id";
+    const Words values = ids ? other.ids : other.depths, guess = ids ? candidate.ids : candidate.depths;
+    recipes.push_back([=, &other] { return beside(other.name + plane, values, guess, "candidate" + plane); });
+}
+
+void add_colours(std::vector<Recipe>& recipes, const std::string& name, const Picture& colours) {
+    if (colours.size().pixel_count() > 0)
+        recipes.push_back([&colours, name] { return colour_block(name + ".colour", colours); });
+}
+
+nlohmann::json header_of(const ViewPlanes& v) {
+    const Resolution size = v.candidate.frame.size();
+    nlohmann::json witnesses = nlohmann::json::array();
+    for (const Renderer& w : v.witnesses) witnesses.push_back(w.name);
+    return {{"width", size.width},
+            {"height", size.height},
+            {"scene", v.facts.scene},
+            {"view", v.facts.view},
+            {"candidate", v.candidate.name},
+            {"reference", v.reference.name},
+            {"witnesses", std::move(witnesses)},
+            {"explain", {v.facts.explain_before, v.facts.explain_after}},
+            {"nearness", {v.facts.least_nearness, v.facts.greatest_nearness}},
+            {"perspective", v.facts.perspective}};
+}
+
+std::vector<Block> made(const std::vector<Recipe>& recipes) {
+    std::vector<Block> blocks(recipes.size());
+    tbb::parallel_for(std::size_t(0), recipes.size(), [&](std::size_t i) { blocks[i] = recipes[i](); });
+    return blocks;
+}
+
+}  // namespace
+
+std::uint8_t error_code(float ratio) {
+    if (std::isnan(ratio)) return 0;
+    if (std::isinf(ratio)) return 255;
+    int exponent = 0;
+    const double twice = 2 * std::frexp(double(ratio), &exponent);  // in [1, 2), or 0
+    if (twice == 0) return 1;
+    constexpr double quarter_octave[] = {1.189207115002721, 1.4142135623730951, 1.681792830507429};
+    const auto part = std::ranges::count_if(quarter_octave, [&](double step) { return twice >= step; });
+    return std::uint8_t(1 + std::clamp(4 * (exponent - 1) + int(part) + 200, 0, 254));
+}
+
+Container container_of(const ViewPlanes& v) {
+    const auto width = std::size_t(v.candidate.frame.size().width);
+    const Answers ours = answers_of("candidate", v.candidate.frame),
+                  theirs = answers_of("reference", v.reference.frame);
+    std::vector<Answers> others;
+    for (const Renderer& w : v.witnesses) others.push_back(answers_of("witness." + w.name, w.frame));
+
+    std::vector<Recipe> recipes{[&] { return class_block(v.verdict.classes); },
+                                [&] { return findings_block(v.verdict, int(width)); },
+                                [&] { return json_block("stories", to_json(v.stories)); },
+                                [&] { return json_block("ranges", to_json(v.ranges)); },
+                                [&] { return predicted("candidate.id", ours.ids, width, Prediction::left); }};
+    add_beside(recipes, theirs, ours, ".id");
+    recipes.push_back([&] { return error_block("candidate.error", v.candidate_error, Effort::thorough); });
+    recipes.push_back([&] { return error_block("reference.error", v.reference_error, Effort::fast); });
+    recipes.push_back([&] { return predicted("candidate.depth", ours.depths, width, Prediction::planar); });
+    add_beside(recipes, theirs, ours, ".depth");
+    for (const Answers& other : others) add_beside(recipes, other, ours, ".id");
+    for (const Answers& other : others) add_beside(recipes, other, ours, ".depth");
+    add_colours(recipes, "candidate", v.candidate.colours);
+    for (const Renderer& w : v.witnesses) add_colours(recipes, "witness." + w.name, w.colours);
+    return {header_of(v), made(recipes)};
+}
+
+void write_view_planes(const std::filesystem::path& folder, const ViewPlanes& planes) {
+    const std::filesystem::path file = folder / "planes.zvp";
+    std::ofstream out(file, std::ios::binary);
+    out << packed(container_of(planes)) << std::flush;
+    if (!out) throw ReportError(file.string() + ": cannot be written; is the disk full?");
+}
+
+}  // namespace zproof::planes

@@ -1,0 +1,70 @@
+/// What the viewer shows of one view, and the file that holds it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "compare/explain.h"
+#include "compare/illustration.h"
+#include "compare/verdict.h"
+#include "frame/frame.h"
+#include "frame/picture.h"
+#include "reports/planes/container.h"
+
+namespace zproof::planes {
+
+/// Triangles that came from one primitive of one mesh at one node.
+struct TriangleRange {
+    std::uint32_t first = 0, count = 0;
+    std::string node, mesh;
+    int primitive = 0;
+};
+
+/// One pixel's story with a drawing.
+struct Story {
+    PixelStory story;
+    std::string text;  ///< what `zproof explain` prints
+    std::vector<NearbyImage> images;
+};
+
+/// A renderer's answers, and its colours where it painted.
+struct Renderer {
+    std::string name;
+    const Frame& frame;
+    Picture colours;  ///< 0 x 0: none
+};
+
+/// What holds for the whole view.
+struct ViewFacts {
+    std::string scene, view;
+    std::string explain_before, explain_after;  ///< "zproof explain room ", " --view corner": around "X Y"
+    double least_nearness = 0, greatest_nearness = 0;  ///< at far and near (compare/triangle_image.h)
+    bool perspective = true;                           ///< or is nearness the negative depth?
+};
+
+struct ViewPlanes {
+    ViewFacts facts;
+    Renderer candidate, reference;
+    std::vector<Renderer> witnesses;
+    const Verdict& verdict;
+    Plane<float> candidate_error, reference_error;  ///< error / bound (compare/error_map.h)
+    std::vector<TriangleRange> ranges;
+    std::vector<Story> stories;
+};
+
+/// At most so many findings are listed one by one, defects first; the class map always has all.
+inline constexpr std::size_t most_findings = 20'000;
+
+/// Blocks in order of need: classes, findings, stories, names; ids; errors; depths; witnesses; colours. Every
+/// plane's block has the CRC-32 of what it decodes to. On the threads of the surrounding tbb::task_arena.
+Container container_of(const ViewPlanes& planes);
+
+/// container_of() as folder/planes.zvp. Throws ReportError where it cannot be written.
+void write_view_planes(const std::filesystem::path& folder, const ViewPlanes& planes);
+
+/// error / bound as one byte: 0 for NaN, else 1 + what lies between 0 and 254 of the quarter octaves from
+/// 2^-50 up; so 201 is [1, 2^(1/4)), and no code holds ratios of both sides of 1.
+std::uint8_t error_code(float error_over_bound);
+
+}  // namespace zproof::planes

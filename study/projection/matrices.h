@@ -1,0 +1,50 @@
+/// The stages as 4 x 4 matrices.
+#pragma once
+
+#include "study/projection/lens.h"
+
+namespace zproof::study::projection {
+
+/// World to camera space: the rows of to_camera, and the eye at the origin.
+template <class Number>
+Matrix4<Number> camera_matrix(const Lens<Number>& lens) {
+    Matrix4<Number> m;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vector3<Number>& row = lens.to_camera[i];
+        m[i] = {row.x, row.y, row.z, -dot(row, lens.eye)};
+    }
+    m[3] = {Number(0), Number(0), Number(0), Number(1)};
+    return m;
+}
+
+/// Camera to clip space, after Scratchapixel's l, r, b, t, n, f: w is the camera depth for perspective, else
+/// 1. Row 2 maps near to -1 and far to 1.
+template <class Number>
+Matrix4<Number> projection_matrix(const Lens<Number>& lens) {
+    const Canvas<Number>& c = lens.on_near;
+    const Number zero(0), one(1), two(2), across = c.right - c.left, up = c.top - c.bottom, n = lens.near,
+                                          f = lens.far;
+    if (lens.projection == Projection::parallel)
+        return {{{two / across, zero, two * lens.shear.x / across, -((c.right + c.left) / across)},
+                 {zero, two / up, two * lens.shear.y / up, -((c.top + c.bottom) / up)},
+                 {zero, zero, -(two / (f - n)), -((f + n) / (f - n))},
+                 {zero, zero, zero, one}}};
+    const Number a = lens.has_far ? -((f + n) / (f - n)) : -one;
+    const Number b = lens.has_far ? -(two * f * n / (f - n)) : -(two * n);
+    return {{{two * n / across, zero, (c.right + c.left) / across, zero},
+             {zero, two * n / up, (c.top + c.bottom) / up, zero},
+             {zero, zero, a, b},
+             {zero, zero, -one, zero}}};
+}
+
+/// NDC to raster space; z is left alone.
+template <class Number>
+Matrix4<Number> viewport_matrix(const Lens<Number>& lens) {
+    const Number zero(0), one(1), half_width = lens.width / Number(2), half_height = lens.height / Number(2);
+    return {{{half_width, zero, zero, half_width},
+             {zero, -half_height, zero, half_height},
+             {zero, zero, one, zero},
+             {zero, zero, zero, one}}};
+}
+
+}  // namespace zproof::study::projection

@@ -1,0 +1,253 @@
+#include "study/projection/routes.h"
+
+#include "study/projection/matrices.h"
+#include "study/projection/stages.h"
+
+namespace zproof::study::projection {
+
+namespace {
+
+constexpr const char* pixel_lesson = "Scratchapixel, Computing the Pixel Coordinates of a 3D Point";
+constexpr const char* stage_lesson = "Scratchapixel, The Projection Stage";
+
+template <class Number>
+using Step = std::function<Vector3<Number>(const Vector3<Number>&)>;
+
+/// Puts a route together, operation by operation.
+template <class Number>
+class Builder {
+  public:
+    Builder(RouteCard card) { route_.card = std::move(card); }
+
+    Builder& stage(std::string name) {
+        stage_ = std::move(name);
+        return *this;
+    }
+    /// An operation on x, y and z.
+    Builder& then(std::string name, Step<Number> step) {
+        add(std::move(name), [step](const Travel<Number>& t) {
+            const Vector3<Number> p = step({t.at[0], t.at[1], t.at[2]});
+            return Travel<Number>{{p.x, p.y, p.z, Number(1)}, t.screen};
+        });
+        return *this;
+    }
+    Builder& by_matrix(std::string name, const Matrix4<Number>& m) {
+        add(std::move(name), [m](const Travel<Number>& t) { return Travel<Number>{m * t.at, t.screen}; });
+        return *this;
+    }
+    Builder& add(std::string name, std::function<Travel<Number>(const Travel<Number>&)> apply) {
+        route_.operations.push_back({stage_, std::move(name), std::nullopt, std::move(apply)});
+        return *this;
+    }
+    /// What was added last ends its stage here.
+    Builder& in(Space space) {
+        route_.operations.back().arrives = space;
+        return *this;
+    }
+    Route<Number> route() { return std::move(route_); }
+
+  private:
+    Route<Number> route_;
+    std::string stage_;
+};
+
+template <class Number>
+void to_camera(Builder<Number>& b, const Lens<Number>& lens) {
+    b.stage("world to camera")
+        .then("minus the eye", [lens](const auto& p) { return less_eye(lens, p); })
+        .then("along the axes", [lens](const auto& p) { return along_axes(lens, p); })
+        .in(Space::camera);
+}
+
+/// Screen space, and a note of it for whoever goes back to it.
+template <class Number>
+void to_screen(Builder<Number>& b, const Lens<Number>& lens) {
+    b.stage("camera to screen");
+    if (lens.projection == Projection::parallel)
+        b.then("along the shear", [lens](const auto& p) { return along_shear(lens, p); });
+    else
+        b.then("near x", [lens](const auto& p) {
+             return times_near(lens, p);
+         }).then("divide by -z", [](const auto& p) { return over_depth(p); });
+    b.in(Space::screen);
+}
+
+template <class Number>
+void to_ndc(Builder<Number>& b, const Lens<Number>& lens) {
+    const Canvas<Number> c = lens.on_near;
+    b.stage("screen to NDC")
+        .then("2 x / (r - l)", [c](const auto& p) { return double_over_extent(c, p); })
+        .then("minus (r + l) / (r - l)", [c](const auto& p) { return less_middle(c, p); })
+        .in(Space::ndc);
+}
+
+template <class Number>
+void ndc_to_raster(Builder<Number>& b, const Lens<Number>& lens) {
+    b.stage("NDC to raster")
+        .then("(x + 1) / 2, (1 - y) / 2", [](const auto& p) { return halved_from_top(p); })
+        .then("times W, H", [lens](const auto& p) { return times_pixels(lens, p); })
+        .in(Space::raster);
+}
+
+template <class Number>
+void unit_ndc_to_raster(Builder<Number>& b, const Lens<Number>& lens) {
+    b.stage("NDC to raster")
+        .then("1 - y", [](const auto& p) { return from_top(p); })
+        .then("times W, H", [lens](const auto& p) { return times_pixels(lens, p); })
+        .in(Space::raster);
+}
+
+template <class Number>
+Route<Number> by_stages(const Lens<Number>& lens) {
+    Builder<Number> b{
+        {"stages", "Stage by stage, NDC [-1, 1] by l, r, b, t on the near plane.", stage_lesson}};
+    to_camera(b, lens), to_screen(b, lens), to_ndc(b, lens), ndc_to_raster(b, lens);
+    return b.route();
+}
+
+template <class Number>
+Route<Number> by_unit_stages(const Lens<Number>& lens) {
+    const Canvas<Number> c = lens.on_near;
+    Builder<Number> b{
+        {"stages-unit", "Stage by stage, NDC [0, 1] by l, r, b, t on the near plane.", stage_lesson}};
+    to_camera(b, lens), to_screen(b, lens);
+    b.stage("screen to NDC")
+        .then("x - l, y - b", [c](const auto& p) { return less_corner(c, p); })
+        .then("divide by r - l, t - b", [c](const auto& p) { return over_extent(c, p); })
+        .in(Space::unit_ndc);
+    unit_ndc_to_raster(b, lens);
+    return b.route();
+}
+
+template <class Number>
+Route<Number> by_canvas(const Lens<Number>& lens) {
+    const Canvas<Number> c = lens.canvas;
+    Builder<Number> b{
+        {"canvas", "A canvas of width W and height H at depth 1 about the axis, NDC [0, 1].", pixel_lesson}};
+    to_camera(b, lens);
+    b.stage("camera to screen")
+        .then("divide by -z", [](const auto& p) { return over_depth(p); })
+        .in(Space::screen_at_one);
+    b.stage("screen to NDC")
+        .then("x + W / 2", [c](const auto& p) { return plus_half_extent(c, p); })
+        .then("divide by W, H", [c](const auto& p) { return over_extent(c, p); })
+        .in(Space::unit_ndc);
+    unit_ndc_to_raster(b, lens);
+    return b.route();
+}
+
+template <class Number>
+void divide_and_scale(Builder<Number>& b, const Lens<Number>& lens) {
+    b.stage("clip to NDC")
+        .add("divide by w",
+             [](const Travel<Number>& t) {
+                 const Number& w = t.at[3];
+                 return Travel<Number>{{t.at[0] / w, t.at[1] / w, t.at[2] / w, Number(1)}, t.screen};
+             })
+        .in(Space::ndc);
+    b.stage("NDC to raster").by_matrix("viewport matrix", viewport_matrix(lens)).in(Space::raster);
+}
+
+template <class Number>
+Route<Number> by_matrices(const Lens<Number>& lens) {
+    Builder<Number> b{{"matrices", "A 4 x 4 matrix for each stage.", stage_lesson}};
+    b.stage("world to camera").by_matrix("camera matrix", camera_matrix(lens)).in(Space::camera);
+    b.stage("camera to clip").by_matrix("projection matrix", projection_matrix(lens)).in(Space::clip);
+    divide_and_scale(b, lens);
+    return b.route();
+}
+
+template <class Number>
+Route<Number> by_one_matrix(const Lens<Number>& lens) {
+    Builder<Number> b{
+        {"one-matrix", "Camera and projection multiplied into one 4 x 4 matrix.", "usual practice"}};
+    b.stage("world to clip")
+        .by_matrix("projection x camera matrix", projection_matrix(lens) * camera_matrix(lens))
+        .in(Space::clip);
+    divide_and_scale(b, lens);
+    return b.route();
+}
+
+/// The listing of 2021: NDC coordinates are worked out and then not used.
+template <class Number>
+Route<Number> raster_from_screen(const Lens<Number>& lens) {
+    Builder<Number> b{{"raster-from-screen",
+                       "The listing of 2021 maps screen coordinates, not NDC coordinates, to raster space.",
+                       stage_lesson, RouteKind::slip}};
+    to_camera(b, lens), to_screen(b, lens);
+    b.add("note it", [](const Travel<Number>& t) {
+         return Travel<Number>{t.at, {t.at[0], t.at[1]}};
+     }).in(Space::screen);
+    to_ndc(b, lens);
+    b.stage("NDC to raster")
+        .add("(x_screen + 1) / 2, (1 - y_screen) / 2",
+             [](const Travel<Number>& t) {
+                 const Vector3<Number> p = halved_from_top<Number>({t.screen.x, t.screen.y, t.at[2]});
+                 return Travel<Number>{{p.x, p.y, p.z, Number(1)}, t.screen};
+             })
+        .then("times W, H", [lens](const auto& p) { return times_pixels(lens, p); })
+        .in(Space::raster);
+    return b.route();
+}
+
+/// The chapter's first form of the divide, before it mends it: P.x / P.z mirrors the picture.
+template <class Number>
+Route<Number> divided_by_z(const Lens<Number>& lens) {
+    Builder<Number> b{{"divided-by-z",
+                       "The chapter's first form of the divide, x / z, which it mends itself.", pixel_lesson,
+                       RouteKind::slip}};
+    to_camera(b, lens);
+    b.stage("camera to screen")
+        .then("near x", [lens](const auto& p) { return times_near(lens, p); })
+        .then("divide by z",
+              [](const Vector3<Number>& p) {
+                  return Vector3<Number>{p.x / p.z, p.y / p.z, -p.z};
+              })
+        .in(Space::screen);
+    to_ndc(b, lens), ndc_to_raster(b, lens);
+    return b.route();
+}
+
+template <class Number>
+bool is_centred(const Canvas<Number>& c) {
+    return c.left == -c.right && c.bottom == -c.top;
+}
+
+}  // namespace
+
+std::string in_words(Space space) {
+    switch (space) {
+        case Space::camera:
+            return "camera";
+        case Space::clip:
+            return "clip";
+        case Space::screen:
+            return "screen, on the near plane";
+        case Space::screen_at_one:
+            return "screen, at depth 1";
+        case Space::ndc:
+            return "NDC [-1, 1]";
+        case Space::unit_ndc:
+            return "NDC [0, 1]";
+        case Space::raster:
+            return "raster";
+    }
+    return "";
+}
+
+template <class Number>
+std::vector<Route<Number>> routes(const Lens<Number>& lens) {
+    std::vector<Route<Number>> all{by_stages(lens), by_unit_stages(lens), by_matrices(lens),
+                                   by_one_matrix(lens)};
+    const bool is_perspective = lens.projection == Projection::perspective;
+    if (is_perspective && is_centred(lens.canvas)) all.push_back(by_canvas(lens));
+    all.push_back(raster_from_screen(lens));
+    if (is_perspective) all.push_back(divided_by_z(lens));
+    return all;
+}
+
+template std::vector<Route<float>> routes(const Lens<float>& lens);
+template std::vector<Route<double>> routes(const Lens<double>& lens);
+template std::vector<Route<Rational>> routes(const Lens<Rational>& lens);
+
+}  // namespace zproof::study::projection

@@ -1,0 +1,95 @@
+#include "compare/error_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "compare/illustration.h"
+#include "stage.h"
+
+namespace zproof {
+namespace {
+
+/// Two walls at depths 4 and 8; the reference always sees the first.
+Trial before_walls(Projection projection) {
+    Trial t(projection, 8, 8, {wall(4), wall(8)});
+    answer_everywhere(t.candidate, 0, 4);
+    answer_everywhere(t.reference, 0, 4);
+    return t;
+}
+
+TEST(ErrorMap, IsWhatTheJudgeHoldsAgainstTheBoundAtEveryPixel) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        Trial t = before_walls(projection);
+        answer(t.candidate, 3, 2, 0, std::nextafter(4.0f, 5.0f));
+        answer(t.candidate, 4, 2, 0, 4.5);
+        answer(t.candidate, 5, 2, 1, 8);
+        const Plane<float> map = error_over_bound(t.scene, t.view, {t.candidate, t.candidate_precision});
+        for (const Finding& f : t.verdict().findings)
+            EXPECT_EQ(map.at(f.x, f.y), float(f.error_over_bound)) << f.x << ' ' << f.y;
+        EXPECT_EQ(map.at(0, 0), 0);
+        EXPECT_GT(map.at(3, 2), 0);
+        EXPECT_GT(map.at(4, 2), 1);
+        EXPECT_EQ(map.at(5, 2), 0) << "its own triangle's depth";
+    }
+}
+
+TEST(ErrorMap, AsksNothingWhereThereIsNoTriangleOrNoDepth) {
+    Trial t = before_walls(Projection::parallel);
+    answer_background(t.candidate, 1, 1);
+    answer(t.candidate, 2, 1, 2, 4);
+    answer(t.candidate, 3, 1, 0, NAN);
+    const Plane<float> map = error_over_bound(t.scene, t.view, {t.candidate, t.candidate_precision});
+    for (int x = 1; x <= 3; ++x) EXPECT_TRUE(std::isnan(map.at(x, 1))) << x;
+    const Frame small({2, 2});
+    EXPECT_THROW(error_over_bound(t.scene, t.view, {small, t.candidate_precision}), std::invalid_argument);
+}
+
+TEST(Illustration, GivesTheTrianglesAroundAPixelNearestFirstWithDistancesInPixels) {
+    const Trial t(Projection::parallel, 4, 4,
+                  {wall(8), wall_left_of(1.75, 4), wall_right_of(3.25, 2), wall(16)});
+    const PixelPlace places[] = {{1, 1}, {3, 1}};
+    const auto images = images_around(t.scene, t.view, places, 1.0, 2);
+    ASSERT_EQ(images.size(), 2u);
+    ASSERT_EQ(images[0].size(), 2u) << "the far wall is one too many, the right one too far away";
+    EXPECT_EQ(images[0][0].primitive, PrimitiveId(1));
+    EXPECT_EQ(images[0][1].primitive, PrimitiveId(0));
+    EXPECT_EQ(images[1][0].primitive, PrimitiveId(2));
+    const Affine<double>& right_side = images[0][0].edge[2];
+    EXPECT_DOUBLE_EQ(right_side.c, 0.25);
+    EXPECT_DOUBLE_EQ(right_side.a, -1);
+    EXPECT_DOUBLE_EQ(images[0][0].nearness.c, -4) << "parallel: nearness is -depth";
+}
+
+TEST(Illustration, ATriangleSeenEdgeOnIsNotDrawn) {
+    const Trial t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
+    const PixelPlace place{1, 1};
+    EXPECT_TRUE(images_around(t.scene, t.view, std::span(&place, 1), 1.0, 9).front().empty());
+}
+
+TEST(Explain, ManyPixelsAtOnceAreWhatEachIsByItself) {
+    Trial t = before_walls(Projection::perspective);
+    answer(t.candidate, 2, 2, 1, 8);
+    answer(t.candidate, 3, 3, 7, 8);
+    answer_background(t.candidate, 4, 4);
+    const PixelPlace places[] = {{2, 2}, {0, 0}, {3, 3}, {4, 4}};
+    const Testimony ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
+    const auto stories = explain(t.scene, t.view, ours, theirs, places);
+    ASSERT_EQ(stories.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_EQ(in_words(t.scene, stories[i]),
+                  in_words(t.scene, explain(t.scene, t.view, ours, theirs, places[i].x, places[i].y)));
+}
+
+TEST(Explain, AnIdThatDoesNotExistInBothFramesHasAStoryToo) {
+    Trial t = before_walls(Projection::perspective);
+    answer(t.candidate, 1, 1, 99, 4);
+    answer(t.reference, 1, 1, 99, 4);
+    const PixelStory story = explain(t.scene, t.view, {t.candidate, t.candidate_precision},
+                                     {t.reference, t.reference_precision}, 1, 1);
+    EXPECT_EQ(story.finding.verdict, PixelClass::invalid);
+}
+
+}  // namespace
+}  // namespace zproof

@@ -1,0 +1,105 @@
+// The tool finds by itself which routes and tests of the lessons are wrong, and where.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "study/projection/conformance.h"
+#include "study/projection/stages.h"
+
+namespace zproof::study::projection {
+namespace {
+
+RouteFinding finding_of(const std::string& name) {
+    const auto all = route_findings();
+    const auto found = std::ranges::find(all, name, [](const RouteFinding& f) { return f.card.name; });
+    if (found == all.end()) throw std::runtime_error{name + ": no such route"};
+    return *found;
+}
+
+TEST(RouteFindings, WhatTheLessonsMeanIsTheProjection) {
+    int right = 0;
+    for (const RouteFinding& f : route_findings()) {
+        EXPECT_EQ(f.is_projection(), f.card.kind == RouteKind::lesson) << f.card.name;
+        if (!f.is_projection()) continue;
+        EXPECT_EQ(f.worst_px, 0) << f.card.name;
+        EXPECT_EQ(f.lenses_kept, f.lenses) << f.card.name;
+        ++right;
+    }
+    EXPECT_EQ(right, 5);
+}
+
+TEST(RouteFindings, RasterFromScreenIsWrongInItsLastStageAndUnseenOnTheLessonsOwnCanvas) {
+    const RouteFinding f = finding_of("raster-from-screen");
+    EXPECT_EQ(f.first_wrong_stage, "NDC to raster");
+    EXPECT_EQ(f.space, "raster");
+    EXPECT_EQ(f.lens, "canvas 2 x 2, near 1/10");  // not the first: there screen space is NDC space
+    EXPECT_EQ(f.lenses_kept, 1);
+    EXPECT_GT(f.worst_px, 100);
+}
+
+TEST(RouteFindings, DividingByZIsWrongInScreenSpace) {
+    const RouteFinding f = finding_of("divided-by-z");
+    EXPECT_EQ(f.first_wrong_stage, "camera to screen");
+    EXPECT_EQ(f.operation, "divide by z");
+    EXPECT_EQ(f.lenses_kept, 0);
+}
+
+TEST(RouteFindings, TheCanvasAboutTheAxisIsTriedWhereThereIsOne) {
+    EXPECT_EQ(finding_of("canvas").lenses, 3);
+    EXPECT_EQ(finding_of("stages").lenses, int(probe_lenses().size()));
+}
+
+/// Of an off-axis canvas its formula would be wrong: the law sees that.
+TEST(Law, ACentredFormulaOffAxisIsNotLawful) {
+    for (const ProbeLens& probe : probe_lenses()) {
+        if (probe.name != "off axis, near 1/2") continue;
+        const Vector3<Rational> p = probe_points(probe.lens).front();
+        const Vector3<Rational> p_screen = camera_to_screen(probe.lens, world_to_camera(probe.lens, p));
+        const auto travel = [](const Vector3<Rational>& q) {
+            return Travel<Rational>{{q.x, q.y, q.z, 1}, {}};
+        };
+        const Canvas<Rational>& c = probe.lens.on_near;
+        EXPECT_TRUE(is_lawful(Space::screen, probe.lens, p, travel(p_screen)));
+        EXPECT_TRUE(is_lawful(Space::unit_ndc, probe.lens, p, travel(screen_to_unit_ndc(c, p_screen))));
+        EXPECT_FALSE(
+            is_lawful(Space::unit_ndc, probe.lens, p, travel(centred_screen_to_unit_ndc(c, p_screen))));
+        return;
+    }
+    FAIL() << "no off-axis probe";
+}
+
+TEST(Law, EverySpaceNoticesAPointThatIsElsewhere) {
+    for (const ProbeLens& probe : probe_lenses())
+        for (const Route<Rational>& route : routes(probe.lens)) {
+            if (route.card.kind == RouteKind::slip) continue;
+            const Vector3<Rational> p = probe_points(probe.lens)[1];
+            Travel<Rational> travel = departure(p);
+            for (const Operation<Rational>& operation : route.operations) {
+                travel = operation.apply(travel);
+                if (!operation.arrives) continue;
+                EXPECT_TRUE(is_lawful(*operation.arrives, probe.lens, p, travel)) << route.card.name;
+                Travel<Rational> beside = travel;
+                beside.at[1] += Rational(1) / 1'000'000'000;
+                EXPECT_FALSE(is_lawful(*operation.arrives, probe.lens, p, beside))
+                    << in_words(*operation.arrives);
+            }
+        }
+}
+
+TEST(Visibility, OrAndTheWholeCanvasLetInWhatIsNotInThePicture) {
+    const auto findings = visibility_findings();
+    ASSERT_EQ(findings.size(), 3u);
+    const int places = 25 * 25, on_canvas = 9 * 9;
+    EXPECT_EQ(findings[0].shown_wrongly + findings[0].hidden_wrongly, 0);
+    EXPECT_EQ(findings[1].shown_wrongly, 2 * 9 * 25 - 9 * 9 - on_canvas);  // a cross, less the canvas
+    EXPECT_EQ(findings[2].shown_wrongly, 17 * 17 - on_canvas);  // twice the canvas, less the canvas
+    for (const VisibilityFinding& f : findings) {
+        EXPECT_EQ(f.points, places);
+        EXPECT_EQ(f.hidden_wrongly, 0);
+    }
+    EXPECT_TRUE(findings[0].example.empty());
+    EXPECT_FALSE(findings[2].example.empty());
+}
+
+}  // namespace
+}  // namespace zproof::study::projection
