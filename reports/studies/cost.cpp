@@ -223,9 +223,9 @@ std::vector<Section> prediction_sections(const std::vector<Prediction>& predicti
     for (const std::string& name : constant_names()) table.columns.push_back({name, "share", ""});
     for (const Prediction& p : predictions) {
         const Quantities& q = p.quantities;
-        Row row{p.scene + " / " + p.view,   std::int64_t(q.vertices),     std::int64_t(q.triangles),
-                q.fragments / q.pixels,     std::int64_t(q.pixels),       p.timing.median * milliseconds,
-                p.predicted * milliseconds, p.predicted / p.timing.median};
+        Row row{p.scene + " / " + p.view,       std::int64_t(q.vertices),   std::int64_t(q.triangles),
+                q.fragments / q.pixels,         q.fragments / q.blocks,     std::int64_t(q.pixels),
+                p.timing.median * milliseconds, p.predicted * milliseconds, p.predicted / p.timing.median};
         for (const double share : p.share) row.push_back(share);
         table.rows.push_back(std::move(row));
     }

@@ -73,6 +73,7 @@ TEST(Methods, AffineMixingIsOffByWhatIsPredicted) {
         const double s = i / 1000.0;
         most = std::max(most, std::abs(in_image(view, facet, {1 - s, s, 0})[1] - s));
     }
+    EXPECT_NEAR(in_image(view, facet, {0.5, 0.5, 0})[1], r / (1 + r), 1e-12) << "the near half is larger";
     const double predicted = (std::sqrt(r) - 1) / (std::sqrt(r) + 1);
     EXPECT_LE(most, predicted + 1e-12);
     EXPECT_GT(most, 0.999 * predicted);
