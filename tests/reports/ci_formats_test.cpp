@@ -64,8 +64,9 @@ TEST(GitHub, NamesTheWorstFirstAndNeverMoreThanAreShown) {
                   std::string{"::error "}.size())
             << lines[0];
         EXPECT_EQ(lines.size(), std::size_t(std::min(views, 10) + (views > 10)));
-        if (views > 10)
+        if (views > 10) {
             EXPECT_NE(lines.back().find(std::to_string(views - 10) + " more error"), std::string::npos);
+        }
     }
 }
 

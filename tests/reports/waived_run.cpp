@@ -63,11 +63,10 @@ ViewResult room() {
 }  // namespace
 
 Results waived_run() {
-    Results r{.version = "0.1.0",
-              .command = "zproof run room",
-              .argv = {"run", "room"},
-              .renderers = {},
-              .views = {}};
+    Results r;
+    r.version = "0.1.0";
+    r.command = "zproof run room";
+    r.argv = {"run", "room"};
     r.selection = {1, std::string(64, 'b')};
     r.today = "2026-04-10";
     for (const char* id : {"holds", "generous", "exceeded"}) r.waivers.push_back(waiver(id, "2026-04-10", 3));
