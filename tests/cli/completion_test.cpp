@@ -72,7 +72,7 @@ TEST_F(Shells, AcceptTheScripts) {
 }
 
 TEST_F(Shells, BashOffersCommands) {
-    EXPECT_THAT(bash({"r"}), ElementsAre("run", "render"));
+    EXPECT_THAT(bash({"r"}), ElementsAre("run", "render", "report"));
     EXPECT_THAT(bash({"filters", "c"}), ElementsAre("check", "crow"));
     EXPECT_THAT(bash({"scenes", ""}), ElementsAre("generate"));
     EXPECT_THAT(bash({"frobnicate", ""}), ElementsAre());
@@ -105,7 +105,7 @@ TEST_F(Shells, BashOffersNamesAndFilesInTheirPlaces) {
 }
 
 TEST_F(Shells, FishOffersTheSame) {
-    EXPECT_THAT(fish("zproof r"), ElementsAre("render", "run"));
+    EXPECT_THAT(fish("zproof r"), ElementsAre("render", "report", "run"));
     EXPECT_THAT(fish("zproof filters c"), ElementsAre("check", "crow"));
     EXPECT_THAT(fish("zproof run --color "), ElementsAre("always", "auto", "never"));
     EXPECT_THAT(fish("zproof run --oracle povray,op"), ElementsAre("povray,opengl"));

@@ -10,7 +10,7 @@
 #include "reports/json.h"
 #include "reports/results.h"
 #include "scenes/suite.h"
-#include "study/study.h"
+#include "study/filters/study.h"
 #include "texture/catalogue.h"
 
 int main() {

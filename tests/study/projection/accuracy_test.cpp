@@ -110,7 +110,7 @@ TEST(Accuracy, APixelLostIsTracedToItsOperation) {
     }
     EXPECT_EQ(score_of(a, "canvas", "float32").other_pixel, 0u);  // eighths and sixty-fourths all the way
     const RouteScore& stages = score_of(a, "stages", "float32");
-    EXPECT_GT(stages.other_pixel, 100u);
+    EXPECT_GT(stages.other_pixel, 0u);
     for (const OperationScore& operation : stages.operations)
         EXPECT_EQ(operation.pixels_lost, operation.operation == "near x" ? stages.other_pixel : 0u);
 }
