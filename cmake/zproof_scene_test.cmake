@@ -49,6 +49,12 @@ function(zproof_add_scene_test)
         list(APPEND options --width ${CMAKE_MATCH_1} --height ${CMAKE_MATCH_2})
     endif()
 
+    # Below add_subdirectory(zproof EXCLUDE_FROM_ALL) nobody else asks for the program.
+    get_target_property(is_installed zproof::zproof IMPORTED)
+    if(NOT is_installed AND NOT TARGET zproof_of_scene_tests)
+        add_custom_target(zproof_of_scene_tests ALL)
+        add_dependencies(zproof_of_scene_tests zproof)
+    endif()
     add_test(NAME ${TEST_NAME} COMMAND $<TARGET_FILE:zproof::zproof> run ${TEST_SCENE} ${options} ${TEST_OPTIONS})
     set_tests_properties(${TEST_NAME} PROPERTIES
         LABELS "zproof;${TEST_LABELS}"
