@@ -6,6 +6,8 @@
 
 #include "cli/commands.h"
 #include "cli/usage_error.h"
+#include "reports/document/folder.h"
+#include "reports/html.h"
 #include "reports/report_error.h"
 
 namespace zproof {
@@ -32,16 +34,34 @@ void point_to_evidence(Results& results, const fs::path& run_folder, const fs::p
             view.folder = fs::proximate(run_folder / view.folder, report_folder).generic_string();
 }
 
+bool is_study(const fs::path& folder) { return fs::exists(folder / "study.json"); }
+
+/// Studies have a place in the page only.
+std::vector<document::Document> studies_of(const ReportAgainArguments& arguments, ReportFormat format) {
+    std::vector<document::Document> studies;
+    for (const fs::path& one : arguments.results) {
+        if (!is_study(one)) continue;
+        if (format != ReportFormat::html)
+            throw UsageError{one.string() + ": is a study, which only an .html report can show"};
+        studies.push_back(document::read_document(one));
+    }
+    return studies;
+}
+
 /// The views of all, one after the other; everything else is the first one's.
 Results all_of(const ReportAgainArguments& arguments, const fs::path& report_folder) {
     std::vector<Results> read;
     for (const fs::path& one : arguments.results) {
+        if (is_study(one)) continue;
         read.push_back(read_results(one));
         point_to_evidence(read.back(), folder_of_results(one), report_folder);
         if (read.back().version != read.front().version)
             throw ReportError{one.string() + ": was written by zproof " + read.back().version +
                               ", the first by " + read.front().version + "; report on each by itself"};
     }
+    if (read.empty())
+        throw UsageError{
+            "report: expected the results of a run beside the studies, which have pages of their own"};
     Results results = read.front();
     for (std::size_t i = 1; i < read.size(); ++i)
         std::ranges::move(read[i].views, std::back_inserter(results.views));
@@ -56,7 +76,10 @@ ExitCode execute(const ReportAgainArguments& arguments) {
         throw UsageError{"-o -: expected --format beside it: html, json, junit, md, github or csv"};
     const ReportFormat format = format_of(arguments);
     const fs::path folder = to_stdout || !arguments.out.has_parent_path() ? "." : arguments.out.parent_path();
-    const std::string text = report_text(format, all_of(arguments, folder), folder);
+    const std::vector<document::Document> studies = studies_of(arguments, format);
+    const Results results = all_of(arguments, folder);
+    const std::string text = format == ReportFormat::html ? to_html(results, folder, page_budget, studies)
+                                                          : report_text(format, results, folder);
     if (to_stdout) {
         std::cout << text;
         return ExitCode::proven;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reports/class_style.h"
+#include "reports/document/page.h"
 #include "reports/html_parts.h"
 #include "reports/page_scripts.h"
 #include "reports/wording.h"
@@ -142,7 +143,7 @@ std::string head(const Results& results) {
            "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
            "<meta name=\"color-scheme\" content=\"light dark\">\n<title>zproof: " +
            escaped(headline(results)) + "</title>\n<style>\n" + std::string(html_style()) + class_colours() +
-           std::string(viewer_style()) + "</style>\n</head>\n";
+           std::string(document::page_style()) + std::string(viewer_style()) + "</style>\n</head>\n";
 }
 
 /// What a reader must know of what the page does not hold.
@@ -155,15 +156,37 @@ std::string omissions(const PagePlanes& planes) {
            "file when it is dropped on it.</p>\n";
 }
 
+std::string anchor_of_study(std::size_t i) { return "study-" + std::to_string(i + 1); }
+
+std::string links_to(std::span<const document::Document> studies) {
+    if (studies.empty()) return "";
+    std::string links;
+    for (std::size_t i = 0; i < studies.size(); ++i)
+        links += "<li><a href=\"#" + anchor_of_study(i) + "\">" + escaped(studies[i].title) + "</a></li>\n";
+    return "<h2>Studies</h2>\n<ul>\n" + links + "</ul>\n";
+}
+
+std::string study_section(const document::Document& study, const std::string& anchor) {
+    std::string text = "<article id=\"" + anchor + "\">\n<h1>" + escaped(study.title) + "</h1>\n";
+    for (const std::string& one : study.introduction)
+        text += "<p class=\"reason\">" + escaped(one) + "</p>\n";
+    return text + "<p class=\"facts\"><code>" + escaped(study.command) + "</code></p>\n" +
+           document::page_sections(study, anchor + "-") + "</article>\n";
+}
+
 }  // namespace
 
-std::string to_html(const Results& results, const std::filesystem::path& run_folder, std::size_t budget) {
+std::string to_html(const Results& results, const std::filesystem::path& run_folder, std::size_t budget,
+                    std::span<const document::Document> studies) {
     const std::vector<PageView> pages = page_views(results, run_folder, picture_budget(budget));
     const std::string script = script_element(viewer_script());
     std::string sections;
     for (const PageView& one : pages) sections += html_view(one);
+    for (std::size_t i = 0; i < studies.size(); ++i)
+        sections += study_section(studies[i], anchor_of_study(i));
     const std::string begin = head(results) + "<body>\n<header>\n<h1>" + escaped(headline(results)) +
-                              "</h1>\n" + provenance(results) + "</header>\n<main>\n" + summary(pages);
+                              "</h1>\n" + provenance(results) + "</header>\n<main>\n" + summary(pages) +
+                              links_to(studies);
     const std::string end = html_renderers(results) + legend() + sections + "</main>\n";
     const std::size_t spent =
         begin.size() + end.size() + script.size() + (1 + pages.size()) * reserve_per_view;

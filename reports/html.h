@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
+#include "reports/document/document.h"
 #include "reports/results.h"
 
 namespace zproof {
@@ -19,9 +21,9 @@ constexpr std::size_t picture_budget(std::size_t budget) { return budget / 5 * 2
 /// (run_folder/view.folder/*-small.png, left out where absent), class counts, depth error histograms and
 /// worst pixels in words; all that without scripts. Where scripts run, the viewer opens on what is embedded
 /// of run_folder/view.folder/planes.zvp, and tells what was left out to stay within the budget. The page's
-/// content security policy admits that one script and forbids the network. Throws ReportError where a
-/// planes.zvp is damaged.
+/// content security policy admits that one script and forbids the network. Studies stand at the end, whole;
+/// the table on top names them. Throws ReportError where a planes.zvp is damaged.
 std::string to_html(const Results& results, const std::filesystem::path& run_folder,
-                    std::size_t budget = page_budget);
+                    std::size_t budget = page_budget, std::span<const document::Document> studies = {});
 
 }  // namespace zproof

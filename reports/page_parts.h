@@ -1,4 +1,4 @@
-/// What the pages of texture filters have in common. Markup comes escaped.
+/// What the pages of studies have in common. Markup comes escaped.
 #pragma once
 
 #include <string>
@@ -11,10 +11,13 @@ namespace zproof {
 /// From <!DOCTYPE> to </head>; `title` is plain text.
 std::string page_head(const std::string& title, std::string_view own_style);
 
+/// From the end of the content on: the script that sorts tables and links crops, and nothing after it.
+std::string page_end();
+
 /// A PNG as a data URI.
 std::string png_uri(const Plane<Rgb8>& picture);
 
-/// An image with its plain-text caption.
-std::string page_figure(const std::string& uri, const std::string& caption);
+/// An image with its plain-text caption. Images of one group share a zoom and a place; empty: of none.
+std::string page_figure(const std::string& uri, const std::string& caption, const std::string& group = "");
 
 }  // namespace zproof

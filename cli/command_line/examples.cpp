@@ -36,6 +36,7 @@ constexpr auto all = std::to_array<Example>({
     {"selftest", "zproof selftest --threads 1", "the same verdicts on one thread"},
     {"merge", "zproof merge shard-1 shard-2 -o zproof-out", "the files of one run of both"},
     {"report", "zproof report zproof-out -o summary.md", "any report again; the file's ending chooses"},
+    {"report", "zproof report zproof-out zproof-study -o all.html", "the page with a study at its end"},
     {"report", "zproof report zproof-out --format github -o -", "annotations on stdout"},
     {"diff-results", "zproof diff-results main/zproof-out mine/zproof-out", "what became better or worse"},
     {"diff-results", "zproof diff-results old.json new.json --json", "the same for programs"},

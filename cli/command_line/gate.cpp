@@ -92,7 +92,9 @@ Branch add_merge(CLI::App& parent, CommandWords& words) {
 Branch add_report_again(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("report", "make a report again from results.json");
     ReportAgainArguments& again = words.report_again;
-    app.add_option("RESULTS", again.results, "results.json, or the folder of one; several: all their views")
+    app.add_option("RESULTS", again.results,
+                   "results.json, or the folder of one; several: all their views; and folders of studies, "
+                   "for the page")
         ->required();
     app.add_option("-o,--out", again.out, "file: .html, .json, .xml, .md or .csv; or - for stdout")
         ->capture_default_str();

@@ -61,7 +61,7 @@ std::string markup_of(const Plot& plot) {
 
 std::string markup_of(const Picture& picture) {
     return "<div class=\"" + std::string{picture.group.empty() ? "picture" : "crop"} + "\">" +
-           page_figure(uri_of(picture), picture.caption) + "</div>\n";
+           page_figure(uri_of(picture), picture.caption, picture.group) + "</div>\n";
 }
 
 std::string markup_of(const Drawing& drawing) {
@@ -135,7 +135,7 @@ std::string page_of(const Document& document) {
     return page_head(document.title, page_style()) + "<body>\n<header>\n<h1>" + escaped(document.title) +
            "</h1>\n" + paragraphs(document.introduction) + "<p class=\"facts\">zproof " +
            escaped(document.version) + "</p>\n<p class=\"facts\"><code>" + escaped(document.command) +
-           "</code></p>\n</header>\n<main>\n" + page_sections(document, "s") + "</main>\n</body>\n</html>\n";
+           "</code></p>\n</header>\n<main>\n" + page_sections(document, "s") + "</main>\n" + page_end();
 }
 
 }  // namespace zproof::document

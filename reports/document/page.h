@@ -6,8 +6,8 @@
 
 namespace zproof::document {
 
-/// One page that holds all it shows: no scripts, no network. Tables have the class "sortable", and cells of
-/// numbers their exact value as data-value.
+/// One page that holds all it shows and needs no network; without scripts, all but sorting and zooming is
+/// there. Cells of numbers have their exact value as data-value.
 std::string page_of(const Document& document);
 
 /// The sections alone, for a page that has room for several documents; `anchor` begins the ids of its parts.

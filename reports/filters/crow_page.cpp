@@ -185,7 +185,7 @@ std::string crow_page(const StudyResults& results, const std::vector<CrowPicture
            " texels, at " + std::to_string(answers.places) + " places.</p>\n<p class=\"facts\">zproof " +
            escaped(results.version) + " · " + escaped(results.compiler) + "</p>\n</header>\n<main>\n" +
            figure_of(results, pictures) + neighbourhood(answers.questions.at(0)) + fraction(answers.levels) +
-           oblong(answers.questions.at(1), answers.questions.at(2)) + "</main>\n</body>\n</html>\n";
+           oblong(answers.questions.at(1), answers.questions.at(2)) + "</main>\n" + page_end();
 }
 
 }  // namespace zproof

@@ -77,8 +77,8 @@ std::string table_of(const TableCells& table) {
                     escaped(row[i]) + "</td>";
         rows += "</tr>\n";
     }
-    return "<div class=\"wide\"><table class=\"scores\"><thead><tr>" + heads + "</tr></thead><tbody>\n" +
-           rows + "</tbody></table></div>\n";
+    return "<div class=\"wide\"><table class=\"scores sortable\"><thead><tr>" + heads +
+           "</tr></thead><tbody>\n" + rows + "</tbody></table></div>\n";
 }
 
 bool has_pixels(const ViewStudy& view, const std::string& region) {
@@ -103,7 +103,8 @@ std::string tables_of(const StudyResults& results, const ViewStudy& view) {
 
 std::string crops_of(const ViewFigures& figures) {
     std::string text;
-    for (const PageImage& crop : figures.crops) text += page_figure(crop.data, crop.caption);
+    for (const PageImage& crop : figures.crops)
+        text += page_figure(crop.data, crop.caption, in_words(figures.crop));
     return "<h3>Pixels " + in_words(figures.crop) + " (x, y, width, height)</h3>\n<div class=\"crops\">\n" +
            text + "</div>\n";
 }
@@ -158,7 +159,7 @@ std::string filters_page(const StudyResults& results, const std::vector<ViewFigu
         page += "<section>\n<h2>All views together</h2>\n" + plots_of(overview) + "</section>\n";
     for (std::size_t i = 0; i < results.views.size(); ++i)
         page += section_of(results, results.views[i], figures.at(i));
-    return page + legend(results) + "</main>\n</body>\n</html>\n";
+    return page + legend(results) + "</main>\n" + page_end();
 }
 
 }  // namespace zproof

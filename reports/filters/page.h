@@ -1,4 +1,4 @@
-/// The study as a page for people: filters.html, without scripts or network.
+/// The study as a page for people: filters.html, without network; scripts sort its tables and link its crops.
 #pragma once
 
 #include <string>

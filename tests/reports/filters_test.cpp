@@ -11,6 +11,7 @@
 #include "reports/filters/page.h"
 #include "reports/filters/plots.h"
 #include "reports/filters/tables.h"
+#include "reports/page_scripts.h"
 
 namespace zproof {
 namespace {
@@ -116,7 +117,9 @@ TEST(FiltersPage, HoldsWhatPeopleTypedAndNothingFromTheNetwork) {
     EXPECT_NE(page.find("best, &amp; &quot;only&quot;"), std::string::npos);
     EXPECT_NE(page.find("not resolved"), std::string::npos);
     EXPECT_NE(page.find("Pixels 1,2,3,4"), std::string::npos);
-    EXPECT_EQ(page.find("<script"), std::string::npos);
+    EXPECT_EQ(page.find("<script"), page.find(script_element(table_script()))) << "no script but ours";
+    EXPECT_EQ(page.find("<script"), page.rfind("<script"));
+    EXPECT_NE(page.find("<figure data-linked=\"1,2,3,4\">"), std::string::npos);
     EXPECT_EQ(page.find("http://"), std::string::npos);
     EXPECT_EQ(page.find("https://"), std::string::npos);
 }

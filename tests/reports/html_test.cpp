@@ -25,6 +25,20 @@ void write_file(const std::filesystem::path& file, const std::string& content) {
     std::ofstream(file, std::ios::binary) << content;
 }
 
+TEST(Html, SetsStudiesBehindTheViewsAndNamesThemOnTop) {
+    document::Document study;
+    study.title = "Depths <and> gaps";
+    study.command = "zproof study depth";
+    study.sections = {{"Which format", {"By its gap."}, {}}};
+    const std::vector<document::Document> studies{study, study};
+    const std::string page = to_html(Results{}, ".", page_budget, studies);
+    const std::size_t link = page.find("<a href=\"#study-2\">Depths &lt;and&gt; gaps</a>");
+    EXPECT_LT(link, page.find("<article id=\"study-1\">"));
+    EXPECT_LT(page.find("<article id=\"study-2\">"), page.find("<section id=\"study-2-1\">"));
+    EXPECT_EQ(occurrences(page, "By its gap."), 2u);
+    EXPECT_EQ(to_html(Results{}, ".").find("<article"), std::string::npos);
+}
+
 }  // namespace
 
 TEST(Html, HoldsOneScriptThatItsPolicyAdmitsAndNoAddress) {

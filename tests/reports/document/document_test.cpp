@@ -11,6 +11,7 @@
 #include "reports/document/json.h"
 #include "reports/document/page.h"
 #include "reports/document/terminal.h"
+#include "reports/page_scripts.h"
 
 namespace zproof::document {
 namespace {
@@ -132,7 +133,8 @@ TEST(DocumentPage, EscapesShowsAndCarriesExactValues) {
     EXPECT_NE(page.find("data-value=\"0.30000000000000004\">0.3<"), std::string::npos);
     EXPECT_EQ(page.find("whole"), std::string::npos) << "the third row is not shown";
     EXPECT_NE(page.find("2 of 3 rows shown"), std::string::npos);
-    EXPECT_EQ(page.find("<script"), std::string::npos);
+    EXPECT_EQ(page.find("<script"), page.find(script_element(table_script()))) << "no script but ours";
+    EXPECT_EQ(page.find("<script"), page.rfind("<script"));
 }
 
 TEST(DocumentSound, MistakesOfOursAreNamed) {
