@@ -40,18 +40,12 @@ const std::map<std::string, Names> may_include{
 /// Where a foreign library is spoken to; everywhere else it is unknown. <iostream>: library rooms never
 /// print.
 const std::map<std::string, Names> spoken_to_in{
-    {"embree3/", {"oracle"}},
-    {"EGL/", {"oracle"}},
-    {"GL/", {"oracle"}},
-    {"OpenImageIO/", {"frame", "oracle"}},
-    {"tiny_gltf.h", {"scenes"}},
-    {"nlohmann/", {"frame", "scenes", "reports"}},
-    {"CLI/", {"cli"}},
-    {"openssl/", {"math"}},
-    {"toml++/", {"cli"}},
-    {"Eigen/", {"study"}},
-    {"iostream", {"cli"}},
-    {"cstdio", {}},
+    {"embree3/", {"oracle"}},    {"EGL/", {"oracle"}},
+    {"GL/", {"oracle"}},         {"OpenImageIO/", {"frame", "oracle"}},
+    {"tiny_gltf.h", {"scenes"}}, {"nlohmann/", {"frame", "scenes", "reports"}},
+    {"CLI/", {"cli"}},           {"openssl/", {"math"}},
+    {"toml++/", {"cli"}},        {"Eigen/", {"study"}},
+    {"iostream", {"cli"}},       {"cstdio", {}},
 };
 
 constexpr std::size_t longest_line = 110, longest_file = 600, comfortable_header = 150;
