@@ -2,28 +2,29 @@
 
 namespace zproof {
 
-std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness& candidate,
-                            const Witness& reference, std::span<const OpenPixel> open) {
+Rulings rule_on(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
+                std::span<const PixelPlace> open) {
+    const std::size_t triangle_count = scene.triangles.size();
     Hearing hearing(scene, view);
-    const auto are_heard = [](const OpenPixel& o) {
-        return o.finding.candidate.primitive != o.finding.reference.primitive;
+    hearing.expect(2 * open.size());
+    const auto plead = [&](const Witness& witness, const Answer& answer, const PixelPlace& place) {
+        if (is_invalid(answer, triangle_count))
+            hearing.add_none();
+        else
+            hearing.add(witness.bounds(), answer.primitive, place.x, place.y);
     };
-    for (const OpenPixel& o : open) {
-        if (!are_heard(o)) continue;
-        const Finding& f = o.finding;
-        if (!o.candidate_invalid) hearing.add(candidate.bounds(), f.candidate.primitive, f.x, f.y);
-        if (!o.reference_invalid) hearing.add(reference.bounds(), f.reference.primitive, f.x, f.y);
+    for (const PixelPlace& place : open) {
+        const Answer ours = candidate.answer_at(place.x, place.y),
+                     theirs = reference.answer_at(place.x, place.y);
+        if (ours.primitive == theirs.primitive) {
+            hearing.add_none();
+            hearing.add_none();
+        } else {
+            plead(candidate, ours, place);
+            plead(reference, theirs, place);
+        }
     }
-    const std::vector<Ruled> ruled = hearing.hear(Asked::standing_and_displacement);
-    std::vector<Ruling> rulings(open.size());
-    auto next = ruled.begin();
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        if (!are_heard(open[i])) continue;
-        Ruling& r = rulings[i];
-        if (!open[i].candidate_invalid) r.candidate = *next++;
-        if (!open[i].reference_invalid) r.reference = *next++;
-    }
-    return rulings;
+    return Rulings(hearing.hear(Asked::standing_and_displacement));
 }
 
 PixelClass class_of(const OpenPixel& open, const Ruling& ruling) {

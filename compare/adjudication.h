@@ -13,9 +13,21 @@ struct Ruling {
     Ruled candidate, reference;
 };
 
+/// Pixel by pixel, in the order asked for. What needs no ruling (both name the same triangle, or an answer is
+/// none) has an empty one.
+class Rulings {
+  public:
+    explicit Rulings(std::vector<Ruled> ruled) : ruled_(std::move(ruled)) {}
+
+    Ruling operator[](std::size_t pixel) const { return {ruled_[2 * pixel], ruled_[2 * pixel + 1]}; }
+
+  private:
+    std::vector<Ruled> ruled_;  ///< candidate, reference, candidate ...
+};
+
 /// Rules on every open pixel, in order, on all threads.
-std::vector<Ruling> rule_on(const Scene& scene, const View& view, const Witness& candidate,
-                            const Witness& reference, std::span<const OpenPixel> open);
+Rulings rule_on(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
+                std::span<const PixelPlace> open);
 
 /// The word that an open pixel earns from its ruling.
 PixelClass class_of(const OpenPixel& open, const Ruling& ruling);

@@ -5,7 +5,6 @@
 #include <limits>
 #include <optional>
 
-#include "compare/memory.h"
 #include "compare/shown_triangles.h"
 
 namespace zproof {
@@ -13,11 +12,6 @@ namespace zproof {
 namespace {
 
 constexpr int tile_width = Strip::width, tile_height = 16;
-
-/// What both witnesses may say of one triangle's depth.
-struct DepthOfBoth {
-    TriangleDepth candidate, reference;
-};
 
 /// Few triangles are ever asked about outside of the laws of a tile.
 constexpr std::size_t remembered_triangles = 64;
@@ -52,7 +46,7 @@ void fetch_ahead(std::span<const T> row, std::size_t first) {
     for (std::size_t i = first; i < end; i += step) __builtin_prefetch(&row[i]);
 }
 
-/// A look at both witnesses, tile by tile or at one pixel.
+/// A look at both witnesses, tile by tile.
 class Comparison {
   public:
     Comparison(const Scene& scene, const Witness& candidate, const Witness& reference)
@@ -60,7 +54,7 @@ class Comparison {
           candidate_(candidate),
           reference_(reference),
           shown_(candidate, reference),
-          triangles_(remembered_triangles) {}
+          look_(scene, candidate, reference) {}
 
     /// Compares the pixels of a tile; `rows` are the findings of its rows.
     void compare(const Tile& tile, std::span<Findings> rows) {
@@ -85,45 +79,7 @@ class Comparison {
         reference_count_.add_to(tally.reference);
     }
 
-    OpenPixel look_at(int x, int y, double known_reference_ratio = unsettled) {
-        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-        OpenPixel open;
-        Finding& f = open.finding;
-        f = {.x = x,
-             .y = y,
-             .candidate = candidate_.answer_at(x, y),
-             .reference = reference_.answer_at(x, y),
-             .candidate_depth = {nan, nan, nan},
-             .error_over_bound = nan};
-        open.candidate_invalid = is_invalid(f.candidate, triangle_count_);
-        open.reference_invalid = is_invalid(f.reference, triangle_count_);
-        if (!open.candidate_invalid && f.candidate.primitive != PrimitiveId::none) {
-            const DepthCheck check =
-                candidate_.check(depth_of_both(f.candidate.primitive).candidate, f.candidate, x, y);
-            f.candidate_depth = check.bound;
-            f.error_over_bound = check.error_over_bound;
-            open.candidate_depth_lawful = check.lawful;
-        }
-        if (known_reference_ratio != unsettled) {
-            open.reference_error_over_bound = known_reference_ratio;
-        } else if (!open.reference_invalid && f.reference.primitive != PrimitiveId::none) {
-            const DepthCheck check =
-                reference_.check(depth_of_both(f.reference.primitive).reference, f.reference, x, y);
-            open.reference_error_over_bound = check.error_over_bound;
-            open.reference_depth_lawful = check.lawful;
-        }
-        return open;
-    }
-
   private:
-    const DepthOfBoth& depth_of_both(PrimitiveId primitive) {
-        return triangles_(std::uint32_t(primitive), [&] {
-            const TriangleInView triangle = candidate_.triangle_in_view(primitive);
-            return DepthOfBoth{depth_of(triangle, candidate_.bounds()),
-                               depth_of(triangle, reference_.bounds())};
-        });
-    }
-
     /// Beyond the tile's right side both frames are bare.
     void fill(Strip::Side& side, const Witness& witness, const Tile& tile, int y) {
         const auto left = std::size_t(tile.left), width = std::size_t(tile.right - tile.left);
@@ -169,19 +125,23 @@ class Comparison {
         candidate_count_.add(strip.candidate.bin);
         reference_count_.add(strip.reference.bin);
         if (std::ranges::count(strip.is_open, 0u) == Strip::width) return;
-        for (std::size_t i = 0; i < Strip::width; ++i)
-            if (strip.is_open[i]) settle(look_at(strip.x + int(i), strip.y, strip.reference.ratio[i]), found);
+        for (std::size_t i = 0; i < Strip::width; ++i) {
+            if (!strip.is_open[i]) continue;
+            const PixelPlace place{strip.x + int(i), strip.y};
+            const bool differ = strip.candidate.primitive[i] != strip.reference.primitive[i];
+            if (differ || !settles(place, strip.reference.ratio[i], found.tally)) found.open.push_back(place);
+        }
     }
 
-    void settle(const OpenPixel& pixel, Findings& found) {
-        const Finding& f = pixel.finding;
-        const bool is_shared =
-            f.candidate.primitive == f.reference.primitive && f.candidate.primitive != PrimitiveId::none;
-        if (is_shared && !pixel.candidate_invalid && !pixel.reference_invalid) {
-            count(found.tally.candidate, f.error_over_bound);
-            count(found.tally.reference, pixel.reference_error_over_bound);
+    /// Of a pixel at which both name the same triangle, or none.
+    bool settles(const PixelPlace& place, double known_reference_ratio, Tally& tally) {
+        const OpenPixel pixel = look_.at(place.x, place.y, known_reference_ratio);
+        const bool is_bare = pixel.finding.candidate.primitive == PrimitiveId::none;
+        if (!is_bare && !pixel.candidate_invalid && !pixel.reference_invalid) {
+            count(tally.candidate, pixel.finding.error_over_bound);
+            count(tally.reference, pixel.reference_error_over_bound);
         }
-        if (!is_settled(pixel)) found.open.push_back(pixel);
+        return is_settled(pixel);
     }
 
     std::size_t triangle_count_;
@@ -189,10 +149,53 @@ class Comparison {
     ShownTriangles shown_;
     std::array<Strip, tile_height> strips_;
     Count candidate_count_, reference_count_;
-    Memory<std::uint32_t, DepthOfBoth> triangles_;
+    PixelLook look_;
 };
 
 }  // namespace
+
+PixelLook::PixelLook(const Scene& scene, const Witness& candidate, const Witness& reference)
+    : triangle_count_(scene.triangles.size()),
+      candidate_(candidate),
+      reference_(reference),
+      triangles_(remembered_triangles) {}
+
+auto PixelLook::depth_of_both(PrimitiveId primitive) -> const DepthOfBoth& {
+    return triangles_(std::uint32_t(primitive), [&] {
+        const TriangleInView triangle = candidate_.triangle_in_view(primitive);
+        return DepthOfBoth{depth_of(triangle, candidate_.bounds()), depth_of(triangle, reference_.bounds())};
+    });
+}
+
+OpenPixel PixelLook::at(int x, int y, double known_reference_ratio) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    OpenPixel open;
+    Finding& f = open.finding;
+    f = {.x = x,
+         .y = y,
+         .candidate = candidate_.answer_at(x, y),
+         .reference = reference_.answer_at(x, y),
+         .candidate_depth = {nan, nan, nan},
+         .error_over_bound = nan};
+    open.candidate_invalid = is_invalid(f.candidate, triangle_count_);
+    open.reference_invalid = is_invalid(f.reference, triangle_count_);
+    if (!open.candidate_invalid && f.candidate.primitive != PrimitiveId::none) {
+        const DepthCheck check =
+            candidate_.check(depth_of_both(f.candidate.primitive).candidate, f.candidate, x, y);
+        f.candidate_depth = check.bound;
+        f.error_over_bound = check.error_over_bound;
+        open.candidate_depth_lawful = check.lawful;
+    }
+    if (known_reference_ratio != unsettled) {
+        open.reference_error_over_bound = known_reference_ratio;
+    } else if (!open.reference_invalid && f.reference.primitive != PrimitiveId::none) {
+        const DepthCheck check =
+            reference_.check(depth_of_both(f.reference.primitive).reference, f.reference, x, y);
+        open.reference_error_over_bound = check.error_over_bound;
+        open.reference_depth_lawful = check.lawful;
+    }
+    return open;
+}
 
 bool is_settled(const OpenPixel& p) {
     return p.finding.candidate.primitive == p.finding.reference.primitive && !p.candidate_invalid &&
@@ -231,10 +234,6 @@ Findings compare_rows(const Scene& scene, const View& view, const Witness& candi
     }
     comparison.add_to(found.tally);
     return found;
-}
-
-OpenPixel open_pixel(const Scene& scene, const Witness& candidate, const Witness& reference, int x, int y) {
-    return Comparison(scene, candidate, reference).look_at(x, y);
 }
 
 }  // namespace zproof

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "compare/memory.h"
+#include "compare/pixel_place.h"
 #include "compare/witness.h"
 
 namespace zproof {
@@ -26,17 +28,34 @@ struct OpenPixel {
 /// Do both say the same, lawfully?
 bool is_settled(const OpenPixel& pixel);
 
+/// Looks into pixels one by one, settled or not.
+class PixelLook {
+  public:
+    PixelLook(const Scene& scene, const Witness& candidate, const Witness& reference);
+
+    /// `known_reference_ratio` is the error over the bound of the reference's lawful depth, or `unsettled`.
+    OpenPixel at(int x, int y, double known_reference_ratio = unsettled);
+
+  private:
+    /// What both witnesses may say of one triangle's depth.
+    struct DepthOfBoth {
+        TriangleDepth candidate, reference;
+    };
+    const DepthOfBoth& depth_of_both(PrimitiveId primitive);
+
+    std::size_t triangle_count_;
+    const Witness &candidate_, &reference_;
+    Memory<std::uint32_t, DepthOfBoth> triangles_;
+};
+
 /// What a part of the image holds.
 struct Findings {
-    std::vector<OpenPixel> open;  ///< in raster order
-    Tally tally;                  ///< of the depths at pixels where both name the same triangle
+    std::vector<PixelPlace> open;  ///< not settled, in raster order
+    Tally tally;                   ///< of the depths at pixels where both name the same triangle
 };
 
 /// Compares rows [top, bottom).
 Findings compare_rows(const Scene& scene, const View& view, const Witness& candidate,
                       const Witness& reference, int top, int bottom);
-
-/// One pixel, left open whatever it holds.
-OpenPixel open_pixel(const Scene& scene, const Witness& candidate, const Witness& reference, int x, int y);
 
 }  // namespace zproof

@@ -81,11 +81,12 @@ std::vector<PixelStory> explain(const Scene& scene, const View& view, const Test
                                 const Testimony& reference, std::span<const PixelPlace> places) {
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
     std::vector<OpenPixel> open;
+    PixelLook look(scene, ours, theirs);
     for (const PixelPlace& place : places) {
         require_inside(view, place);
-        open.push_back(open_pixel(scene, ours, theirs, place.x, place.y));
+        open.push_back(look.at(place.x, place.y));
     }
-    const std::vector<Ruling> rulings = rule_on(scene, view, ours, theirs, open);
+    const Rulings rulings = rule_on(scene, view, ours, theirs, places);
     std::vector<PixelStory> stories;
     for (std::size_t i = 0; i < open.size(); ++i) {
         stories.push_back(told_so_far(open[i], rulings[i]));

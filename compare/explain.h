@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/judge.h"
+#include "compare/pixel_place.h"
 #include "compare/standing.h"
 
 namespace zproof {
@@ -34,11 +35,6 @@ struct PixelStory {
 /// Judges one pixel and keeps the evidence. (x, y) must lie inside the view (std::out_of_range otherwise).
 PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
                    const Testimony& reference, int x, int y);
-
-/// Where a pixel lies in its view.
-struct PixelPlace {
-    int x = 0, y = 0;
-};
 
 /// The same for many pixels of one view, in order, with few passes over the scene.
 std::vector<PixelStory> explain(const Scene& scene, const View& view, const Testimony& candidate,

@@ -18,6 +18,9 @@ namespace {
 /// In own eps. Few squares grow beyond it, and a triangle that is found and meets no square changes nothing.
 constexpr double first_reach = 2;
 
+/// Answers of a tile from which on it is worth the trouble to look at whole rows.
+constexpr std::size_t many = 64;
+
 /// The triangles of the latest answers: neighbouring pixels give the same.
 class LatestTriangles {
   public:
@@ -41,149 +44,161 @@ class LatestTriangles {
 }  // namespace
 
 struct Hearing::Memories {
-    Memories(const Scene& scene, const View& view) : acquaintance(scene, view) {}
+    Memories(const Scene& scene, const View& view) : sights(view), acquaintance(scene, view) {}
 
+    Sights<double> sights;
     Acquaintance acquaintance;
     CoplanarMemory coplanar{4096};
 };
 
-/// Pleas stand by tile.
 class Hearing::Session {
   public:
-    Session(const Hearing& hearing, Asked asked, tbb::enumerable_thread_specific<Memories>& memories)
+    Session(const Hearing& hearing, const Docket& docket, Asked asked, ThreadMemories& memories)
         : hearing_(hearing),
-          pleas_(hearing.pleas_),
+          docket_(docket),
           asked_(asked),
           memories_(memories),
           sights_(hearing.view_),
-          tiles_(hearing.view_),
-          first_(tiles_.count() + 1),
           near_(hearing.scene_, hearing.view_, asked_boxes()) {}
 
-    /// Decides what it can; for each plea the reach that it needs, or 0 where it is decided.
+    /// Decides what it can; for each plea of the docket the reach that it needs, or 0 where it is decided.
     std::vector<double> hear(std::vector<Ruled>& rulings) {
-        std::vector<double> lacking(pleas_.size(), 0);
-        tbb::parallel_for(std::size_t(0), tiles_.count(), [&](std::size_t tile) {
-            if (first_[tile] != first_[tile + 1]) hear_tile(tile, rulings, lacking);
+        std::vector<double> lacking(docket_.plea.size(), 0);
+        tbb::parallel_for(std::size_t(0), docket_.first.size() - 1, [&](std::size_t tile) {
+            if (docket_.first[tile] != docket_.first[tile + 1]) hear_tile(tile, rulings, lacking);
         });
         return lacking;
     }
 
   private:
-    AskedBoxes asked_boxes() {
-        AskedBoxes boxes(tiles_.count());
-        for (const Plea& plea : pleas_) {
-            const std::size_t tile = tiles_.of(plea.x, plea.y);
-            boxes.add(tile, square_around(plea.x, plea.y, plea.reach_px), plea.reach_px);
-            ++first_[tile + 1];
-        }
-        for (std::size_t t = 1; t < first_.size(); ++t) first_[t] += first_[t - 1];
+    const Plea& plea(std::size_t place) const { return hearing_.pleas_[docket_.plea[place]]; }
+
+    AskedBoxes asked_boxes() const {
+        AskedBoxes boxes(docket_.first.size() - 1);
+        tbb::parallel_for(std::size_t(0), docket_.first.size() - 1, [&](std::size_t tile) {
+            for (std::size_t i = docket_.first[tile]; i < docket_.first[tile + 1]; ++i) {
+                const double reach = docket_.reach_px[i];
+                boxes.add(tile, square_around(plea(i).x, plea(i).y, reach), reach);
+            }
+        });
         return boxes;
     }
-    Around centres(std::span<const Plea> pleas) const {
+    Around centres(std::size_t tile) const {
         Box box;
-        for (const Plea& plea : pleas) box.add(plea.x, plea.y);
+        for (std::size_t i = docket_.first[tile]; i < docket_.first[tile + 1]; ++i)
+            box.add(plea(i).x, plea(i).y);
         return {box.middle_x(), box.middle_y(), 0.5 * (box.right - box.left), 0.5 * (box.bottom - box.top)};
     }
 
-    void hear_tile(std::size_t tile, std::vector<Ruled>& rulings, std::vector<double>& lacking) const {
-        const std::span<const Plea> pleas =
-            std::span(pleas_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
-        Memories& memories = memories_.local();
+    std::vector<const ViewBounds*> renderers_of(std::size_t tile) const {
         std::vector<const ViewBounds*> renderers;
-        for (const Plea& plea : pleas)
-            if (!std::ranges::count(renderers, plea.bounds)) renderers.push_back(plea.bounds);
+        for (std::size_t i = docket_.first[tile]; i < docket_.first[tile + 1]; ++i)
+            if (!std::ranges::count(renderers, plea(i).bounds)) renderers.push_back(plea(i).bounds);
+        return renderers;
+    }
+
+    void hear_tile(std::size_t tile, std::vector<Ruled>& rulings, std::vector<double>& lacking) const {
+        Memories& memories = memories_.local();
         std::optional<Summary> summary;
         if (!hearing_.amendment_)
             summary.emplace(
                 Summary::Shared{hearing_.view_, sights_, memories.acquaintance, memories.coplanar},
-                centres(pleas), near_.of(tile), renderers);
+                centres(tile), near_.of(tile), renderers_of(tile));
+        if (summary && docket_.first[tile + 1] - docket_.first[tile] >= many) summary->expect_many();
         const Plea* latest = nullptr;
-        for (const Plea& plea : pleas) {
-            if (summary && !(latest && latest->x == plea.x && latest->y == plea.y))
-                summary->look_at(plea.x, plea.y);
-            latest = &plea;
-            const Plaint plaint{plea.bounds, plea.answer, plea.own_eps_px, plea.reach_px, asked_};
-            double& lacks = lacking[std::size_t(&plea - pleas_.data())];
+        for (std::size_t i = docket_.first[tile]; i < docket_.first[tile + 1]; ++i) {
+            const Plea& p = plea(i);
+            if (summary && !(latest && latest->x == p.x && latest->y == p.y)) summary->look_at(p.x, p.y);
+            latest = &p;
+            const Plaint plaint{p.bounds, p.answer, docket_.own_eps_px[i], docket_.reach_px[i], asked_};
             if (const auto ruled = summary ? summary->rule(plaint) : std::nullopt)
-                rulings[plea.number] = *ruled;
-            else if (!summary || (lacks = summary->lacking_reach_px(plaint)) == 0)
-                lacks = try_to_hear(plea, near_.of(tile), memories, rulings[plea.number]);
+                rulings[p.number] = *ruled;
+            else if (!summary || (lacking[i] = summary->lacking_reach_px(plaint)) == 0)
+                lacking[i] = try_to_hear(i, near_.of(tile), memories, rulings[p.number]);
         }
     }
 
     /// Decides the plea, or returns the reach that it needs.
-    double try_to_hear(const Plea& plea, std::span<const std::uint32_t> near, Memories& memories,
+    double try_to_hear(std::size_t place, std::span<const std::uint32_t> near, Memories& memories,
                        Ruled& ruled) const {
-        Site site{plea.x, plea.y, plea.reach_px, {}};
+        const Plea& p = plea(place);
+        Site site{p.x, p.y, docket_.reach_px[place], {}};
         for (const std::uint32_t t : near)
-            if (memories.acquaintance.of(t).filter.is_near(plea.x, plea.y, plea.reach_px))
+            if (memories.acquaintance.of(t).filter.is_near(p.x, p.y, site.reach_px))
                 site.triangles.push_back(t);
-        Neighbourhood around = neighbourhood_of(hearing_.view_, site, plea.own_eps_px,
-                                                [&](std::uint32_t t) -> const TriangleOfView& {
-                                                    return memories.acquaintance.of(t, *plea.bounds).of_view;
-                                                });
-        if (around.eps_px > plea.reach_px) return around.eps_px;
-        if (hearing_.amendment_) hearing_.amendment_(around, plea.answer);
-        ruled = {decide(around, plea.answer, memories.coplanar), around.eps_px, std::nullopt};
+        const auto look_up = [&](std::uint32_t t) -> const TriangleOfView& {
+            return memories.acquaintance.of(t, *p.bounds).of_view;
+        };
+        Neighbourhood around = neighbourhood_of(hearing_.view_, site, docket_.own_eps_px[place], look_up);
+        if (around.eps_px > site.reach_px) return around.eps_px;
+        if (hearing_.amendment_) hearing_.amendment_(around, p.answer);
+        ruled = {decide(around, p.answer, memories.coplanar), around.eps_px, std::nullopt};
         if (asked_ == Asked::standing_and_displacement && ruled.decision.standing == Standing::visible)
-            ruled.displacement_over_eps = displacement_over_eps(around, plea.answer);
+            ruled.displacement_over_eps = displacement_over_eps(around, p.answer);
         return 0;
     }
 
     const Hearing& hearing_;
-    std::span<const Plea> pleas_;
+    const Docket& docket_;
     Asked asked_;
-    tbb::enumerable_thread_specific<Memories>& memories_;
+    ThreadMemories& memories_;
     Sights<double> sights_;
-    Tiles tiles_;
-    std::vector<std::size_t> first_;  ///< plea of a tile
     TrianglesByTile near_;
 };
 
-void Hearing::add(const ViewBounds& bounds, PrimitiveId answer, int x, int y) {
-    pleas_.push_back({&bounds, answer, x, y, 0, 0, pleas_.size()});
+auto Hearing::docket_of_all() const -> Docket {
+    const Tiles tiles(view_);
+    const std::size_t count = pleas_.size();
+    Docket docket{std::vector<std::uint32_t>(count), std::vector<double>(count), std::vector<double>(count),
+                  std::vector<std::size_t>(tiles.count() + 2)};
+    // counted two places ahead, so that filling leaves each tile's end where the next one's first belongs
+    for (const Plea& plea : pleas_) ++docket.first[tiles.of(plea.x, plea.y) + 2];
+    for (std::size_t t = 2; t < docket.first.size(); ++t) docket.first[t] += docket.first[t - 1];
+    for (std::uint32_t i = 0; i < count; ++i)
+        docket.plea[docket.first[tiles.of(pleas_[i].x, pleas_[i].y) + 1]++] = i;
+    docket.first.pop_back();
+    return docket;
+}
+
+void Hearing::set_reach(Docket& docket, std::size_t tile, Memories& memories) const {
+    LatestTriangles latest;
+    for (std::size_t i = docket.first[tile]; i < docket.first[tile + 1]; ++i) {
+        const Plea& p = pleas_[docket.plea[i]];
+        const double own_eps = p.answer == PrimitiveId::none
+                                   ? p.bounds->background_eps_px()
+                                   : latest.of(memories.acquaintance, std::uint32_t(p.answer), *p.bounds)
+                                         .eps_px(memories.sights.at(p.x, p.y));
+        docket.own_eps_px[i] = own_eps;
+        docket.reach_px[i] = first_reach * own_eps;
+    }
+}
+
+auto Hearing::left_over(const Docket& docket, const std::vector<double>& lacking) const -> Docket {
+    Docket left;
+    left.first.push_back(0);
+    for (std::size_t tile = 0; tile + 1 < docket.first.size(); ++tile) {
+        for (std::size_t i = docket.first[tile]; i < docket.first[tile + 1]; ++i) {
+            if (lacking[i] == 0) continue;
+            left.plea.push_back(docket.plea[i]);
+            left.own_eps_px.push_back(docket.own_eps_px[i]);
+            left.reach_px.push_back(lacking[i]);
+        }
+        left.first.push_back(left.plea.size());
+    }
+    return left;
 }
 
 /// The squares that grow beyond their first reach are looked at once more with their full reach.
 std::vector<Ruled> Hearing::hear(Asked asked) {
-    std::vector<Ruled> rulings(pleas_.size());
-    tbb::enumerable_thread_specific<Memories> memories([&] { return Memories(scene_, view_); });
-    const Sights<double> sights(view_);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pleas_.size(), 256), [&](const auto& some) {
-        Acquaintance& acquaintance = memories.local().acquaintance;
-        LatestTriangles latest;
-        for (std::size_t i = some.begin(); i < some.end(); ++i) {
-            Plea& plea = pleas_[i];
-            plea.own_eps_px = plea.answer == PrimitiveId::none
-                                  ? plea.bounds->background_eps_px()
-                                  : latest.of(acquaintance, std::uint32_t(plea.answer), *plea.bounds)
-                                        .eps_px(sights.at(plea.x, plea.y));
-            plea.reach_px = first_reach * plea.own_eps_px;
-        }
+    std::vector<Ruled> rulings(added_);
+    ThreadMemories memories([&] { return Memories(scene_, view_); });
+    Docket docket = docket_of_all();
+    tbb::parallel_for(std::size_t(0), docket.first.size() - 1, [&](std::size_t tile) {
+        if (docket.first[tile] != docket.first[tile + 1]) set_reach(docket, tile, memories.local());
     });
-    sort_by_tile();
-    while (!pleas_.empty()) {
-        const std::vector<double> lacking = Session(*this, asked, memories).hear(rulings);
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < pleas_.size(); ++i) {
-            if (lacking[i] == 0) continue;
-            pleas_[kept] = pleas_[i];
-            pleas_[kept++].reach_px = lacking[i];
-        }
-        pleas_.resize(kept);
-    }
+    while (!docket.plea.empty())
+        docket = left_over(docket, Session(*this, docket, asked, memories).hear(rulings));
     return rulings;
-}
-
-void Hearing::sort_by_tile() {
-    const Tiles tiles(view_);
-    std::vector<std::size_t> next(tiles.count() + 1);
-    for (const Plea& plea : pleas_) ++next[tiles.of(plea.x, plea.y) + 1];
-    for (std::size_t t = 1; t < next.size(); ++t) next[t] += next[t - 1];
-    std::vector<Plea> sorted(pleas_.size());
-    for (const Plea& plea : pleas_) sorted[next[tiles.of(plea.x, plea.y)]++] = plea;
-    pleas_ = std::move(sorted);
 }
 
 }  // namespace zproof

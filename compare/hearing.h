@@ -2,6 +2,8 @@
 /// it.
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <functional>
 #include <optional>
 #include <span>
@@ -20,8 +22,14 @@ class Hearing {
     Hearing(const Scene& scene, const View& view, Amendment amendment = nullptr)
         : scene_(scene), view_(view), amendment_(std::move(amendment)) {}
 
+    /// That many answers will be added.
+    void expect(std::size_t count) { pleas_.reserve(count); }
     /// `answer` is a triangle of the scene, or none. `bounds` must outlive the hearing.
-    void add(const ViewBounds& bounds, PrimitiveId answer, int x, int y);
+    void add(const ViewBounds& bounds, PrimitiveId answer, int x, int y) {
+        pleas_.push_back({&bounds, answer, x, y, added_++});
+    }
+    /// Nothing is asked; what is ruled there is empty.
+    void add_none() { ++added_; }
 
     /// Decides every answer, in the order in which they were added, on all threads.
     std::vector<Ruled> hear(Asked asked = Asked::standing);
@@ -31,20 +39,29 @@ class Hearing {
         const ViewBounds* bounds = nullptr;
         PrimitiveId answer = PrimitiveId::none;
         int x = 0, y = 0;
-        double own_eps_px = 0, reach_px = 0;
-        std::size_t number = 0;
+        std::uint32_t number = 0;
+    };
+    /// The pleas that are left, tile by tile, each in the order in which they were added.
+    struct Docket {
+        std::vector<std::uint32_t> plea;  ///< a place among pleas_
+        std::vector<double> own_eps_px, reach_px;
+        std::vector<std::size_t> first;  ///< by tile; one more at the end
     };
     /// What one thread remembers of a hearing.
     struct Memories;
+    using ThreadMemories = tbb::enumerable_thread_specific<Memories>;
     /// One go at the pleas that are left.
     class Session;
 
-    void sort_by_tile();
+    Docket docket_of_all() const;
+    void set_reach(Docket& docket, std::size_t tile, Memories& memories) const;
+    Docket left_over(const Docket& docket, const std::vector<double>& lacking) const;
 
     const Scene& scene_;
     const View& view_;
     Amendment amendment_;
     std::vector<Plea> pleas_;
+    std::uint32_t added_ = 0;
 };
 
 }  // namespace zproof

@@ -1,6 +1,8 @@
 #include "compare/judge.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -12,8 +14,8 @@ namespace zproof {
 namespace {
 
 /// Every open pixel of the frame in raster order; depths are counted into the verdict.
-std::vector<OpenPixel> first_pass(const Scene& scene, const View& view, const Witness& candidate,
-                                  const Witness& reference, Verdict& verdict) {
+std::vector<PixelPlace> first_pass(const Scene& scene, const View& view, const Witness& candidate,
+                                   const Witness& reference, Verdict& verdict) {
     constexpr int band_rows = 16;
     std::vector<Findings> bands(static_cast<std::size_t>((view.height + band_rows - 1) / band_rows));
     tbb::parallel_for(0, int(bands.size()), [&](int band) {
@@ -22,7 +24,7 @@ std::vector<OpenPixel> first_pass(const Scene& scene, const View& view, const Wi
             compare_rows(scene, view, candidate, reference, top, std::min(top + band_rows, view.height));
     });
     Tally sum;
-    std::vector<OpenPixel> open;
+    std::vector<PixelPlace> open;
     std::size_t open_count = 0;
     for (const Findings& band : bands) open_count += band.open.size();
     open.reserve(open_count);
@@ -40,19 +42,65 @@ bool reference_is_wrong(const OpenPixel& open, const Ruling& ruling) {
            !is_lawful(ruling.reference.decision.standing);
 }
 
-void record(Verdict& verdict, const OpenPixel& open, const Ruling& ruling) {
-    Finding finding = open.finding;
-    finding.verdict = class_of(open, ruling);
-    finding.eps_px = ruling.candidate.eps_px;
-    verdict.reference_defects += reference_is_wrong(open, ruling);
-    const bool adjudicated = finding.candidate.primitive != finding.reference.primitive;
-    verdict.adjudicated += adjudicated;
-    verdict.exact += ruling.candidate.decision.exact || ruling.reference.decision.exact;
-    if (const auto& d = ruling.candidate.displacement_over_eps) count(verdict.candidate_edges, *d);
-    if (const auto& d = ruling.reference.displacement_over_eps) count(verdict.reference_edges, *d);
-    verdict.classes.at(finding.x, finding.y) = finding.verdict;
-    if (finding.verdict != PixelClass::agree) verdict.findings.push_back(finding);
+/// What some of the findings add up to: integers and maxima, so the order of adding does not matter.
+struct Count {
+    ClassCounts classes{};
+    Tally edges;
+    std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
+
+    void add(const OpenPixel& open, const Ruling& ruling, const Finding& finding) {
+        ++classes[std::size_t(finding.verdict)];
+        reference_defects += reference_is_wrong(open, ruling);
+        adjudicated += finding.candidate.primitive != finding.reference.primitive;
+        exact += ruling.candidate.decision.exact || ruling.reference.decision.exact;
+        if (const auto& d = ruling.candidate.displacement_over_eps) count(edges.candidate, *d);
+        if (const auto& d = ruling.reference.displacement_over_eps) count(edges.reference, *d);
+    }
+};
+
+Count operator+(Count a, const Count& b) {
+    for (std::size_t i = 0; i < a.classes.size(); ++i) a.classes[i] += b.classes[i];
+    zproof::add(a.edges, b.edges);
+    a.reference_defects += b.reference_defects;
+    a.adjudicated += b.adjudicated;
+    a.exact += b.exact;
+    return a;
 }
+
+/// The findings of open pixels and their ruling.
+class Record {
+  public:
+    Record(const Scene& scene, const Witness& candidate, const Witness& reference,
+           std::span<const PixelPlace> open, const Rulings& rulings)
+        : scene_(scene), candidate_(candidate), reference_(reference), open_(open), rulings_(rulings) {}
+
+    /// Writes findings and classes of the verdict, whose size is set.
+    Count write(Verdict& verdict) const {
+        using Pixels = tbb::blocked_range<std::size_t>;
+        const auto write_some = [&](const Pixels& some, Count sum) {
+            PixelLook look(scene_, candidate_, reference_);
+            for (std::size_t i = some.begin(); i < some.end(); ++i) {
+                const OpenPixel open = look.at(open_[i].x, open_[i].y);
+                const Ruling ruling = rulings_[i];
+                Finding& finding = verdict.findings[i];
+                finding = open.finding;
+                finding.verdict = class_of(open, ruling);
+                finding.eps_px = ruling.candidate.eps_px;
+                verdict.classes.at(finding.x, finding.y) = finding.verdict;
+                sum.add(open, ruling, finding);
+            }
+            return sum;
+        };
+        return tbb::parallel_reduce(Pixels(0, open_.size(), 1024), Count{}, write_some,
+                                    [](const Count& a, const Count& b) { return a + b; });
+    }
+
+  private:
+    const Scene& scene_;
+    const Witness &candidate_, &reference_;
+    std::span<const PixelPlace> open_;
+    const Rulings& rulings_;
+};
 
 }  // namespace
 
@@ -63,12 +111,18 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     Verdict verdict;
     verdict.classes = Plane<PixelClass>(size, PixelClass::agree);
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
-    const std::vector<OpenPixel> open = first_pass(scene, view, ours, theirs, verdict);
-    const std::vector<Ruling> rulings = rule_on(scene, view, ours, theirs, open);
-    verdict.findings.reserve(open.size());
-    for (std::size_t i = 0; i < open.size(); ++i) record(verdict, open[i], rulings[i]);
-    verdict.counts[std::size_t(PixelClass::agree)] = size.pixel_count() - verdict.findings.size();
-    for (const Finding& finding : verdict.findings) ++verdict.counts[std::size_t(finding.verdict)];
+    const std::vector<PixelPlace> open = first_pass(scene, view, ours, theirs, verdict);
+    const Rulings rulings = rule_on(scene, view, ours, theirs, open);
+    verdict.findings.resize(open.size());
+    const Count count = Record(scene, ours, theirs, open, rulings).write(verdict);
+    verdict.counts = count.classes;
+    verdict.counts[std::size_t(PixelClass::agree)] += size.pixel_count() - open.size();
+    verdict.candidate_edges = count.edges.candidate;
+    verdict.reference_edges = count.edges.reference;
+    verdict.reference_defects = count.reference_defects;
+    verdict.adjudicated = count.adjudicated;
+    verdict.exact = count.exact;
+    std::erase_if(verdict.findings, [](const Finding& f) { return f.verdict == PixelClass::agree; });
     return verdict;
 }
 

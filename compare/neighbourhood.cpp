@@ -50,7 +50,8 @@ double edge_error(const Sight<double>& sight, const CornersWorld& p_world) {
     double from_eye = 0;
     for (const Vector3<double>& p : corners<double>(p_world))
         from_eye = std::max(from_eye, moves ? size(p) + size(sight.origin) + steps : size(p - sight.origin));
-    return gamma(16, unit_roundoff_float64) * 4 * from_eye * from_eye * (size(sight.direction) + steps);
+    static const double share = gamma(16, unit_roundoff_float64) * 4;
+    return share * from_eye * from_eye * (size(sight.direction) + steps);
 }
 
 }  // namespace

@@ -78,6 +78,7 @@ class TileSearch {
     TileSearch(const Scene& scene, const View& view, const AskedBoxes& asked)
         : scene_(scene),
           asked_(asked),
+          reach_px_(asked.reach_px()),
           tiles_(view),
           asked_tiles_(tiles_, asked),
           projection_(view),
@@ -103,7 +104,7 @@ class TileSearch {
 
   private:
     void search(std::uint32_t triangle, const Box& box, std::vector<Meeting>& found) const {
-        const double reach = asked_.reach_px();
+        const double reach = reach_px_;
         const int left = clamped(box.left - reach, tiles_.columns),
                   right = clamped(box.right + reach, tiles_.columns);
         const int top = clamped(box.top - reach, tiles_.rows),
@@ -129,6 +130,7 @@ class TileSearch {
 
     const Scene& scene_;
     const AskedBoxes& asked_;
+    double reach_px_;
     Tiles tiles_;
     AskedTiles asked_tiles_;
     BoxProjection projection_;
@@ -141,7 +143,7 @@ class TileSearch {
 void AskedBoxes::add(std::size_t tile, const Box& square, double reach_px) {
     constexpr std::size_t most = 8;
     std::vector<Box>& boxes = boxes_[tile];
-    reach_px_ = std::max(reach_px_, reach_px);
+    reach_px_[tile] = std::max(reach_px_[tile], reach_px);
     const auto has_its_place = [&](const Box& b) {
         return b.middle_x() == square.middle_x() && b.middle_y() == square.middle_y();
     };
@@ -150,6 +152,8 @@ void AskedBoxes::add(std::size_t tile, const Box& square, double reach_px) {
     else
         boxes.push_back(square);
 }
+
+double AskedBoxes::reach_px() const { return reach_px_.empty() ? 0 : std::ranges::max(reach_px_); }
 
 TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const AskedBoxes& asked)
     : first_(Tiles(view).count() + 1) {

@@ -28,17 +28,18 @@ struct Tiles {
 /// What is asked about: a few boxes for each tile.
 class AskedBoxes {
   public:
-    explicit AskedBoxes(std::size_t tile_count) : boxes_(tile_count) {}
+    explicit AskedBoxes(std::size_t tile_count) : boxes_(tile_count), reach_px_(tile_count) {}
 
-    /// A square that reaches beyond its tile by at most reach_px.
+    /// A square that reaches beyond its tile by at most reach_px. Several threads may add to different tiles.
     void add(std::size_t tile, const Box& square, double reach_px);
 
     std::span<const Box> of(std::size_t tile) const { return boxes_[tile]; }
-    double reach_px() const { return reach_px_; }
+    /// The largest of all.
+    double reach_px() const;
 
   private:
-    double reach_px_ = 0;
     std::vector<std::vector<Box>> boxes_;
+    std::vector<double> reach_px_;
 };
 
 /// Lists of triangles, one per tile, each ascending.

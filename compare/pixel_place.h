@@ -1,0 +1,10 @@
+#pragma once
+
+namespace zproof {
+
+/// Where a pixel lies in its view.
+struct PixelPlace {
+    int x = 0, y = 0;
+};
+
+}  // namespace zproof
