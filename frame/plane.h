@@ -1,6 +1,7 @@
 /// A rectangle of per-pixel values: one AOV, or one map.
 #pragma once
 
+#include <boost/align/aligned_allocator.hpp>
 #include <cassert>
 #include <cstddef>
 #include <span>
@@ -16,7 +17,10 @@ struct Resolution {
     bool operator==(const Resolution&) const = default;
 };
 
-/// Row-major values, row 0 at the top; at(x, y) is pixel (x, y) of raster space.
+inline constexpr std::size_t cache_line_bytes = 64;
+
+/// Row-major values, row 0 at the top; at(x, y) is pixel (x, y) of raster space. The first begins a cache
+/// line.
 template <class T>
 class Plane {
   public:
@@ -38,7 +42,7 @@ class Plane {
     }
 
     Resolution size_;
-    std::vector<T> values_;
+    std::vector<T, boost::alignment::aligned_allocator<T, cache_line_bytes>> values_;
 };
 
 }  // namespace zproof

@@ -14,32 +14,40 @@ struct Batch {
     alignas(64) std::int32_t extent[batch_size];  ///< the longer side of the whole box, grid steps
     alignas(64) double weight[3][batch_size];     ///< nearness of vertex k, divided by 2A
 
+    /// Filled up with the last triangle.
+    void load(const Triangles& triangles, const std::uint32_t* places, int last);
+    void set_up_box(const TileSamples& tile);
+    void set_up_weights();
+
+  private:
     void put_vertex(int k, int i, const SnappedVertex& v) {
         x[k][i] = v.p.x;
         y[k][i] = v.p.y;
         nearness[k][i] = v.nearness;
     }
-    void load(const Triangles& triangles, std::uint32_t place, int i);
-    void set_up_box(const TileSamples& tile);
-    void set_up_weights();
 };
 
-void Batch::load(const Triangles& triangles, std::uint32_t place, int i) {
-    const int second = place & turned ? 2 : 1;
-    place &= ~turned;
-    if (place < triangles.length) {
-        const glm::uvec3& corner = triangles.corners[place];
-        put_vertex(0, i, triangles.vertices[corner.x]);
-        put_vertex(second, i, triangles.vertices[corner.y]);
-        put_vertex(3 - second, i, triangles.vertices[corner.z]);
-        id[i] = place;
-        return;
+void Batch::load(const Triangles& triangles, const std::uint32_t* places, int last) {
+    for (int i = 0; i < batch_size; ++i) {
+        const int second =
+            places[lesser(i, last)] & turned ? 2 : 1;  // places change, not what is read: no branch
+        const std::uint32_t place = places[lesser(i, last)] & ~turned;
+        const SnappedVertex *a, *b, *c;
+        if (place < triangles.length) {
+            const glm::uvec3& corner = triangles.corners[place];
+            a = triangles.vertices + corner.x;
+            b = triangles.vertices + corner.y;
+            c = triangles.vertices + corner.z;
+            id[i] = place;
+        } else {
+            const SnappedPiece& piece = triangles.pieces[place - triangles.length];
+            a = piece.vertex, b = piece.vertex + 1, c = piece.vertex + 2;
+            id[i] = static_cast<std::uint32_t>(piece.id);
+        }
+        put_vertex(0, i, *a);
+        put_vertex(second, i, *b);
+        put_vertex(3 - second, i, *c);
     }
-    const SnappedPiece& piece = triangles.pieces[place - triangles.length];
-    put_vertex(0, i, piece.vertex[0]);
-    put_vertex(second, i, piece.vertex[1]);
-    put_vertex(3 - second, i, piece.vertex[2]);
-    id[i] = static_cast<std::uint32_t>(piece.id);
 }
 
 /// Pixels whose samples lie in the bounding box, cut to the tile; shifts floor.

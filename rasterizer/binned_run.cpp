@@ -79,20 +79,19 @@ void BinnedRun::add(SnappedPoint a, SnappedPoint b, SnappedPoint c, std::uint32_
 void BinnedRun::place_queue() {
     const PlacedLanes placed = kernel_->place(*setup_, queue_.corners);
     for (int i = 0; i < queue_.count; ++i) {
-        add_to_tiles(i, placed, queue_.place[i] | placed.turn[i]);
+        const std::uint32_t place = queue_.place[i] | placed.turn[i];
         tally_.facing_away += std::uint64_t(placed.faces_away[i]);
-        tally_.set_up += placed.column0[i] <= placed.column1[i] ? 1 : 0;
+        if (placed.column0[i] > placed.column1[i]) continue;
+        ++tally_.set_up;
+        if (placed.column0[i] == placed.column1[i] && placed.row0[i] == placed.row1[i])
+            add_to_tile(placed.column0[i], placed.row0[i], place);
+        else
+            add_to_tiles(i, placed, place);
     }
     queue_.count = 0;
 }
 
-void BinnedRun::add_to_tile(int column, int row, std::uint32_t place) {
-    const std::uint32_t tile = tiles_.tile_at(column, row);
-    entries_.push_back({tile, place});
-    ++next_[tile];
-}
-
-/// Of tiles in one row or column the triangle meets every one.
+/// In one row or column of tiles the triangle meets every one.
 void BinnedRun::add_to_tiles(int lane, const PlacedLanes& placed, std::uint32_t place) {
     const int column0 = placed.column0[lane], column1 = placed.column1[lane];
     const int row0 = placed.row0[lane], row1 = placed.row1[lane];

@@ -52,7 +52,11 @@ class BinnedRun {
     void place_queue();
     void add_to_tiles(int lane, const PlacedLanes& placed, std::uint32_t place);
     void add_to_tiles_reached(int lane, const PlacedLanes& placed, std::uint32_t place);
-    void add_to_tile(int column, int row, std::uint32_t place);
+    void add_to_tile(int column, int row, std::uint32_t place) {
+        const std::uint32_t tile = tiles_.tile_at(column, row);
+        entries_.push_back({tile, place});
+        ++next_[tile];
+    }
 
     const Kernel* kernel_ = nullptr;
     const ViewSetup* setup_ = nullptr;

@@ -49,24 +49,25 @@ void draw_batch(const TileWork& work, const Batch& batch, int count, const Visit
     }
 }
 
-/// Has the vertices of the batch from here fetched, and the corners of the batch after it.
+/// Has the vertices of the batch from here fetched, and the corners of the batch after it, where they do not
+/// follow those before.
 void fetch_ahead(const TileWork& work, std::uint32_t first) {
+    constexpr std::uint32_t near = 16;
     const Triangles& triangles = work.triangles;
-    const auto for_each_place = [&](std::uint32_t from, const auto& visit) {
+    const auto for_each_jump = [&](std::uint32_t from, const auto& visit) {
         for (std::uint32_t i = from; i < from + batch_size && i < work.count; ++i) {
-            const std::uint32_t place = work.places[i] & ~turned;
-            if (place < triangles.length) visit(triangles.corners + place);
+            const std::uint32_t place = work.places[i] & ~turned, before = work.places[i - 1] & ~turned;
+            if (place - before > near && place < triangles.length) visit(triangles.corners + place);
         }
     };
-    for_each_place(first, [&](const glm::uvec3* corners) {
+    for_each_jump(first, [&](const glm::uvec3* corners) {
         __builtin_prefetch(triangles.vertices + corners->x);
         __builtin_prefetch(triangles.vertices + corners->y);
         __builtin_prefetch(triangles.vertices + corners->z);
     });
-    for_each_place(first + batch_size, [](const glm::uvec3* corners) { __builtin_prefetch(corners); });
+    for_each_jump(first + batch_size, [](const glm::uvec3* corners) { __builtin_prefetch(corners); });
 }
 
-/// A batch is filled up with its last triangle.
 template <class Visit>
 void for_each_triangle(const TileWork& work) {
     const Visit visit(work);
@@ -74,8 +75,7 @@ void for_each_triangle(const TileWork& work) {
     for (std::uint32_t first = 0; first < work.count; first += batch_size) {
         const int last = lesser(batch_size, std::int32_t(work.count - first)) - 1;
         fetch_ahead(work, first + batch_size);
-        for (int i = 0; i < batch_size; ++i)
-            batch.load(work.triangles, work.places[first + std::uint32_t(lesser(i, last))], i);
+        batch.load(work.triangles, work.places + first, last);
         batch.set_up_box(work.samples);
         batch.set_up_weights();
         draw_batch(work, batch, last + 1, visit);

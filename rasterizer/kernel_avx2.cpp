@@ -130,6 +130,14 @@ float least_of(const Floats& f) {
     return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
 }
 
+/// Four pixels past the caches: nobody reads them soon, and no line is fetched to be overwritten. `to` is a
+/// multiple of 16 bytes.
+void stream_four(void* to, const void* four) {
+    _mm_stream_si128(static_cast<__m128i*>(to), _mm_load_si128(static_cast<const __m128i*>(four)));
+}
+/// Before another thread may look.
+void finish_streams() { _mm_sfence(); }
+
 #include "rasterizer/kernel.inl"
 
 }  // namespace

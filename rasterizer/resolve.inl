@@ -1,30 +1,36 @@
 // A tile's pixels into the frame: out of blocks into rows, nearness into camera depth.
 
-struct TileRow {
-    alignas(64) float nearness[tile_size];
-    alignas(64) std::uint32_t primitive[tile_size];
-};
+/// Four blocks beside each other: 16 x 4 pixels, kept one after the other.
+constexpr int strip_width = 16, strip_size = 4 * strip_width;
 
-/// Four pixels of a block at a time.
-void take_row(TileRow& row, const TilePixels& pixels, int y) {
-    for (int x = 0; x < tile_size; x += 4) {
-        __builtin_memcpy(row.nearness + x, pixels.nearness + place_in_tile(x, y), 4 * sizeof(float));
-        __builtin_memcpy(row.primitive + x, pixels.primitive + place_in_tile(x, y), 4 * sizeof(float));
-    }
+/// A row of a strip into a row of the frame, which nobody reads before it is whole.
+template <class Value, class Kept>
+void put_row(Value* to, const Kept* strip_row, int columns) {
+    static_assert(sizeof(Value) == 4 && sizeof(Kept) == 4);
+    if (columns >= strip_width && reinterpret_cast<std::uintptr_t>(to) % 16 == 0)
+        for (int x = 0; x < strip_width; x += 4) stream_four(to + x, strip_row + 4 * x);
+    else
+        for (int x = 0; x < lesser(columns, strip_width); ++x)
+            __builtin_memcpy(to + x, strip_row + x / 4 * 16 + x % 4, 4);
 }
 
 void resolve(const ResolveWork& work) noexcept {
-    for (int y = 0; y < work.rows; ++y) {
-        TileRow row;
-        take_row(row, work.pixels, y);
-        float* const depth = work.camera_depth + work.stride * std::size_t(y);
-        PrimitiveId* const id = work.primitive + work.stride * std::size_t(y);
-        const DepthFunctional functional = work.depth;
-        for (int x = 0; x < tile_size; ++x) {
-            const float at_pixel = functional.depth_of(row.nearness[x]);
-            row.nearness[x] = row.nearness[x] > nothing_seen ? at_pixel : background_depth;
+    const DepthFunctional functional = work.depth;
+    for (int y = 0; y < work.rows; y += 4) {
+        for (int x = 0; x < work.columns; x += strip_width) {
+            const float* const nearness = work.pixels.nearness + place_in_tile(x, y);
+            const std::uint32_t* const primitive = work.pixels.primitive + place_in_tile(x, y);
+            alignas(64) float depth[strip_size];
+            for (int i = 0; i < strip_size; ++i) {
+                const float seen = functional.depth_of(nearness[i]);
+                depth[i] = nearness[i] > nothing_seen ? seen : background_depth;
+            }
+            for (int row = 0; row < lesser(4, work.rows - y); ++row) {
+                const std::size_t to = work.stride * std::size_t(y + row) + std::size_t(x);
+                put_row(work.camera_depth + to, depth + 4 * row, work.columns - x);
+                put_row(work.primitive + to, primitive + 4 * row, work.columns - x);
+            }
         }
-        __builtin_memcpy(depth, row.nearness, std::size_t(work.columns) * sizeof(float));
-        __builtin_memcpy(id, row.primitive, std::size_t(work.columns) * sizeof(float));
     }
+    finish_streams();
 }

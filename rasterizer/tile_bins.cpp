@@ -18,12 +18,12 @@ std::size_t run_length(std::size_t triangles) { return std::max<std::size_t>(204
 void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup) {
     const std::size_t count = scene.triangles.size();
     const std::size_t length = run_length(count);
-    std::vector<Range> ranges;
+    ranges_.clear();
     for (std::size_t begin = 0; begin < count; begin += length) {
         const std::size_t end = std::min(count, begin + length);
-        ranges.push_back({std::uint32_t(begin), std::uint32_t(end)});
+        ranges_.push_back({std::uint32_t(begin), std::uint32_t(end)});
     }
-    fill(scene, projected, setup, ranges);
+    fill(scene, projected, setup, ranges_);
 }
 
 void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup,

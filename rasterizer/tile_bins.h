@@ -43,6 +43,7 @@ class TileBins {
     Kernel kernel_;
     TileGrid tiles_;
     Triangles triangles_;
+    std::vector<Range> ranges_;
     std::vector<BinnedRun> runs_;  ///< those in use first
     std::size_t used_ = 0;
     std::vector<SnappedPiece> pieces_;
