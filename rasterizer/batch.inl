@@ -29,8 +29,8 @@ struct Batch {
 
 void Batch::load(const Triangles& triangles, const std::uint32_t* places, int last) {
     for (int i = 0; i < batch_size; ++i) {
-        const int second =
-            places[lesser(i, last)] & turned ? 2 : 1;  // places change, not what is read: no branch
+        // Without a branch: triangles of both windings are mixed.
+        const int second = places[lesser(i, last)] & turned ? 2 : 1;
         const std::uint32_t place = places[lesser(i, last)] & ~turned;
         const SnappedVertex *a, *b, *c;
         if (place < triangles.length) {
