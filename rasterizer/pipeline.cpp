@@ -1,7 +1,6 @@
 #include "rasterizer/pipeline.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 
@@ -37,10 +36,8 @@ ViewSetup Pipeline::prepare(const Scene& scene, const View& view, const std::vec
 
 const Frame& Pipeline::render(const Scene& scene, const View& view, const std::vector<Chunk>& chunks) {
     const ViewSetup setup(view, rules_, tricks_);
-    const auto make_frame = [&] {  // 8 bytes a pixel to be filled: worth a thread
-        if (frame_.size() != setup.size) frame_ = Frame(setup.size);
-    };
-    tbb::parallel_invoke(make_frame, [&] { prepare(scene, view, chunks); });
+    prepare(scene, view, chunks);
+    if (frame_.size() != setup.size) frame_ = Frame::unwritten(setup.size);
     tbb::parallel_for(std::size_t{0}, bins_.tiles().count(), [&](std::size_t i) {
         const PixelRect pixels = bins_.tiles().pixels(i, setup.size);
         if (bins_.places_in(i).empty()) return clear(frame_, pixels);
