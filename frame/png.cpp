@@ -1,4 +1,4 @@
-#include "frame/png.h"
+#include "frame/png_kinds.h"
 
 #include <algorithm>
 #include <cassert>
@@ -68,6 +68,10 @@ std::string png_of(const Plane<Rgb8>& picture, PngRows rows, const std::string& 
 }
 
 }  // namespace
+
+void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture) {
+    write_png(file, picture, PngRows::as_they_are);
+}
 
 void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture, PngRows rows) {
     write_whole_file(file, png_of(picture, rows, file.string()));

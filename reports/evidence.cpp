@@ -8,7 +8,7 @@
 #include <string>
 
 #include "frame/exr.h"
-#include "frame/png.h"
+#include "frame/png_kinds.h"
 #include "reports/class_style.h"
 #include "reports/pictures.h"
 

@@ -32,8 +32,7 @@ void write_witness_picture(const std::filesystem::path& folder, const std::strin
                            const Picture& candidate, const Picture& picture);
 
 /// The findings as CSV with a heading, in raster order. Numbers read back to the same bits; ids of background
-/// are `none`; non-finite numbers are nan, inf, -inf. Rows are made on the threads of the surrounding
-/// tbb::task_arena.
+/// are `none`; non-finite numbers are nan, inf, -inf.
 void write_findings(std::ostream& out, const Verdict& verdict);
 
 }  // namespace zproof

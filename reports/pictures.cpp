@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include "reports/class_style.h"
 
 namespace zproof {
 
@@ -151,6 +152,10 @@ Plane<Rgb8> picture_of_difference(const Picture& a, const Picture& b) {
             return std::isnan(d) ? no_depth_colour : d == 0 ? background_colour : viridis(std::sqrt(d));
         });
     return picture;
+}
+
+Plane<Rgb8> picture_of_classes(const Plane<PixelClass>& classes) {
+    return coloured(classes, [](PixelClass c) { return style_of(c).colour; });
 }
 
 int shrink_factor(Resolution size) {

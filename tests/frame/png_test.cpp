@@ -1,4 +1,4 @@
-#include "frame/png.h"
+#include "frame/png_kinds.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
