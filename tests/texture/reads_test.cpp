@@ -128,7 +128,9 @@ TEST_P(EveryReadKernel, SumsTheReadsOfEachLookupTapByTap) {
             block.sum[block.lookups] = &sums[std::size_t(block.lookups)].x;
             block.begin[++block.lookups] = block.count;
         }
-        GetParam().add_up({chain.levels.data(), wrap.u, wrap.v}, block);
+        const reads::Chain where{chain.levels.data(), wrap.u, wrap.v};
+        GetParam().find_taps(where, block);
+        GetParam().add_up(where, block);
         for (std::size_t i = 0; i < lookups.size(); ++i)
             ASSERT_EQ(bits(sums[i]), bits(tap_by_tap(chain, wrap, lookups[i]))) << "lookup " << i;
     }

@@ -22,7 +22,7 @@ struct Level {
 
 /// Reads that wait to be summed, and whose they are.
 struct Block {
-    static constexpr int most = 128;       ///< reads, and lookups; a multiple of every kernel's lanes
+    static constexpr int most = 64;        ///< reads, and lookups; a multiple of every kernel's lanes
     alignas(64) double x[most], y[most];   ///< places, in texels of the read's own level; any value
     alignas(64) double weight[most];       ///< of the whole read
     alignas(64) std::int32_t level[most];  ///< index of a Level
@@ -30,6 +30,9 @@ struct Block {
     int begin[most + 1];  ///< each lookup's first read, and the read after the last one's last
     int count = 0;        ///< reads
     int lookups = 0;
+    // What a kernel finds: the four taps of each read, upper left, upper right, lower left, lower right.
+    alignas(64) std::int64_t offset[4][most];  ///< in floats, from the level's first texel
+    alignas(64) double tap_weight[4][most];
 };
 
 /// Where the levels are and what lies beyond their edges.
@@ -40,9 +43,10 @@ struct Chain {
 
 struct Kernel {
     const char* name = "";
-    /// Adds all reads of the block to the sums of their lookups. What of the arrays lies behind `count` is
-    /// overwritten.
-    void (*add_up)(const Chain& chain, Block& block) noexcept = nullptr;
+    /// The taps of a block's reads. What of its arrays lies behind `count` is overwritten.
+    void (*find_taps)(const Chain& chain, Block& block) noexcept = nullptr;
+    /// Adds those taps to the sums of their lookups.
+    void (*add_up)(const Chain& chain, const Block& block) noexcept = nullptr;
 };
 
 namespace scalar {

@@ -75,13 +75,7 @@ Lanes before_row(Lanes row, Lanes width) {
     return 64 * row + sixteenths(row) * (row_of_tiles - 1024);
 }
 
-/// The four texels of each read: upper left, upper right, lower left, lower right.
-struct Taps {
-    alignas(64) std::int64_t offset[4][Block::most];  ///< in floats, from the level's first texel
-    alignas(64) double weight[4][Block::most];
-};
-
-void find_taps(const Block& block, int i, Taps& taps, const Pair& u, const Pair& v, Lanes width) {
+void find_taps(Block& block, int i, const Pair& u, const Pair& v, Lanes width) {
     const Lanes weight = load(block.weight + i),
                 rows[2] = {before_row(v.first, width), before_row(v.second, width)},
                 columns[2] = {before_column(u.first), before_column(u.second)},
@@ -89,34 +83,28 @@ void find_taps(const Block& block, int i, Taps& taps, const Pair& u, const Pair&
     for (int down = 0; down < 2; ++down)
         for (int right = 0; right < 2; ++right) {
             const int tap = 2 * down + right;
-            store(taps.offset[tap] + i, rows[down] + columns[right]);
-            store(taps.weight[tap] + i, across[right] * along[down]);
+            store(block.offset[tap] + i, rows[down] + columns[right]);
+            store(block.tap_weight[tap] + i, across[right] * along[down]);
         }
 }
 
 static_assert(sizeof(Level) == 3 * sizeof(double));  // what `chosen` steps by
 
 template <Wrap wrap_u, Wrap wrap_v>
-void find_all_taps(const Chain& chain, const Block& block, Taps& taps) {
+void find_wrapped(const Chain& chain, Block& block) {
     for (int i = 0; i < block.count; i += lanes) {
         const Lanes width = chosen(&chain.levels->width, block.level + i),
                     height = chosen(&chain.levels->height, block.level + i);
-        find_taps(block, i, taps, surrounding<wrap_u>(load(block.x + i), width),
+        find_taps(block, i, surrounding<wrap_u>(load(block.x + i), width),
                   surrounding<wrap_v>(load(block.y + i), height), width);
     }
 }
 
 template <Wrap wrap_u>
-void find_all_taps(const Chain& chain, const Block& block, Taps& taps) {
-    if (chain.v == Wrap::repeat) return find_all_taps<wrap_u, Wrap::repeat>(chain, block, taps);
-    if (chain.v == Wrap::clamp_to_edge) return find_all_taps<wrap_u, Wrap::clamp_to_edge>(chain, block, taps);
-    find_all_taps<wrap_u, Wrap::mirrored_repeat>(chain, block, taps);
-}
-
-void find_all_taps(const Chain& chain, const Block& block, Taps& taps) {
-    if (chain.u == Wrap::repeat) return find_all_taps<Wrap::repeat>(chain, block, taps);
-    if (chain.u == Wrap::clamp_to_edge) return find_all_taps<Wrap::clamp_to_edge>(chain, block, taps);
-    find_all_taps<Wrap::mirrored_repeat>(chain, block, taps);
+void find_wrapped(const Chain& chain, Block& block) {
+    if (chain.v == Wrap::repeat) return find_wrapped<wrap_u, Wrap::repeat>(chain, block);
+    if (chain.v == Wrap::clamp_to_edge) return find_wrapped<wrap_u, Wrap::clamp_to_edge>(chain, block);
+    find_wrapped<wrap_u, Wrap::mirrored_repeat>(chain, block);
 }
 
 /// So that the last lanes have something to read.
@@ -127,25 +115,21 @@ void fill_up(Block& block) {
     }
 }
 
-/// How many reads ahead texels are asked of memory.
-constexpr int ahead = 16;
+void find_taps(const Chain& chain, Block& block) noexcept {
+    fill_up(block);
+    if (chain.u == Wrap::repeat) return find_wrapped<Wrap::repeat>(chain, block);
+    if (chain.u == Wrap::clamp_to_edge) return find_wrapped<Wrap::clamp_to_edge>(chain, block);
+    find_wrapped<Wrap::mirrored_repeat>(chain, block);
+}
 
 /// The reads of a block with their taps known.
 struct FoundReads {
     const Chain& chain;
     const Block& block;
-    const Taps& taps;
 
-    const float* texels_of(int i) const { return chain.levels[block.level[i]].texels; }
-
-    void fetch(int i) const {
-        if (i >= block.count) return;
-        for (int tap = 0; tap < 4; ++tap) __builtin_prefetch(texels_of(i) + taps.offset[tap][i]);
-    }
     void add(int i, Colour& colour) const {
-        fetch(i + ahead);
-        const float* const texels = texels_of(i);
-        for (int tap = 0; tap < 4; ++tap) colour.add(texels + taps.offset[tap][i], taps.weight[tap][i]);
+        const float* const texels = chain.levels[block.level[i]].texels;
+        for (int tap = 0; tap < 4; ++tap) colour.add(texels + block.offset[tap][i], block.tap_weight[tap][i]);
     }
     void add(int from, int to, Colour& colour) const {
         for (int i = from; i < to; ++i) add(i, colour);
@@ -172,12 +156,8 @@ struct FoundReads {
     }
 };
 
-void add_up(const Chain& chain, Block& block) noexcept {
-    Taps taps;
-    fill_up(block);
-    find_all_taps(chain, block, taps);
-    const FoundReads reads{chain, block, taps};
-    for (int i = 0; i < ahead; ++i) reads.fetch(i);
+void add_up(const Chain& chain, const Block& block) noexcept {
+    const FoundReads reads{chain, block};
     int lookup = 0;
     for (; lookup + 2 <= block.lookups; lookup += 2) reads.add_two_lookups(lookup);
     if (lookup < block.lookups) reads.add_lookup(lookup);

@@ -22,6 +22,6 @@ Lanes chosen(const double* numbers, const std::int32_t* index) {
 
 }  // namespace
 
-const Kernel kernel{"AVX-512", add_up};
+const Kernel kernel{"AVX-512", find_taps, add_up};
 
 }  // namespace zproof::texture::reads::avx512

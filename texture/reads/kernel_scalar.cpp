@@ -37,6 +37,6 @@ class Colour {
 
 }  // namespace
 
-const Kernel kernel{"scalar", add_up};
+const Kernel kernel{"scalar", find_taps, add_up};
 
 }  // namespace zproof::texture::reads::scalar
