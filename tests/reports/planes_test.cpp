@@ -184,7 +184,7 @@ TEST(ViewPlanes, HoldBothFramesBitForBit) {
         EXPECT_EQ(their_bits[i], std::bit_cast<std::uint32_t>(s.sample.reference.camera_depth.pixels()[i]));
     }
     EXPECT_EQ(block_named(container, "candidate.id").facts.at("crc32"),
-              checksum(as_bytes(std::span<const std::uint32_t>(ids))));
+              crc32_of(bytes_in(std::span<const std::uint32_t>(ids))));
 }
 
 TEST(ViewPlanes, HoldClassesErrorsAndFindings) {
