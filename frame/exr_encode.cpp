@@ -1,5 +1,6 @@
 #include "frame/exr_encode.h"
 
+#include <OpenEXR/openexr.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -7,11 +8,11 @@
 #include <bit>
 #include <cassert>
 #include <cstring>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "frame/deflate.h"
+#include "frame/frame_error.h"
 #include "frame/frame_size.h"
 
 namespace zproof {
@@ -20,44 +21,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "OpenEXR is little-endian, and so must this machine be");
 
-constexpr int rows_in_block = 16;  ///< what ZIP_COMPRESSION says
-constexpr std::uint8_t zip_compression = 3, increasing_y = 0;
-
-template <class T>
-std::string bits_of(const T& value) {
-    return {reinterpret_cast<const char*>(&value), sizeof value};
-}
-
-template <class... T>
-std::string joined(const T&... values) {
-    return (bits_of(values) + ...);
-}
-
-std::string zero_ended(std::string_view text) { return std::string(text) + '\0'; }
-
-std::string attribute(std::string_view name, std::string_view type, const std::string& value) {
-    return zero_ended(name) + zero_ended(type) + bits_of(static_cast<std::int32_t>(value.size())) + value;
-}
-
-std::string channel_list(std::span<const ExrChannel> channels) {
-    std::string list;
-    for (const ExrChannel& channel : channels)
-        list += zero_ended(channel.name) +
-                joined(channel.type, std::uint32_t{0}, std::int32_t{1}, std::int32_t{1});
-    return list + '\0';
-}
-
-std::string header(Resolution size, std::span<const ExrChannel> channels) {
-    const std::string window = joined(std::int32_t{0}, std::int32_t{0}, size.width - 1, size.height - 1);
-    return joined(std::uint32_t{20000630}, std::uint32_t{2}) +  // magic number, version
-           attribute("channels", "chlist", channel_list(channels)) +
-           attribute("compression", "compression", bits_of(zip_compression)) +
-           attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", window) +
-           attribute("lineOrder", "lineOrder", bits_of(increasing_y)) +
-           attribute("pixelAspectRatio", "float", bits_of(1.0f)) +
-           attribute("screenWindowCenter", "v2f", joined(0.0f, 0.0f)) +
-           attribute("screenWindowWidth", "float", bits_of(1.0f)) + '\0';
-}
+constexpr int rows_in_block = 16;  ///< what EXR_COMPRESSION_ZIP says
 
 /// Row by row, and within a row channel by channel.
 void gather(Resolution size, std::span<const ExrChannel> channels, int row, char* to) {
@@ -89,7 +53,7 @@ void predict(std::string_view raw, std::string& sorted_bytes, std::string& misse
 /// Makes blocks, one after another, in memory of its own.
 class BlockMaker {
   public:
-    /// First row, length, content: packed, or as it is where that does not help.
+    /// Packed, or as it is where that does not help.
     std::string block(Resolution size, std::span<const ExrChannel> channels, int first_row) {
         const auto rows = static_cast<std::size_t>(std::min(rows_in_block, size.height - first_row));
         const std::size_t row_bytes = 4 * channels.size() * static_cast<std::size_t>(size.width);
@@ -97,14 +61,63 @@ class BlockMaker {
         for (std::size_t row = 0; row < rows; ++row)
             gather(size, channels, first_row + static_cast<int>(row), raw_.data() + row * row_bytes);
         predict(raw_, sorted_, missed_);
-        const std::string packed = deflater_.deflated(missed_);
-        const std::string& content = packed.size() < raw_.size() ? packed : raw_;
-        return joined(first_row, static_cast<std::int32_t>(content.size())) + content;
+        std::string packed = deflater_.deflated(missed_);
+        return packed.size() < raw_.size() ? packed : raw_;
     }
 
   private:
     Deflater deflater_;
     std::string raw_, sorted_, missed_;
+};
+
+/// OpenEXR's own writer, into memory.
+class ExrWriter {
+  public:
+    ExrWriter(Resolution size, std::span<const ExrChannel> channels, const std::string& place)
+        : place_(place) {
+        exr_context_initializer_t calls = EXR_DEFAULT_CONTEXT_INITIALIZER;
+        calls.user_data = &file_;
+        calls.write_fn = put;
+        check(exr_start_write(&context_, place.c_str(), EXR_WRITE_FILE_DIRECTLY, &calls));
+        check(exr_add_part(context_, "frame", EXR_STORAGE_SCANLINE, &part_));
+        check(exr_initialize_required_attr_simple(context_, part_, size.width, size.height,
+                                                  EXR_COMPRESSION_ZIP));
+        for (const ExrChannel& channel : channels)
+            check(exr_add_channel(context_, part_, std::string(channel.name).c_str(),
+                                  static_cast<exr_pixel_type_t>(channel.type), EXR_PERCEPTUALLY_LINEAR, 1,
+                                  1));
+        check(exr_write_header(context_));
+    }
+    ~ExrWriter() { exr_finish(&context_); }
+    ExrWriter(const ExrWriter&) = delete;
+    ExrWriter& operator=(const ExrWriter&) = delete;
+
+    /// Blocks from the top, each once.
+    void write(int first_row, const std::string& block) {
+        check(exr_write_scanline_chunk(context_, part_, first_row, block.data(), block.size()));
+    }
+    /// After the last block.
+    std::string file() {
+        check(exr_finish(&context_));
+        return std::move(file_);
+    }
+
+  private:
+    static std::int64_t put(exr_const_context_t, void* file, const void* bytes, std::uint64_t size,
+                            std::uint64_t offset, exr_stream_error_func_ptr_t) {
+        std::string& to = *static_cast<std::string*>(file);
+        to.resize(std::max<std::size_t>(to.size(), offset + size));
+        std::memcpy(to.data() + offset, bytes, size);
+        return static_cast<std::int64_t>(size);
+    }
+    void check(exr_result_t result) const {
+        if (result != EXR_ERR_SUCCESS)
+            throw FrameError(place_ + ": OpenEXR cannot write it: " + exr_get_default_error_message(result));
+    }
+
+    std::string place_, file_;
+    exr_context_t context_ = nullptr;
+    int part_ = 0;
 };
 
 }  // namespace
@@ -118,14 +131,10 @@ std::string encode_exr(Resolution size, std::span<const ExrChannel> channels, co
     tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
         blocks[i] = makers.local().block(size, channels, rows_in_block * static_cast<int>(i));
     });
-    std::string file = header(size, channels);
-    std::uint64_t at = file.size() + sizeof at * blocks.size();
-    file.reserve(
-        std::accumulate(blocks.begin(), blocks.end(), std::size_t{at},
-                        [](std::size_t sum, const std::string& block) { return sum + block.size(); }));
-    for (const std::string& block : blocks) file += bits_of(std::exchange(at, at + block.size()));
-    for (const std::string& block : blocks) file += block;
-    return file;
+    ExrWriter writer(size, channels, place);
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        writer.write(rows_in_block * static_cast<int>(i), blocks[i]);
+    return writer.file();
 }
 
 }  // namespace zproof

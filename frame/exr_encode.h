@@ -22,10 +22,11 @@ struct ExrChannel {
     std::size_t stride = 4;
 };
 
-/// A scanline file (openexr.com, "OpenEXR File Layout"), zip-compressed in blocks of 16 rows, which are made
-/// side by side on the threads of the surrounding tbb::task_arena. Values are copied bit for bit. Channels
+/// A scanline file, put together by OpenEXR's own library out of zip-compressed blocks of 16 rows
+/// (openexr.com, "OpenEXR File Layout"), which are made side by side on the threads of the surrounding
+/// tbb::task_arena. Values are copied bit for bit. Channels
 /// stand in ascending order of their names. Throws FrameError, naming `place`, for a size that Resolution
-/// does not allow.
+/// does not allow, and where OpenEXR refuses.
 std::string encode_exr(Resolution size, std::span<const ExrChannel> channels, const std::string& place);
 
 }  // namespace zproof

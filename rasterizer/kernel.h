@@ -3,79 +3,24 @@
 ///
 /// kernel_scalar.cpp, kernel_avx2.cpp and kernel_avx512.cpp are compiled for one instruction set each and
 /// share the algorithms of kernel.inl. All give the same bits: whole numbers stay whole numbers below 2^53,
-/// and every pixel's depth takes the same operations in the same order. What they
-/// use of headers is plain data and functions marked always_inline: the linker would merge any other inline
-/// function into whichever instruction set's copy it meets first.
+/// and every pixel's depth takes the same operations in the same order. What they use of headers is plain
+/// data and functions marked always_inline: the linker would merge any other inline function into whichever
+/// instruction set's copy it meets first.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <limits>
 
 #include "frame/frame.h"
 #include "rasterizer/depth_functional.h"
-#include "rasterizer/snap.h"
+#include "rasterizer/tile_pixels.h"
+#include "rasterizer/triangles.h"
 #include "rasterizer/tricks.h"
 
 namespace zproof::rasterizer {
 
 struct ViewSetup;
-
-inline constexpr int tile_size = 64;  ///< pixels; a tile's depths and ids are 32 KiB, a first-level cache
-
-/// A vertex after divide, viewport and snap.
-struct SnappedVertex {
-    SnappedPoint p;
-    double nearness = 0;  ///< of the vertex before it was snapped (DepthFunctional)
-};
-
-/// What clipping left of a triangle, or a part of that.
-struct SnappedPiece {
-    SnappedVertex vertex[3];
-    PrimitiveId id = PrimitiveId::none;
-};
-
-/// The triangles of a frame by place: triangle `place` of the scene where place < length, else piece
-/// place - length.
-struct Triangles {
-    const SnappedVertex* vertices = nullptr;
-    const glm::uvec3* corners = nullptr;
-    const SnappedPiece* pieces = nullptr;
-    std::uint32_t length = 0;
-};
-
-/// Set in a place: the triangle is counter-clockwise on the screen (y down), so its last two vertices change
-/// places.
-inline constexpr std::uint32_t turned = 0x8000'0000;
-
-/// The nearness of a pixel that nothing was drawn into.
-inline constexpr float nothing_seen = -std::numeric_limits<float>::infinity();
-
-/// One tile's pixels in blocks of 4 x 4, a cache line each, and 4 x 4 blocks in a cell. A block, or cell,
-/// none of whose pixels holds less than `farthest` is not drawn by what cannot pass.
-struct TilePixels {
-    static constexpr int cells = 16, blocks = tile_size * tile_size / 16;
-    alignas(64) float nearness[blocks * 16];
-    alignas(64) std::uint32_t primitive[blocks * 16];  ///< ids; of a count, how many fragments
-    alignas(64) float farthest[blocks], farthest_in_cell[cells];
-};
-
-/// Where pixel (x, y) of the tile is.
-[[gnu::always_inline]] constexpr int place_in_tile(int x, int y) {
-    const int block = (y / 16 * 4 + x / 16) * 16 + y / 4 % 4 * 4 + x / 4 % 4;
-    return block * 16 + y % 4 * 4 + x % 4;
-}
-
-/// The tile on the sub-pixel grid, and who owns samples on edges.
-struct TileSamples {
-    int x0 = 0, y0 = 0;  ///< the tile's first pixel
-    int subpixel_bits = 8;
-    std::int32_t sample_offset = 128;
-    /// The least value of an edge function that is covered, by top and left edges and by the others.
-    std::int32_t least_of_top_left = 0, least_of_others = 1;
-    int columns = tile_size, rows = tile_size;  ///< of the tile that are the image's
-};
 
 /// What a tile was made of. Whole numbers, the same for every instruction set and number of threads.
 struct Tally {

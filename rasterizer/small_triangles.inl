@@ -8,7 +8,7 @@ constexpr int small_side = 4;  ///< pixels of a small triangle's box, at most
 /// to the right and three down, at most 2^12 grid steps to a pixel, add 6 * 2^25. So every |E| is < 2^29.
 constexpr std::int32_t small_extent = 1 << 13;
 
-/// place_in_tile (kernel.h), as a sum.
+/// place_in_tile (tile_pixels.h), as a sum.
 struct Places {
     int of_column[tile_size] = {}, of_row[tile_size] = {};
 };

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "frame/plane.h"
-#include "rasterizer/kernel.h"
+#include "rasterizer/tile_pixels.h"
 
 namespace zproof::rasterizer {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rasterizer/edge_function.h"
-#include "rasterizer/kernel.h"
+#include "rasterizer/triangles.h"
 #include "rasterizer/view_setup.h"
 #include "scenes/scene.h"
 

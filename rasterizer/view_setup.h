@@ -7,10 +7,10 @@
 #include "frame/plane.h"
 #include "rasterizer/clip.h"
 #include "rasterizer/depth_functional.h"
-#include "rasterizer/kernel.h"
 #include "rasterizer/projection.h"
 #include "rasterizer/rules.h"
 #include "rasterizer/snap.h"
+#include "rasterizer/triangles.h"
 #include "rasterizer/tricks.h"
 #include "scenes/view.h"
 

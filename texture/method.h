@@ -43,10 +43,15 @@ struct StoredImage {
 /// must be finite; of others the result means nothing, but reads stay within the stored images and few.
 struct Sampler {
     std::function<glm::dvec4(const Footprint&)> colour;  ///< linear RGBA; not clamped
+    /// The same of many, into as many colours: sooner, by the same bits. None: each by `colour` (look_up()).
+    std::function<void(std::span<const Footprint>, std::span<glm::dvec4>)> colours{};
     std::function<std::vector<Tap>(const Footprint&)>
         taps;  ///< the reads behind that colour, in reading order
     std::vector<StoredImage> stored;
 };
+
+/// The colours of many footprints; colours.size() == seen.size().
+void look_up(const Sampler& sampler, std::span<const Footprint> seen, std::span<glm::dvec4> colours);
 
 /// How the smaller levels of a mip chain are made.
 enum class MipKernel {

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "texture/methods/bilinear_rule.h"
 #include "texture/methods/families.h"
-#include "texture/methods/mip_reads.h"
 
 namespace zproof::texture {
 
@@ -68,7 +68,7 @@ std::vector<Method> anisotropic_methods() {
                   .taps = "N trilinear taps along the longer step, linear about the centre, at i / (N + 1) - "
                           "1/2 of it, i = 1 to N; mean.",
                   .source = "EXT_texture_filter_anisotropic, to the letter"},
-         .prepare = prepare_mipped<Taps<longer_step, literal_places>>},
+         .prepare = prepare_bilinear<Taps<longer_step, literal_places>>},
         {.name = "aniso-midpoint",
          .card = {.footprint = longer_step_footprint,
                   .lod = longer_step_lod,
@@ -76,7 +76,7 @@ std::vector<Method> anisotropic_methods() {
                       "N trilinear taps along the longer step, linear about the centre, at (i - 1/2) / N - "
                       "1/2 of it, i = 1 to N; mean.",
                   .source = "EXT_texture_filter_anisotropic, taps at the middles of N equal parts"},
-         .prepare = prepare_mipped<Taps<longer_step, midpoints>>},
+         .prepare = prepare_bilinear<Taps<longer_step, midpoints>>},
         {.name = "aniso-d3d11",
          .card = {.footprint =
                       "The ellipse of the Jacobian's singular values s1 >= s2. Ratio s1 / s2; where that "
@@ -87,7 +87,7 @@ std::vector<Method> anisotropic_methods() {
                           "centre, at (i - 1/2) / N - 1/2 of s1, i = 1 to N; mean. The specification leaves "
                           "number and places to the implementation: these are ours.",
                   .source = "Direct3D 11.3 functional specification, 7.18.11"},
-         .prepare = prepare_mipped<Taps<ellipse_axis, midpoints>>}};
+         .prepare = prepare_bilinear<Taps<ellipse_axis, midpoints>>}};
 }
 
 }  // namespace zproof::texture

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "texture/methods/bilinear_rule.h"
 #include "texture/methods/families.h"
-#include "texture/methods/mip_reads.h"
 
 namespace zproof::texture {
 
@@ -65,7 +65,7 @@ std::vector<Method> feline_methods() {
                   "that is not finite is one probe.",
               .source = "McCormack, Perry, Farkas and Jouppi 1999 (Feline); steepness 2 and the limit by "
                         "anisotropy are ours"},
-         .prepare = prepare_mipped<Feline>}};
+         .prepare = prepare_bilinear<Feline>}};
 }
 
 }  // namespace zproof::texture

@@ -1,5 +1,5 @@
+#include "texture/methods/bilinear_rule.h"
 #include "texture/methods/families.h"
-#include "texture/methods/mip_reads.h"
 
 namespace zproof::texture {
 
@@ -39,7 +39,7 @@ Method nearest_level_method(std::string name, std::string taps, decltype(Method:
 template <LodRule lod>
 Method trilinear_method(std::string name, DefinitionCard card) {
     card.taps = "Bilinear in the two levels around the LOD, weighted by its fraction.";
-    return {.name = std::move(name), .card = std::move(card), .prepare = prepare_mipped<Trilinear<lod>>};
+    return {.name = std::move(name), .card = std::move(card), .prepare = prepare_bilinear<Trilinear<lod>>};
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ std::vector<Method> mip_methods() {
                              prepare_mipped<NearestLevel<Within::nearest>>),
         nearest_level_method("mip-nearest-bilinear",
                              "The four texels of that level whose centres surround the place.",
-                             prepare_mipped<NearestLevel<Within::bilinear>>),
+                             prepare_bilinear<NearestLevel<Within::bilinear>>),
         trilinear_method<lod_gl_maximum>("trilinear-gl", {.footprint = "The longer of the pixel's two steps.",
                                                           .lod = "log2 of its length in texels.",
                                                           .taps = {},

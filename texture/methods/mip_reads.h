@@ -9,6 +9,12 @@
 
 namespace zproof::texture {
 
+/// A reader that is told of a bilinear read as a whole, in texels of its level, instead of its four taps.
+template <class Read>
+concept takes_whole_reads = requires(Read& read, const glm::dvec2& place) {
+    read.bilinear(0, place, 1.0);
+};
+
 /// A tap rule's store: `image` of a tap is a level.
 struct MipReads {
     std::vector<LinearImage> levels;
@@ -32,8 +38,11 @@ struct MipReads {
     /// One level; the place is in texels of level 0.
     template <class Read>
     void bilinear(int level, const glm::dvec2& place, double weight, Read&& read) const {
-        read_bilinear(levels[std::size_t(level)], options.addressing, place * scale(level),
-                      Tap{.image = level, .weight = weight}, read);
+        if constexpr (takes_whole_reads<Read>)
+            return read.bilinear(level, place * scale(level), weight);
+        else
+            read_bilinear(levels[std::size_t(level)], options.addressing, place * scale(level),
+                          Tap{.image = level, .weight = weight}, read);
     }
     template <class Read>
     void nearest(int level, const glm::dvec2& place, double weight, Read&& read) const {
@@ -45,9 +54,10 @@ struct MipReads {
     /// core, 8.14.3). A level of weight 0 is not read.
     template <class Read>
     void trilinear(double lod, const glm::dvec2& place, double weight, Read&& read) const {
-        const double finer = std::floor(lod), share = lod - finer;
-        bilinear(int(finer), place, weight * (1 - share), read);
-        if (share > 0) bilinear(int(finer) + 1, place, weight * share, read);
+        const int finer = int(lod);  // rounded down: it is not negative
+        const double share = lod - finer;
+        bilinear(finer, place, weight * (1 - share), read);
+        if (share > 0) bilinear(finer + 1, place, weight * share, read);
     }
 };
 

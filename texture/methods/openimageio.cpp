@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "texture/methods/bilinear_rule.h"
 #include "texture/methods/families.h"
-#include "texture/methods/mip_reads.h"
 
 namespace zproof::texture {
 
@@ -122,7 +122,7 @@ std::vector<Method> openimageio_methods() {
                           "linear in the width, not in its logarithm.",
                   .source = "OpenImageIO, texture_lookup_trilinear_mipmap and compute_miplevels; bias and "
                             "clamp act on log2 of the width"},
-         .prepare = prepare_mipped<OwnTrilinear>},
+         .prepare = prepare_bilinear<OwnTrilinear>},
         {.name = "aniso-oiio",
          .card =
              {.footprint =
@@ -143,7 +143,7 @@ std::vector<Method> openimageio_methods() {
                   "OpenImageIO, texture_lookup and compute_ellipse_sampling, bilinear instead of its "
                   "smart bicubic, without its limits against degenerate derivatives; bias and clamp act "
                   "on log2 of the width"},
-         .prepare = prepare_mipped<OwnAnisotropic>}};
+         .prepare = prepare_bilinear<OwnAnisotropic>}};
 }
 
 }  // namespace zproof::texture

@@ -1,0 +1,62 @@
+/// Bilinear reads of many lookups, side by side: what is the same for every method that has a mip chain, by
+/// the widest vectors that the machine has.
+///
+/// kernel_scalar.cpp, kernel_avx2.cpp and kernel_avx512.cpp are compiled for one instruction set each and
+/// share the algorithm of kernel.inl. All give the bits of reading tap by tap (read_bilinear() of
+/// texture/methods/tap_rule.h): every product, sum and comparison is the same, in the same order within a
+/// lookup. Plain structs only: an inline function in here would be merged by the linker into whichever
+/// instruction set's copy it meets first.
+#pragma once
+
+#include <cstdint>
+
+#include "texture/texels.h"
+
+namespace zproof::texture::reads {
+
+/// An image of the chain, cut into tiles of 16 x 16 texels (tiles.h).
+struct Level {
+    const float* texels = nullptr;  ///< RGBA of the first tile
+    double width = 0, height = 0;   ///< texels; whole numbers
+};
+
+/// Reads that wait to be summed, and whose they are.
+struct Block {
+    static constexpr int most = 64;        ///< reads, and lookups; a multiple of every kernel's lanes
+    alignas(64) double x[most], y[most];   ///< places, in texels of the read's own level; any value
+    alignas(64) double weight[most];       ///< of the whole read
+    alignas(64) std::int32_t level[most];  ///< index of a Level
+    double* sum[most];    ///< RGBA of each lookup, to which its reads are added in order; no two the same
+    int begin[most + 1];  ///< each lookup's first read, and the read after the last one's last
+    int count = 0;        ///< reads
+    int lookups = 0;
+    // What a kernel finds: the four taps of each read, upper left, upper right, lower left, lower right.
+    alignas(64) std::int64_t offset[4][most];  ///< in floats, from the level's first texel
+    alignas(64) double tap_weight[4][most];
+};
+
+/// Where the levels are and what lies beyond their edges.
+struct Chain {
+    const Level* levels = nullptr;
+    Wrap u = Wrap::repeat, v = Wrap::repeat;
+};
+
+struct Kernel {
+    const char* name = "";
+    /// The taps of a block's reads. What of its arrays lies behind `count` is overwritten.
+    void (*find_taps)(const Chain& chain, Block& block) noexcept = nullptr;
+    /// Adds those taps to the sums of their lookups.
+    void (*add_up)(const Chain& chain, const Block& block) noexcept = nullptr;
+};
+
+namespace scalar {
+extern const Kernel kernel;
+}
+namespace avx2 {
+extern const Kernel kernel;
+}
+namespace avx512 {
+extern const Kernel kernel;
+}
+
+}  // namespace zproof::texture::reads

@@ -1,0 +1,42 @@
+// Two lanes: what every processor of the kind has.
+#include <limits>
+
+#include "texture/reads/kernel.h"
+
+namespace zproof::texture::reads::scalar {
+namespace {
+
+constexpr int lanes = 2;
+typedef double Lanes __attribute__((vector_size(16)));
+typedef std::int64_t Bits __attribute__((vector_size(16)));
+
+Lanes chosen(const double* numbers, const std::int32_t* index) {
+    return Lanes{numbers[3 * index[0]], numbers[3 * index[1]]};
+}
+
+class Colour {
+  public:
+    explicit Colour(const double* sum) {
+        __builtin_memcpy(&rg_, sum, sizeof rg_);
+        __builtin_memcpy(&ba_, sum + 2, sizeof ba_);
+    }
+    void add(const float* texel, double weight) {
+        rg_ += weight * Lanes{double(texel[0]), double(texel[1])};
+        ba_ += weight * Lanes{double(texel[2]), double(texel[3])};
+    }
+    void to(double* sum) const {
+        __builtin_memcpy(sum, &rg_, sizeof rg_);
+        __builtin_memcpy(sum + 2, &ba_, sizeof ba_);
+    }
+
+  private:
+    Lanes rg_, ba_;
+};
+
+#include "texture/reads/kernel.inl"
+
+}  // namespace
+
+const Kernel kernel{"scalar", find_taps, add_up};
+
+}  // namespace zproof::texture::reads::scalar
