@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
         bench::add_rasterizer();
         bench::add_oracle();
         bench::add_judge();
+        bench::add_load();
         bench::add_tables();
         bench::add_filters();
         bench::add_truth();

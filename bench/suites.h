@@ -12,6 +12,7 @@ namespace zproof::bench {
 void add_rasterizer();
 void add_oracle();
 void add_judge();
+void add_load();
 void add_tables();
 void add_filters();
 void add_truth();

@@ -268,7 +268,8 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint) {
     const auto may_be_certain = [&](std::size_t i) {
         return may_be_hidden_for_certain(renderer, i, *answer);
     };
-    if (answer && cutting_.empty() && is_tied(renderer, *answer, square(widest_px_), may_be_certain))
+    const bool all_cover = answer && cutting_.empty() && std::ranges::count(covering_, *answer) != 0;
+    if (all_cover && is_tied(renderer, *answer, square(widest_px_), may_be_certain))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
     if (is_seen_around(answer, plaint.own_eps_px)) return visible(renderer, plaint, answer, eps);
     return std::nullopt;

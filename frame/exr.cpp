@@ -1,45 +1,20 @@
 #include "frame/exr.h"
 
+#include <OpenImageIO/imageio.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 
-#include "frame/encode.h"
+#include "frame/exr_encode.h"
 #include "frame/frame_error.h"
+#include "frame/frame_size.h"
 #include "frame/whole_file.h"
 
 namespace zproof {
 namespace {
-
-/// One pixel as it is handed to OpenEXR: the channels' native types, interleaved in the order of the spec.
-struct NativePixel {
-    PrimitiveId id;
-    float z;
-};
-static_assert(sizeof(NativePixel) == 8 && sizeof(PrimitiveId) == 4);
-
-/// OpenImageIO stamps a file with the hour, unless it has a stamp: the same frame shall be the same file.
-void write_no_hour(OIIO::ImageSpec& spec) { spec.attribute("DateTime", "1970:01:01 00:00:00"); }
-
-OIIO::ImageSpec frame_spec(Resolution size) {
-    OIIO::ImageSpec spec(size.width, size.height, 2, OIIO::TypeFloat);
-    spec.channelnames = {"id", "Z"};
-    spec.channelformats = {OIIO::TypeUInt32, OIIO::TypeFloat};
-    spec.attribute("compression", "zip:1");
-    write_no_hour(spec);
-    return spec;
-}
-
-std::vector<NativePixel> interleave(const Frame& frame) {
-    std::vector<NativePixel> pixels(frame.size().pixel_count());
-    std::ranges::transform(frame.primitive.pixels(), frame.camera_depth.pixels(), pixels.begin(),
-                           [](PrimitiveId id, float z) {
-                               return NativePixel{id, z};
-                           });
-    return pixels;
-}
 
 /// An open OpenEXR file and the name that errors give it.
 struct ExrFile {
@@ -107,18 +82,19 @@ void read_channel(const ExrFile& exr, const Channel& channel, void* values) {
 }  // namespace
 
 void write_exr(const std::filesystem::path& file, const Frame& frame) {
-    refuse_bad_size(frame.size(), file.string());
-    const Encoding encoding{"openexr", frame_spec(frame.size())};
-    write_whole_file(file, encode(encoding, interleave(frame).data(), file.string()));
+    static_assert(sizeof(PrimitiveId) == 4 && sizeof(float) == 4);
+    const ExrChannel channels[] = {{"Z", ExrType::float32, frame.camera_depth.pixels().data()},
+                                   {"id", ExrType::uint32, frame.primitive.pixels().data()}};
+    write_whole_file(file, encode_exr(frame.size(), channels, file.string()));
 }
 
 void write_exr(const std::filesystem::path& file, const Picture& picture) {
-    static_assert(sizeof(LinearRgb) == 3 * sizeof(float));
     refuse_bad_size(picture.size(), file.string());
-    OIIO::ImageSpec spec(picture.size().width, picture.size().height, 3, OIIO::TypeFloat);
-    spec.attribute("compression", "zip:1");
-    write_no_hour(spec);
-    write_whole_file(file, encode({"openexr", spec}, picture.pixels().data(), file.string()));
+    const LinearRgb* first = picture.pixels().data();
+    const ExrChannel channels[] = {{"B", ExrType::float32, &first->b, sizeof *first},
+                                   {"G", ExrType::float32, &first->g, sizeof *first},
+                                   {"R", ExrType::float32, &first->r, sizeof *first}};
+    write_whole_file(file, encode_exr(picture.size(), channels, file.string()));
 }
 
 Frame read_exr(const std::filesystem::path& file) {

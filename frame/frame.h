@@ -23,6 +23,14 @@ struct Frame {
         : primitive(size, PrimitiveId::none), camera_depth(size, background_depth) {}
     Frame() = default;
 
+    /// For who writes every pixel: nothing is in it yet.
+    static Frame unwritten(Resolution size) {
+        Frame frame;
+        frame.primitive = Plane<PrimitiveId>::unwritten(size);
+        frame.camera_depth = Plane<float>::unwritten(size);
+        return frame;
+    }
+
     Resolution size() const { return primitive.size(); }
 };
 

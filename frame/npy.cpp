@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "frame/encode.h"
 #include "frame/frame_error.h"
+#include "frame/frame_size.h"
 #include "frame/whole_file.h"
 
 namespace zproof {

@@ -1,9 +1,12 @@
 /// A rectangle of per-pixel values: one AOV, or one map.
 #pragma once
 
+#include <boost/align/aligned_allocator.hpp>
 #include <cassert>
 #include <cstddef>
+#include <new>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace zproof {
@@ -16,12 +19,40 @@ struct Resolution {
     bool operator==(const Resolution&) const = default;
 };
 
-/// Row-major values, row 0 at the top; at(x, y) is pixel (x, y) of raster space.
+inline constexpr std::size_t cache_line_bytes = 64;
+
+/// Begins a cache line, and touches no memory before it is asked to.
+template <class T>
+struct PlaneAllocator : boost::alignment::aligned_allocator<T, cache_line_bytes> {
+    template <class U>
+    struct rebind {
+        using other = PlaneAllocator<U>;
+    };
+    template <class U, class... Arguments>
+    void construct(U* at, Arguments&&... arguments) {
+        ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);
+    }
+    template <class U>
+    void construct(U* at) noexcept {
+        ::new (static_cast<void*>(at)) U;
+    }
+};
+
+/// Row-major values, row 0 at the top; at(x, y) is pixel (x, y) of raster space. The first begins a cache
+/// line.
 template <class T>
 class Plane {
   public:
     Plane() = default;
     explicit Plane(Resolution size, T fill = T{}) : size_(size), values_(size.pixel_count(), fill) {}
+
+    /// Numbers and the like have no value yet: each is to be written before it is read.
+    static Plane unwritten(Resolution size) {
+        Plane plane;
+        plane.size_ = size;
+        plane.values_.resize(size.pixel_count());
+        return plane;
+    }
 
     Resolution size() const { return size_; }
     T& at(int x, int y) { return values_[index(x, y)]; }
@@ -38,7 +69,7 @@ class Plane {
     }
 
     Resolution size_;
-    std::vector<T> values_;
+    std::vector<T, PlaneAllocator<T>> values_;
 };
 
 }  // namespace zproof

@@ -44,4 +44,19 @@ void write_whole_file(const std::filesystem::path& file, std::span<const std::by
                      "; expected a writable place in an existing folder");
 }
 
+void write_whole_file(const std::filesystem::path& file, std::string_view bytes) {
+    write_whole_file(file, std::as_bytes(std::span{bytes}));
+}
+
+std::string content_of(const std::filesystem::path& file) {
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+    std::ifstream in(file, std::ios::binary);
+    if (unknown || !in) return {};
+    std::string content(size, '\0');
+    in.read(content.data(), static_cast<std::streamsize>(size));
+    content.resize(static_cast<std::size_t>(in.gcount()));
+    return content;
+}
+
 }  // namespace zproof

@@ -1,10 +1,10 @@
 #include "oracle/embree.h"
 
-#include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "oracle/block_rays.h"
 #include "oracle/embree_complaints.h"
@@ -19,7 +19,7 @@ namespace {
 /// packet's company.
 constexpr int block_side = BlockRays::side;
 constexpr int lane_count = BlockRays::lanes;
-constexpr int blocks_per_task_side = 8;
+constexpr int blocks_per_tile_side = 8, tile_side_px = blocks_per_tile_side * block_side;
 
 /// The upper left pixel of a block.
 struct Block {
@@ -71,17 +71,31 @@ void leave_out_what_is_beyond(Packet& packet, const Part& part) {
             packet.valid[std::size_t(lane)] = 0;
 }
 
-void store_hits(const Packet& packet, double origin_depth, const Block& block, const Part& part,
-                Frame& frame) {
+/// What a packet found, lane by lane.
+struct Found {
+    alignas(64) std::array<PrimitiveId, lane_count> primitive;
+    alignas(64) std::array<float, lane_count> camera_depth;
+};
+
+Found found_by(const Packet& packet, double origin_depth) {
+    Found found;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        const bool is_hit = packet.is_hit(int(lane));
+        const auto depth = static_cast<float>(origin_depth + double{packet.rays.ray.tfar[lane]});
+        found.primitive[lane] = is_hit ? PrimitiveId{packet.rays.hit.primID[lane]} : PrimitiveId::none;
+        found.camera_depth[lane] = is_hit ? depth : background_depth;
+    }
+    return found;
+}
+
+void store(const Found& found, const Block& block, const Part& part, Frame& frame) {
+    const int columns = part.columns;
     for (int row = 0; row < part.rows; ++row) {
-        PrimitiveId* const primitive = &frame.primitive.at(block.x, block.y + row);
-        float* const camera_depth = &frame.camera_depth.at(block.x, block.y + row);
-        for (int column = 0; column < part.columns; ++column) {
-            const int lane = row * block_side + column;
-            if (!packet.is_hit(lane)) continue;
-            primitive[column] = PrimitiveId{packet.rays.hit.primID[lane]};
-            camera_depth[column] = static_cast<float>(origin_depth + double{packet.rays.ray.tfar[lane]});
-        }
+        const int first = row * block_side;
+        std::copy_n(&found.primitive[std::size_t(first)], columns,
+                    &frame.primitive.at(block.x, block.y + row));
+        std::copy_n(&found.camera_depth[std::size_t(first)], columns,
+                    &frame.camera_depth.at(block.x, block.y + row));
     }
 }
 
@@ -98,10 +112,25 @@ void trace_block(RTCScene scene, const BlockRays& rays, const Block& block, Fram
     if (!part.is_whole()) leave_out_what_is_beyond(packet, part);
     rays.aim(block.x, block.y, packet.rays.ray);
     intersect(scene, packet);
-    store_hits(packet, rays.origin_depth(), block, part, frame);
+    store(found_by(packet, rays.origin_depth()), block, part, frame);
 }
 
-int blocks_across(int pixels) { return (pixels + block_side - 1) / block_side; }
+/// Of a Morton code: every second bit, from the lowest.
+int every_second_bit(unsigned code) {
+    int bits = 0;
+    for (int i = 0; i < 16; ++i) bits |= int(code >> 2 * i & 1) << i;
+    return bits;
+}
+
+/// A square of blocks, each near the one before it.
+void trace_tile(RTCScene scene, const BlockRays& rays, const Block& tile, Frame& frame) {
+    for (unsigned code = 0; code < blocks_per_tile_side * blocks_per_tile_side; ++code) {
+        const Block block{tile.x + every_second_bit(code) * block_side,
+                          tile.y + every_second_bit(code >> 1) * block_side};
+        if (block.x < frame.size().width && block.y < frame.size().height)
+            trace_block(scene, rays, block, frame);
+    }
+}
 
 }  // namespace
 
@@ -127,16 +156,14 @@ Embree::Embree(Embree&&) noexcept = default;
 Embree& Embree::operator=(Embree&&) noexcept = default;
 
 Frame Embree::trace(const View& view) const {
-    Frame frame({view.width, view.height});
+    Frame frame = Frame::unwritten({view.width, view.height});
     const BlockRays rays(view);
-    const tbb::blocked_range2d<int> blocks(0, blocks_across(view.height), blocks_per_task_side, 0,
-                                           blocks_across(view.width), blocks_per_task_side);
-    tbb::parallel_for(blocks, [&](const tbb::blocked_range2d<int>& task) {
-        for (int row = task.rows().begin(); row < task.rows().end(); ++row) {
-            for (int column = task.cols().begin(); column < task.cols().end(); ++column) {
-                trace_block(device_->triangles.get(), rays, {column * block_side, row * block_side}, frame);
-            }
-        }
+    const unsigned tiles_a_side =
+        std::bit_ceil(unsigned(std::max(view.width, view.height) - 1) / tile_side_px + 1);
+    tbb::parallel_for(0u, tiles_a_side * tiles_a_side, [&](unsigned code) {
+        const Block tile{every_second_bit(code) * tile_side_px, every_second_bit(code >> 1) * tile_side_px};
+        if (tile.x < view.width && tile.y < view.height)
+            trace_tile(device_->triangles.get(), rays, tile, frame);
     });
     device_->complaints.raise("traced the view '" + view.name + "'");
     return frame;

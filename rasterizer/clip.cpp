@@ -1,7 +1,6 @@
 #include "rasterizer/clip.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace zproof::rasterizer {
 namespace {
@@ -98,27 +97,7 @@ ClipPolygon clip_by(ClipPlane plane, const ClipPolygon& polygon, const ClipVolum
     return kept;
 }
 
-/// Leaves room for one product with guard_x < 2^18 and a few sums. float32 positions come nowhere near.
-bool is_usable(const ClipVertex& v) {
-    constexpr double limit = 0x1p960;
-    return std::abs(v.x) < limit && std::abs(v.y) < limit && std::abs(v.w) < limit &&
-           std::abs(v.depth) < limit;
-}
-
-std::uint8_t bit_if(bool condition, std::uint8_t bit) { return condition ? bit : std::uint8_t{0}; }
-
 }  // namespace
-
-std::uint8_t outcode_of(const ClipVertex& v, const ClipVolume& volume) noexcept {
-    if (!is_usable(v)) return outcode::not_finite;
-    const bool in_guard_band = std::abs(v.x) <= volume.guard_x * v.w && std::abs(v.y) <= volume.guard_y * v.w;
-    const int code = bit_if(v.x < -v.w, outcode::left) | bit_if(v.x > v.w, outcode::right) |
-                     bit_if(v.y < -v.w, outcode::bottom) | bit_if(v.y > v.w, outcode::top) |
-                     bit_if(v.depth < volume.near_depth, outcode::near) |
-                     bit_if(v.depth > volume.far_depth, outcode::far) |
-                     bit_if(!in_guard_band, outcode::guard);
-    return std::uint8_t(code);
-}
 
 ClipPolygon clip(const std::array<ClipVertex, 3>& triangle, const ClipVolume& volume) noexcept {
     ClipPolygon polygon;

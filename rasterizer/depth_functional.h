@@ -16,11 +16,13 @@ struct DepthFunctional {
     Form form = Form::reciprocal;
     double sign = 1;  ///< -1 turns the depth test round
 
-    constexpr double of_depth(double depth) const {
-        return form == Form::reciprocal ? sign / depth : -sign * depth;
+    [[gnu::always_inline]] constexpr double of_depth(double depth) const {
+        const bool is_reciprocal = form == Form::reciprocal;
+        const double linear = -sign * depth;
+        return (is_reciprocal ? sign : linear) / (is_reciprocal ? depth : 1.0);  // no branch, for vectors
     }
     /// Camera depth of a stored value. The quotient of two float32, computed in float32, is rounded once.
-    constexpr float depth_of(float nearness) const {
+    [[gnu::always_inline]] constexpr float depth_of(float nearness) const {
         const float s = static_cast<float>(sign);
         return form == Form::reciprocal ? s / nearness : -s * nearness;
     }

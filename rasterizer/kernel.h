@@ -1,70 +1,26 @@
-/// The kernels: triangles into one tile's z-buffer, by the widest vectors that the machine has.
+/// The kernels: vertices, triangles' places, and triangles into one tile's z-buffer, by the widest vectors
+/// that the machine has.
 ///
 /// kernel_scalar.cpp, kernel_avx2.cpp and kernel_avx512.cpp are compiled for one instruction set each and
-/// share the algorithm of kernel.inl. All give the same bits: whole numbers stay whole numbers below 2^53,
-/// and every pixel's depth takes the same operations in the same order. Plain data only: an inline function
-/// in here would be merged by the linker into whichever instruction set's copy it meets first.
+/// share the algorithms of kernel.inl. All give the same bits: whole numbers stay whole numbers below 2^53,
+/// and every pixel's depth takes the same operations in the same order. What they use of headers is plain
+/// data and functions marked always_inline: the linker would merge any other inline function into whichever
+/// instruction set's copy it meets first.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 
 #include "frame/frame.h"
-#include "rasterizer/snap.h"
+#include "rasterizer/depth_functional.h"
+#include "rasterizer/tile_pixels.h"
+#include "rasterizer/triangles.h"
 #include "rasterizer/tricks.h"
 
 namespace zproof::rasterizer {
 
-inline constexpr int tile_size = 64;  ///< pixels; a tile's depths and ids are 32 KiB, a first-level cache
-
-/// A vertex after divide, viewport and snap.
-struct SnappedVertex {
-    SnappedPoint p;
-    double nearness = 0;  ///< of the vertex before it was snapped (DepthFunctional)
-};
-
-/// What clipping left of a triangle, or a part of that.
-struct SnappedPiece {
-    SnappedVertex vertex[3];
-    PrimitiveId id = PrimitiveId::none;
-};
-
-/// Triangles that follow each other in the scene, by place: triangle first + place where place < length, else
-/// piece place - length.
-struct TriangleRun {
-    const SnappedVertex* vertices = nullptr;
-    const glm::uvec3* corners = nullptr;  ///< of triangle `first` and those after it
-    const SnappedPiece* pieces = nullptr;
-    std::uint32_t first = 0, length = 0;
-};
-
-/// Set in a place: the triangle is counter-clockwise on the screen (y down), so its last two vertices change
-/// places. A run is at most 2^26 triangles long and clipping makes at most 26 of one: 27 * 2^26 < 2^31.
-inline constexpr std::uint32_t turned = 0x8000'0000;
-
-/// One tile's pixels in blocks of 4 x 4, a cache line each, and 4 x 4 blocks in a row again.
-struct TilePixels {
-    static constexpr int blocks = tile_size * tile_size / 16;
-    alignas(64) float nearness[blocks * 16];
-    alignas(64) std::uint32_t primitive[blocks * 16];  ///< ids; of a count, how many fragments
-    alignas(64) float farthest[blocks];  ///< no pixel of the block holds less; what cannot pass is not drawn
-};
-
-/// Where pixel (x, y) of the tile is.
-constexpr int place_in_tile(int x, int y) {
-    const int block = (y / 16 * 4 + x / 16) * 16 + y / 4 % 4 * 4 + x / 4 % 4;
-    return block * 16 + y % 4 * 4 + x % 4;
-}
-
-/// The tile on the sub-pixel grid, and who owns samples on edges.
-struct TileSamples {
-    int x0 = 0, y0 = 0;  ///< the tile's first pixel
-    int subpixel_bits = 8;
-    std::int32_t sample_offset = 128;
-    /// The least value of an edge function that is covered, by top and left edges and by the others.
-    std::int32_t least_of_top_left = 0, least_of_others = 1;
-    int columns = tile_size, rows = tile_size;  ///< of the tile that are the image's
-};
+struct ViewSetup;
 
 /// What a tile was made of. Whole numbers, the same for every instruction set and number of threads.
 struct Tally {
@@ -90,10 +46,9 @@ struct FragmentShader {
     ShadingTime time = ShadingTime::after_the_test;
 };
 
-/// Some triangles of a run, in the order of the scene, for one tile. They need an area and to be within the
-/// guard band.
+/// Some triangles, in the order of drawing, for one tile. They need an area and to be within the guard band.
 struct TileWork {
-    const TriangleRun& run;
+    const Triangles& triangles;
     const std::uint32_t* places = nullptr;
     std::uint32_t count = 0;
     const TileSamples& samples;
@@ -103,11 +58,48 @@ struct TileWork {
     const FragmentShader* shader = nullptr;  ///< for draw_shaded
 };
 
+/// Vertices to be projected.
+struct VertexWork {
+    const ViewSetup& setup;
+    const glm::vec3* position_world = nullptr;
+    SnappedVertex* snapped = nullptr;
+    std::uint8_t* outcode = nullptr;
+    std::size_t count = 0;
+};
+
+/// Triangles side by side, to be placed together. [k] is a corner.
+struct CornerLanes {
+    static constexpr int count = 16;
+    alignas(64) std::int32_t x[3][count], y[3][count];
+};
+
+/// The tiles that triangles may cover samples of: from column0, row0 to column1, row1; none where column1 is
+/// the lesser.
+struct PlacedLanes {
+    alignas(64) std::int32_t column0[CornerLanes::count], column1[CornerLanes::count];
+    alignas(64) std::int32_t row0[CornerLanes::count], row1[CornerLanes::count];
+    alignas(64) std::uint32_t turn[CornerLanes::count];       ///< `turned`, or 0
+    alignas(64) std::int32_t faces_away[CornerLanes::count];  ///< 1 where that alone is why there are none
+};
+
+/// A tile's pixels, to be written into a frame.
+struct ResolveWork {
+    const TilePixels& pixels;
+    DepthFunctional depth;
+    float* camera_depth = nullptr;  ///< of the tile's first pixel
+    PrimitiveId* primitive = nullptr;
+    std::size_t stride = 0;  ///< pixels, from row to row of the frame
+    int columns = tile_size, rows = tile_size;
+};
+
 enum class Isa { scalar, avx2, avx512 };
 
 struct Kernel {
     Isa isa = Isa::scalar;
     const char* name = "";
+    void (*project)(const VertexWork&) noexcept = nullptr;
+    PlacedLanes (*place)(const ViewSetup&, const CornerLanes&) noexcept = nullptr;
+    void (*resolve)(const ResolveWork&) noexcept = nullptr;
     void (*draw)(const TileWork&) noexcept = nullptr;   ///< depth test, depth and id of every covered pixel
     void (*count)(const TileWork&) noexcept = nullptr;  ///< one more in `primitive` of every covered pixel
     // The same pixels as draw, by `hierarchical_z`, and more beside; all but the first at leisure.

@@ -2,6 +2,7 @@
 #include <immintrin.h>
 
 #include "rasterizer/kernel.h"
+#include "rasterizer/view_setup.h"
 
 namespace zproof::rasterizer::avx2 {
 namespace {
@@ -70,6 +71,10 @@ Doubles load(const double* values) {
 
 Floats load(const float* values) { return {_mm256_load_ps(values), _mm256_load_ps(values + 8)}; }
 
+void store(double* to, const Doubles& values) {
+    for (int i = 0; i < 4; ++i) _mm256_store_pd(to + 4 * i, values.part[i]);
+}
+
 Doubles operator+(const Doubles& a, const Doubles& b) {
     Doubles d;
     for (int i = 0; i < 4; ++i) d.part[i] = _mm256_add_pd(a.part[i], b.part[i]);
@@ -99,9 +104,13 @@ Floats rounded(const Doubles& a) {
     return {pair(0), pair(2)};
 }
 
-void put(float* to, const Mask& where, const Floats& values) {
-    _mm256_store_ps(to, _mm256_blendv_ps(_mm256_load_ps(to), values.low, where.low));
-    _mm256_store_ps(to + 8, _mm256_blendv_ps(_mm256_load_ps(to + 8), values.high, where.high));
+Floats chosen(const Mask& where, const Floats& a, const Floats& b) {
+    return {_mm256_blendv_ps(b.low, a.low, where.low), _mm256_blendv_ps(b.high, a.high, where.high)};
+}
+
+void store(float* to, const Floats& values) {
+    _mm256_store_ps(to, values.low);
+    _mm256_store_ps(to + 8, values.high);
 }
 
 void put(std::uint32_t* to, const Mask& where, std::uint32_t value) {
@@ -121,10 +130,19 @@ float least_of(const Floats& f) {
     return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
 }
 
+/// Four pixels past the caches: nobody reads them soon, and no line is fetched to be overwritten. `to` is a
+/// multiple of 16 bytes.
+void stream_four(void* to, const void* four) {
+    _mm_stream_si128(static_cast<__m128i*>(to), _mm_load_si128(static_cast<const __m128i*>(four)));
+}
+/// Before another thread may look.
+void finish_streams() { _mm_sfence(); }
+
 #include "rasterizer/kernel.inl"
 
 }  // namespace
 
-const Kernel kernel{Isa::avx2, "AVX2", draw, count, draw_every_block, draw_tallied, draw_shaded};
+const Kernel kernel{Isa::avx2, "AVX2", project,          place,        resolve,
+                    draw,      count,  draw_every_block, draw_tallied, draw_shaded};
 
 }  // namespace zproof::rasterizer::avx2

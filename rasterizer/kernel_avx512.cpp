@@ -2,6 +2,7 @@
 #include <immintrin.h>
 
 #include "rasterizer/kernel.h"
+#include "rasterizer/view_setup.h"
 
 namespace zproof::rasterizer::avx512 {
 namespace {
@@ -27,6 +28,11 @@ Floats all(float value) { return {_mm512_set1_ps(value)}; }
 Doubles load(const double* values) { return {_mm512_load_pd(values), _mm512_load_pd(values + 8)}; }
 Floats load(const float* values) { return {_mm512_load_ps(values)}; }
 
+void store(double* to, const Doubles& values) {
+    _mm512_store_pd(to, values.low);
+    _mm512_store_pd(to + 8, values.high);
+}
+
 Doubles operator+(const Doubles& a, const Doubles& b) {
     return {_mm512_add_pd(a.low, b.low), _mm512_add_pd(a.high, b.high)};
 }
@@ -49,7 +55,11 @@ Floats rounded(const Doubles& a) {
     return {_mm512_insertf32x8(low, _mm512_cvtpd_ps(a.high), 1)};
 }
 
-void put(float* to, Mask where, const Floats& values) { _mm512_mask_store_ps(to, where.lanes, values.lanes); }
+Floats chosen(Mask where, const Floats& a, const Floats& b) {
+    return {_mm512_mask_blend_ps(where.lanes, b.lanes, a.lanes)};
+}
+
+void store(float* to, const Floats& values) { _mm512_store_ps(to, values.lanes); }
 
 void put(std::uint32_t* to, Mask where, std::uint32_t value) {
     _mm512_mask_store_epi32(to, where.lanes, _mm512_set1_epi32(static_cast<int>(value)));
@@ -57,10 +67,19 @@ void put(std::uint32_t* to, Mask where, std::uint32_t value) {
 
 float least_of(const Floats& f) { return _mm512_reduce_min_ps(f.lanes); }
 
+/// Four pixels past the caches: nobody reads them soon, and no line is fetched to be overwritten. `to` is a
+/// multiple of 16 bytes.
+void stream_four(void* to, const void* four) {
+    _mm_stream_si128(static_cast<__m128i*>(to), _mm_load_si128(static_cast<const __m128i*>(four)));
+}
+/// Before another thread may look.
+void finish_streams() { _mm_sfence(); }
+
 #include "rasterizer/kernel.inl"
 
 }  // namespace
 
-const Kernel kernel{Isa::avx512, "AVX-512", draw, count, draw_every_block, draw_tallied, draw_shaded};
+const Kernel kernel{Isa::avx512, "AVX-512", project,          place,        resolve,
+                    draw,        count,     draw_every_block, draw_tallied, draw_shaded};
 
 }  // namespace zproof::rasterizer::avx512

@@ -1,5 +1,6 @@
 // Sixteen lanes in plain C++: any processor.
 #include "rasterizer/kernel.h"
+#include "rasterizer/view_setup.h"
 
 namespace zproof::rasterizer::scalar {
 namespace {
@@ -44,6 +45,10 @@ Floats load(const float* values) {
     return f;
 }
 
+void store(double* to, const Doubles& values) {
+    for (int i = 0; i < 16; ++i) to[i] = values.lane[i];
+}
+
 Doubles operator+(const Doubles& a, const Doubles& b) {
     Doubles d;
     for (int i = 0; i < 16; ++i) d.lane[i] = a.lane[i] + b.lane[i];
@@ -74,8 +79,14 @@ Floats rounded(const Doubles& a) {
     return f;
 }
 
-void put(float* to, Mask where, const Floats& values) {
-    for (int i = 0; i < 16; ++i) to[i] = where.lanes >> i & 1 ? values.lane[i] : to[i];
+Floats chosen(Mask where, const Floats& a, const Floats& b) {
+    Floats f;
+    for (int i = 0; i < 16; ++i) f.lane[i] = where.lanes >> i & 1 ? a.lane[i] : b.lane[i];
+    return f;
+}
+
+void store(float* to, const Floats& values) {
+    for (int i = 0; i < 16; ++i) to[i] = values.lane[i];
 }
 
 void put(std::uint32_t* to, Mask where, std::uint32_t value) {
@@ -88,10 +99,16 @@ float least_of(const Floats& f) {
     return least;
 }
 
+/// Four pixels past the caches: nobody reads them soon, and no line is fetched to be overwritten. Here they
+/// go the ordinary way.
+void stream_four(void* to, const void* four) { __builtin_memcpy(to, four, 16); }
+void finish_streams() {}
+
 #include "rasterizer/kernel.inl"
 
 }  // namespace
 
-const Kernel kernel{Isa::scalar, "scalar", draw, count, draw_every_block, draw_tallied, draw_shaded};
+const Kernel kernel{Isa::scalar, "scalar", project,          place,        resolve,
+                    draw,        count,    draw_every_block, draw_tallied, draw_shaded};
 
 }  // namespace zproof::rasterizer::scalar

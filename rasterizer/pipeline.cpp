@@ -1,7 +1,6 @@
 #include "rasterizer/pipeline.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 
@@ -37,16 +36,14 @@ ViewSetup Pipeline::prepare(const Scene& scene, const View& view, const std::vec
 
 const Frame& Pipeline::render(const Scene& scene, const View& view, const std::vector<Chunk>& chunks) {
     const ViewSetup setup(view, rules_, tricks_);
-    const auto make_frame = [&] {  // 8 bytes a pixel to be filled: worth a thread
-        if (frame_.size() != setup.size) frame_ = Frame(setup.size);
-    };
-    tbb::parallel_invoke(make_frame, [&] { prepare(scene, view, chunks); });
+    prepare(scene, view, chunks);
+    if (frame_.size() != setup.size) frame_ = Frame::unwritten(setup.size);
     tbb::parallel_for(std::size_t{0}, bins_.tiles().count(), [&](std::size_t i) {
         const PixelRect pixels = bins_.tiles().pixels(i, setup.size);
-        if (bins_.is_empty(i)) return clear(frame_, pixels);
+        if (bins_.places_in(i).empty()) return clear(frame_, pixels);
         Tile tile(pixels, setup);
-        for (const BinnedRun& run : bins_.runs()) tile.draw(kernel_, run.triangles(), run.places_in(i));
-        tile.resolve(frame_);
+        tile.draw(kernel_, bins_.triangles(), bins_.places_in(i));
+        tile.resolve(kernel_, frame_);
     });
     return frame_;
 }
@@ -56,64 +53,36 @@ Plane<std::uint32_t> Pipeline::count_fragments(const Scene& scene, const View& v
     Plane<std::uint32_t> fragments(setup.size);
     tbb::parallel_for(std::size_t{0}, bins_.tiles().count(), [&](std::size_t i) {
         TileCount tile(bins_.tiles().pixels(i, setup.size), setup);
-        for (const BinnedRun& run : bins_.runs()) tile.add(kernel_, run.triangles(), run.places_in(i));
+        tile.add(kernel_, bins_.triangles(), bins_.places_in(i));
         tile.resolve(fragments);
     });
     return fragments;
 }
 
-void Pipeline::count_triangles(const Scene& scene, const ViewSetup& setup, const Range& range,
-                               Work& work) const {
-    ViewSetup either = setup;
-    either.facing = Facing::both;
-    const auto add = [&](const Corners& corners) {
-        const bool is_kept = placed(corners, setup).has_value();
-        work.set_up += is_kept ? 1 : 0;
-        work.facing_away += !is_kept && placed(corners, either) ? 1 : 0;
-    };
-    for (std::uint32_t i = range.begin; i < range.end; ++i) {
-        const glm::uvec3 index = scene.triangles[i];
-        const Remains remains = remains_of(index, projected_);
-        const auto& v = projected_.snapped;
-        work.outside += remains == Remains::nothing ? 1 : 0;
-        work.cut += remains == Remains::cut ? 1 : 0;
-        if (remains == Remains::whole) add({v[index.x].p, v[index.y].p, v[index.z].p});
-        if (remains != Remains::cut) continue;
-        std::vector<SnappedPiece> pieces;
-        append_pieces(pieces, scene, setup, i);
-        for (const SnappedPiece& piece : pieces)
-            add({piece.vertex[0].p, piece.vertex[1].p, piece.vertex[2].p});
-    }
-    work.triangles += range.end - range.begin;
-}
-
 Work Pipeline::count_work(const Scene& scene, const View& view, const std::vector<Chunk>& chunks) {
     const ViewSetup setup = prepare(scene, view, chunks);
-    std::vector<Range> triangles{{0, std::uint32_t(scene.triangles.size())}};
     std::vector<Range> vertices{{0, std::uint32_t(scene.vertices.position_world.size())}};
     Work work;
+    work.bins = bins_.tally();
     if (need_chunks(tricks_)) {
-        triangles = list_.triangles;
         vertices = list_.vertices;
         work.chunks_culled = list_.culled;
     }
     for (const Range& range : vertices) work.vertices += range.end - range.begin;
-    for (const Range& range : triangles) count_triangles(scene, setup, range, work);
     work.pixels = setup.size.pixel_count();
     Frame frame(setup.size);
     std::vector<Tally> tallies(bins_.tiles().count());
     tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t i) {
         Tile tile(bins_.tiles().pixels(i, setup.size), setup);
-        for (const BinnedRun& run : bins_.runs())
-            tile.draw_tallied(kernel_, run.triangles(), run.places_in(i), tallies[i]);
-        tile.resolve(frame);
+        tile.draw_tallied(kernel_, bins_.triangles(), bins_.places_in(i), tallies[i]);
+        tile.resolve(kernel_, frame);
     });
     for (std::size_t i = 0; i < tallies.size(); ++i) {
         work.tally.blocks += tallies[i].blocks;
         work.tally.hidden_blocks += tallies[i].hidden_blocks;
         work.tally.fragments += tallies[i].fragments;
         work.tally.written += tallies[i].written;
-        for (const BinnedRun& run : bins_.runs()) work.places += run.places_in(i).size();
+        work.places += bins_.places_in(i).size();
     }
     for (const PrimitiveId id : frame.primitive.pixels()) work.seen += id != PrimitiveId::none ? 1 : 0;
     return work;
@@ -147,8 +116,7 @@ ShadedFrame Pipeline::render_shaded(const Scene& scene, const View& view, const 
     tbb::parallel_for(std::size_t{0}, shaded.size(), [&](std::size_t i) {
         Stage stage{shader, frame.picture};
         Tile tile(bins_.tiles().pixels(i, setup.size), setup);
-        for (const BinnedRun& run : bins_.runs())
-            tile.draw_shaded(kernel_, run.triangles(), run.places_in(i), {Stage::shade, &stage, time});
+        tile.draw_shaded(kernel_, bins_.triangles(), bins_.places_in(i), {Stage::shade, &stage, time});
         shaded[i] = stage.shaded;
     });
     for (const std::uint64_t count : shaded) frame.shaded += count;

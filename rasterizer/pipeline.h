@@ -19,12 +19,8 @@ namespace zproof::rasterizer {
 
 /// What a frame was made of. Whole numbers, the same for any number of threads.
 struct Work {
-    std::uint64_t vertices = 0;          ///< transformed
-    std::uint64_t triangles = 0;         ///< looked at
-    std::uint64_t outside = 0;           ///< of those, by their vertices' outcodes
-    std::uint64_t cut = 0;               ///< clipped by near, far or the guard band
-    std::uint64_t facing_away = 0;       ///< left out by Facing::front, pieces included
-    std::uint64_t set_up = 0;            ///< put into tiles, pieces included
+    std::uint64_t vertices = 0;  ///< transformed
+    BinTally bins;
     std::uint64_t places = 0;            ///< in tiles: a triangle counts in each tile that it may reach
     std::uint64_t chunks_culled = 0;     ///< left out by their boxes
     std::uint64_t pixels = 0, seen = 0;  ///< of the image; that show a triangle
@@ -45,7 +41,7 @@ struct ShadedFrame {
 class Pipeline {
   public:
     explicit Pipeline(const Rules& rules, const Kernel& kernel = widest_kernel(), const Tricks& tricks = {})
-        : rules_(rules), kernel_(kernel), tricks_(tricks) {}
+        : rules_(rules), kernel_(kernel), tricks_(tricks), projected_(kernel), bins_(kernel) {}
 
     /// Valid until the next call. `chunks` are chunks_of(scene): needed where need_chunks() says so, else
     /// unread.
@@ -65,7 +61,6 @@ class Pipeline {
 
   private:
     ViewSetup prepare(const Scene& scene, const View& view, const std::vector<Chunk>& chunks);
-    void count_triangles(const Scene& scene, const ViewSetup& setup, const Range& range, Work& work) const;
 
     Rules rules_;
     Kernel kernel_;

@@ -67,9 +67,7 @@ glm::dmat4 parallel(const Camera& camera) {
     return clip;
 }
 
-glm::dvec4 row(const glm::dmat4& m, int i) { return {m[0][i], m[1][i], m[2][i], m[3][i]}; }
-
-double apply(const glm::dvec4& r, const glm::dvec3& p) { return ((r.x * p.x + r.y * p.y) + r.z * p.z) + r.w; }
+Row row(const glm::dmat4& m, int i) { return {m[0][i], m[1][i], m[2][i], m[3][i]}; }
 
 }  // namespace
 
@@ -93,14 +91,7 @@ ClipTransform::ClipTransform(const Camera& camera) : projection_(camera.projecti
     const glm::dmat4 clip_from_world = clip_from_camera(camera) * camera_matrix;
     x_row_ = row(clip_from_world, 0);
     y_row_ = row(clip_from_world, 1);
-    depth_row_ = -row(camera_matrix, 2);
-}
-
-ClipVertex ClipTransform::operator()(const glm::vec3& p_world) const noexcept {
-    const glm::dvec3 p{p_world};
-    const double depth = apply(depth_row_, p);
-    const double w = projection_ == Projection::perspective ? depth : 1.0;
-    return {apply(x_row_, p), apply(y_row_, p), w, depth};
+    depth_row_ = row(-camera_matrix, 2);
 }
 
 }  // namespace zproof::rasterizer

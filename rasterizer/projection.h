@@ -30,16 +30,34 @@ struct ClipVertex {
     double depth = 0;  ///< camera depth, scene units; equals w for perspective
 };
 
+/// A row of a matrix.
+struct Row {
+    double x = 0, y = 0, z = 0, w = 0;
+
+    /// Applied to (p, q, r, 1), in one fixed order.
+    [[gnu::always_inline]] double of(double p, double q, double r) const {
+        return ((x * p + y * q) + z * r) + w;
+    }
+};
+
 /// The fused clip_from_world of a camera, without its z row and with camera depth instead.
 class ClipTransform {
   public:
     explicit ClipTransform(const Camera& camera);
 
-    /// Every row in one fixed order: ((m_0 x + m_1 y) + m_2 z) + m_3.
-    ClipVertex operator()(const glm::vec3& p_world) const noexcept;
+    ClipVertex operator()(const glm::vec3& p_world) const noexcept {
+        return at(p_world.x, p_world.y, p_world.z);
+    }
+
+    /// The same, for kernels (kernel.h).
+    [[gnu::always_inline]] ClipVertex at(double x_world, double y_world, double z_world) const noexcept {
+        const double depth = depth_row_.of(x_world, y_world, z_world);
+        const double w = projection_ == Projection::perspective ? depth : 1.0;
+        return {x_row_.of(x_world, y_world, z_world), y_row_.of(x_world, y_world, z_world), w, depth};
+    }
 
   private:
-    glm::dvec4 x_row_, y_row_, depth_row_;
+    Row x_row_, y_row_, depth_row_;
     Projection projection_;
 };
 

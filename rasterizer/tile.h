@@ -5,8 +5,10 @@
 #include <span>
 
 #include "frame/frame.h"
+#include "rasterizer/edge_function.h"
 #include "rasterizer/kernel.h"
-#include "rasterizer/triangle_setup.h"
+#include "rasterizer/tile_grid.h"
+#include "rasterizer/view_setup.h"
 
 namespace zproof::rasterizer {
 
@@ -16,22 +18,22 @@ class Tile {
     /// pixels: at most tile_size wide and high.
     Tile(const PixelRect& pixels, const ViewSetup& setup) noexcept;
 
-    /// Triangles of one run, by their places in it.
-    void draw(const Kernel& kernel, const TriangleRun& run, std::span<const std::uint32_t> places) noexcept;
+    void draw(const Kernel& kernel, const Triangles& triangles,
+              std::span<const std::uint32_t> places) noexcept;
     /// The same, and adds to the tally.
-    void draw_tallied(const Kernel& kernel, const TriangleRun& run, std::span<const std::uint32_t> places,
+    void draw_tallied(const Kernel& kernel, const Triangles& triangles, std::span<const std::uint32_t> places,
                       Tally& tally) noexcept;
     /// The same, and hands every fragment to the shader.
-    void draw_shaded(const Kernel& kernel, const TriangleRun& run, std::span<const std::uint32_t> places,
+    void draw_shaded(const Kernel& kernel, const Triangles& triangles, std::span<const std::uint32_t> places,
                      const FragmentShader& shader);
 
     /// Writes ids and camera depths of this tile's pixels.
-    void resolve(Frame& frame) const noexcept;
+    void resolve(const Kernel& kernel, Frame& frame) const noexcept;
 
   private:
     PixelRect pixels_;
     DepthFunctional depth_;
-    TileWork work(const TriangleRun& run, std::span<const std::uint32_t> places) noexcept;
+    TileWork work(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept;
 
     TileSamples samples_;
     HierarchicalZ hierarchical_z_;
@@ -43,7 +45,8 @@ class TileCount {
   public:
     TileCount(const PixelRect& pixels, const ViewSetup& setup) noexcept;
 
-    void add(const Kernel& kernel, const TriangleRun& run, std::span<const std::uint32_t> places) noexcept;
+    void add(const Kernel& kernel, const Triangles& triangles,
+             std::span<const std::uint32_t> places) noexcept;
     void resolve(Plane<std::uint32_t>& fragments) const noexcept;
 
   private:

@@ -1,77 +1,54 @@
-/// Sorting triangles into tiles, so that each tile can be drawn by one thread and sees its triangles in scene
-/// order.
+/// Sorting triangles into tiles, so that each tile can be drawn by one thread and sees its triangles in the
+/// order of drawing.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "rasterizer/triangle_setup.h"
+#include "rasterizer/binned_run.h"
+#include "rasterizer/dispatch.h"
+#include "rasterizer/projected_vertices.h"
+#include "rasterizer/tile_grid.h"
 
 namespace zproof::rasterizer {
-
-struct TileGrid {
-    int columns = 0, rows = 0;
-
-    TileGrid() = default;
-    explicit TileGrid(Resolution size)
-        : columns((size.width + tile_size - 1) / tile_size),
-          rows((size.height + tile_size - 1) / tile_size) {}
-    std::size_t count() const { return std::size_t(columns) * std::size_t(rows); }
-    /// The pixels of a tile, cut to the image.
-    PixelRect pixels(std::size_t tile, Resolution size) const;
-};
-
-/// A run of the scene's triangles, sorted into tiles.
-class BinnedRun {
-  public:
-    /// The triangles [begin, end) of the scene. Memory is kept from the time before.
-    void fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup,
-              std::size_t begin, std::size_t end);
-
-    /// Valid while what the run was filled from is.
-    TriangleRun triangles() const { return run_; }
-    /// Of the triangles that may cover samples of a tile, in scene order.
-    std::span<const std::uint32_t> places_in(std::size_t tile) const {
-        return std::span(places_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
-    }
-
-  private:
-    struct Entry {
-        std::uint32_t tile, place;
-    };
-    void add(const Corners& corners, std::uint32_t place, const ViewSetup& setup);
-    void add_to_tiles(const Placed& triangle, std::uint32_t place, const ViewSetup& setup);
-    void add_to_tile(std::size_t tile, std::uint32_t place);
-    void add_pieces(std::size_t first, const ViewSetup& setup);
-    void sort();
-
-    TriangleRun run_;
-    TileGrid tiles_;
-    std::vector<SnappedPiece> pieces_;
-    std::vector<Entry> entries_;  ///< in scene order
-    std::vector<std::uint32_t> places_, first_, next_;
-};
 
 /// The triangles of a view by tile.
 class TileBins {
   public:
+    explicit TileBins(const Kernel& kernel = widest_kernel()) : kernel_(kernel) {}
+
     /// Sorts every triangle of the scene, in fixed runs of triangles, on the threads of the surrounding
-    /// tbb::task_arena: the bins do not depend on the number of threads.
+    /// tbb::task_arena: the bins do not depend on the number of threads. Memory is kept from the time before.
+    /// Throws std::length_error for 2^31 triangles and pieces of triangles, or more.
     void fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup);
 
-    /// The same for some triangles, a run for each range, drawn in the order of the ranges.
+    /// The same for some triangles, drawn in the order of the ranges.
     void fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup,
               std::span<const Range> ranges);
 
-    std::span<const BinnedRun> runs() const { return std::span(runs_).first(used_); }
+    /// Valid while what the bins were filled from is.
+    const Triangles& triangles() const { return triangles_; }
+    /// Of the triangles that may cover samples of a tile, in the order of drawing.
+    std::span<const std::uint32_t> places_in(std::size_t tile) const {
+        return std::span(places_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
+    }
     const TileGrid& tiles() const { return tiles_; }
-    bool is_empty(std::size_t tile) const;
+    BinTally tally() const;
 
   private:
+    void lay_out();
+
+    Kernel kernel_;
     TileGrid tiles_;
+    Triangles triangles_;
+    std::vector<Range> ranges_;
     std::vector<BinnedRun> runs_;  ///< those in use first
     std::size_t used_ = 0;
+    std::vector<SnappedPiece> pieces_;
+    std::vector<std::uint32_t> places_;
+    std::vector<std::size_t> first_;  ///< of places_: each tile's, and their end
 };
 
 }  // namespace zproof::rasterizer

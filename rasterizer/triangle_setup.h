@@ -2,12 +2,12 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "rasterizer/edge_function.h"
-#include "rasterizer/kernel.h"
+#include "rasterizer/triangles.h"
 #include "rasterizer/view_setup.h"
+#include "scenes/scene.h"
 
 namespace zproof::rasterizer {
 
@@ -17,28 +17,15 @@ using Corners = std::array<SnappedPoint, 3>;
 /// (E_0 + E_1 + E_2) is the barycentric weight of corner i at p.
 std::array<EdgeFunction, 3> edges_of(const Corners& corners, FillRule rule) noexcept;
 
-/// Pixels [x0, x1) x [y0, y1).
-struct PixelRect {
-    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-    bool is_empty() const { return x0 >= x1 || y0 >= y1; }
-};
-
-/// A triangle that may cover samples.
-struct Placed {
-    Corners corners;           ///< clockwise
-    PixelRect pixels;          ///< of the image, those whose samples lie in the triangle's bounding box
-    bool was_counter = false;  ///< it was counter-clockwise; its last two corners have changed places
-};
-
-/// Both windings are drawn, or the counter-clockwise (setup.facing). Nothing where the snapped area is 0 or
-/// no sample of the image is in the bounding box: such a triangle covers no sample.
-std::optional<Placed> placed(const Corners& corners, const ViewSetup& setup) noexcept;
-
-/// What is left of a triangle, by the outcodes of its vertices.
+/// What is left of a triangle, by the outcodes of its vertices (clip.h).
 enum class Remains { nothing, whole, cut };
 
 /// Nothing, too, of a triangle with a vertex that is not finite.
-Remains remains_of(const glm::uvec3& corners, const ProjectedVertices& projected) noexcept;
+inline Remains remains_of(const glm::uvec3& corners, const std::uint8_t* outcodes) noexcept {
+    const int a = outcodes[corners.x], b = outcodes[corners.y], c = outcodes[corners.z];
+    if ((a | b | c) & outcode::not_finite || (a & b & c & outcode::invisible)) return Remains::nothing;
+    return (a | b | c) & outcode::needs_clip ? Remains::cut : Remains::whole;
+}
 
 /// Appends the fan of what clipping leaves of one triangle of the scene. All pieces carry the triangle's id.
 void append_pieces(std::vector<SnappedPiece>& out, const Scene& scene, const ViewSetup& setup,

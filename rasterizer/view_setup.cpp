@@ -1,10 +1,6 @@
 #include "rasterizer/view_setup.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cassert>
-#include <cmath>
 #include <limits>
 
 namespace zproof::rasterizer {
@@ -39,11 +35,6 @@ SubpixelGrid grid_of(const Rules& rules) {
     return grid;
 }
 
-/// Rounding may put a vertex of the guard band's border a hair outside.
-bool is_in_guard_band(double coordinate_px, double guard_px) {
-    return std::abs(coordinate_px) <= guard_px + 1;
-}
-
 }  // namespace
 
 ViewSetup::ViewSetup(const View& view, const Rules& rules, const Tricks& tricks)
@@ -59,39 +50,8 @@ ViewSetup::ViewSetup(const View& view, const Rules& rules, const Tricks& tricks)
       hierarchical_z(tricks.hierarchical_z) {}
 
 std::optional<SnappedVertex> ViewSetup::snap(const ClipVertex& v) const noexcept {
-    const double x_ndc = v.x / v.w;
-    const double y_ndc = v.y / v.w;
-    const double x_raster = (x_ndc + 1) * (0.5 * size.width);
-    const double y_raster = (raster_y == RasterY::down ? 1 - y_ndc : 1 + y_ndc) * (0.5 * size.height);
-    if (!is_in_guard_band(x_raster, guard_px) || !is_in_guard_band(y_raster, guard_px)) return std::nullopt;
-    return SnappedVertex{{grid.snap(x_raster), grid.snap(y_raster)}, depth.of_depth(v.depth)};
-}
-
-void ProjectedVertices::fill(const Vertices& vertices, const ViewSetup& setup) {
-    const Range all{0, std::uint32_t(vertices.position_world.size())};
-    fill(vertices, setup, std::span(&all, 1));
-}
-
-void ProjectedVertices::fill(const Vertices& vertices, const ViewSetup& setup,
-                             std::span<const Range> ranges) {
-    const std::size_t count = vertices.position_world.size();
-    snapped.resize(count);
-    outcode.resize(count);
-    const auto project_one = [&](std::size_t i) {
-        const ClipVertex v = setup.clip_from_world(vertices.position_world[i]);
-        std::uint8_t code = outcode_of(v, setup.volume);
-        if ((code & (outcode::needs_clip | outcode::not_finite)) == 0) {
-            if (const auto vertex = setup.snap(v))
-                snapped[i] = *vertex;
-            else
-                code = outcode::not_finite;
-        }
-        outcode[i] = code;
-    };
-    for (const Range& r : ranges)
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(r.begin, r.end, 1024), [&](const auto& range) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i) project_one(i);
-        });
+    const Landed landed = land(v);
+    return landed.in_guard_band ? std::optional{landed.vertex} : std::nullopt;
 }
 
 }  // namespace zproof::rasterizer

@@ -3,18 +3,15 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "frame/plane.h"
 #include "rasterizer/clip.h"
 #include "rasterizer/depth_functional.h"
-#include "rasterizer/draw_list.h"
-#include "rasterizer/kernel.h"
 #include "rasterizer/projection.h"
 #include "rasterizer/rules.h"
 #include "rasterizer/snap.h"
-#include "scenes/scene.h"
+#include "rasterizer/triangles.h"
+#include "rasterizer/tricks.h"
 #include "scenes/view.h"
 
 namespace zproof::rasterizer {
@@ -36,20 +33,24 @@ struct ViewSetup {
     /// Divide by w > 0, viewport, snap. Nothing where the result leaves the guard band, which takes rounding
     /// gone astray (subnormal depths), or NaN: no such number is ever converted to an integer.
     std::optional<SnappedVertex> snap(const ClipVertex& v) const noexcept;
-};
 
-/// The vertices of a scene as one view sees them.
-struct ProjectedVertices {
-    std::vector<SnappedVertex>
-        snapped;  ///< meaningful where the outcode has no needs_clip and no not_finite bit
-    std::vector<std::uint8_t> outcode;
-
-    /// Transforms every vertex once, on the threads of the surrounding tbb::task_arena. Memory is kept from
-    /// the time before.
-    void fill(const Vertices& vertices, const ViewSetup& setup);
-
-    /// The same for some vertices; what is known of the others means nothing.
-    void fill(const Vertices& vertices, const ViewSetup& setup, std::span<const Range> ranges);
+    struct Landed {
+        SnappedVertex vertex;            ///< meaningful in the guard band
+        std::int32_t in_guard_band = 0;  ///< 1 or 0
+    };
+    /// The same for kernels. Rounding may put a vertex of the guard band's border a hair outside.
+    [[gnu::always_inline]] Landed land(const ClipVertex& v) const noexcept {
+        const double x_ndc = v.x / v.w;
+        const double y_ndc = v.y / v.w;
+        const double x_raster = (x_ndc + 1) * (0.5 * size.width);
+        const double y_down_ndc = raster_y == RasterY::down ? -y_ndc : y_ndc;
+        const double y_raster = (y_down_ndc + 1) * (0.5 * size.height);
+        const double limit = guard_px + 1;
+        const bool is_in =
+            (-limit <= x_raster) & (x_raster <= limit) & (-limit <= y_raster) & (y_raster <= limit);
+        return {{{grid.snap(is_in ? x_raster : 0), grid.snap(is_in ? y_raster : 0)}, depth.of_depth(v.depth)},
+                is_in};
+    }
 };
 
 }  // namespace zproof::rasterizer

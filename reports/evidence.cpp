@@ -2,14 +2,15 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
-#include <ostream>
 #include <string>
 
 #include "frame/exr.h"
-#include "frame/png.h"
+#include "frame/png_kinds.h"
+#include "reports/class_style.h"
 #include "reports/pictures.h"
-#include "reports/wording.h"
 
 namespace zproof {
 
@@ -24,14 +25,24 @@ void make_folder(const fs::path& folder) {
 }
 
 /// NAME.png and NAME-small.png.
-void write_pictures(const fs::path& folder, const std::string& name, const Plane<Rgb8>& picture) {
-    write_png(folder / (name + ".png"), picture);
-    write_png(folder / (name + "-small.png"), thinned(picture, shrink_factor(picture.size())));
+void write_pictures(const fs::path& folder, const std::string& name, const Plane<Rgb8>& picture,
+                    PngRows rows = PngRows::less_the_upper) {
+    write_png(folder / (name + ".png"), picture, rows);
+    write_png(folder / (name + "-small.png"), thinned(picture, shrink_factor(picture.size())), rows);
 }
 
-void write_class_maps(const fs::path& folder, const Plane<PixelClass>& classes) {
-    write_png(folder / "class.png", picture_of_classes(classes));
-    write_png(folder / "class-small.png", picture_of_classes(small_class_map(classes)));
+void write_ids(const fs::path& folder, const std::string& name, const Plane<PrimitiveId>& ids) {
+    write_pictures(folder, name, picture_of_ids(ids), PngRows::as_they_are);
+}
+
+/// A class is an index into the colours of all.
+void write_class_map(const fs::path& file, const Plane<PixelClass>& classes) {
+    Plane<std::uint8_t> indices(classes.size());
+    std::ranges::transform(classes.pixels(), indices.pixels().begin(),
+                           [](PixelClass c) { return std::uint8_t(c); });
+    std::array<Rgb8, pixel_class_count> colours;
+    for (std::size_t c = 0; c < colours.size(); ++c) colours[c] = style_of(PixelClass(c)).colour;
+    write_png(file, indices, colours);
 }
 
 void write_findings_file(const fs::path& file, const Verdict& verdict) {
@@ -46,13 +57,15 @@ void write_findings_file(const fs::path& file, const Verdict& verdict) {
 void write_view_evidence(const fs::path& folder, const Frame& candidate, const Frame& reference,
                          const Verdict& verdict) {
     make_folder(folder);
-    tbb::parallel_invoke([&] { write_exr(folder / "candidate.exr", candidate); },
-                         [&] { write_exr(folder / "reference.exr", reference); },
-                         [&] { write_pictures(folder, "id", picture_of_ids(candidate.primitive)); },
-                         [&] { write_pictures(folder, "reference-id", picture_of_ids(reference.primitive)); },
-                         [&] { write_pictures(folder, "depth", picture_of_depths(candidate.camera_depth)); },
-                         [&] { write_class_maps(folder, verdict.classes); },
-                         [&] { write_findings_file(folder / "findings.csv", verdict); });
+    tbb::parallel_invoke(
+        [&] { write_exr(folder / "candidate.exr", candidate); },
+        [&] { write_exr(folder / "reference.exr", reference); },
+        [&] { write_ids(folder, "id", candidate.primitive); },
+        [&] { write_ids(folder, "reference-id", reference.primitive); },
+        [&] { write_pictures(folder, "depth", picture_of_depths(candidate.camera_depth)); },
+        [&] { write_class_map(folder / "class.png", verdict.classes); },
+        [&] { write_class_map(folder / "class-small.png", small_class_map(verdict.classes)); },
+        [&] { write_findings_file(folder / "findings.csv", verdict); });
 }
 
 void write_witness_frame(const fs::path& folder, const std::string& witness, const Frame& frame) {
@@ -69,17 +82,6 @@ void write_witness_picture(const fs::path& folder, const std::string& witness, c
     write_exr(folder / (witness + "-colour.exr"), picture);
     write_pictures(folder, witness + "-colour", picture_of_light(picture));
     write_pictures(folder, witness + "-difference", picture_of_difference(candidate, picture));
-}
-
-void write_findings(std::ostream& out, const Verdict& verdict) {
-    out << "x,y,class,candidate_id,reference_id,candidate_depth,reference_depth,eps_px,depth_low,depth_truth,"
-           "depth_high,error_over_bound\n";
-    for (const Finding& f : verdict.findings)
-        out << f.x << ',' << f.y << ',' << name_of(f.verdict) << ',' << id_text(f.candidate.primitive) << ','
-            << id_text(f.reference.primitive) << ',' << shortest(f.candidate.camera_depth) << ','
-            << shortest(f.reference.camera_depth) << ',' << shortest(f.eps_px) << ','
-            << shortest(f.candidate_depth.low) << ',' << shortest(f.candidate_depth.truth) << ','
-            << shortest(f.candidate_depth.high) << ',' << shortest(f.error_over_bound) << '\n';
 }
 
 }  // namespace zproof

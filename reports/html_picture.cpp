@@ -1,6 +1,4 @@
-#include <fstream>
-#include <iterator>
-
+#include "frame/whole_file.h"
 #include "reports/base64.h"
 #include "reports/html.h"
 #include "reports/html_parts.h"
@@ -29,11 +27,6 @@ std::vector<Kind> kinds_of(const ViewResult& view) {
                              escaped(one_line(w.name)) + ": difference in linear light. Dark: none."});
         }
     return kinds;
-}
-
-std::string content_of(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 PagePicture picture(const Kind& kind, const std::filesystem::path& folder, std::size_t budget) {

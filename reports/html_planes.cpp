@@ -1,7 +1,6 @@
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
+#include "frame/whole_file.h"
 #include "reports/base64.h"
 #include "reports/class_style.h"
 #include "reports/deep_link.h"
@@ -35,11 +34,6 @@ struct Choice {
     std::vector<std::size_t> sizes;
     std::vector<bool> taken;
 };
-
-std::string content_of(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 Choice choice_for(const PageView& page, const std::filesystem::path& run_folder) {
     Choice choice{.page = &page,

@@ -1,9 +1,10 @@
 #include "reports/pictures.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
 #include "reports/class_style.h"
 
 namespace zproof {
@@ -14,10 +15,16 @@ constexpr Rgb8 background_colour{0x14, 0x16, 0x1A};
 constexpr Rgb8 no_depth_colour{0xFF, 0x00, 0xFF};
 constexpr int undotted_side = 240;  // pages show pictures at least this wide
 
+/// Equal neighbours are looked up once.
 template <class T, class Colour>
 Plane<Rgb8> coloured(const Plane<T>& values, Colour colour) {
     Plane<Rgb8> picture(values.size());
-    std::ranges::transform(values.pixels(), picture.pixels().begin(), colour);
+    tbb::parallel_for(0, values.size().height, [&](int y) {
+        const std::span<const T> row = values.row(y);
+        const std::span<Rgb8> to = picture.row(y);
+        for (std::size_t x = 0; x < row.size(); ++x)
+            to[x] = x > 0 && row[x] == row[x - 1] ? to[x - 1] : colour(row[x]);
+    });
     return picture;
 }
 
@@ -31,20 +38,38 @@ std::uint32_t scrambled(std::uint32_t h) {
 /// Rounded to nearest; not by std::lround, which costs more than the rest of a picture.
 std::uint8_t channel(double value) { return std::uint8_t(255 * std::clamp(value, 0.0, 1.0) + 0.5); }
 
-/// Hue in turns, [0, 1); saturation and value in [0, 1] (Smith 1978).
-Rgb8 from_hsv(double hue, double saturation, double value) {
-    const auto one = [&](double shift) {
-        const double turned = shift + 6 * hue, k = turned < 6 ? turned : turned - 6;
-        return channel(value * (1 - saturation * std::clamp(std::min(k, 4 - k), 0.0, 1.0)));
-    };
-    return {one(5), one(3), one(1)};
-}
+/// A colour per id. What hue, saturation and value can be is worked out once.
+class IdColours {
+  public:
+    IdColours() {
+        for (std::size_t i = 0; i < 256; ++i) {
+            saturation_[i] = 0.35 + 0.3 * double(i) / 255;
+            value_[i] = 0.6 + 0.38 * double(i) / 255;
+        }
+    }
+    Rgb8 operator()(PrimitiveId id) const {
+        if (id == PrimitiveId::none) return background_colour;
+        const std::uint32_t h = scrambled(static_cast<std::uint32_t>(id) + 1);
+        return from_hsv((h & 0xFFFF) / 65536.0, saturation_[h >> 16 & 0xFF], value_[h >> 24]);
+    }
 
-Rgb8 colour_of(PrimitiveId id) {
-    if (id == PrimitiveId::none) return background_colour;
-    const std::uint32_t h = scrambled(static_cast<std::uint32_t>(id) + 1);
-    return from_hsv((h & 0xFFFF) / 65536.0, 0.35 + 0.3 * ((h >> 16) & 0xFF) / 255,
-                    0.6 + 0.38 * (h >> 24) / 255);
+  private:
+    /// Hue in turns, [0, 1); saturation and value in [0, 1] (Smith 1978).
+    static Rgb8 from_hsv(double hue, double saturation, double value) {
+        const auto one = [&](double shift) {
+            const double turned = shift + 6 * hue, k = turned - (turned < 6 ? 0.0 : 6.0);
+            return channel(value * (1 - saturation * std::clamp(std::min(k, 4 - k), 0.0, 1.0)));
+        };
+        return {one(5), one(3), one(1)};
+    }
+
+    std::array<double, 256> saturation_, value_;
+};
+
+/// std::lerp for positive ends and t in [0, 1], without its other cases.
+double between(double from, double to, double t) {
+    const double there = from + t * (to - from);
+    return from < to ? std::min(there, to) : std::max(there, to);
 }
 
 /// Viridis (van der Walt and Smith, 2015) in nine steps; t in [0, 1], 1 bright.
@@ -61,7 +86,7 @@ Rgb8 viridis(double t) {
     const double place = std::clamp(t, 0.0, 1.0) * (stops.size() - 1);
     const std::size_t low = std::min(std::size_t(place), stops.size() - 2);
     const auto mix = [&](std::size_t c) {
-        return channel(std::lerp(stops[low][c], stops[low + 1][c], place - double(low)) / 255);
+        return channel(between(stops[low][c], stops[low + 1][c], place - double(low)) / 255);
     };
     return {mix(0), mix(1), mix(2)};
 }
@@ -105,7 +130,7 @@ Resolution shrunk(Resolution size, int factor) {
 
 }  // namespace
 
-Plane<Rgb8> picture_of_ids(const Plane<PrimitiveId>& ids) { return coloured(ids, colour_of); }
+Plane<Rgb8> picture_of_ids(const Plane<PrimitiveId>& ids) { return coloured(ids, IdColours{}); }
 
 Plane<Rgb8> picture_of_depths(const Plane<float>& depths) {
     const LogRange range = log_range(depths);
@@ -149,10 +174,13 @@ Plane<Rgb8> thinned(const Plane<Rgb8>& picture, int factor) {
 
 Plane<PixelClass> pooled_by_severity(const Plane<PixelClass>& classes, int factor) {
     Plane<PixelClass> small(shrunk(classes.size(), factor), PixelClass::agree);
-    for_each_pixel(classes.size(), [&](int x, int y) {
-        PixelClass& block = small.at(x / factor, y / factor);
-        block = std::max(block, classes.at(x, y));
-    });
+    for (int y = 0; y < classes.size().height; ++y) {
+        const std::span<const PixelClass> row = classes.row(y);
+        const std::span<PixelClass> blocks = small.row(y / factor);
+        for (std::size_t x = 0; x < row.size(); ++x)
+            if (row[x] != PixelClass::agree)
+                blocks[x / std::size_t(factor)] = std::max(blocks[x / std::size_t(factor)], row[x]);
+    }
     return small;
 }
 

@@ -140,11 +140,14 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
 
 void Accessors::check_finite(int accessor, const Elements& elements) const {
     const auto components = static_cast<std::size_t>(elements.components);
-    for (std::size_t i = 0; i < elements.count; ++i)
+    for (std::size_t i = 0; i < elements.count; ++i) {
+        bool is_finite = true;
         for (std::size_t c = 0; c < components; ++c)
-            if (!std::isfinite(load<float>(elements.first + i * elements.stride + c * sizeof(float))))
-                refuse(model_.file, accessor_at(accessor),
-                       "element " + std::to_string(i) + " is not finite; expected finite numbers");
+            is_finite &= std::isfinite(load<float>(elements.first + i * elements.stride + c * sizeof(float)));
+        if (!is_finite)
+            refuse(model_.file, accessor_at(accessor),
+                   "element " + std::to_string(i) + " is not finite; expected finite numbers");
+    }
 }
 
 }  // namespace zproof

@@ -1,8 +1,15 @@
 #include "scenes/gltf_bake.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "scenes/gltf_accessor.h"
@@ -33,6 +40,29 @@ glm::dmat3 normal_matrix(const glm::dmat3& m) {
 std::optional<int> attribute(const tinygltf::Primitive& primitive, const std::string& name) {
     const auto found = primitive.attributes.find(name);
     return found == primitive.attributes.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Calls work(from, to) for ranges that make up [first, end), side by side.
+template <typename Work>
+void in_parallel(std::size_t first, std::size_t end, const Work& work) {
+    constexpr std::size_t worth_a_task = 1 << 14;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(first, end, worth_a_task),
+                      [&](const auto& some) { work(some.begin(), some.end()); });
+}
+
+bool is_unbounded(const glm::vec3& p) {
+    return !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z);
+}
+
+/// The largest absolute coordinate; infinite where one is infinite or no number.
+float largest_coordinate(std::span<const glm::vec3> positions) {
+    std::uint32_t largest =
+        0;  // without a sign, the bits of floats rise as they do, and those of NaN are highest
+    for (const glm::vec3& p : positions)
+        for (const float c : {p.x, p.y, p.z})
+            largest = std::max(largest, std::bit_cast<std::uint32_t>(c) & 0x7FFF'FFFFu);
+    const float value = std::bit_cast<float>(largest);
+    return std::isnan(value) ? std::numeric_limits<float>::infinity() : value;
 }
 
 class Baker {
@@ -114,9 +144,8 @@ class Baker {
         const Corners corners = unroller_.unroll(primitive, static_cast<std::uint32_t>(positions.count));
         append_part(placed, index, primitive, corners);
         const auto base = static_cast<std::uint32_t>(scene_.vertices.position_world.size());
-        for (const glm::uvec3& triangle : corners.triangles) scene_.triangles.push_back(triangle + base);
         append_positions(placed, positions, corners);
-        tally_.flat += flat_triangles(scene_.parts.back());
+        append_triangles(corners, base);
         append_normals(placed, primitive, corners);
         append_uv(primitive, corners);
         append_color(primitive, corners);
@@ -129,45 +158,62 @@ class Baker {
         scene_.parts.push_back({on_one_line(node.name),
                                 on_one_line(model_.gltf.meshes[static_cast<std::size_t>(node.mesh)].name),
                                 index, static_cast<std::uint32_t>(scene_.triangles.size()),
-                                static_cast<std::uint32_t>(corners.triangles.size()),
+                                corners.triangle_count(),
                                 primitive.material < 0 ? default_material : primitive.material});
     }
 
-    /// Calls take(element) for the elements to bake, in order.
-    template <typename Take>
-    static void for_each_element(const Elements& elements, const Corners& corners, const Take& take) {
-        if (corners.used.empty())
-            for (std::size_t i = 0; i < elements.count; ++i) take(i);
-        else
-            for (const std::uint32_t i : corners.used) take(i);
+    /// Appends what bake(element) gives for each of the elements to bake, in order.
+    template <typename T, typename Allocator, typename Bake>
+    static void append(std::vector<T, Allocator>& attribute, const Elements& elements, const Corners& corners,
+                       const Bake& bake) {
+        const std::vector<std::uint32_t>& used = corners.used();
+        const std::size_t first = attribute.size();
+        attribute.resize(first + element_count(elements, corners));
+        in_parallel(first, attribute.size(), [&](std::size_t from, std::size_t to) {
+            for (std::size_t at = from; at < to; ++at)
+                attribute[at] = bake(used.empty() ? at - first : std::size_t{used[at - first]});
+        });
     }
 
     void append_positions(const PlacedNode& placed, const Elements& positions, const Corners& corners) {
         const glm::dmat3 linear(placed.world_from_node);
         const glm::dvec3 translation(placed.world_from_node[3]);
-        for_each_element(positions, corners, [&](std::size_t i) {
-            const glm::vec3 position(linear * vec3_at(positions, i) + translation);
-            const float largest =
-                std::max({std::abs(position.x), std::abs(position.y), std::abs(position.z)});
-            if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
-                refuse(model_.file, "/nodes/" + std::to_string(placed.node),
-                       "vertex " + std::to_string(i) +
-                           " overflows float32 in world space; scale the scene down");
-            tally_.is_huge |= largest > square_overflows;
-            scene_.vertices.position_world.push_back(position);
-        });
+        Positions& baked = scene_.vertices.position_world;
+        const std::size_t first = baked.size();
+        append(baked, positions, corners,
+               [&](std::size_t i) { return glm::vec3(linear * vec3_at(positions, i) + translation); });
+        const float largest = largest_coordinate(std::span(baked.data(), baked.size()).subspan(first));
+        tally_.is_huge |= largest > square_overflows;
+        if (std::isfinite(largest)) return;
+        const auto bad =
+            std::find_if(baked.begin() + static_cast<std::ptrdiff_t>(first), baked.end(), is_unbounded);
+        const auto at = static_cast<std::size_t>(bad - baked.begin()) - first;
+        const std::size_t vertex = corners.used().empty() ? at : corners.used()[at];
+        refuse(
+            model_.file, "/nodes/" + std::to_string(placed.node),
+            "vertex " + std::to_string(vertex) + " overflows float32 in world space; scale the scene down");
     }
 
-    /// Triangles whose area is 0 as far as double can tell. They stay, since ids count them.
-    std::uint64_t flat_triangles(const Part& part) const {
+    /// And counts those whose area is 0 as far as double can tell. They stay, since ids count them.
+    void append_triangles(const Corners& corners, std::uint32_t base) {
+        const std::size_t first = scene_.triangles.size();
+        scene_.triangles.resize(first + corners.triangle_count());
+        std::atomic<std::uint64_t> flat = 0;
+        in_parallel(first, scene_.triangles.size(), [&](std::size_t from, std::size_t to) {
+            std::uint64_t flat_here = 0;
+            for (std::size_t at = from; at < to; ++at) {
+                scene_.triangles[at] = corners.triangle(static_cast<std::uint32_t>(at - first)) + base;
+                flat_here += is_flat(scene_.triangles[at]);
+            }
+            flat += flat_here;
+        });
+        tally_.flat += flat;
+    }
+
+    bool is_flat(const glm::uvec3& t) const {
         const auto corner = [this](std::uint32_t i) { return glm::dvec3(scene_.vertices.position_world[i]); };
-        std::uint64_t flat = 0;
-        for (std::uint32_t i = 0; i < part.triangle_count; ++i) {
-            const glm::uvec3& t = scene_.triangles[part.first_triangle + i];
-            const glm::dvec3 origin = corner(t.x);
-            flat += glm::cross(corner(t.y) - origin, corner(t.z) - origin) == glm::dvec3(0);
-        }
-        return flat;
+        const glm::dvec3 origin = corner(t.x);
+        return glm::cross(corner(t.y) - origin, corner(t.z) - origin) == glm::dvec3(0);
     }
 
     /// The first vertex of the primitive that was appended last; the attribute is padded up to it.
@@ -177,7 +223,7 @@ class Baker {
     }
 
     static std::size_t element_count(const Elements& elements, const Corners& corners) {
-        return corners.used.empty() ? elements.count : corners.used.size();
+        return corners.used().empty() ? elements.count : corners.used().size();
     }
 
     void append_normals(const PlacedNode& placed, const tinygltf::Primitive& primitive,
@@ -187,11 +233,11 @@ class Baker {
         const Elements& elements = accessors_.elements(*accessor);
         const glm::dmat3 world_from_normal = normal_matrix(glm::dmat3(placed.world_from_node));
         pad(scene_.vertices.normal_world, element_count(elements, corners), glm::vec3(0));
-        for_each_element(elements, corners, [&](std::size_t i) {
+        append(scene_.vertices.normal_world, elements, corners, [&](std::size_t i) {
             const glm::dvec3 normal = world_from_normal * vec3_at(elements, i);
             const double length = glm::length(normal);
             const bool has_direction = length > 0 && std::isfinite(length);
-            scene_.vertices.normal_world.push_back(has_direction ? glm::vec3(normal / length) : glm::vec3(0));
+            return has_direction ? glm::vec3(normal / length) : glm::vec3(0);
         });
     }
 
@@ -203,8 +249,8 @@ class Baker {
             if (scene_.vertices.uv.size() <= set) scene_.vertices.uv.resize(set + 1);
             std::vector<glm::vec2>& uv = scene_.vertices.uv[set];
             pad(uv, element_count(elements, corners), glm::vec2(0));
-            for_each_element(elements, corners, [&](std::size_t i) {
-                uv.emplace_back(glm::dvec2(component(elements, i, 0), component(elements, i, 1)));
+            append(uv, elements, corners, [&](std::size_t i) {
+                return glm::vec2(glm::dvec2(component(elements, i, 0), component(elements, i, 1)));
             });
         }
     }
@@ -214,9 +260,9 @@ class Baker {
         if (!accessor) return;
         const Elements& elements = accessors_.elements(*accessor);
         pad(scene_.vertices.color, element_count(elements, corners), glm::vec4(1));
-        for_each_element(elements, corners, [&](std::size_t i) {
+        append(scene_.vertices.color, elements, corners, [&](std::size_t i) {
             const double alpha = elements.components == 4 ? component(elements, i, 3) : 1;
-            scene_.vertices.color.emplace_back(glm::dvec4(vec3_at(elements, i), alpha));
+            return glm::vec4(glm::dvec4(vec3_at(elements, i), alpha));
         });
     }
 

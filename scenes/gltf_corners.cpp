@@ -1,8 +1,8 @@
 #include "scenes/gltf_corners.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
+#include <utility>
 
 #include "scenes/refusal.h"
 
@@ -17,14 +17,11 @@ glm::uvec3 corners_of(int mode, std::uint32_t i) {
     return {3 * i, 3 * i + 1, 3 * i + 2};
 }
 
-/// The indices in use, ascending and once each; `indices` then count within them.
-std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& indices) {
-    std::vector<std::uint32_t> used = indices;
-    std::ranges::sort(used);
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    for (std::uint32_t& index : indices)
-        index = static_cast<std::uint32_t>(std::ranges::lower_bound(used, index) - used.begin());
-    return used;
+/// The indices in use, ascending and once each.
+std::vector<std::uint32_t> in_use(std::vector<std::uint32_t> indices) {
+    std::ranges::sort(indices);
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    return indices;
 }
 
 }  // namespace
@@ -35,36 +32,42 @@ std::uint64_t triangle_count(int mode, std::uint64_t corners) {
     return is_run && corners > 2 ? corners - 2 : 0;
 }
 
-std::vector<std::uint32_t> Unroller::indices_of(const tinygltf::Primitive& primitive,
-                                                std::uint32_t vertex_count) {
-    std::vector<std::uint32_t> indices;
-    if (primitive.indices < 0) {
-        indices.resize(vertex_count);
-        std::iota(indices.begin(), indices.end(), 0u);
-        return indices;
-    }
-    const Elements& elements = accessors_.elements(primitive.indices);
-    indices.resize(elements.count);
-    for (std::size_t i = 0; i < elements.count; ++i) {
-        indices[i] = index_at(elements, i);
-        if (indices[i] >= vertex_count)
-            refuse(model_.file, "/accessors/" + std::to_string(primitive.indices),
-                   "index " + std::to_string(indices[i]) + " at " + std::to_string(i) +
+glm::uvec3 Corners::triangle(std::uint32_t i) const {
+    const glm::uvec3 at = corners_of(mode_, i);
+    return {index(at.x), index(at.y), index(at.z)};
+}
+
+std::uint32_t Corners::index(std::uint32_t corner) const {
+    if (!within_used_.empty()) return within_used_[corner];
+    return indices_ == nullptr ? corner : index_at(*indices_, corner);
+}
+
+void Unroller::check_indices(int accessor, const Elements& elements, std::uint32_t vertex_count) const {
+    for (std::size_t i = 0; i < elements.count; ++i)
+        if (const std::uint32_t index = index_at(elements, i); index >= vertex_count)
+            refuse(model_.file, "/accessors/" + std::to_string(accessor),
+                   "index " + std::to_string(index) + " at " + std::to_string(i) +
                        "; expected indices below " + std::to_string(vertex_count) +
                        ", the number of vertices");
-    }
-    return indices;
 }
 
 Corners Unroller::unroll(const tinygltf::Primitive& primitive, std::uint32_t vertex_count) {
-    std::vector<std::uint32_t> indices = indices_of(primitive, vertex_count);
     Corners corners;
-    if (indices.size() < vertex_count) corners.used = compact(indices);
-    corners.triangles.resize(triangle_count(primitive.mode, indices.size()));
-    for (std::uint32_t i = 0; i < corners.triangles.size(); ++i) {
-        const glm::uvec3 at = corners_of(primitive.mode, i);
-        corners.triangles[i] = {indices[at.x], indices[at.y], indices[at.z]};
-    }
+    corners.mode_ = primitive.mode;
+    corners.triangles_ = static_cast<std::uint32_t>(zproof::triangle_count(primitive.mode, vertex_count));
+    if (primitive.indices < 0) return corners;
+    const Elements& elements = accessors_.elements(primitive.indices);
+    check_indices(primitive.indices, elements, vertex_count);
+    corners.triangles_ = static_cast<std::uint32_t>(zproof::triangle_count(primitive.mode, elements.count));
+    corners.indices_ = &elements;
+    if (elements.count >= vertex_count) return corners;
+    std::vector<std::uint32_t> indices(elements.count);
+    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = index_at(elements, i);
+    corners.used_ = in_use(indices);
+    for (std::uint32_t& index : indices)
+        index = static_cast<std::uint32_t>(std::ranges::lower_bound(corners.used_, index) -
+                                           corners.used_.begin());
+    corners.within_used_ = std::move(indices);
     return corners;
 }
 

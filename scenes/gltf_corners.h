@@ -13,20 +13,35 @@ namespace zproof {
 /// number.
 std::uint64_t triangle_count(int mode, std::uint64_t corners);
 
-struct Corners {
-    std::vector<std::uint32_t> used;    ///< the elements to bake, ascending; empty for all, in order
-    std::vector<glm::uvec3> triangles;  ///< indices into `used`, or into all elements
+/// The triangles that a primitive draws, and the elements of its accessors that they use.
+class Corners {
+  public:
+    /// Triangle i; it indexes into used(), or into all elements.
+    glm::uvec3 triangle(std::uint32_t i) const;
+    std::uint32_t triangle_count() const { return triangles_; }
+    /// The elements to bake, ascending; empty for all, in order.
+    const std::vector<std::uint32_t>& used() const { return used_; }
+
+  private:
+    friend class Unroller;
+    std::uint32_t index(std::uint32_t corner) const;
+
+    int mode_ = 0;
+    std::uint32_t triangles_ = 0;
+    const Elements* indices_ = nullptr;  ///< as the file has them; none: every element once
+    std::vector<std::uint32_t> used_, within_used_;
 };
 
 /// Unrolls a primitive of `mode`. Where it uses few of its elements only those are kept (primitives often
-/// share one large accessor). Throws SceneError for an index that is not below vertex_count.
+/// share one large accessor). Throws SceneError for an index that is not below vertex_count. The accessors
+/// must outlive the corners.
 class Unroller {
   public:
     Unroller(const GltfModel& model, Accessors& accessors) : model_(model), accessors_(accessors) {}
     Corners unroll(const tinygltf::Primitive& primitive, std::uint32_t vertex_count);
 
   private:
-    std::vector<std::uint32_t> indices_of(const tinygltf::Primitive& primitive, std::uint32_t vertex_count);
+    void check_indices(int accessor, const Elements& elements, std::uint32_t vertex_count) const;
 
     const GltfModel& model_;
     Accessors& accessors_;

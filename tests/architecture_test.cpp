@@ -46,6 +46,7 @@ const std::map<std::string, Names> spoken_to_in{
     {"CLI/", {"cli"}},           {"openssl/", {"math"}},
     {"toml++/", {"cli"}},        {"Eigen/", {"study"}},
     {"iostream", {"cli"}},       {"cstdio", {}},
+    {"isa-l/", {"frame"}},
 };
 
 constexpr std::size_t longest_line = 110, longest_file = 600, comfortable_header = 150;

@@ -6,8 +6,8 @@
 #include <bit>
 #include <cassert>
 #include <cstring>
-#include <new>
 
+#include "frame/deflate.h"
 #include "reports/report_error.h"
 
 namespace zproof::planes {
@@ -28,9 +28,10 @@ std::string byte_planes(std::span<const T> values) {
     for (const T value : values) any |= value;
     const std::size_t count = (std::size_t(std::bit_width(any)) + 7) / 8;
     std::string bytes(count * values.size(), '\0');
-    for (std::size_t k = 0; k < count; ++k)
-        for (std::size_t i = 0; i < values.size(); ++i)
-            bytes[k * values.size() + i] = char(values[i] >> (8 * k) & 0xFF);
+    for (std::size_t k = 0; k < count; ++k) {
+        char* plane = bytes.data() + k * values.size();
+        for (std::size_t i = 0; i < values.size(); ++i) plane[i] = char(values[i] >> (8 * k));
+    }
     return bytes;
 }
 
@@ -53,15 +54,32 @@ std::uint32_t guess_for(const std::uint32_t* values, std::size_t i, std::size_t 
     return has_left ? values[i - 1] : has_upper ? values[i - width] : 0;
 }
 
+/// What left prediction misses of a row.
+void miss_left(Words row, std::span<std::uint32_t> missed) {
+    missed[0] = folded(row[0]);
+    for (std::size_t i = 1; i < row.size(); ++i) missed[i] = folded(row[i] - row[i - 1]);
+}
+
+void miss_planar(Words upper, Words row, std::span<std::uint32_t> missed) {
+    missed[0] = folded(row[0] - upper[0]);
+    for (std::size_t i = 1; i < row.size(); ++i)
+        missed[i] = folded(row[i] - row[i - 1] - (upper[i] - upper[i - 1]));
+}
+
 }  // namespace
 
-std::string encode(std::span<const std::uint32_t> values, std::size_t width, Prediction prediction,
-                   Effort effort) {
+std::string encode(Words values, std::size_t width, Prediction prediction) {
     assert(width > 0 && values.size() % width == 0);
     std::vector<std::uint32_t> missed(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
-        missed[i] = folded(values[i] - guess_for(values.data(), i, width, prediction));
-    return deflated(byte_planes(std::span<const std::uint32_t>(missed)), effort);
+    for (std::size_t at = 0; at < values.size(); at += width) {
+        const auto row = values.part(at, width);
+        const auto to = std::span(missed).subspan(at, width);
+        if (prediction == Prediction::left || at == 0)
+            miss_left(row, to);
+        else
+            miss_planar(values.part(at - width, width), row, to);
+    }
+    return deflated(byte_planes(std::span<const std::uint32_t>(missed)));
 }
 
 std::vector<std::uint32_t> decode(std::string_view bytes, std::size_t count, std::size_t width,
@@ -72,12 +90,11 @@ std::vector<std::uint32_t> decode(std::string_view bytes, std::size_t count, std
     return values;
 }
 
-std::string encode(std::span<const std::uint32_t> values, std::span<const std::uint32_t> guess,
-                   Effort effort) {
+std::string encode(Words values, Words guess) {
     assert(values.size() == guess.size());
     std::vector<std::uint32_t> missed(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) missed[i] = folded(values[i] - guess[i]);
-    return deflated(byte_planes(std::span<const std::uint32_t>(missed)), effort);
+    return deflated(byte_planes(std::span<const std::uint32_t>(missed)));
 }
 
 std::vector<std::uint32_t> decode(std::string_view bytes, std::span<const std::uint32_t> guess) {
@@ -86,7 +103,7 @@ std::vector<std::uint32_t> decode(std::string_view bytes, std::span<const std::u
     return values;
 }
 
-std::string encode_sparse(std::span<const std::uint32_t> values, std::span<const std::uint32_t> guess) {
+std::string encode_sparse(Words values, Words guess) {
     assert(values.size() == guess.size());
     std::vector<std::uint32_t> places, kept;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -96,7 +113,7 @@ std::string encode_sparse(std::span<const std::uint32_t> values, std::span<const
     }
     const std::size_t width = std::max<std::size_t>(places.size(), 1);
     places.insert(places.end(), kept.begin(), kept.end());
-    return encode(places, width, Prediction::left, Effort::thorough);
+    return encode(places, width, Prediction::left);
 }
 
 std::vector<std::uint32_t> decode_sparse(std::string_view bytes, std::size_t count,
@@ -108,7 +125,7 @@ std::vector<std::uint32_t> decode_sparse(std::string_view bytes, std::size_t cou
     return values;
 }
 
-std::size_t missed_by(std::span<const std::uint32_t> values, std::span<const std::uint32_t> guess) {
+std::size_t missed_by(Words values, Words guess) {
     std::size_t missed = 0;
     for (std::size_t i = 0; i < values.size(); ++i) missed += values[i] != guess[i];
     return missed;
@@ -117,7 +134,7 @@ std::size_t missed_by(std::span<const std::uint32_t> values, std::span<const std
 std::string encode(std::span<const double> values) {
     std::vector<std::uint64_t> bits;
     for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
-    return deflated(byte_planes(std::span<const std::uint64_t>(bits)), Effort::thorough);
+    return deflated(byte_planes(std::span<const std::uint64_t>(bits)));
 }
 
 std::vector<double> decode_doubles(std::string_view bytes, std::size_t count) {
@@ -125,17 +142,6 @@ std::vector<double> decode_doubles(std::string_view bytes, std::size_t count) {
     for (const std::uint64_t bits : from_byte_planes<std::uint64_t>(bytes, count))
         values.push_back(std::bit_cast<double>(bits));
     return values;
-}
-
-std::string deflated(std::string_view bytes, Effort effort) {
-    uLongf size = compressBound(bytes.size());
-    std::string packed(size, '\0');
-    const int level = effort == Effort::fast ? 1 : 4;  // 6 takes twice the time for a twentieth
-    if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, zlib_bytes(bytes), bytes.size(), level) !=
-        Z_OK)
-        throw std::bad_alloc();
-    packed.resize(size);
-    return packed;
 }
 
 std::string inflated(std::string_view bytes, std::size_t most) {
@@ -147,10 +153,6 @@ std::string inflated(std::string_view bytes, std::size_t most) {
                           " bytes of deflated content; run zproof again");
     plain.resize(size);
     return plain;
-}
-
-std::uint32_t checksum(std::string_view bytes) {
-    return std::uint32_t(crc32_z(0, zlib_bytes(bytes), bytes.size()));
 }
 
 }  // namespace zproof::planes

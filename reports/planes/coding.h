@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,8 +11,31 @@
 
 namespace zproof::planes {
 
-/// How hard zlib tries.
-enum class Effort { fast, thorough };
+/// Numbers of 32 bits where they lie: ids, counts, or the bits of floats, which are not copied for it.
+class Words {
+  public:
+    template <class T, std::size_t extent>
+    requires(sizeof(T) == sizeof(std::uint32_t)) Words(std::span<T, extent> values)
+        : Words(values.data(), values.size()) {}
+    Words(const std::vector<std::uint32_t>& values) : Words(values.data(), values.size()) {}
+
+    std::size_t size() const { return size_; }
+    std::uint32_t operator[](std::size_t i) const {
+        std::uint32_t word;
+        std::memcpy(&word, first_ + sizeof word * i, sizeof word);
+        return word;
+    }
+    Words part(std::size_t first, std::size_t size) const {
+        return {first_ + sizeof(std::uint32_t) * first, size};
+    }
+    std::string_view bytes() const { return {first_, sizeof(std::uint32_t) * size_}; }
+
+  private:
+    Words(const void* first, std::size_t size) : first_(static_cast<const char*>(first)), size_(size) {}
+
+    const char* first_;
+    std::size_t size_;
+};
 
 /// What a 32-bit number is guessed to be. Differences are taken modulo 2^32 and folded so that small ones of
 /// either sign are small: 0, -1, 1, -2 ... become 0, 1, 2, 3 ...
@@ -21,39 +45,26 @@ enum class Prediction {
 };
 
 /// Row-major, values.size() a multiple of width > 0.
-std::string encode(std::span<const std::uint32_t> values, std::size_t width, Prediction prediction,
-                   Effort effort);
+std::string encode(Words values, std::size_t width, Prediction prediction);
 std::vector<std::uint32_t> decode(std::string_view bytes, std::size_t count, std::size_t width,
                                   Prediction prediction);
 
 /// Guessed to be the number at the same place of another plane of the same size.
-std::string encode(std::span<const std::uint32_t> values, std::span<const std::uint32_t> guess,
-                   Effort effort);
+std::string encode(Words values, Words guess);
 std::vector<std::uint32_t> decode(std::string_view bytes, std::span<const std::uint32_t> guess);
 
 /// Guessed likewise, and only what the guess misses is kept: places, then values.
-std::string encode_sparse(std::span<const std::uint32_t> values, std::span<const std::uint32_t> guess);
+std::string encode_sparse(Words values, Words guess);
 std::vector<std::uint32_t> decode_sparse(std::string_view bytes, std::size_t count,
                                          std::span<const std::uint32_t> guess);
 /// How many numbers encode_sparse keeps.
-std::size_t missed_by(std::span<const std::uint32_t> values, std::span<const std::uint32_t> guess);
+std::size_t missed_by(Words values, Words guess);
 
 /// The bits of doubles, byte by byte.
 std::string encode(std::span<const double> values);
 std::vector<double> decode_doubles(std::string_view bytes, std::size_t count);
 
-/// Bytes as they are.
-std::string deflated(std::string_view bytes, Effort effort);
-/// At most `most` bytes must come out. Throws ReportError where the bytes are damaged.
+/// What zproof::deflated() made of at most `most` bytes. Throws ReportError where it is damaged.
 std::string inflated(std::string_view bytes, std::size_t most);
-
-/// CRC-32 of zlib and PNG.
-std::uint32_t checksum(std::string_view bytes);
-
-/// The bytes that numbers occupy, in this machine's order, which is little-endian.
-template <class T>
-std::string_view as_bytes(std::span<const T> values) {
-    return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
-}
 
 }  // namespace zproof::planes

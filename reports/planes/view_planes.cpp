@@ -3,11 +3,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <limits>
 
+#include "frame/deflate.h"
 #include "reports/pictures.h"
 #include "reports/planes/coding.h"
 #include "reports/planes/stories.h"
@@ -16,62 +19,46 @@ namespace zproof::planes {
 
 namespace {
 
-using Words = std::span<const std::uint32_t>;
-
-std::vector<std::uint32_t> bits_of(const Plane<PrimitiveId>& ids) {
-    std::vector<std::uint32_t> bits;
-    bits.reserve(ids.pixels().size());
-    for (const PrimitiveId id : ids.pixels()) bits.push_back(std::uint32_t(id));
-    return bits;
-}
-
-std::vector<std::uint32_t> bits_of(const Plane<float>& depths) {
-    std::vector<std::uint32_t> bits;
-    bits.reserve(depths.pixels().size());
-    for (const float depth : depths.pixels()) bits.push_back(std::bit_cast<std::uint32_t>(depth));
-    return bits;
-}
-
 nlohmann::json plane_facts(std::string_view coding, std::string_view decoded) {
-    return {{"coding", coding}, {"crc32", checksum(decoded)}};
+    return {{"coding", coding}, {"crc32", crc32_of(decoded)}};
 }
 
 Block predicted(const std::string& name, Words values, std::size_t width, Prediction prediction) {
     const bool planar = prediction == Prediction::planar;
-    return {name, plane_facts(planar ? "planar" : "left", as_bytes(values)),
-            encode(values, width, prediction, planar ? Effort::fast : Effort::thorough)};
+    return {name, plane_facts(planar ? "planar" : "left", values.bytes()), encode(values, width, prediction)};
 }
 
 /// Guessed from the candidate's plane; the reader needs that as well.
 Block beside(const std::string& name, Words values, Words candidate, const std::string& guess) {
     const std::size_t missed = missed_by(values, candidate);
     const bool sparse = missed < values.size() / 16;
-    Block block{name, plane_facts(sparse ? "sparse" : "beside", as_bytes(values)),
-                sparse ? encode_sparse(values, candidate) : encode(values, candidate, Effort::fast)};
+    Block block{name, plane_facts(sparse ? "sparse" : "beside", values.bytes()),
+                sparse ? encode_sparse(values, candidate) : encode(values, candidate)};
     if (sparse) block.facts["count"] = missed;
     block.facts["beside"] = guess;
     return block;
 }
 
-Block bytes_block(const std::string& name, const std::string& bytes, Effort effort) {
-    return {name, plane_facts("bytes", bytes), deflated(bytes, effort)};
+Block bytes_block(const std::string& name, const std::string& bytes) {
+    return {name, plane_facts("bytes", bytes), deflated(bytes)};
 }
 
 Block class_block(const Plane<PixelClass>& classes) {
-    std::string bytes;
-    for (const PixelClass c : classes.pixels()) bytes += char(c);
-    return bytes_block("class", bytes, Effort::thorough);
+    std::string bytes(classes.pixels().size(), '\0');
+    std::ranges::transform(classes.pixels(), bytes.begin(), [](PixelClass c) { return char(c); });
+    return bytes_block("class", bytes);
 }
 
-Block error_block(const std::string& name, const Plane<float>& errors, Effort effort) {
-    std::string bytes;
-    for (const float error : errors.pixels()) bytes += char(error_code(error));
-    return bytes_block(name, bytes, effort);
+Block error_block(const std::string& name, const Plane<float>& errors) {
+    std::string bytes(errors.pixels().size(), '\0');
+    std::ranges::transform(errors.pixels(), bytes.begin(),
+                           [](float error) { return char(error_code(error)); });
+    return bytes_block(name, bytes);
 }
 
 Block json_block(const std::string& name, const nlohmann::json& content) {
     const std::string text = content.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    return {name, {{"coding", "json"}, {"length", text.size()}}, deflated(text, Effort::thorough)};
+    return {name, {{"coding", "json"}, {"length", text.size()}}, deflated(text)};
 }
 
 /// The three channels one after another, each number less its left neighbour, modulo 256.
@@ -88,7 +75,7 @@ Block colour_block(const std::string& name, const Picture& colours) {
             left = value;
         }
     }
-    return {name, plane_facts("channels", plain), deflated(missed, Effort::fast)};
+    return {name, plane_facts("channels", plain), deflated(missed)};
 }
 
 std::vector<const Finding*> listed_findings(const Verdict& verdict) {
@@ -122,8 +109,7 @@ Block findings_block(const Verdict& verdict, int width) {
     add(doubles, [](const Finding& f) { return f.candidate_depth.truth; });
     add(doubles, [](const Finding& f) { return f.candidate_depth.high; });
     add(doubles, [](const Finding& f) { return f.error_over_bound; });
-    const std::string first =
-        encode(words, std::max<std::size_t>(listed.size(), 1), Prediction::left, Effort::thorough);
+    const std::string first = encode(words, std::max<std::size_t>(listed.size(), 1), Prediction::left);
     return {"findings",
             {{"coding", "table"},
              {"count", listed.size()},
@@ -135,21 +121,17 @@ Block findings_block(const Verdict& verdict, int width) {
 /// A block that is yet to be made: they are made side by side.
 using Recipe = std::function<Block()>;
 
-/// A renderer's ids and depths. Beside the candidate's they are nearly nothing.
-struct Answers {
-    std::string name;
-    std::vector<std::uint32_t> ids, depths;
-};
-
-Answers answers_of(const std::string& name, const Frame& frame) {
-    return {name, bits_of(frame.primitive), bits_of(frame.camera_depth)};
+/// A renderer's ids or depths. Beside the candidate's they are nearly nothing.
+void add_ids(std::vector<Recipe>& recipes, const std::string& name, const Renderer& other,
+             const Renderer& candidate) {
+    const Words values = other.frame.primitive.pixels(), guess = candidate.frame.primitive.pixels();
+    recipes.push_back([=] { return beside(name + ".id", values, guess, "candidate.id"); });
 }
 
-void add_beside(std::vector<Recipe>& recipes, const Answers& other, const Answers& candidate,
-                const std::string& plane) {
-    const bool ids = plane == ".id";
-    const Words values = ids ? other.ids : other.depths, guess = ids ? candidate.ids : candidate.depths;
-    recipes.push_back([=, &other] { return beside(other.name + plane, values, guess, "candidate" + plane); });
+void add_depths(std::vector<Recipe>& recipes, const std::string& name, const Renderer& other,
+                const Renderer& candidate) {
+    const Words values = other.frame.camera_depth.pixels(), guess = candidate.frame.camera_depth.pixels();
+    recipes.push_back([=] { return beside(name + ".depth", values, guess, "candidate.depth"); });
 }
 
 void add_colours(std::vector<Recipe>& recipes, const std::string& name, const Picture& colours) {
@@ -179,38 +161,45 @@ std::vector<Block> made(const std::vector<Recipe>& recipes) {
     return blocks;
 }
 
+constexpr int fraction_bits = std::numeric_limits<float>::digits - 1;
+
+/// The fraction bits of the least float in [1, 2) that is not below `least`.
+constexpr std::uint32_t least_fraction(double least) {
+    const double exact = (least - 1) * (1 << fraction_bits);
+    const auto whole = std::uint32_t(exact);
+    return whole + (double(whole) < exact);
+}
+
 }  // namespace
 
 std::uint8_t error_code(float ratio) {
     if (std::isnan(ratio)) return 0;
     if (std::isinf(ratio)) return 255;
-    int exponent = 0;
-    const double twice = 2 * std::frexp(double(ratio), &exponent);  // in [1, 2), or 0
-    if (twice == 0) return 1;
-    constexpr double quarter_octave[] = {1.189207115002721, 1.4142135623730951, 1.681792830507429};
-    const auto part = std::ranges::count_if(quarter_octave, [&](double step) { return twice >= step; });
-    return std::uint8_t(1 + std::clamp(4 * (exponent - 1) + int(part) + 200, 0, 254));
+    const auto bits = std::bit_cast<std::uint32_t>(std::abs(ratio));
+    const int octave = int(bits >> fraction_bits) - 127;  // 0 and what is denormal is far below 2^-50
+    const std::uint32_t fraction = bits % (1u << fraction_bits);
+    constexpr std::array quarters{least_fraction(1.189207115002721), least_fraction(1.4142135623730951),
+                                  least_fraction(1.681792830507429)};
+    const int part = (fraction >= quarters[0]) + (fraction >= quarters[1]) + (fraction >= quarters[2]);
+    return std::uint8_t(1 + std::clamp(4 * octave + part + 200, 0, 254));
 }
 
 Container container_of(const ViewPlanes& v) {
     const auto width = std::size_t(v.candidate.frame.size().width);
-    const Answers ours = answers_of("candidate", v.candidate.frame),
-                  theirs = answers_of("reference", v.reference.frame);
-    std::vector<Answers> others;
-    for (const Renderer& w : v.witnesses) others.push_back(answers_of("witness." + w.name, w.frame));
-
-    std::vector<Recipe> recipes{[&] { return class_block(v.verdict.classes); },
-                                [&] { return findings_block(v.verdict, int(width)); },
-                                [&] { return json_block("stories", to_json(v.stories)); },
-                                [&] { return json_block("ranges", to_json(v.ranges)); },
-                                [&] { return predicted("candidate.id", ours.ids, width, Prediction::left); }};
-    add_beside(recipes, theirs, ours, ".id");
-    recipes.push_back([&] { return error_block("candidate.error", v.candidate_error, Effort::thorough); });
-    recipes.push_back([&] { return error_block("reference.error", v.reference_error, Effort::fast); });
-    recipes.push_back([&] { return predicted("candidate.depth", ours.depths, width, Prediction::planar); });
-    add_beside(recipes, theirs, ours, ".depth");
-    for (const Answers& other : others) add_beside(recipes, other, ours, ".id");
-    for (const Answers& other : others) add_beside(recipes, other, ours, ".depth");
+    const Frame& ours = v.candidate.frame;
+    std::vector<Recipe> recipes{
+        [&] { return class_block(v.verdict.classes); }, [&] { return findings_block(v.verdict, int(width)); },
+        [&] { return json_block("stories", to_json(v.stories)); },
+        [&] { return json_block("ranges", to_json(v.ranges)); },
+        [&] { return predicted("candidate.id", ours.primitive.pixels(), width, Prediction::left); }};
+    add_ids(recipes, "reference", v.reference, v.candidate);
+    recipes.push_back([&] { return error_block("candidate.error", v.candidate_error); });
+    recipes.push_back([&] { return error_block("reference.error", v.reference_error); });
+    recipes.push_back(
+        [&] { return predicted("candidate.depth", ours.camera_depth.pixels(), width, Prediction::planar); });
+    add_depths(recipes, "reference", v.reference, v.candidate);
+    for (const Renderer& w : v.witnesses) add_ids(recipes, "witness." + w.name, w, v.candidate);
+    for (const Renderer& w : v.witnesses) add_depths(recipes, "witness." + w.name, w, v.candidate);
     add_colours(recipes, "candidate", v.candidate.colours);
     for (const Renderer& w : v.witnesses) add_colours(recipes, "witness." + w.name, w.colours);
     return {header_of(v), made(recipes)};

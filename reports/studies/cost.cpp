@@ -158,7 +158,7 @@ Table work_table(const TrickStudy& study, const std::string& stem) {
         table.rows.push_back(
             {run.name, run.timing.median * milliseconds,
              rounded(run.timing.low * milliseconds) + " to " + rounded(run.timing.high * milliseconds),
-             run.timing.median / plain, whole(run.work.vertices), whole(run.work.set_up),
+             run.timing.median / plain, whole(run.work.vertices), whole(run.work.bins.set_up),
              whole(tally.fragments), whole(tally.written), whole(tally.blocks), whole(tally.hidden_blocks),
              whole(run.same.other_ids), whole(run.same.other_depths), whole(run.same.defects)});
     }

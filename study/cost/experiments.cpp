@@ -109,8 +109,8 @@ Quantities quantities_of(const Scene& scene, const View& view) {
     const rasterizer::Work work =
         rasterizer::Pipeline(rasterizer::lawful_rules, rasterizer::widest_kernel(), plain)
             .count_work(scene, view);
-    return {double(work.vertices), double(work.set_up), double(work.tally.fragments), double(work.pixels),
-            double(work.tally.blocks)};
+    return {double(work.vertices), double(work.bins.set_up), double(work.tally.fragments),
+            double(work.pixels), double(work.tally.blocks)};
 }
 
 std::vector<double> factors_of(const Quantities& q, Stages::Set stages) {

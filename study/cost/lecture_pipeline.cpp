@@ -66,14 +66,13 @@ void LecturePipeline::rasterize() {
     bins_.fill(scene_, projected_, setup_);
     for (std::size_t i = 0; i < bins_.tiles().count(); ++i) {
         const rasterizer::PixelRect pixels = bins_.tiles().pixels(i, setup_.size);
-        if (bins_.is_empty(i)) {
+        if (bins_.places_in(i).empty()) {
             clear(frame_, pixels);
             continue;
         }
         rasterizer::Tile tile(pixels, setup_);
-        for (const rasterizer::BinnedRun& run : bins_.runs())
-            tile.draw(rasterizer::widest_kernel(), run.triangles(), run.places_in(i));
-        tile.resolve(frame_);
+        tile.draw(rasterizer::widest_kernel(), bins_.triangles(), bins_.places_in(i));
+        tile.resolve(rasterizer::widest_kernel(), frame_);
     }
 }
 

@@ -134,6 +134,15 @@ TEST_P(Judge, ATriangleThatEndsBeforeThePixelIsOutside) {
     EXPECT_EQ(t.class_at(1, 1), PixelClass::outside);
 }
 
+TEST_P(Judge, ATriangleThatEndsBeforeThePixelIsNoTieWithTheWallInItsPlane) {
+    Trial t = agreed_trial({wall(4), wall_right_of(2, 4)});
+    answer(t.candidate, 3, 1, 1, 4);  // a tie, so that both are known beside each other
+    answer(t.candidate, 0, 1, 1, 4);
+    const Verdict verdict = t.verdict();
+    EXPECT_EQ(verdict.classes.at(3, 1), PixelClass::depth_tie);
+    EXPECT_EQ(verdict.classes.at(0, 1), PixelClass::outside);
+}
+
 TEST_P(Judge, ATriangleBehindAWallIsHidden) {
     Trial t = agreed_trial({wall(4), wall(8)});
     answer(t.candidate, 1, 1, 1, 8);

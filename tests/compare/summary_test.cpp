@@ -30,13 +30,14 @@ class OnePixel {
             if (filters.of(corners_of(scene_, t)).is_near(x_, y_, site.reach_px)) site.triangles.push_back(t);
         return neighbourhood_of(scene_, view_, bounds_, site, own_eps_px(answer));
     }
-    std::optional<Ruled> summarily(PrimitiveId answer) const {
+    /// As a pixel of a tile whose centres reach that far from its own.
+    std::optional<Ruled> summarily(PrimitiveId answer, double tile_px) const {
         const Sights<double> sights(view_);
         Acquaintance acquaintance(scene_, view_);
         CoplanarMemory coplanar(16);
         const std::array<const ViewBounds*, 1> renderers{&bounds_};
-        Summary summary({view_, sights, acquaintance, coplanar}, {double(x_), double(y_), 0, 0}, all_,
-                        renderers);
+        Summary summary({view_, sights, acquaintance, coplanar}, {double(x_), double(y_), tile_px, tile_px},
+                        all_, renderers);
         summary.look_at(x_, y_);
         const double own = own_eps_px(answer);
         return summary.rule({&bounds_, answer, own, 2 * own, Asked::standing_and_displacement});
@@ -54,7 +55,9 @@ class OnePixel {
 class Comparison {
   public:
     void hear(const OnePixel& pixel, PrimitiveId answer) {
-        const std::optional<Ruled> ruled = pixel.summarily(answer);
+        for (const double tile_px : {0, 7}) hear(pixel, answer, pixel.summarily(answer, tile_px));
+    }
+    void hear(const OnePixel& pixel, PrimitiveId answer, const std::optional<Ruled>& ruled) {
         ++(ruled ? decided : left);
         if (!ruled) return;
         const Neighbourhood around = pixel.around(answer);

@@ -2,11 +2,14 @@
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
+#include <tbb/task_arena.h>
 
 #include <bit>
 #include <fstream>
+#include <random>
 #include <vector>
 
+#include "frame/exr_encode.h"
 #include "frame/frame_error.h"
 #include "scratch_folder.h"
 
@@ -106,6 +109,34 @@ TEST_F(Exr, SameFrameGivesTheSameBytes) {
         return std::string{std::istreambuf_iterator<char>(in), {}};
     };
     EXPECT_EQ(bytes("a.exr"), bytes("b.exr"));
+}
+
+TEST(ExrEncode, GivesTheSameBytesForAnyNumberOfThreads) {
+    Plane<std::uint32_t> plane({100, 333});
+    for (std::size_t i = 0; i < plane.pixels().size(); ++i)
+        plane.pixels()[i] = static_cast<std::uint32_t>(i * i / 7);
+    const ExrChannel channel{"n", ExrType::uint32, plane.pixels().data()};
+    const auto encoded_on = [&](int threads) {
+        std::string file;
+        tbb::task_arena(threads).execute([&] {
+            file = encode_exr(plane.size(), std::span{&channel, 1}, "n");
+        });
+        return file;
+    };
+    EXPECT_EQ(encoded_on(1), encoded_on(2));
+    EXPECT_EQ(encoded_on(1), encoded_on(7));
+}
+
+TEST_F(Exr, KeepsNoiseThatDoesNotPack) {
+    Frame frame({64, 40});
+    std::mt19937 random(1);
+    for (PrimitiveId& id : frame.primitive.pixels()) id = PrimitiveId{static_cast<std::uint32_t>(random())};
+    for (float& depth : frame.camera_depth.pixels())
+        depth = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+    write_exr(file("noise.exr"), frame);
+    const Frame back = read_exr(file("noise.exr"));
+    EXPECT_EQ(numbers(back.primitive), numbers(frame.primitive));
+    EXPECT_EQ(bits(back.camera_depth), bits(frame.camera_depth));
 }
 
 TEST_F(Exr, ReadsAStrangersFileWithMoreChannels) {

@@ -1,4 +1,4 @@
-#include "frame/png.h"
+#include "frame/png_kinds.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -26,19 +26,34 @@ Plane<Rgb8> ramp(Resolution size) {
     return picture;
 }
 
-TEST_F(Png, KeepsEveryValue) {
-    const Plane<Rgb8> picture = ramp({37, 19});
-    write_png(file("a.png"), picture);
-    const auto input = OIIO::ImageInput::open(file("a.png").string());
-    ASSERT_TRUE(input) << OIIO::geterror();
-    EXPECT_EQ(input->spec().width, 37);
-    EXPECT_EQ(input->spec().height, 19);
-    ASSERT_EQ(input->spec().nchannels, 3);
-    EXPECT_EQ(input->spec().format, OIIO::TypeUInt8);
+/// As OpenImageIO reads it.
+Plane<Rgb8> read_back(const std::filesystem::path& file) {
+    const auto input = OIIO::ImageInput::open(file.string());
+    if (!input || input->spec().nchannels != 3 || input->spec().format != OIIO::TypeUInt8) return {};
     EXPECT_EQ(input->spec().get_string_attribute("oiio:ColorSpace"), "sRGB");
-    Plane<Rgb8> back({37, 19});
-    ASSERT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeUInt8, back.pixels().data())) << input->geterror();
-    EXPECT_TRUE(std::ranges::equal(back.pixels(), picture.pixels()));
+    Plane<Rgb8> picture({input->spec().width, input->spec().height});
+    EXPECT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeUInt8, picture.pixels().data())) << input->geterror();
+    return picture;
+}
+
+TEST_F(Png, KeepsEveryValueHoweverRowsAreWritten) {
+    const Plane<Rgb8> picture = ramp({37, 19});
+    for (const PngRows rows : {PngRows::as_they_are, PngRows::less_the_upper}) {
+        write_png(file("a.png"), picture, rows);
+        const Plane<Rgb8> back = read_back(file("a.png"));
+        ASSERT_EQ(back.size(), picture.size());
+        EXPECT_TRUE(std::ranges::equal(back.pixels(), picture.pixels()));
+    }
+}
+
+TEST_F(Png, KeepsTheColoursOfIndices) {
+    const std::vector<Rgb8> colours{{1, 2, 3}, {250, 251, 252}, {0, 0, 7}};
+    Plane<std::uint8_t> indices({5, 3});
+    for (std::size_t i = 0; i < 15; ++i) indices.pixels()[i] = static_cast<std::uint8_t>(i * i % 3);
+    write_png(file("a.png"), indices, colours);
+    const Plane<Rgb8> back = read_back(file("a.png"));
+    ASSERT_EQ(back.size(), indices.size());
+    for (std::size_t i = 0; i < 15; ++i) EXPECT_EQ(back.pixels()[i], colours[indices.pixels()[i]]) << i;
 }
 
 TEST_F(Png, FileAndMemoryHoldTheSameBytes) {

@@ -7,8 +7,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "frame/encode.h"
+#include "frame/exr_encode.h"
 #include "frame/png.h"
+#include "frame/whole_file.h"
 #include "reports/pictures.h"
 
 namespace zproof {
@@ -79,12 +80,8 @@ bool passes_idiff(const IdiffOptions& options, const Frame& candidate, const Fra
 void write_for_idiff(const std::filesystem::path& stem, const Frame& frame) {
     write_png(stem.string() + "-id.png", picture_of_ids(frame.primitive));
     const std::string file = stem.string() + "-depth.exr";
-    OIIO::ImageSpec spec(frame.size().width, frame.size().height, 1, OIIO::TypeDesc::FLOAT);
-    spec.channelnames = {"Z"};
-    const auto bytes = encode({"openexr", spec}, frame.camera_depth.pixels().data(), file);
-    std::ofstream out(file, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
-    if (!out) throw std::runtime_error(file + ": cannot be written; is the disk full?");
+    const ExrChannel depth{"Z", ExrType::float32, frame.camera_depth.pixels().data()};
+    write_whole_file(file, encode_exr(frame.size(), std::span{&depth, 1}, file));
 }
 
 }  // namespace zproof

@@ -9,6 +9,7 @@
 
 #include "drawing.h"
 #include "rasterizer/pipeline.h"
+#include "rasterizer/view_setup.h"
 #include "scenes/suite.h"
 
 namespace zproof::rasterizer {
@@ -18,18 +19,79 @@ namespace {
 /// depth in the order of operations that docs/bounds.md counts the roundings of.
 namespace plain {
 
+void project(const VertexWork& work) noexcept {
+    for (std::size_t i = 0; i < work.count; ++i) {
+        const ClipVertex v = work.setup.clip_from_world(work.position_world[i]);
+        const int code = outcode_of(v, work.setup.volume);
+        const auto snapped = work.setup.snap(v);
+        work.outcode[i] =
+            std::uint8_t(code & outcode::needs_clip || snapped ? code : int(outcode::not_finite));
+        work.snapped[i] = snapped.value_or(SnappedVertex{});
+    }
+}
+
+/// Row by row and column by column: does the box hold its samples?
+struct Span {
+    int first = 1, last = 0;
+};
+
+Span samples_within(int low, int high, int pixels, const SubpixelGrid& grid) {
+    Span span;
+    for (int i = 0; i < pixels; ++i) {
+        if (grid.sample(i) < low || grid.sample(i) > high) continue;
+        if (span.last < span.first) span.first = i;
+        span.last = i;
+    }
+    return span;
+}
+
+std::int64_t edge(SnappedPoint from, SnappedPoint to, SnappedPoint p);
+
+PlacedLanes place(const ViewSetup& setup, const CornerLanes& lanes) noexcept {
+    PlacedLanes placed{};
+    for (int i = 0; i < CornerLanes::count; ++i) {
+        const auto at = [&](int k) { return SnappedPoint{lanes.x[k][i], lanes.y[k][i]}; };
+        const std::int64_t area = edge(at(0), at(1), at(2));
+        const auto [left, right] = std::minmax({at(0).x, at(1).x, at(2).x});
+        const auto [top, bottom] = std::minmax({at(0).y, at(1).y, at(2).y});
+        const Span columns = samples_within(left, right, setup.size.width, setup.grid);
+        const Span rows = samples_within(top, bottom, setup.size.height, setup.grid);
+        const bool may_cover = area != 0 && columns.first <= columns.last && rows.first <= rows.last;
+        const bool faces_away = may_cover && setup.facing == Facing::front && area > 0;
+        placed.column0[i] = 1;
+        placed.turn[i] = area < 0 ? turned : 0;
+        placed.faces_away[i] = faces_away;
+        if (!may_cover || faces_away) continue;
+        placed.column0[i] = columns.first / tile_size, placed.column1[i] = columns.last / tile_size;
+        placed.row0[i] = rows.first / tile_size, placed.row1[i] = rows.last / tile_size;
+    }
+    return placed;
+}
+
+void resolve(const ResolveWork& work) noexcept {
+    for (int y = 0; y < work.rows; ++y)
+        for (int x = 0; x < work.columns; ++x) {
+            const int from = place_in_tile(x, y);
+            const std::size_t to = work.stride * std::size_t(y) + std::size_t(x);
+            const float nearness = work.pixels.nearness[from];
+            work.camera_depth[to] =
+                nearness == nothing_seen ? background_depth : work.depth.depth_of(nearness);
+            work.primitive[to] = PrimitiveId{work.pixels.primitive[from]};
+        }
+}
+
 struct Vertices {
     const SnappedVertex* v[3];
     std::uint32_t id;
 };
 
-Vertices at(const TriangleRun& run, std::uint32_t word) {
+Vertices at(const Triangles& triangles, std::uint32_t word) {
     const std::uint32_t place = word & ~turned;
-    const bool is_piece = place >= run.length;
-    const SnappedPiece* piece = is_piece ? run.pieces + (place - run.length) : nullptr;
-    Vertices found{{}, is_piece ? std::uint32_t(piece->id) : run.first + place};
+    const bool is_piece = place >= triangles.length;
+    const SnappedPiece* piece = is_piece ? triangles.pieces + (place - triangles.length) : nullptr;
+    Vertices found{{}, is_piece ? std::uint32_t(piece->id) : place};
     for (int k = 0; k < 3; ++k)
-        found.v[k] = is_piece ? &piece->vertex[k] : &run.vertices[run.corners[place][k]];
+        found.v[k] = is_piece ? &piece->vertex[k] : &triangles.vertices[triangles.corners[place][k]];
     if (word & turned) std::swap(found.v[1], found.v[2]);
     return found;
 }
@@ -48,7 +110,7 @@ template <class Visit>
 void for_each_covered(const TileWork& work, Visit visit) {
     const int steps = 1 << work.samples.subpixel_bits;
     for (std::uint32_t i = 0; i < work.count; ++i) {
-        const auto [v, id] = at(work.run, work.places[i]);
+        const auto [v, id] = at(work.triangles, work.places[i]);
         const auto area = double(edge(v[0]->p, v[1]->p, v[2]->p));
         const auto [left, right] = std::minmax({v[0]->p.x, v[1]->p.x, v[2]->p.x});
         const auto [top, bottom] = std::minmax({v[0]->p.y, v[1]->p.y, v[2]->p.y});
@@ -85,7 +147,7 @@ void count(const TileWork& work) noexcept {
     for_each_covered(work, [&](int place, std::uint32_t, float) { ++work.pixels.primitive[place]; });
 }
 
-constexpr Kernel kernel{Isa::scalar, "plain", draw, count};
+constexpr Kernel kernel{Isa::scalar, "plain", project, place, resolve, draw, count};
 
 }  // namespace plain
 

@@ -67,8 +67,8 @@ TEST(Tricks, AFrontIsCounterClockwise) {
     EXPECT_EQ(frame.primitive.at(2, 2), PrimitiveId{0});
     EXPECT_EQ(frame.primitive.at(2, 10), PrimitiveId::none);
     const Work work = counted(scene, raster_view(16, 16), {.facing = Facing::front});
-    EXPECT_EQ(work.set_up, 1u);
-    EXPECT_EQ(work.facing_away, 1u);
+    EXPECT_EQ(work.bins.set_up, 1u);
+    EXPECT_EQ(work.bins.facing_away, 1u);
 }
 
 TEST(Tricks, ChunksHoldEveryTriangleOnceAndTheirBoxesHoldThem) {
@@ -101,7 +101,7 @@ TEST(Tricks, WhatLiesBesideTheWindowIsNotTransformed) {
     EXPECT_GT(some.chunks_culled, 0u);
     EXPECT_LT(some.vertices, all.vertices);
     EXPECT_EQ(some.seen, all.seen);
-    EXPECT_EQ(some.set_up, all.set_up);
+    EXPECT_EQ(some.bins.set_up, all.bins.set_up);
 }
 
 TEST(Tricks, CountsAreWhatTheyAreCalled) {
@@ -116,16 +116,16 @@ TEST(Tricks, CountsAreWhatTheyAreCalled) {
         EXPECT_EQ(work.tally.blocks >= hierarchical.tally.blocks - hierarchical.tally.hidden_blocks, true);
         EXPECT_LE(hierarchical.tally.fragments, work.tally.fragments);
         EXPECT_EQ(work.vertices, scene.vertices.position_world.size());
-        EXPECT_EQ(work.triangles, scene.triangles.size());
+        EXPECT_EQ(work.bins.triangles, scene.triangles.size());
         EXPECT_LE(work.seen, work.tally.written);
     });
 }
 
 bool same_work(const Work& a, const Work& b) {
-    return a.vertices == b.vertices && a.set_up == b.set_up && a.places == b.places && a.cut == b.cut &&
-           a.outside == b.outside && a.seen == b.seen && a.tally.blocks == b.tally.blocks &&
-           a.tally.hidden_blocks == b.tally.hidden_blocks && a.tally.fragments == b.tally.fragments &&
-           a.tally.written == b.tally.written;
+    return a.vertices == b.vertices && a.bins.set_up == b.bins.set_up && a.places == b.places &&
+           a.bins.cut == b.bins.cut && a.bins.outside == b.bins.outside && a.seen == b.seen &&
+           a.tally.blocks == b.tally.blocks && a.tally.hidden_blocks == b.tally.hidden_blocks &&
+           a.tally.fragments == b.tally.fragments && a.tally.written == b.tally.written;
 }
 
 TEST(Tricks, CountsAreTheSameForAnyNumberOfThreadsAndEveryInstructionSet) {

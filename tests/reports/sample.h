@@ -6,6 +6,7 @@
 
 #include "compare/verdict.h"
 #include "frame/frame.h"
+#include "frame/whole_file.h"
 #include "reports/results.h"
 
 namespace zproof {
@@ -37,8 +38,6 @@ class TemporaryFolder {
   private:
     std::filesystem::path path_;
 };
-
-std::string content_of(const std::filesystem::path& file);
 
 /// How often part occurs in text.
 std::size_t occurrences(const std::string& text, const std::string& part);

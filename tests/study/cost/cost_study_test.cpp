@@ -90,7 +90,7 @@ TEST(CostTricks, KeepThePictureOfAClosedSceneAndSaveWork) {
     EXPECT_EQ(named("hierarchical z").same.other_ids, 0u);
     EXPECT_EQ(named("frustum culling").same.other_ids, 0u);
     EXPECT_EQ(named("front to back").same.other_depths, 0u);
-    EXPECT_LT(named("back-face culling").work.set_up, 0.6 * double(plain.work.set_up));
+    EXPECT_LT(named("back-face culling").work.bins.set_up, 0.6 * double(plain.work.bins.set_up));
     EXPECT_LT(named("hierarchical z").work.tally.fragments, plain.work.tally.fragments);
     EXPECT_LT(named("front to back").work.tally.written, plain.work.tally.written + 1);
     for (const ShadingRun& run : study.shading) EXPECT_EQ(run.other_colours, 0u) << run.name;

@@ -1,0 +1,140 @@
+#include "frame/exr_encode.h"
+
+#include <OpenEXR/openexr.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "frame/deflate.h"
+#include "frame/frame_error.h"
+#include "frame/frame_size.h"
+
+namespace zproof {
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "OpenEXR is little-endian, and so must this machine be");
+
+constexpr int rows_in_block = 16;  ///< what EXR_COMPRESSION_ZIP says
+
+/// Row by row, and within a row channel by channel.
+void gather(Resolution size, std::span<const ExrChannel> channels, int row, char* to) {
+    for (const ExrChannel& channel : channels) {
+        const auto width = static_cast<std::size_t>(size.width);
+        const char* from =
+            static_cast<const char*>(channel.first) + static_cast<std::size_t>(row) * width * channel.stride;
+        if (channel.stride == 4) std::memcpy(to, from, 4 * width);
+        for (std::size_t x = 0; channel.stride != 4 && x < width; ++x)
+            std::memcpy(to + 4 * x, from + x * channel.stride, 4);
+        to += 4 * width;
+    }
+}
+
+/// Even bytes, then odd ones; and of those each less the one before it, plus 128 (but for the first).
+void predict(std::string_view raw, std::string& sorted_bytes, std::string& missed_bytes) {
+    assert(raw.size() % 2 == 0 && sorted_bytes.size() == raw.size() && missed_bytes.size() == raw.size());
+    const std::size_t half = raw.size() / 2;
+    // Bare pointers: a char written through the strings might be their own pointer, for all the compiler
+    // knows.
+    const char* from = raw.data();
+    char *sorted = sorted_bytes.data(), *missed = missed_bytes.data();
+    for (std::size_t i = 0; i < half; ++i) sorted[i] = from[2 * i];
+    for (std::size_t i = 0; i < half; ++i) sorted[half + i] = from[2 * i + 1];
+    missed[0] = sorted[0];
+    for (std::size_t i = 1; i < 2 * half; ++i) missed[i] = static_cast<char>(sorted[i] - sorted[i - 1] + 128);
+}
+
+/// Makes blocks, one after another, in memory of its own.
+class BlockMaker {
+  public:
+    /// Packed, or as it is where that does not help.
+    std::string block(Resolution size, std::span<const ExrChannel> channels, int first_row) {
+        const auto rows = static_cast<std::size_t>(std::min(rows_in_block, size.height - first_row));
+        const std::size_t row_bytes = 4 * channels.size() * static_cast<std::size_t>(size.width);
+        for (std::string* buffer : {&raw_, &sorted_, &missed_}) buffer->resize(rows * row_bytes);
+        for (std::size_t row = 0; row < rows; ++row)
+            gather(size, channels, first_row + static_cast<int>(row), raw_.data() + row * row_bytes);
+        predict(raw_, sorted_, missed_);
+        std::string packed = deflater_.deflated(missed_);
+        return packed.size() < raw_.size() ? packed : raw_;
+    }
+
+  private:
+    Deflater deflater_;
+    std::string raw_, sorted_, missed_;
+};
+
+/// OpenEXR's own writer, into memory.
+class ExrWriter {
+  public:
+    ExrWriter(Resolution size, std::span<const ExrChannel> channels, const std::string& place)
+        : place_(place) {
+        exr_context_initializer_t calls = EXR_DEFAULT_CONTEXT_INITIALIZER;
+        calls.user_data = &file_;
+        calls.write_fn = put;
+        check(exr_start_write(&context_, place.c_str(), EXR_WRITE_FILE_DIRECTLY, &calls));
+        check(exr_add_part(context_, "frame", EXR_STORAGE_SCANLINE, &part_));
+        check(exr_initialize_required_attr_simple(context_, part_, size.width, size.height,
+                                                  EXR_COMPRESSION_ZIP));
+        for (const ExrChannel& channel : channels)
+            check(exr_add_channel(context_, part_, std::string(channel.name).c_str(),
+                                  static_cast<exr_pixel_type_t>(channel.type), EXR_PERCEPTUALLY_LINEAR, 1,
+                                  1));
+        check(exr_write_header(context_));
+    }
+    ~ExrWriter() { exr_finish(&context_); }
+    ExrWriter(const ExrWriter&) = delete;
+    ExrWriter& operator=(const ExrWriter&) = delete;
+
+    /// Blocks from the top, each once.
+    void write(int first_row, const std::string& block) {
+        check(exr_write_scanline_chunk(context_, part_, first_row, block.data(), block.size()));
+    }
+    /// After the last block.
+    std::string file() {
+        check(exr_finish(&context_));
+        return std::move(file_);
+    }
+
+  private:
+    static std::int64_t put(exr_const_context_t, void* file, const void* bytes, std::uint64_t size,
+                            std::uint64_t offset, exr_stream_error_func_ptr_t) {
+        std::string& to = *static_cast<std::string*>(file);
+        to.resize(std::max<std::size_t>(to.size(), offset + size));
+        std::memcpy(to.data() + offset, bytes, size);
+        return static_cast<std::int64_t>(size);
+    }
+    void check(exr_result_t result) const {
+        if (result != EXR_ERR_SUCCESS)
+            throw FrameError(place_ + ": OpenEXR cannot write it: " + exr_get_default_error_message(result));
+    }
+
+    std::string place_, file_;
+    exr_context_t context_ = nullptr;
+    int part_ = 0;
+};
+
+}  // namespace
+
+std::string encode_exr(Resolution size, std::span<const ExrChannel> channels, const std::string& place) {
+    assert(std::ranges::is_sorted(channels, {}, &ExrChannel::name));
+    refuse_bad_size(size, place);
+    std::vector<std::string> blocks(
+        static_cast<std::size_t>((size.height + rows_in_block - 1) / rows_in_block));
+    tbb::enumerable_thread_specific<BlockMaker> makers;
+    tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
+        blocks[i] = makers.local().block(size, channels, rows_in_block * static_cast<int>(i));
+    });
+    ExrWriter writer(size, channels, place);
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        writer.write(rows_in_block * static_cast<int>(i), blocks[i]);
+    return writer.file();
+}
+
+}  // namespace zproof

@@ -1,0 +1,15 @@
+#include "frame/frame_size.h"
+
+#include "frame/frame_error.h"
+
+namespace zproof {
+
+void refuse_bad_size(Resolution size, const std::string& place) {
+    constexpr int largest_side = 32768;
+    const auto allowed = [](int side) { return side >= 1 && side <= largest_side; };
+    if (allowed(size.width) && allowed(size.height)) return;
+    throw FrameError(place + ": size " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                     "; expected 1 to " + std::to_string(largest_side) + " pixels on either side");
+}
+
+}  // namespace zproof

@@ -1,0 +1,127 @@
+#include "rasterizer/binned_run.h"
+
+#include <algorithm>
+
+#include "rasterizer/triangle_setup.h"
+
+namespace zproof::rasterizer {
+namespace {
+
+/// Can any sample of the rectangle be on the inner side? E is affine, so its corners decide.
+bool reaches(const EdgeFunction& edge, const PixelRect& pixels, const SubpixelGrid& grid) {
+    const int x = edge.a > 0 ? pixels.x1 - 1 : pixels.x0;
+    const int y = edge.b > 0 ? pixels.y1 - 1 : pixels.y0;
+    return edge.covers({grid.sample(x), grid.sample(y)});
+}
+
+/// Clockwise.
+Corners corners_of(const CornerLanes& lanes, int i, bool is_turned) {
+    const auto at = [&](int k) { return SnappedPoint{lanes.x[k][i], lanes.y[k][i]}; };
+    return is_turned ? Corners{at(0), at(2), at(1)} : Corners{at(0), at(1), at(2)};
+}
+
+}  // namespace
+
+BinTally& BinTally::operator+=(const BinTally& other) {
+    triangles += other.triangles;
+    outside += other.outside;
+    cut += other.cut;
+    facing_away += other.facing_away;
+    set_up += other.set_up;
+    return *this;
+}
+
+void BinnedRun::fill(const Kernel& kernel, const Scene& scene, const ProjectedVertices& projected,
+                     const ViewSetup& setup, const Range& range) {
+    kernel_ = &kernel;
+    setup_ = &setup;
+    tiles_ = TileGrid(setup.size);
+    length_ = std::uint32_t(scene.triangles.size());
+    tally_ = {.triangles = range.end - range.begin};
+    pieces_.clear();
+    entries_.clear();
+    next_.assign(tiles_.count(), 0);
+    const SnappedVertex* const v = projected.snapped().data();
+    for (std::uint32_t i = range.begin; i < range.end; ++i) {
+        const glm::uvec3 index = scene.triangles[i];
+        const Remains remains = remains_of(index, projected.outcode().data());
+        if (remains == Remains::whole)
+            add(v[index.x].p, v[index.y].p, v[index.z].p, i);
+        else if (remains == Remains::cut)
+            add_pieces(scene, i);
+        else
+            ++tally_.outside;
+    }
+    place_queue();
+}
+
+void BinnedRun::add_pieces(const Scene& scene, std::uint32_t triangle) {
+    ++tally_.cut;
+    const std::size_t first = pieces_.size();
+    append_pieces(pieces_, scene, *setup_, triangle);
+    for (std::size_t i = first; i < pieces_.size(); ++i) {
+        const SnappedVertex(&v)[3] = pieces_[i].vertex;
+        add(v[0].p, v[1].p, v[2].p, length_ + std::uint32_t(i));
+    }
+}
+
+void BinnedRun::add(SnappedPoint a, SnappedPoint b, SnappedPoint c, std::uint32_t place) {
+    const int i = queue_.count++;
+    const SnappedPoint corner[] = {a, b, c};
+    for (int k = 0; k < 3; ++k) {
+        queue_.corners.x[k][i] = corner[k].x;
+        queue_.corners.y[k][i] = corner[k].y;
+    }
+    queue_.place[i] = place;
+    if (queue_.count == CornerLanes::count) place_queue();
+}
+
+void BinnedRun::place_queue() {
+    const PlacedLanes placed = kernel_->place(*setup_, queue_.corners);
+    for (int i = 0; i < queue_.count; ++i) {
+        const std::uint32_t place = queue_.place[i] | placed.turn[i];
+        tally_.facing_away += std::uint64_t(placed.faces_away[i]);
+        if (placed.column0[i] > placed.column1[i]) continue;
+        ++tally_.set_up;
+        if (placed.column0[i] == placed.column1[i] && placed.row0[i] == placed.row1[i])
+            add_to_tile(placed.column0[i], placed.row0[i], place);
+        else
+            add_to_tiles(i, placed, place);
+    }
+    queue_.count = 0;
+}
+
+/// In one row or column of tiles the triangle meets every one.
+void BinnedRun::add_to_tiles(int lane, const PlacedLanes& placed, std::uint32_t place) {
+    const int column0 = placed.column0[lane], column1 = placed.column1[lane];
+    const int row0 = placed.row0[lane], row1 = placed.row1[lane];
+    if (column0 != column1 && row0 != row1) return add_to_tiles_reached(lane, placed, place);
+    for (int row = row0; row <= row1; ++row)
+        for (int column = column0; column <= column1; ++column) add_to_tile(column, row, place);
+}
+
+void BinnedRun::add_to_tiles_reached(int lane, const PlacedLanes& placed, std::uint32_t place) {
+    const auto edges = edges_of(corners_of(queue_.corners, lane, (place & turned) != 0), setup_->fill);
+    for (int row = placed.row0[lane]; row <= placed.row1[lane]; ++row) {
+        for (int column = placed.column0[lane]; column <= placed.column1[lane]; ++column) {
+            const PixelRect pixels = tiles_.pixels(tiles_.tile_at(column, row), setup_->size);
+            const auto reaches_tile = [&](const EdgeFunction& e) { return reaches(e, pixels, setup_->grid); };
+            if (std::ranges::all_of(edges, reaches_tile)) add_to_tile(column, row, place);
+        }
+    }
+}
+
+std::size_t BinnedRun::put_pieces_at(std::size_t first) {
+    first_piece_ = first;
+    return pieces_.size();
+}
+
+void BinnedRun::write(std::span<std::uint32_t> places, std::span<SnappedPiece> pieces) {
+    for (const auto& [tile, place] : entries_) {
+        const bool is_piece = (place & ~turned) >= length_;
+        places[next_[tile]++] = is_piece ? place + std::uint32_t(first_piece_) : place;
+    }
+    std::ranges::copy(pieces_, pieces.begin() + std::ptrdiff_t(first_piece_));
+}
+
+}  // namespace zproof::rasterizer

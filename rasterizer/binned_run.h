@@ -1,0 +1,74 @@
+/// A run of triangles, sorted into tiles by one thread: a part of TileBins (tile_bins.h).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rasterizer/projected_vertices.h"
+#include "rasterizer/tile_grid.h"
+
+namespace zproof::rasterizer {
+
+/// What became of triangles. Whole numbers, the same for any number of threads.
+struct BinTally {
+    std::uint64_t triangles = 0;    ///< looked at
+    std::uint64_t outside = 0;      ///< of those, by their vertices' outcodes
+    std::uint64_t cut = 0;          ///< clipped by near, far or the guard band
+    std::uint64_t facing_away = 0;  ///< left out by Facing::front, pieces included
+    std::uint64_t set_up = 0;       ///< put into tiles, pieces included
+
+    BinTally& operator+=(const BinTally& other);
+};
+
+class BinnedRun {
+  public:
+    /// The triangles of a range of the scene. Memory is kept from the time before.
+    void fill(const Kernel& kernel, const Scene& scene, const ProjectedVertices& projected,
+              const ViewSetup& setup, const Range& range);
+
+    /// For each tile: after fill() how many of them are in it; for write() where the first of those goes.
+    std::span<std::size_t> next() { return next_; }
+    /// Where the first of the run's pieces goes, for write(). Returns how many there are.
+    std::size_t put_pieces_at(std::size_t first);
+    /// Writes the run's part of both: places by tile, in order within a tile, and pieces.
+    void write(std::span<std::uint32_t> places, std::span<SnappedPiece> pieces);
+
+    const BinTally& tally() const { return tally_; }
+
+  private:
+    struct Entry {
+        std::uint32_t tile, place;
+    };
+    /// Triangles on their way, until there are enough to be placed together.
+    struct Queue {
+        CornerLanes corners{};
+        std::uint32_t place[CornerLanes::count] = {};
+        int count = 0;
+    };
+    void add(SnappedPoint a, SnappedPoint b, SnappedPoint c, std::uint32_t place);
+    void add_pieces(const Scene& scene, std::uint32_t triangle);
+    void place_queue();
+    void add_to_tiles(int lane, const PlacedLanes& placed, std::uint32_t place);
+    void add_to_tiles_reached(int lane, const PlacedLanes& placed, std::uint32_t place);
+    void add_to_tile(int column, int row, std::uint32_t place) {
+        const std::uint32_t tile = tiles_.tile_at(column, row);
+        entries_.push_back({tile, place});
+        ++next_[tile];
+    }
+
+    const Kernel* kernel_ = nullptr;
+    const ViewSetup* setup_ = nullptr;
+    TileGrid tiles_;
+    std::uint32_t length_ =
+        0;  ///< triangles of the scene; piece i of the run has the place length_ + i until write()
+    Queue queue_;
+    std::vector<SnappedPiece> pieces_;
+    std::vector<Entry> entries_;  ///< in the order of drawing
+    std::vector<std::size_t> next_;
+    std::size_t first_piece_ = 0;
+    BinTally tally_;
+};
+
+}  // namespace zproof::rasterizer

@@ -1,0 +1,34 @@
+// Triangles side by side: which way they face, and which tiles they may cover samples of.
+
+/// Both windings are drawn, or the counter-clockwise (setup.facing). Where the snapped area is 0, or no
+/// sample of the image is in the bounding box, no sample is covered. Areas are whole numbers <= 2^51 (see
+/// guard_band_px).
+PlacedLanes place(const ViewSetup& setup, const CornerLanes& corners) noexcept {
+    const SubpixelGrid grid = setup.grid;
+    const std::int32_t width = setup.size.width, height = setup.size.height;
+    const std::int32_t only_front = setup.facing == Facing::front ? 1 : 0;
+    const auto& [x, y] = corners;
+    PlacedLanes placed;
+    for (int i = 0; i < CornerLanes::count; ++i) {
+        const double doubled_area = double(x[1][i] - x[0][i]) * double(y[2][i] - y[0][i]) -
+                                    double(y[1][i] - y[0][i]) * double(x[2][i] - x[0][i]);
+        const std::int32_t left = lesser(lesser(x[0][i], x[1][i]), x[2][i]);
+        const std::int32_t right = greater_of(greater_of(x[0][i], x[1][i]), x[2][i]);
+        const std::int32_t top = lesser(lesser(y[0][i], y[1][i]), y[2][i]);
+        const std::int32_t bottom = greater_of(greater_of(y[0][i], y[1][i]), y[2][i]);
+        const std::int32_t x0 = greater_of(0, grid.first_pixel_from(left));
+        const std::int32_t y0 = greater_of(0, grid.first_pixel_from(top));
+        const std::int32_t x1 = lesser(width - 1, grid.last_pixel_until(right));
+        const std::int32_t y1 = lesser(height - 1, grid.last_pixel_until(bottom));
+        const std::int32_t may_cover = (doubled_area != 0) & (x0 <= x1) & (y0 <= y1);
+        const std::int32_t faces_away = may_cover & only_front & (doubled_area > 0);
+        const bool is_drawn = may_cover & ~faces_away;
+        placed.column0[i] = is_drawn ? x0 / tile_size : 1;
+        placed.column1[i] = is_drawn ? x1 / tile_size : 0;
+        placed.row0[i] = y0 / tile_size;
+        placed.row1[i] = y1 / tile_size;
+        placed.turn[i] = doubled_area < 0 ? turned : 0;
+        placed.faces_away[i] = faces_away;
+    }
+    return placed;
+}

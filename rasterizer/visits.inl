@@ -1,0 +1,171 @@
+// What is done where a triangle may be seen. `block` is called for blocks that a larger triangle may cover
+// and in which it may be nearer; `lone_block` for those that nobody has asked about; `small_triangle` for a
+// whole small one.
+
+/// Calls fragment(bit, column, row, place) for the pixels that a small triangle covers; column and row are
+/// the tile's.
+template <class Fragment>
+[[gnu::always_inline]] inline void for_each_fragment(const Batch& batch, const SmallTriangles& small, int i,
+                                                     const Fragment& fragment) {
+    for (auto left = unsigned(small.covered[i]); left != 0; left &= left - 1) {
+        const int bit = __builtin_ctz(left);
+        const int column = batch.column0[i] + bit % small_side, row = batch.row0[i] + bit / small_side;
+        fragment(bit, column, row, places.of_column[column] + places.of_row[row]);
+    }
+}
+
+/// Depth test of one pixel.
+bool draw_pixel(TilePixels& pixels, int place, float seen, std::uint32_t id) {
+    if (!(seen > pixels.nearness[place])) return false;
+    pixels.nearness[place] = seen;
+    pixels.primitive[place] = id;
+    return true;
+}
+
+void draw_small(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) {
+    for_each_fragment(batch, small, i, [&](int bit, int, int, int place) {
+        draw_pixel(pixels, place, small.seen[bit][i], batch.id[i]);
+    });
+}
+
+struct Draw {
+    static constexpr HiddenCells hidden_cells = HiddenCells::passed_over;
+
+    explicit Draw(const TileWork&) {}
+    void leave_out(unsigned) const {}
+    void block(const Scan& scan, TilePixels& pixels, const Block& block) const {
+        const Won won = draw_block(scan, pixels, block);
+        if (won.covered != 0) note_farthest(pixels, block.place, won.held);
+    }
+    void lone_block(const Scan& scan, TilePixels& pixels, const Block& block) const {
+        if (!is_hidden(scan, pixels, block.place)) this->block(scan, pixels, block);
+    }
+    void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
+        draw_small(batch, small, i, pixels);
+    }
+};
+
+/// What is farthest is never noted, so that no block is hidden.
+struct DrawEveryBlock {
+    static constexpr HiddenCells hidden_cells = HiddenCells::visited;
+
+    explicit DrawEveryBlock(const TileWork&) {}
+    void leave_out(unsigned) const {}
+    void block(const Scan& scan, TilePixels& pixels, const Block& block) const {
+        draw_block(scan, pixels, block);
+    }
+    void lone_block(const Scan& scan, TilePixels& pixels, const Block& block) const {
+        draw_block(scan, pixels, block);
+    }
+    void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
+        draw_small(batch, small, i, pixels);
+    }
+};
+
+bool is_in_image(const TileSamples& tile, int x, int y) { return x < tile.columns && y < tile.rows; }
+
+/// Which pixels of a block are the image's.
+unsigned within_image(const TileSamples& tile, const Block& block) {
+    unsigned bits = 0;
+    for (int i = 0; i < 16; ++i) bits |= (is_in_image(tile, block.x + i % 4, block.y + i / 4) ? 1u : 0u) << i;
+    return bits;
+}
+
+unsigned count_of(unsigned bits) { return unsigned(__builtin_popcount(bits)); }
+
+struct DrawTallied {
+    static constexpr HiddenCells hidden_cells = HiddenCells::visited;
+    Tally& tally;
+    HierarchicalZ hierarchical_z;
+    const TileSamples& tile;
+
+    explicit DrawTallied(const TileWork& work)
+        : tally(*work.tally), hierarchical_z(work.hierarchical_z), tile(work.samples) {}
+    void leave_out(unsigned blocks) const {
+        tally.blocks += count_of(blocks);
+        tally.hidden_blocks += count_of(blocks);
+    }
+    void block(const Scan& scan, TilePixels& pixels, const Block& block) const {
+        const Won won = draw_block(scan, pixels, block);
+        const unsigned image = within_image(tile, block);
+        tally.blocks += 1;
+        tally.fragments += count_of(won.covered & image);
+        tally.written += count_of(won.nearer & image);
+        if (hierarchical_z == HierarchicalZ::blocks && won.covered != 0)
+            note_farthest(pixels, block.place, won.held);
+    }
+    void lone_block(const Scan& scan, TilePixels& pixels, const Block& block) const {
+        if (is_hidden(scan, pixels, block.place)) return leave_out(1);
+        this->block(scan, pixels, block);
+    }
+    void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
+        tally.blocks += blocks_met(batch, i);
+        for_each_fragment(batch, small, i, [&](int bit, int column, int row, int place) {
+            const bool is_nearer = draw_pixel(pixels, place, small.seen[bit][i], batch.id[i]);
+            if (!is_in_image(tile, column, row)) return;
+            tally.fragments += 1;
+            tally.written += is_nearer ? 1 : 0;
+        });
+    }
+    static unsigned blocks_met(const Batch& batch, int i) {
+        const int columns = batch.column1[i] / 4 - batch.column0[i] / 4 + 1;
+        const int rows = batch.row1[i] / 4 - batch.row0[i] / 4 + 1;
+        return unsigned(columns * rows);
+    }
+};
+
+struct DrawShaded {
+    static constexpr HiddenCells hidden_cells = HiddenCells::visited;
+    const FragmentShader& shader;
+    HierarchicalZ hierarchical_z;
+    const TileSamples& tile;
+
+    explicit DrawShaded(const TileWork& work)
+        : shader(*work.shader), hierarchical_z(work.hierarchical_z), tile(work.samples) {}
+    void leave_out(unsigned) const {}
+    bool is_late() const { return shader.time == ShadingTime::before_the_test; }
+    void shade(std::uint32_t id, int column, int row, Fate fate) const {
+        shader.shade(shader.stage, PrimitiveId{id}, tile.x0 + column, tile.y0 + row, fate);
+    }
+    void block(const Scan& scan, TilePixels& pixels, const Block& block) const {
+        const Won won = draw_block(scan, pixels, block);
+        const unsigned shaded = (is_late() ? won.covered : won.nearer) & within_image(tile, block);
+        for (unsigned left = shaded; left != 0; left &= left - 1) {
+            const int i = __builtin_ctz(left);
+            shade(scan.id, block.x + i % 4, block.y + i / 4,
+                  won.nearer >> i & 1 ? Fate::kept : Fate::discarded);
+        }
+        if (hierarchical_z == HierarchicalZ::blocks && won.covered != 0)
+            note_farthest(pixels, block.place, won.held);
+    }
+    void lone_block(const Scan& scan, TilePixels& pixels, const Block& block) const {
+        if (is_hidden(scan, pixels, block.place)) return leave_out(1);
+        this->block(scan, pixels, block);
+    }
+    void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
+        for_each_fragment(batch, small, i, [&](int bit, int column, int row, int place) {
+            const bool is_nearer = draw_pixel(pixels, place, small.seen[bit][i], batch.id[i]);
+            if ((is_late() || is_nearer) && is_in_image(tile, column, row))
+                shade(batch.id[i], column, row, is_nearer ? Fate::kept : Fate::discarded);
+        });
+    }
+};
+
+struct Count {
+    static constexpr HiddenCells hidden_cells = HiddenCells::visited;
+
+    explicit Count(const TileWork&) {}
+    void leave_out(unsigned) const {}
+    void block(const Scan& scan, TilePixels& pixels, const Block& block) const {
+        const Doubles e[3] = {all(block.e[0]) + scan.offset[0], all(block.e[1]) + scan.offset[1],
+                              all(block.e[2]) + scan.offset[2]};
+        const unsigned covered = bits_of(covered_by(scan, e));
+        for (unsigned i = 0; i < 16; ++i) pixels.primitive[16 * block.place + int(i)] += covered >> i & 1;
+    }
+    void lone_block(const Scan& scan, TilePixels& pixels, const Block& block) const {
+        this->block(scan, pixels, block);
+    }
+    void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
+        for_each_fragment(batch, small, i, [&](int, int, int, int place) { ++pixels.primitive[place]; });
+    }
+};

@@ -1,0 +1,49 @@
+#include "frame/deflate.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <random>
+
+namespace zproof {
+namespace {
+
+/// By zlib, which knows nothing of how it was packed.
+std::string inflated(const std::string& packed, std::size_t size) {
+    std::string plain(size + 1, '\0');
+    uLongf length = plain.size();
+    EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(plain.data()), &length,
+                         reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
+              Z_OK);
+    plain.resize(length);
+    return plain;
+}
+
+std::string noise(std::size_t size) {
+    std::mt19937 random(1);
+    std::string bytes(size, '\0');
+    for (char& byte : bytes) byte = static_cast<char>(random());
+    return bytes;
+}
+
+TEST(Deflate, ZlibReadsBackEveryByte) {
+    for (const std::string& bytes : {std::string(), std::string("a"), std::string(1 << 20, 'z'), noise(1),
+                                     noise(5000), noise(1 << 20), noise(70'000) + noise(70'000)})
+        EXPECT_EQ(inflated(deflated(bytes), bytes.size()), bytes) << bytes.size();
+}
+
+TEST(Deflate, RepetitionsCostNextToNothing) {
+    EXPECT_LT(deflated(std::string(1 << 20, 'z')).size(), 10'000u);
+    EXPECT_LT(deflated(noise(20'000) + noise(20'000)).size(), 25'000u);
+}
+
+TEST(Deflate, DeflaterThatWasUsedBeforeGivesTheSameStream) {
+    Deflater deflater;
+    deflater.deflated(noise(100'000));
+    EXPECT_EQ(deflater.deflated("twice twice twice"), deflated("twice twice twice"));
+}
+
+TEST(Deflate, ChecksumIsThatOfPng) { EXPECT_EQ(crc32_of("123456789"), 0xCBF43926u); }
+
+}  // namespace
+}  // namespace zproof
