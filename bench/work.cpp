@@ -77,9 +77,13 @@ Piece looking_up(const texture::Method& method) {
         const texture::Sampler sampler = method.prepare(texture::random_image(256, 256, 1), {});
         const auto map = texture::worked::texels_from_raster(30);
         counted([&] {
-            for (int y = texture::worked::first_row; y < texture::worked::side; y += 4)
+            std::vector<texture::Footprint> seen(texture::worked::side);
+            std::vector<glm::dvec4> colours(seen.size());
+            for (int y = texture::worked::first_row; y < texture::worked::side; y += 4) {
                 for (int x = 0; x < texture::worked::side; ++x)
-                    sampler.colour(texture::footprint(map, x, y, texture::Derivatives::analytic));
+                    seen[std::size_t(x)] = texture::footprint(map, x, y, texture::Derivatives::analytic);
+                texture::look_up(sampler, seen, colours);
+            }
         });
     };
 }

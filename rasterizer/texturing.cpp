@@ -26,7 +26,18 @@ std::vector<std::optional<texture::Sampler>> prepared(const Scene& scene, const 
     return samplers;
 }
 
-/// Reads a row of pixels; a run of one triangle finds its map once.
+/// Pixels of a row that show one material, to be looked up together.
+struct Run {
+    const Material* material = nullptr;
+    std::vector<int> columns{};
+    std::vector<texture::Footprint> seen{};
+    std::vector<glm::dvec4> filtered{};
+};
+
+LinearRgb rgb(const glm::dvec4& colour) { return {float(colour.r), float(colour.g), float(colour.b)}; }
+
+/// Reads a row of pixels; a run of one triangle finds its map once, a run of one material is looked up at
+/// once.
 class Reader {
   public:
     Reader(const Scene& scene, const View& view, const Texturing& texturing)
@@ -35,14 +46,22 @@ class Reader {
     void read_row(int y, std::span<const PrimitiveId> ids, std::span<LinearRgb> colours) const {
         PrimitiveId mapped = PrimitiveId::none;
         std::optional<Homography<double>> map;
+        Run run;
         for (int x = 0; x < int(ids.size()); ++x) {
             const PrimitiveId id = ids[std::size_t(x)];
             if (id == PrimitiveId::none) continue;
             if (id != mapped || texturing_.uv == UvInterpolation::affine)
                 map = map_of(std::uint32_t(id), x, y);
             mapped = id;
-            colours[std::size_t(x)] = colour(std::uint32_t(id), map, x, y);
+            const Material& material = material_of(scene_, std::uint32_t(id));
+            colours[std::size_t(x)] = rgb(glm::dvec4{material.base_color_factor});
+            if (!map) continue;
+            if (&material != run.material) look_up(run, colours);
+            run.material = &material;
+            run.columns.push_back(x);
+            run.seen.push_back(texture::footprint(*map, x, y, texturing_.derivatives));
         }
+        look_up(run, colours);
     }
 
   private:
@@ -52,14 +71,17 @@ class Reader {
         return texels_from_raster(scene_, view_, id);
     }
 
-    LinearRgb colour(std::uint32_t id, const std::optional<Homography<double>>& map, int x, int y) const {
-        const Material& material = material_of(scene_, id);
-        glm::dvec4 colour{material.base_color_factor};
-        if (map) {
-            const auto& sampler = samplers_[std::size_t(&material - scene_.materials.data())];
-            colour *= sampler->colour(texture::footprint(*map, x, y, texturing_.derivatives));
-        }
-        return {float(colour.r), float(colour.g), float(colour.b)};
+    /// Leaves the run empty.
+    void look_up(Run& run, std::span<LinearRgb> colours) const {
+        if (run.seen.empty()) return;
+        const auto& sampler = samplers_[std::size_t(run.material - scene_.materials.data())];
+        run.filtered.resize(run.seen.size());
+        texture::look_up(*sampler, run.seen, run.filtered);
+        const glm::dvec4 factor{run.material->base_color_factor};
+        for (std::size_t i = 0; i < run.seen.size(); ++i)
+            colours[std::size_t(run.columns[i])] = rgb(factor * run.filtered[i]);
+        run.columns.clear();
+        run.seen.clear();
     }
 
     const Scene& scene_;
