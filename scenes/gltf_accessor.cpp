@@ -74,6 +74,27 @@ std::uint32_t index_at(const Elements& elements, std::size_t i) {
     }
 }
 
+namespace {
+
+template <typename T>
+void read_indices_of(const Elements& elements, std::size_t first, std::span<std::uint32_t> to) {
+    const unsigned char* from = elements.first + first * elements.stride;
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] = load<T>(from + i * elements.stride);
+}
+
+}  // namespace
+
+void read_indices(const Elements& elements, std::size_t first, std::span<std::uint32_t> to) {
+    switch (elements.component_type) {
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return read_indices_of<std::uint8_t>(elements, first, to);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return read_indices_of<std::uint16_t>(elements, first, to);
+        default:
+            return read_indices_of<std::uint32_t>(elements, first, to);
+    }
+}
+
 const Elements& Accessors::elements(int accessor) {
     if (const auto found = known_.find(accessor); found != known_.end()) return found->second;
     Elements elements = packed(accessor);

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <glm/glm.hpp>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "scenes/gltf_files.h"
@@ -29,6 +30,9 @@ glm::dvec3 vec3_at(const Elements& elements, std::size_t i);
 
 /// Element i of an index accessor.
 std::uint32_t index_at(const Elements& elements, std::size_t i);
+
+/// Elements of an index accessor, from `first` on.
+void read_indices(const Elements& elements, std::size_t first, std::span<std::uint32_t> to);
 
 /// The accessors of one model, each checked once. Keeps a reference to the model.
 class Accessors {

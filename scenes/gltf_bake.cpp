@@ -200,10 +200,12 @@ class Baker {
         scene_.triangles.resize(first + corners.triangle_count());
         std::atomic<std::uint64_t> flat = 0;
         in_parallel(first, scene_.triangles.size(), [&](std::size_t from, std::size_t to) {
+            const std::span baked = std::span(scene_.triangles).subspan(from, to - from);
+            corners.read(static_cast<std::uint32_t>(from - first), baked);
             std::uint64_t flat_here = 0;
-            for (std::size_t at = from; at < to; ++at) {
-                scene_.triangles[at] = corners.triangle(static_cast<std::uint32_t>(at - first)) + base;
-                flat_here += is_flat(scene_.triangles[at]);
+            for (glm::uvec3& triangle : baked) {
+                triangle += base;
+                flat_here += is_flat(triangle);
             }
             flat += flat_here;
         });
@@ -212,8 +214,9 @@ class Baker {
 
     bool is_flat(const glm::uvec3& t) const {
         const auto corner = [this](std::uint32_t i) { return glm::dvec3(scene_.vertices.position_world[i]); };
-        const glm::dvec3 origin = corner(t.x);
-        return glm::cross(corner(t.y) - origin, corner(t.z) - origin) == glm::dvec3(0);
+        const glm::dvec3 origin = corner(t.x), a = corner(t.y) - origin, b = corner(t.z) - origin;
+        // The cross product, of which hardly ever more than one component is asked.
+        return a.y * b.z == a.z * b.y && a.z * b.x == a.x * b.z && a.x * b.y == a.y * b.x;
     }
 
     /// The first vertex of the primitive that was appended last; the attribute is padded up to it.

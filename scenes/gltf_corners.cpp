@@ -1,6 +1,7 @@
 #include "scenes/gltf_corners.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -32,6 +33,12 @@ std::uint64_t triangle_count(int mode, std::uint64_t corners) {
     return is_run && corners > 2 ? corners - 2 : 0;
 }
 
+void Corners::read(std::uint32_t first, std::span<glm::uvec3> to) const {
+    if (mode_ == TINYGLTF_MODE_TRIANGLES && indices_ != nullptr && within_used_.empty())
+        return read_indices(*indices_, 3 * std::size_t{first}, {&to.data()->x, 3 * to.size()});
+    for (std::uint32_t i = 0; i < to.size(); ++i) to[i] = triangle(first + i);
+}
+
 glm::uvec3 Corners::triangle(std::uint32_t i) const {
     const glm::uvec3 at = corners_of(mode_, i);
     return {index(at.x), index(at.y), index(at.z)};
@@ -43,12 +50,20 @@ std::uint32_t Corners::index(std::uint32_t corner) const {
 }
 
 void Unroller::check_indices(int accessor, const Elements& elements, std::uint32_t vertex_count) const {
-    for (std::size_t i = 0; i < elements.count; ++i)
-        if (const std::uint32_t index = index_at(elements, i); index >= vertex_count)
-            refuse(model_.file, "/accessors/" + std::to_string(accessor),
-                   "index " + std::to_string(index) + " at " + std::to_string(i) +
-                       "; expected indices below " + std::to_string(vertex_count) +
-                       ", the number of vertices");
+    std::array<std::uint32_t, 1024> some;
+    for (std::size_t first = 0; first < elements.count; first += some.size()) {
+        const std::span read = std::span(some).first(std::min(some.size(), elements.count - first));
+        read_indices(elements, first, read);
+        std::uint32_t largest = 0;
+        for (const std::uint32_t index : read) largest = std::max(largest, index);
+        if (largest < vertex_count) continue;
+        const auto bad =
+            std::ranges::find_if(read, [&](std::uint32_t index) { return index >= vertex_count; });
+        refuse(model_.file, "/accessors/" + std::to_string(accessor),
+               "index " + std::to_string(*bad) + " at " +
+                   std::to_string(first + std::size_t(bad - read.begin())) + "; expected indices below " +
+                   std::to_string(vertex_count) + ", the number of vertices");
+    }
 }
 
 Corners Unroller::unroll(const tinygltf::Primitive& primitive, std::uint32_t vertex_count) {
@@ -62,7 +77,7 @@ Corners Unroller::unroll(const tinygltf::Primitive& primitive, std::uint32_t ver
     corners.indices_ = &elements;
     if (elements.count >= vertex_count) return corners;
     std::vector<std::uint32_t> indices(elements.count);
-    for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = index_at(elements, i);
+    read_indices(elements, 0, indices);
     corners.used_ = in_use(indices);
     for (std::uint32_t& index : indices)
         index = static_cast<std::uint32_t>(std::ranges::lower_bound(corners.used_, index) -

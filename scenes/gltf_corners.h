@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "scenes/gltf_accessor.h"
@@ -16,14 +17,15 @@ std::uint64_t triangle_count(int mode, std::uint64_t corners);
 /// The triangles that a primitive draws, and the elements of its accessors that they use.
 class Corners {
   public:
-    /// Triangle i; it indexes into used(), or into all elements.
-    glm::uvec3 triangle(std::uint32_t i) const;
+    /// Triangles from `first` on; they index into used(), or into all elements.
+    void read(std::uint32_t first, std::span<glm::uvec3> to) const;
     std::uint32_t triangle_count() const { return triangles_; }
     /// The elements to bake, ascending; empty for all, in order.
     const std::vector<std::uint32_t>& used() const { return used_; }
 
   private:
     friend class Unroller;
+    glm::uvec3 triangle(std::uint32_t i) const;
     std::uint32_t index(std::uint32_t corner) const;
 
     int mode_ = 0;
