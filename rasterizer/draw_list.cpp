@@ -59,13 +59,13 @@ struct Outside {
     }
 };
 
-glm::dvec4 row(const glm::dmat4& m, int i) { return {m[0][i], m[1][i], m[2][i], m[3][i]}; }
+glm::dvec4 row_of(const glm::dmat4& m, int i) { return {m[0][i], m[1][i], m[2][i], m[3][i]}; }
 
 /// -x - w > 0 is left of the window, and so on; near and far in camera depth.
 std::vector<Outside> planes_of(const Camera& camera) {
     const glm::dmat4 from_world = camera_from_world(camera);
     const glm::dmat4 clip = clip_from_camera(camera) * from_world;
-    const glm::dvec4 depth = -row(from_world, 2), x = row(clip, 0), y = row(clip, 1);
+    const glm::dvec4 depth = -row_of(from_world, 2), x = row_of(clip, 0), y = row_of(clip, 1);
     const glm::dvec4 w = camera.projection == Projection::perspective ? depth : glm::dvec4{0, 0, 0, 1};
     std::vector<Outside> planes{{-x - w}, {x - w}, {-y - w}, {y - w}};
     planes.push_back({glm::dvec4{0, 0, 0, camera.near_depth} - depth});
@@ -122,7 +122,7 @@ DrawList draw_list(const std::vector<Chunk>& chunks, const View& view, const Tri
         if (tricks.frustum_culling == FrustumCulling::triangles || !is_outside(chunk, planes))
             kept.push_back(&chunk);
     if (tricks.order == DrawOrder::front_to_back) {
-        const glm::dvec4 depth = -row(camera_from_world(view.camera), 2);
+        const glm::dvec4 depth = -row_of(camera_from_world(view.camera), 2);
         std::vector<std::pair<double, const Chunk*>> by_depth;
         for (const Chunk* chunk : kept) by_depth.push_back({nearest_depth(*chunk, depth), chunk});
         std::ranges::stable_sort(by_depth, {}, &std::pair<double, const Chunk*>::first);

@@ -52,6 +52,36 @@ TEST(Determinism, TiesKeepSceneOrderAcrossRunsOfTheBinning) {
     EXPECT_GT(covered, 333 * 222 / 4);
 }
 
+/// The triangles from `first` on by themselves, drawn over what was drawn of those before: nearer wins.
+void draw_over(Frame& frame, const Scene& scene, std::uint32_t first, const View& view) {
+    Scene part = scene;
+    part.triangles.assign(scene.triangles.begin() + first, scene.triangles.begin() + first + 1000);
+    const Frame drawn = render(part, view);
+    for (int y = 0; y < view.height; ++y)
+        for (int x = 0; x < view.width; ++x) {
+            if (!(drawn.camera_depth.at(x, y) < frame.camera_depth.at(x, y))) continue;
+            frame.camera_depth.at(x, y) = drawn.camera_depth.at(x, y);
+            frame.primitive.at(x, y) = PrimitiveId{first + std::uint32_t(drawn.primitive.at(x, y))};
+        }
+}
+
+// Nor are the runs, each with pieces of large triangles that the near plane cuts: a thousand triangles are
+// one run.
+TEST(Determinism, RunsOfTheBinningDoNotShow) {
+    std::mt19937 random(14);
+    const Scene scene = scene_of(random_triangles(random, crowd_size, {-30, -20, -60}, {30, 20, 10}));
+    const View view{.name = "cut", .camera = {}, .width = 333, .height = 222};
+    const Frame whole = render(scene, view);
+    Frame parts(whole.size());
+    for (std::uint32_t first = 0; first < crowd_size; first += 1000) draw_over(parts, scene, first, view);
+    int other_ids = 0;
+    for (std::size_t i = 0; i < whole.primitive.pixels().size(); ++i) {
+        ASSERT_EQ(whole.camera_depth.pixels()[i], parts.camera_depth.pixels()[i]) << "pixel " << i;
+        other_ids += whole.primitive.pixels()[i] != parts.primitive.pixels()[i] ? 1 : 0;
+    }
+    EXPECT_EQ(other_ids, 0);
+}
+
 // The tiles are no part of the answer: a view is the same whichever image it is cut from.
 TEST(Determinism, TileBordersDoNotShow) {
     std::mt19937 random(13);
