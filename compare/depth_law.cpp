@@ -150,11 +150,11 @@ template <class Projected>
 }
 
 template <class Projected>
-[[gnu::always_inline]] inline DepthRow hold_row(const DepthLaw& law, const LaneRow& at,
-                                                const LanesOf<float>& depth) {
+[[gnu::always_inline]] inline DepthRow hold_row(const DepthLaw& law, const RowPlace& at,
+                                                const TileRowOf<float>& depth) {
     const double along_column = law.nearness_per_y * at.y;
     DepthRow row;
-    for (int i = 0; i < int(lane_count); ++i) {
+    for (int i = 0; i < int(tile_columns); ++i) {
         const double nearness = law.nearness_per_x * (at.left + i) + along_column + law.nearness_offset;
         const Held here = held<Projected, Either>(law, nearness, depth[std::size_t(i)]);
         row.low[std::size_t(i)] = here.low;
@@ -186,7 +186,7 @@ template <class Projected>
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] DepthRow depths_in_row(
-    const DepthLaw& law, Projection projection, const LaneRow& row, const LanesOf<float>& camera_depth) {
+    const DepthLaw& law, Projection projection, const RowPlace& row, const TileRowOf<float>& camera_depth) {
     return projection == Projection::perspective ? hold_row<Perspective>(law, row, camera_depth)
                                                  : hold_row<Parallel>(law, row, camera_depth);
 }

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "compare/lanes.h"
+#include "compare/tile_row.h"
 #include "frame/frame.h"
 #include "scenes/view.h"
 
@@ -59,10 +59,10 @@ void hold_parallel(std::span<const DepthLaw> laws, int x, int y, Strip::Side& si
 
 /// Depths along a row held against one law: TriangleDepth::at and, as above, the ratio.
 struct DepthRow {
-    Lanes low, truth, high, ratio;
+    TileRow low, truth, high, ratio;
 };
-DepthRow depths_in_row(const DepthLaw& law, Projection projection, const LaneRow& row,
-                       const LanesOf<float>& camera_depth);
+DepthRow depths_in_row(const DepthLaw& law, Projection projection, const RowPlace& row,
+                       const TileRowOf<float>& camera_depth);
 
 /// The largest ratios that were counted, side by side.
 using Largest = std::array<double, 8>;
