@@ -53,7 +53,7 @@ class Comparison {
         : triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
-          shown_(candidate, reference),
+          shown_(scene, candidate, reference),
           look_(scene, candidate, reference) {}
 
     /// Compares the pixels of a tile; `rows` are the findings of its rows.

@@ -13,14 +13,16 @@ namespace zproof {
 /// What TriangleDepth::at and certainly_holds need of one triangle and one renderer, as plain numbers. Only
 /// for triangles whose plane and depth errors are finite; where a renderer does not keep to its corners'
 /// depths, `nearest` and `farthest` are infinite.
-struct DepthLaw {
-    double nearness_per_x = 0, nearness_per_y = 0, nearness_offset = 0;  ///< of pixel indices
-    double gradient = 0, own_error = 0;
-    double least = 0, highest = 0;                          ///< nearness
-    double base = 0, per = 0, most = 0, amplification = 0;  ///< of BoundsOnPlane's depth_eps_px
-    double depth_factor = 0, plane_offset = 0, absolute = 0, nearness_error = 0;
-    double nearest = 0, farthest = 0;
+template <class Number>
+struct DepthLawOf {
+    Number nearness_per_x{}, nearness_per_y{}, nearness_offset{};  ///< of pixel indices
+    Number gradient{}, own_error{};
+    Number least{}, highest{};                      ///< nearness
+    Number base{}, per{}, most{}, amplification{};  ///< of a Displacement
+    Number depth_factor{}, plane_offset{}, absolute{}, nearness_error{};
+    Number nearest{}, farthest{};
 };
+using DepthLaw = DepthLawOf<double>;
 
 /// A ratio that says: ask for this pixel by itself.
 inline constexpr double unsettled = -1;

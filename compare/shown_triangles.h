@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "compare/witness.h"
+#include "compare/law_maker.h"
 
 namespace zproof {
 
 class ShownTriangles {
   public:
-    ShownTriangles(const Witness& candidate, const Witness& reference);
+    ShownTriangles(const Scene& scene, const Witness& candidate, const Witness& reference);
 
     /// Forgets all, for another tile.
     void clear();
@@ -18,8 +18,8 @@ class ShownTriangles {
     /// Makes the laws of what was shown since.
     void make_laws();
 
-    std::span<const DepthLaw> candidate_laws() const { return candidate_laws_; }
-    std::span<const DepthLaw> reference_laws() const { return reference_laws_; }
+    std::span<const DepthLaw> candidate_laws() const { return laws_.candidate; }
+    std::span<const DepthLaw> reference_laws() const { return laws_.reference; }
 
   private:
     /// Of a table with open addressing; of this tile where its tile is the present one.
@@ -29,11 +29,11 @@ class ShownTriangles {
     };
     void grow();
 
-    const Witness &candidate_, &reference_;
+    LawMaker maker_;
     std::vector<PrimitiveId> triangles_;  ///< by place
     std::vector<Slot> slots_;
     std::uint64_t tile_ = 1;
-    std::vector<DepthLaw> candidate_laws_, reference_laws_;
+    LawsOfBoth laws_;
 };
 
 }  // namespace zproof
