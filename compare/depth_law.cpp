@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
+#include <cstring>
 #include <limits>
 
+#include "compare/lanes.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -13,136 +15,159 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double clamped(double value, double low, double high) {
-    const double raised = value < low ? low : value;
-    return high < raised ? high : raised;
-}
+using Law = DepthLawOf<Lanes>;
 
-struct Pixel {
-    int x, y;
-};
-
-struct Range {
-    double low, truth, high;
-};
-
-/// What the projections differ in: the depths within `shift` of a nearness, and what our own rounding of the
-/// nearness comes to at depth z. Divisions come first and what they give is chosen afterwards, so that the
-/// loop has no branches.
+/// What the projections differ in: the depth of a nearness, and what our own rounding of the nearness comes
+/// to at depth z. Divisions come first and what they give is chosen afterwards, so that there are no
+/// branches.
 struct Perspective {
-    static Range range(double nearness, double shift) {
-        const double nearer = nearness + shift, farther = nearness - shift;
-        const double low = 1 / nearer, truth = 1 / nearness, high = 1 / farther;
-        return {nearer > 0 ? low : infinite, nearness > 0 ? truth : infinite, farther > 0 ? high : infinite};
+    static Lanes depth(const Lanes& nearness) {
+        const Lanes reciprocal = 1.0 / nearness;
+        return nearness > 0.0 ? reciprocal : everywhere<Lanes>(infinite);
     }
-    static double margin(double own_error, double z) { return 2 * own_error * z * z; }
+    static Lanes margin(const Lanes& own_error, const Lanes& z) { return 2.0 * own_error * z * z; }
 };
 struct Parallel {
-    static Range range(double nearness, double shift) {
-        return {-nearness - shift, -nearness, -nearness + shift};
-    }
-    static double margin(double own_error, double) { return own_error; }
+    static Lanes depth(const Lanes& nearness) { return -nearness; }
+    static Lanes margin(const Lanes& own_error, const Lanes&) { return own_error; }
 };
 
-/// The sum of depth's relative errors at a nearness. Most renderers have the same everywhere.
-struct Everywhere {
-    static double sum(double factor, double, double) { return factor; }
-};
-struct ByNearness {
-    static double sum(double factor, double offset, double nearness) { return factor + offset / nearness; }
-};
-struct Either {
-    static double sum(double factor, double offset, double nearness) {
-        const double varying = factor + offset / nearness;
-        return offset == 0 ? factor : varying;
-    }
+/// What both renderers share at four pixels.
+struct Spot {
+    Lanes nearness;
+    Lanes here;  ///< nearness, within the corners'
+    Lanes depth;
 };
 
-/// A pixel's depth held against its law; no branches, so that neighbours are done side by side.
-template <class Projected, class Relative>
-[[gnu::always_inline]] inline double ratio_of(const DepthLaw& t, double nearness, double z) {
-    const double here = clamped(nearness, t.least, t.highest);
-    const double reach = (t.base + t.per * here) * t.amplification;
-    const Range range =
-        Projected::range(nearness, (reach < t.most ? reach : t.most) * t.gradient + t.nearness_error);
-    const double nearest = clamped(range.low, t.nearest, t.farthest);
-    const double farthest = clamped(range.high, t.nearest, t.farthest);
-    const double truth = clamped(range.truth, nearest, farthest);
-    const double sum = Relative::sum(t.depth_factor, t.plane_offset, here), relative = sum / (1 - sum);
-    const double low = nearest - std::abs(nearest) * relative - t.absolute;
-    const double high = farthest + std::abs(farthest) * relative + t.absolute;
-    const double margin = Projected::margin(t.own_error, z), rounding = 8 * unit_roundoff_float64 * z;
-    const bool holds = (sum < 1) & (truth < infinite) & (z >= 0) & (low + margin + rounding <= z) &
-                       (z <= high - margin - rounding);
-    const double error = std::abs(z - truth), room = z < truth ? truth - low : high - truth;
-    const double share = error / room;
-    return holds ? (error > 0 ? share : 0) : unsettled;
+template <class Projected>
+Spot spot_of(const Law& law, const Lanes& x, int y) {
+    const Lanes nearness = law.nearness_per_x * x + law.nearness_per_y * double(y) + law.nearness_offset;
+    return {nearness, held_between(nearness, law.least, law.highest), Projected::depth(nearness)};
 }
 
-/// Pixels [first, end) of one law. It is a copy, so that what is written cannot be any of it, and stays in
-/// registers.
-template <class Projected, class Relative>
-[[gnu::always_inline]] inline void hold_run(const DepthLaw law, const Pixel& origin, std::size_t first,
-                                            std::size_t end, Strip::Side& side) {
-    const double along_column = law.nearness_per_y * origin.y;
-    const int x = origin.x + int(first), count = int(end - first);
-    const float* depth = side.camera_depth.data() + first;
-    double* ratio = side.ratio.data() + first;
-    for (int i = 0; i < count; ++i) {
-        const double nearness = law.nearness_per_x * (x + i) + along_column + law.nearness_offset;
-        ratio[i] = ratio_of<Projected, Relative>(law, nearness, depth[i]);
+/// Where a law's relative error is the same everywhere, its sum was compounded with the law.
+enum class Relative { everywhere, by_nearness };
+
+Lanes relative_error(const Law& t, const Lanes& here, Relative relative) {
+    if (relative == Relative::everywhere) return t.relative;
+    const Lanes varying = t.depth_factor + t.plane_offset / here;
+    const Lanes sum = t.plane_offset == 0.0 ? t.depth_factor : varying;
+    const Lanes compounded = sum / (1.0 - sum);
+    return sum < 1.0 ? compounded : everywhere<Lanes>(infinite);
+}
+
+/// Depths held against their laws. The bound's end on the depth's own side of the truth is worked out, for
+/// the ratio is taken there. In place of the other end stands the truth itself: rounding is monotone, so
+/// nearness + s is not below nearness, nor is anything that follows from them, and a depth that the narrower
+/// interval holds is held by the bound. What it does not hold may still be lawful, and is unsettled.
+template <class Projected>
+Lanes ratio_of(const Law& t, const Spot& spot, const Lanes& z, Relative kind) {
+    const Lanes reach = (t.base + t.per * spot.here) * t.amplification;
+    const Lanes shift = smaller(t.most, reach) * t.gradient + t.nearness_error;
+    const Lanes truth = held_between(spot.depth, t.nearest, t.farthest);
+    const auto is_near = z < truth;
+    const Lanes own_end =
+        held_between(Projected::depth(spot.nearness + (is_near ? shift : -shift)), t.nearest, t.farthest);
+    const Lanes nearest = is_near ? own_end : truth, farthest = is_near ? truth : own_end;
+    const Lanes relative = relative_error(t, spot.here, kind);
+    const Lanes low = nearest - absolute(nearest) * relative - t.absolute;
+    const Lanes high = farthest + absolute(farthest) * relative + t.absolute;
+    const Lanes margin = Projected::margin(t.own_error, z), rounding = 8 * unit_roundoff_float64 * z;
+    const auto holds = (relative < infinite) & (truth + shift < infinite) & (z >= 0.0) &
+                       (low + margin + rounding <= z) & (z <= high - margin - rounding);
+    const Lanes error = absolute(z - truth), room = is_near ? truth - low : high - truth;
+    const Lanes share = error / room, none{};
+    return holds ? (error > 0.0 ? share : none) : everywhere<Lanes>(unsettled);
+}
+
+constexpr std::size_t fields = sizeof(DepthLaw) / sizeof(double);
+static_assert(fields % 2 == 0 && sizeof(Law) == fields * sizeof(Lanes));
+
+/// Four laws side by side, two numbers of each at a time.
+Law side_by_side(const std::vector<DepthLaw>& laws, const std::uint32_t* which) {
+    using Two = double __attribute__((vector_size(16)));
+    using Pairs = std::array<Two, fields / 2>;
+    const DepthLaw *a = &laws[which[0]], *b = &laws[which[1]], *c = &laws[which[2]], *d = &laws[which[3]];
+    const auto pair = [](const DepthLaw* law, std::size_t i) {
+        Two two;
+        std::memcpy(&two, reinterpret_cast<const char*>(law) + i * sizeof two, sizeof two);
+        return two;
+    };
+    std::array<Lanes, fields> all;
+    for (std::size_t i = 0; i < std::tuple_size_v<Pairs>; ++i) {
+        const Lanes first = __builtin_shufflevector(pair(a, i), pair(c, i), 0, 1, 2, 3);
+        const Lanes second = __builtin_shufflevector(pair(b, i), pair(d, i), 0, 1, 2, 3);
+        all[2 * i] = __builtin_shufflevector(first, second, 0, 4, 2, 6);
+        all[2 * i + 1] = __builtin_shufflevector(first, second, 1, 5, 3, 7);
+    }
+    return std::bit_cast<Law>(all);
+}
+
+/// The laws of four pixels. Where one triangle fills them they are often those of the four before.
+class LatestLaw {
+  public:
+    explicit LatestLaw(const std::vector<DepthLaw>& laws) : laws_(laws) {}
+
+    void turn_to(const std::uint32_t* which) {
+        const bool is_one = ((which[0] ^ which[1]) | (which[0] ^ which[2]) | (which[0] ^ which[3])) == 0;
+        if (is_one && is_one_ && which[0] == which_) return;
+        law_ = side_by_side(laws_, which);
+        is_one_ = is_one;
+        which_ = which[0];
+        const auto varies = law_.plane_offset != 0.0;
+        kind_ = (varies[0] | varies[1] | varies[2] | varies[3]) != 0 ? Relative::by_nearness
+                                                                     : Relative::everywhere;
+    }
+    /// Are all four bare?
+    bool is_of_nothing() const { return is_one_ && which_ == 0; }
+    const Law& law() const { return law_; }
+    Relative kind() const { return kind_; }
+
+  private:
+    const std::vector<DepthLaw>& laws_;
+    bool is_one_ = false;
+    std::uint32_t which_ = 0;
+    Law law_;
+    Relative kind_ = Relative::everywhere;
+};
+
+Lanes depths_at(const Strip::Side& side, std::size_t first) {
+    using Floats = float __attribute__((vector_size(16)));
+    Floats depth;
+    std::memcpy(&depth, &side.camera_depth[first], sizeof depth);
+    return __builtin_convertvector(depth, Lanes);
+}
+
+void put(const Lanes& ratio, Strip::Side& side, std::size_t first) {
+    std::memcpy(&side.ratio[first], &ratio, sizeof ratio);
+}
+
+template <class Projected>
+void hold_strip(const LawsOfBoth& laws, Strip& strip) {
+    LatestLaw candidate(laws.candidate), reference(laws.reference);
+    for (std::size_t first = 0; first < Strip::width; first += lane_count) {
+        const std::uint32_t *ours = &strip.candidate.law[first], *theirs = &strip.reference.law[first];
+        candidate.turn_to(ours);
+        reference.turn_to(theirs);
+        if (candidate.is_of_nothing() && reference.is_of_nothing()) {
+            put(everywhere<Lanes>(unsettled), strip.candidate, first);
+            put(everywhere<Lanes>(unsettled), strip.reference, first);
+            continue;
+        }
+        const double x = strip.x + int(first);
+        const Lanes at{x, x + 1, x + 2, x + 3};
+        const Spot spot = spot_of<Projected>(candidate.law(), at, strip.y);
+        const bool is_shared = std::equal(ours, ours + lane_count, theirs);
+        const Spot other = is_shared ? spot : spot_of<Projected>(reference.law(), at, strip.y);
+        put(ratio_of<Projected>(candidate.law(), spot, depths_at(strip.candidate, first), candidate.kind()),
+            strip.candidate, first);
+        put(ratio_of<Projected>(reference.law(), other, depths_at(strip.reference, first), reference.kind()),
+            strip.reference, first);
     }
 }
 
 constexpr std::size_t together = 8;
 static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == together);
-
-/// `together` pixels of several laws.
-template <class Projected>
-[[gnu::always_inline]] inline void hold_mixed(const DepthLaw* laws, const Pixel& origin, std::size_t first,
-                                              Strip::Side& side) {
-    const std::uint32_t* which = side.law.data() + first;
-    const float* depth = side.camera_depth.data() + first;
-    const int x = origin.x + int(first);
-    double ratio[together];
-    for (int i = 0; i < int(together); ++i) {
-        const DepthLaw& law = laws[which[i]];
-        const double nearness =
-            law.nearness_per_x * (x + i) + law.nearness_per_y * origin.y + law.nearness_offset;
-        ratio[i] = ratio_of<Projected, Either>(law, nearness, depth[i]);
-    }
-    std::copy_n(ratio, together, side.ratio.data() + first);
-}
-
-/// The end of the pixels from `first` on that share its law, in whole steps.
-[[gnu::always_inline]] inline std::size_t end_of_law(const Strip::Values<std::uint32_t>& law,
-                                                     std::size_t first) {
-    std::size_t end = first;
-    for (; end < Strip::width; end += together) {
-        std::uint32_t difference = 0;
-        for (std::size_t i = 0; i < together; ++i) difference |= law[end + i] ^ law[first];
-        if (difference != 0) break;
-    }
-    return end;
-}
-
-template <class Projected>
-[[gnu::always_inline]] inline void hold_strip(std::span<const DepthLaw> laws, const Pixel& origin,
-                                              Strip::Side& side) {
-    for (std::size_t first = 0; first < Strip::width;) {
-        const std::size_t end = end_of_law(side.law, first);
-        const std::uint32_t which = side.law[first];
-        if (end == first)
-            hold_mixed<Projected>(laws.data(), origin, first, side);
-        else if (which == 0)
-            std::fill(side.ratio.begin() + first, side.ratio.begin() + end, unsettled);
-        else if (laws[which].plane_offset == 0)
-            hold_run<Projected, Everywhere>(laws[which], origin, first, end, side);
-        else
-            hold_run<Projected, ByNearness>(laws[which], origin, first, end, side);
-        first = std::max(end, first + together);
-    }
-}
 
 /// 0 to 20.
 [[gnu::always_inline]] inline std::int32_t bin_of(double ratio) {
@@ -152,16 +177,16 @@ template <class Projected>
 
 }  // namespace
 
-/// Compiled once per instruction set. No bit depends on which runs: contraction is off, and the loops keep
-/// their order.
-[[gnu::target_clones("default", "avx2", "avx512f")]] void hold_perspective(std::span<const DepthLaw> laws,
-                                                                           int x, int y, Strip::Side& side) {
-    hold_strip<Perspective>(laws, {x, y}, side);
+/// Compiled once per instruction set, with everything that they call. No bit depends on which runs:
+/// contraction is off, and every pixel's operations keep their order.
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void hold_perspective(const LawsOfBoth& laws,
+                                                                              Strip& strip) {
+    hold_strip<Perspective>(laws, strip);
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] void hold_parallel(std::span<const DepthLaw> laws, int x,
-                                                                        int y, Strip::Side& side) {
-    hold_strip<Parallel>(laws, {x, y}, side);
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void hold_parallel(const LawsOfBoth& laws,
+                                                                           Strip& strip) {
+    hold_strip<Parallel>(laws, strip);
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] void sort_out(Strip& strip, Largest& candidate,

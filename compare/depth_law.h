@@ -4,7 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <limits>
+#include <vector>
 
 #include "frame/frame.h"
 
@@ -20,6 +21,7 @@ struct DepthLawOf {
     Number least{}, highest{};                      ///< nearness
     Number base{}, per{}, most{}, amplification{};  ///< of a Displacement
     Number depth_factor{}, plane_offset{}, absolute{}, nearness_error{};
+    Number relative{};  ///< of depth, where plane_offset is 0: depth_factor compounded
     Number nearest{}, farthest{};
 };
 using DepthLaw = DepthLawOf<double>;
@@ -28,7 +30,14 @@ using DepthLaw = DepthLawOf<double>;
 inline constexpr double unsettled = -1;
 
 /// A law by which every depth is unsettled.
-inline constexpr DepthLaw law_of_nothing{.depth_factor = 1};
+inline constexpr DepthLaw law_of_nothing{.depth_factor = 1,
+                                         .relative = std::numeric_limits<double>::infinity()};
+
+/// The laws of the same triangles for both renderers, by place. What both laws of a triangle say of its plane
+/// is the same.
+struct LawsOfBoth {
+    std::vector<DepthLaw> candidate, reference;
+};
 
 /// 64 pixels of a row, as both frames show them, on their way through the first pass.
 struct Strip {
@@ -54,8 +63,8 @@ struct Strip {
 
 /// Fills in the ratios: the same bits as TriangleDepth::at followed by error_over_bound, or `unsettled` where
 /// double precision does not hold the depth lawful for certain.
-void hold_perspective(std::span<const DepthLaw> laws, int x, int y, Strip::Side& side);
-void hold_parallel(std::span<const DepthLaw> laws, int x, int y, Strip::Side& side);
+void hold_perspective(const LawsOfBoth& laws, Strip& strip);
+void hold_parallel(const LawsOfBoth& laws, Strip& strip);
 
 /// The largest ratios that were counted, side by side.
 using Largest = std::array<double, 8>;

@@ -155,6 +155,7 @@ DepthLawOf<Number> law_of(const PlaneOfLaw<Number>& plane, const DepthTerms<Numb
     const Displacement<Number> eps(terms.eps_base_px, terms.eps_per_nearness, plane.gradient,
                                    corners.highest);
     const auto is_known = (plane.own_error < infinite) & (terms.absolute + terms.nearness_error < infinite);
+    const Number relative = compounded(terms.factor);
     const bool is_kept = keeps == KeepsToCorners::yes;
     return {.nearness_per_x = plane.nearness.a,
             .nearness_per_y = plane.nearness.b,
@@ -171,6 +172,7 @@ DepthLawOf<Number> law_of(const PlaneOfLaw<Number>& plane, const DepthTerms<Numb
             .plane_offset = terms.plane_offset,
             .absolute = terms.absolute,
             .nearness_error = terms.nearness_error,
+            .relative = is_known ? relative : everywhere<Number>(law_of_nothing.relative),
             .nearest = is_kept ? plane.nearest : everywhere<Number>(-infinite),
             .farthest = is_kept ? plane.farthest : everywhere<Number>(infinite)};
 }

@@ -102,29 +102,31 @@ LawMaker::LawMaker(const Scene& scene, const Witness& candidate, const Witness& 
     is_common_ = lens_.candidate.terms.index() != 0 && lens_.reference.terms.index() != 0;
 }
 
-void LawMaker::append(std::span<const PrimitiveId> triangles, LawsOfBoth& laws) const {
-    if (!is_common_) {
-        for (const PrimitiveId id : triangles) {
-            const TriangleInView triangle = candidate_.triangle_in_view(id);
-            laws.candidate.push_back(depth_law_of(triangle, candidate_.bounds()));
-            laws.reference.push_back(depth_law_of(triangle, reference_.bounds()));
-        }
-        return;
+void LawMaker::make(std::span<const PrimitiveId> triangles, std::size_t first_place, LawsOfBoth& laws) const {
+    // whole groups of lanes; whoever stands in those of the last group that nobody asked for goes again
+    const std::size_t room = first_place + triangles.size() + lane_count;
+    if (laws.candidate.size() < room) {
+        laws.candidate.resize(2 * room);
+        laws.reference.resize(2 * room);
     }
-    const std::size_t before = laws.candidate.size(), after = before + triangles.size();
-    // whole groups of lanes; those of the last group that nobody asked for go again
-    laws.candidate.resize(after + lane_count - 1);
-    laws.reference.resize(after + lane_count - 1);
+    if (!is_common_) return make_one_by_one(triangles, first_place, laws);
     std::array<CornersWorld, lane_count> p_world{};
     for (std::size_t first = 0; first < triangles.size(); first += lane_count) {
         const std::size_t count = std::min(lane_count, triangles.size() - first);
         for (std::size_t i = 0; i < count; ++i)
             p_world[i] = corners_of(scene_, std::uint32_t(triangles[first + i]));
-        make_four(lens_, p_world, LawsOfLanes(laws.candidate.data() + before + first, lane_count),
-                  LawsOfLanes(laws.reference.data() + before + first, lane_count));
+        make_four(lens_, p_world, LawsOfLanes(laws.candidate.data() + first_place + first, lane_count),
+                  LawsOfLanes(laws.reference.data() + first_place + first, lane_count));
     }
-    laws.candidate.resize(after);
-    laws.reference.resize(after);
+}
+
+void LawMaker::make_one_by_one(std::span<const PrimitiveId> triangles, std::size_t first_place,
+                               LawsOfBoth& laws) const {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const TriangleInView triangle = candidate_.triangle_in_view(triangles[i]);
+        laws.candidate[first_place + i] = depth_law_of(triangle, candidate_.bounds());
+        laws.reference[first_place + i] = depth_law_of(triangle, reference_.bounds());
+    }
 }
 
 }  // namespace zproof

@@ -2,23 +2,18 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "compare/witness.h"
 
 namespace zproof {
 
-/// The laws of the same triangles, for either witness.
-struct LawsOfBoth {
-    std::vector<DepthLaw> candidate, reference;
-};
-
 class LawMaker {
   public:
     LawMaker(const Scene& scene, const Witness& candidate, const Witness& reference);
 
-    /// Appends the laws of triangles of the scene, in their order: the bits of depth_law_of.
-    void append(std::span<const PrimitiveId> triangles, LawsOfBoth& laws) const;
+    /// Writes the laws of triangles of the scene from a place on, in their order: the bits of depth_law_of.
+    /// Makes room where there is none; laws at later places are lost.
+    void make(std::span<const PrimitiveId> triangles, std::size_t first_place, LawsOfBoth& laws) const;
 
     /// What four triangles are asked about.
     struct Lens {
@@ -34,6 +29,9 @@ class LawMaker {
     };
 
   private:
+    void make_one_by_one(std::span<const PrimitiveId> triangles, std::size_t first_place,
+                         LawsOfBoth& laws) const;
+
     const Scene& scene_;
     const Witness &candidate_, &reference_;
     Lens lens_;

@@ -3,15 +3,14 @@
 namespace zproof {
 
 ShownTriangles::ShownTriangles(const Scene& scene, const Witness& candidate, const Witness& reference)
-    : maker_(scene, candidate, reference), slots_(1024) {
+    : maker_(scene, candidate, reference), slots_(1024), laws_{{law_of_nothing}, {law_of_nothing}} {
     clear();
 }
 
 void ShownTriangles::clear() {
     ++tile_;
     triangles_.assign(1, PrimitiveId::none);
-    laws_.candidate.assign(1, law_of_nothing);
-    laws_.reference.assign(1, law_of_nothing);
+    made_ = 1;
 }
 
 std::uint32_t ShownTriangles::place_of(PrimitiveId triangle) {
@@ -36,7 +35,8 @@ void ShownTriangles::grow() {
 }
 
 void ShownTriangles::make_laws() {
-    maker_.append(std::span(triangles_).subspan(laws_.candidate.size()), laws_);
+    maker_.make(std::span(triangles_).subspan(made_), made_, laws_);
+    made_ = triangles_.size();
 }
 
 }  // namespace zproof

@@ -18,8 +18,7 @@ class ShownTriangles {
     /// Makes the laws of what was shown since.
     void make_laws();
 
-    std::span<const DepthLaw> candidate_laws() const { return laws_.candidate; }
-    std::span<const DepthLaw> reference_laws() const { return laws_.reference; }
+    const LawsOfBoth& laws() const { return laws_; }
 
   private:
     /// Of a table with open addressing; of this tile where its tile is the present one.
@@ -33,7 +32,8 @@ class ShownTriangles {
     std::vector<PrimitiveId> triangles_;  ///< by place
     std::vector<Slot> slots_;
     std::uint64_t tile_ = 1;
-    LawsOfBoth laws_;
+    LawsOfBoth laws_;       ///< by place, and what is left of earlier tiles
+    std::size_t made_ = 0;  ///< so many are of this one
 };
 
 }  // namespace zproof
