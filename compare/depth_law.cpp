@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include "compare/lanes.h"
+#include "compare/four.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -15,45 +15,45 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-using Law = DepthLawOf<Lanes>;
+using Law = DepthLawOf<Four>;
 
 /// What the projections differ in: the depth of a nearness, and what our own rounding of the nearness comes
 /// to at depth z. Divisions come first and what they give is chosen afterwards, so that there are no
 /// branches.
 struct Perspective {
-    static Lanes depth(const Lanes& nearness) {
-        const Lanes reciprocal = 1.0 / nearness;
-        return nearness > 0.0 ? reciprocal : everywhere<Lanes>(infinite);
+    static Four depth(const Four& nearness) {
+        const Four reciprocal = 1.0 / nearness;
+        return nearness > 0.0 ? reciprocal : everywhere<Four>(infinite);
     }
-    static Lanes margin(const Lanes& own_error, const Lanes& z) { return 2.0 * own_error * z * z; }
+    static Four margin(const Four& own_error, const Four& z) { return 2.0 * own_error * z * z; }
 };
 struct Parallel {
-    static Lanes depth(const Lanes& nearness) { return -nearness; }
-    static Lanes margin(const Lanes& own_error, const Lanes&) { return own_error; }
+    static Four depth(const Four& nearness) { return -nearness; }
+    static Four margin(const Four& own_error, const Four&) { return own_error; }
 };
 
 /// What both renderers share at four pixels.
 struct Spot {
-    Lanes nearness;
-    Lanes here;  ///< nearness, within the corners'
-    Lanes depth;
+    Four nearness;
+    Four here;  ///< nearness, within the corners'
+    Four depth;
 };
 
 template <class Projected>
-Spot spot_of(const Law& law, const Lanes& x, int y) {
-    const Lanes nearness = law.nearness_per_x * x + law.nearness_per_y * double(y) + law.nearness_offset;
+Spot spot_of(const Law& law, const Four& x, int y) {
+    const Four nearness = law.nearness_per_x * x + law.nearness_per_y * double(y) + law.nearness_offset;
     return {nearness, held_between(nearness, law.least, law.highest), Projected::depth(nearness)};
 }
 
 /// Where a law's relative error is the same everywhere, its sum was compounded with the law.
 enum class Relative { everywhere, by_nearness };
 
-Lanes relative_error(const Law& t, const Lanes& here, Relative relative) {
+Four relative_error(const Law& t, const Four& here, Relative relative) {
     if (relative == Relative::everywhere) return t.relative;
-    const Lanes varying = t.depth_factor + t.plane_offset / here;
-    const Lanes sum = t.plane_offset == 0.0 ? t.depth_factor : varying;
-    const Lanes compounded = sum / (1.0 - sum);
-    return sum < 1.0 ? compounded : everywhere<Lanes>(infinite);
+    const Four varying = t.depth_factor + t.plane_offset / here;
+    const Four sum = t.plane_offset == 0.0 ? t.depth_factor : varying;
+    const Four compounded = sum / (1.0 - sum);
+    return sum < 1.0 ? compounded : everywhere<Four>(infinite);
 }
 
 /// Depths held against their laws. The bound's end on the depth's own side of the truth is worked out, for
@@ -61,27 +61,27 @@ Lanes relative_error(const Law& t, const Lanes& here, Relative relative) {
 /// nearness + s is not below nearness, nor is anything that follows from them, and a depth that the narrower
 /// interval holds is held by the bound. What it does not hold may still be lawful, and is unsettled.
 template <class Projected>
-Lanes ratio_of(const Law& t, const Spot& spot, const Lanes& z, Relative kind) {
-    const Lanes reach = (t.base + t.per * spot.here) * t.amplification;
-    const Lanes shift = smaller(t.most, reach) * t.gradient + t.nearness_error;
-    const Lanes truth = held_between(spot.depth, t.nearest, t.farthest);
+Four ratio_of(const Law& t, const Spot& spot, const Four& z, Relative kind) {
+    const Four reach = (t.base + t.per * spot.here) * t.amplification;
+    const Four shift = smaller(t.most, reach) * t.gradient + t.nearness_error;
+    const Four truth = held_between(spot.depth, t.nearest, t.farthest);
     const auto is_near = z < truth;
-    const Lanes own_end =
+    const Four own_end =
         held_between(Projected::depth(spot.nearness + (is_near ? shift : -shift)), t.nearest, t.farthest);
-    const Lanes nearest = is_near ? own_end : truth, farthest = is_near ? truth : own_end;
-    const Lanes relative = relative_error(t, spot.here, kind);
-    const Lanes low = nearest - absolute(nearest) * relative - t.absolute;
-    const Lanes high = farthest + absolute(farthest) * relative + t.absolute;
-    const Lanes margin = Projected::margin(t.own_error, z), rounding = 8 * unit_roundoff_float64 * z;
+    const Four nearest = is_near ? own_end : truth, farthest = is_near ? truth : own_end;
+    const Four relative = relative_error(t, spot.here, kind);
+    const Four low = nearest - absolute(nearest) * relative - t.absolute;
+    const Four high = farthest + absolute(farthest) * relative + t.absolute;
+    const Four margin = Projected::margin(t.own_error, z), rounding = 8 * unit_roundoff_float64 * z;
     const auto holds = (relative < infinite) & (truth + shift < infinite) & (z >= 0.0) &
                        (low + margin + rounding <= z) & (z <= high - margin - rounding);
-    const Lanes error = absolute(z - truth), room = is_near ? truth - low : high - truth;
-    const Lanes share = error / room, none{};
-    return holds ? (error > 0.0 ? share : none) : everywhere<Lanes>(unsettled);
+    const Four error = absolute(z - truth), room = is_near ? truth - low : high - truth;
+    const Four share = error / room, none{};
+    return holds ? (error > 0.0 ? share : none) : everywhere<Four>(unsettled);
 }
 
 constexpr std::size_t fields = sizeof(DepthLaw) / sizeof(double);
-static_assert(fields % 2 == 0 && sizeof(Law) == fields * sizeof(Lanes));
+static_assert(fields % 2 == 0 && sizeof(Law) == fields * sizeof(Four));
 
 /// Four laws side by side, two numbers of each at a time.
 Law side_by_side(const std::vector<DepthLaw>& laws, const std::uint32_t* which) {
@@ -93,10 +93,10 @@ Law side_by_side(const std::vector<DepthLaw>& laws, const std::uint32_t* which) 
         std::memcpy(&two, reinterpret_cast<const char*>(law) + i * sizeof two, sizeof two);
         return two;
     };
-    std::array<Lanes, fields> all;
+    std::array<Four, fields> all;
     for (std::size_t i = 0; i < std::tuple_size_v<Pairs>; ++i) {
-        const Lanes first = __builtin_shufflevector(pair(a, i), pair(c, i), 0, 1, 2, 3);
-        const Lanes second = __builtin_shufflevector(pair(b, i), pair(d, i), 0, 1, 2, 3);
+        const Four first = __builtin_shufflevector(pair(a, i), pair(c, i), 0, 1, 2, 3);
+        const Four second = __builtin_shufflevector(pair(b, i), pair(d, i), 0, 1, 2, 3);
         all[2 * i] = __builtin_shufflevector(first, second, 0, 4, 2, 6);
         all[2 * i + 1] = __builtin_shufflevector(first, second, 1, 5, 3, 7);
     }
@@ -131,33 +131,33 @@ class LatestLaw {
     Relative kind_ = Relative::everywhere;
 };
 
-Lanes depths_at(const Strip::Side& side, std::size_t first) {
+Four depths_at(const Strip::Side& side, std::size_t first) {
     using Floats = float __attribute__((vector_size(16)));
     Floats depth;
     std::memcpy(&depth, &side.camera_depth[first], sizeof depth);
-    return __builtin_convertvector(depth, Lanes);
+    return __builtin_convertvector(depth, Four);
 }
 
-void put(const Lanes& ratio, Strip::Side& side, std::size_t first) {
+void put(const Four& ratio, Strip::Side& side, std::size_t first) {
     std::memcpy(&side.ratio[first], &ratio, sizeof ratio);
 }
 
 template <class Projected>
 void hold_strip(const LawsOfBoth& laws, Strip& strip) {
     LatestLaw candidate(laws.candidate), reference(laws.reference);
-    for (std::size_t first = 0; first < Strip::width; first += lane_count) {
+    for (std::size_t first = 0; first < Strip::width; first += four_count) {
         const std::uint32_t *ours = &strip.candidate.law[first], *theirs = &strip.reference.law[first];
         candidate.turn_to(ours);
         reference.turn_to(theirs);
         if (candidate.is_of_nothing() && reference.is_of_nothing()) {
-            put(everywhere<Lanes>(unsettled), strip.candidate, first);
-            put(everywhere<Lanes>(unsettled), strip.reference, first);
+            put(everywhere<Four>(unsettled), strip.candidate, first);
+            put(everywhere<Four>(unsettled), strip.reference, first);
             continue;
         }
         const double x = strip.x + int(first);
-        const Lanes at{x, x + 1, x + 2, x + 3};
+        const Four at{x, x + 1, x + 2, x + 3};
         const Spot spot = spot_of<Projected>(candidate.law(), at, strip.y);
-        const bool is_shared = std::equal(ours, ours + lane_count, theirs);
+        const bool is_shared = std::equal(ours, ours + four_count, theirs);
         const Spot other = is_shared ? spot : spot_of<Projected>(reference.law(), at, strip.y);
         put(ratio_of<Projected>(candidate.law(), spot, depths_at(strip.candidate, first), candidate.kind()),
             strip.candidate, first);

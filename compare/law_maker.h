@@ -17,10 +17,10 @@ class LawMaker {
 
     /// What four triangles are asked about.
     struct Lens {
-        Sight<Lanes> first_pixel;
-        Gauge<Lanes> gauge;
+        Sight<Four> first_pixel;
+        Gauge<Four> gauge;
         Resolution size;
-        Lanes near_depth, far_depth;
+        Four near_depth, far_depth;
         struct Side {
             CommonTerms terms;
             KeepsToCorners keeps;

@@ -5,7 +5,7 @@
 #include <array>
 #include <limits>
 
-#include "compare/lanes.h"
+#include "compare/four.h"
 #include "compare/triangle_image.h"
 #include "math/rounding.h"
 

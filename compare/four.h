@@ -10,14 +10,14 @@
 
 namespace zproof {
 
-using Lanes = double __attribute__((vector_size(32)));
-inline constexpr std::size_t lane_count = sizeof(Lanes) / sizeof(double);
+using Four = double __attribute__((vector_size(32)));
+inline constexpr std::size_t four_count = 4;
 
 template <class Number>
 [[gnu::always_inline]] inline Number absolute(const Number& a) {
-    if constexpr (std::is_same_v<Number, Lanes>) {
+    if constexpr (std::is_same_v<Number, Four>) {
         using Bits = std::int64_t __attribute__((vector_size(32)));
-        return std::bit_cast<Lanes>(std::bit_cast<Bits>(a) & INT64_MAX);
+        return std::bit_cast<Four>(std::bit_cast<Bits>(a) & INT64_MAX);
     } else {
         return std::abs(a);
     }
@@ -43,8 +43,8 @@ template <class Number>
 /// The same in every lane.
 template <class Number>
 [[gnu::always_inline]] inline Number everywhere(double a) {
-    if constexpr (std::is_same_v<Number, Lanes>)
-        return Lanes{a, a, a, a};
+    if constexpr (std::is_same_v<Number, Four>)
+        return Four{a, a, a, a};
     else
         return Number(a);
 }
