@@ -85,7 +85,7 @@ class ViewBounds {
     /// What depth needs of it; eps and slack may be missing.
     TriangleBounds of_depth(const TriangleExtent& extent) const;
     CommonTerms common_terms() const;
-    /// What triangles are measured with, in double or in lanes.
+    /// What triangles are measured with, in double or four at a time.
     template <class Number>
     Gauge<Number> gauge() const {
         const auto all = [](const glm::dvec3& v) {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "compare/depth_terms.h"
 #include "compare/four.h"
 #include "math/rounding.h"
 
@@ -45,102 +46,128 @@ Spot spot_of(const Law& law, const Four& x, int y) {
     return {nearness, held_between(nearness, law.least, law.highest), Projected::depth(nearness)};
 }
 
+/// What displacement does to nearness.
+Four shift_of(const Law& t, const Spot& spot) {
+    const Four reach = (t.base + t.per * spot.here) * t.amplification;
+    return smaller(t.most, reach) * t.gradient + t.nearness_error;
+}
+
+Four within_corners(const Law& t, const Four& depth) { return held_between(depth, t.nearest, t.farthest); }
+
+/// The depths that a displaced plane has, before rounding.
+struct Ends {
+    Four nearest, truth, farthest;
+};
+
+template <class Projected>
+Ends ends_of(const Law& t, const Spot& spot) {
+    const Four shift = shift_of(t, spot);
+    return {within_corners(t, Projected::depth(spot.nearness + shift)), within_corners(t, spot.depth),
+            within_corners(t, Projected::depth(spot.nearness - shift))};
+}
+
 /// Where a law's relative error is the same everywhere, its sum was compounded with the law.
 enum class Relative { everywhere, by_nearness };
+
+Relative relative_of(const Law& t) {
+    const auto varies = t.plane_offset != 0.0;
+    return (varies[0] | varies[1] | varies[2] | varies[3]) != 0 ? Relative::by_nearness
+                                                                : Relative::everywhere;
+}
 
 Four relative_error(const Law& t, const Four& here, Relative relative) {
     if (relative == Relative::everywhere) return t.relative;
     const Four varying = t.depth_factor + t.plane_offset / here;
-    const Four sum = t.plane_offset == 0.0 ? t.depth_factor : varying;
-    const Four compounded = sum / (1.0 - sum);
-    return sum < 1.0 ? compounded : everywhere<Four>(infinite);
+    return compounded(t.plane_offset == 0.0 ? t.depth_factor : varying);
 }
 
-/// Depths held against their laws. The bound's end on the depth's own side of the truth is worked out, for
-/// the ratio is taken there. In place of the other end stands the truth itself: rounding is monotone, so
-/// nearness + s is not below nearness, nor is anything that follows from them, and a depth that the narrower
-/// interval holds is held by the bound. What it does not hold may still be lawful, and is unsettled.
+/// A depth's bound, and its error over that.
+struct Held {
+    Four low, truth, high, ratio;
+};
+
 template <class Projected>
-Four ratio_of(const Law& t, const Spot& spot, const Four& z, Relative kind) {
-    const Four reach = (t.base + t.per * spot.here) * t.amplification;
-    const Four shift = smaller(t.most, reach) * t.gradient + t.nearness_error;
-    const Four truth = held_between(spot.depth, t.nearest, t.farthest);
-    const auto is_near = z < truth;
-    const Four own_end =
-        held_between(Projected::depth(spot.nearness + (is_near ? shift : -shift)), t.nearest, t.farthest);
-    const Four nearest = is_near ? own_end : truth, farthest = is_near ? truth : own_end;
-    const Four relative = relative_error(t, spot.here, kind);
-    const Four low = nearest - absolute(nearest) * relative - t.absolute;
-    const Four high = farthest + absolute(farthest) * relative + t.absolute;
+Held held(const Law& t, const Ends& ends, const Four& relative, const Four& z) {
+    const Four low = ends.nearest - absolute(ends.nearest) * relative - t.absolute;
+    const Four high = ends.farthest + absolute(ends.farthest) * relative + t.absolute;
     const Four margin = Projected::margin(t.own_error, z), rounding = 8 * unit_roundoff_float64 * z;
-    const auto holds = (relative < infinite) & (truth + shift < infinite) & (z >= 0.0) &
+    const auto holds = (relative < infinite) & (ends.truth < infinite) & (z >= 0.0) &
                        (low + margin + rounding <= z) & (z <= high - margin - rounding);
-    const Four error = absolute(z - truth), room = is_near ? truth - low : high - truth;
+    const Four error = absolute(z - ends.truth);
+    const Four room = z < ends.truth ? ends.truth - low : high - ends.truth;
     const Four share = error / room, none{};
-    return holds ? (error > 0.0 ? share : none) : everywhere<Four>(unsettled);
+    return {low, ends.truth, high, holds ? (error > 0.0 ? share : none) : everywhere<Four>(unsettled)};
 }
 
 constexpr std::size_t fields = sizeof(DepthLaw) / sizeof(double);
 static_assert(fields % 2 == 0 && sizeof(Law) == fields * sizeof(Four));
 
-/// Four laws side by side, two numbers of each at a time.
-Law side_by_side(const std::vector<DepthLaw>& laws, const std::uint32_t* which) {
+/// Writes four laws side by side, two numbers of each at a time.
+void put_side_by_side(const std::array<const DepthLaw*, four_count>& laws, Law& all) {
     using Two = double __attribute__((vector_size(16)));
-    using Pairs = std::array<Two, fields / 2>;
-    const DepthLaw *a = &laws[which[0]], *b = &laws[which[1]], *c = &laws[which[2]], *d = &laws[which[3]];
     const auto pair = [](const DepthLaw* law, std::size_t i) {
         Two two;
         std::memcpy(&two, reinterpret_cast<const char*>(law) + i * sizeof two, sizeof two);
         return two;
     };
-    std::array<Four, fields> all;
-    for (std::size_t i = 0; i < std::tuple_size_v<Pairs>; ++i) {
-        const Four first = __builtin_shufflevector(pair(a, i), pair(c, i), 0, 1, 2, 3);
-        const Four second = __builtin_shufflevector(pair(b, i), pair(d, i), 0, 1, 2, 3);
-        all[2 * i] = __builtin_shufflevector(first, second, 0, 4, 2, 6);
-        all[2 * i + 1] = __builtin_shufflevector(first, second, 1, 5, 3, 7);
+    const auto put = [&](std::size_t i, const Four& four) {
+        std::memcpy(reinterpret_cast<char*>(&all) + i * sizeof four, &four, sizeof four);
+    };
+    for (std::size_t i = 0; i < fields / 2; ++i) {
+        const Four first = __builtin_shufflevector(pair(laws[0], i), pair(laws[2], i), 0, 1, 2, 3);
+        const Four second = __builtin_shufflevector(pair(laws[1], i), pair(laws[3], i), 0, 1, 2, 3);
+        put(2 * i, __builtin_shufflevector(first, second, 0, 4, 2, 6));
+        put(2 * i + 1, __builtin_shufflevector(first, second, 1, 5, 3, 7));
     }
-    return std::bit_cast<Law>(all);
 }
+
+Four four_at(const float* depth) {
+    using Floats = float __attribute__((vector_size(16)));
+    Floats floats;
+    std::memcpy(&floats, depth, sizeof floats);
+    return __builtin_convertvector(floats, Four);
+}
+
+/// The four from x on.
+Four from_on(double x) { return Four{x, x + 1, x + 2, x + 3}; }
 
 /// The laws of four pixels. Where one triangle fills them they are often those of the four before.
 class LatestLaw {
   public:
-    explicit LatestLaw(const std::vector<DepthLaw>& laws) : laws_(laws) {}
+    explicit LatestLaw(const std::vector<DepthLaw>& laws) : laws_(laws) {
+        put_side_by_side({&laws[0], &laws[0], &laws[0], &laws[0]}, law_);
+    }
 
     void turn_to(const std::uint32_t* which) {
         const bool is_one = ((which[0] ^ which[1]) | (which[0] ^ which[2]) | (which[0] ^ which[3])) == 0;
         if (is_one && is_one_ && which[0] == which_) return;
-        law_ = side_by_side(laws_, which);
+        put_side_by_side({&laws_[which[0]], &laws_[which[1]], &laws_[which[2]], &laws_[which[3]]}, law_);
         is_one_ = is_one;
         which_ = which[0];
-        const auto varies = law_.plane_offset != 0.0;
-        kind_ = (varies[0] | varies[1] | varies[2] | varies[3]) != 0 ? Relative::by_nearness
-                                                                     : Relative::everywhere;
+        kind_ = relative_of(law_);
     }
-    /// Are all four bare?
+    /// Is none of the four held against anything?
     bool is_of_nothing() const { return is_one_ && which_ == 0; }
-    const Law& law() const { return law_; }
-    Relative kind() const { return kind_; }
+
+    template <class Projected>
+    Spot spot(double x, int y) const {
+        return spot_of<Projected>(law_, from_on(x), y);
+    }
+    template <class Projected>
+    void hold(const Spot& spot, const float* camera_depth, double* ratio) const {
+        const Four relative = relative_error(law_, spot.here, kind_);
+        const Held four =
+            held<Projected>(law_, ends_of<Projected>(law_, spot), relative, four_at(camera_depth));
+        std::memcpy(ratio, &four.ratio, sizeof four.ratio);
+    }
 
   private:
     const std::vector<DepthLaw>& laws_;
-    bool is_one_ = false;
+    bool is_one_ = true;
     std::uint32_t which_ = 0;
     Law law_;
     Relative kind_ = Relative::everywhere;
 };
-
-Four depths_at(const Strip::Side& side, std::size_t first) {
-    using Floats = float __attribute__((vector_size(16)));
-    Floats depth;
-    std::memcpy(&depth, &side.camera_depth[first], sizeof depth);
-    return __builtin_convertvector(depth, Four);
-}
-
-void put(const Four& ratio, Strip::Side& side, std::size_t first) {
-    std::memcpy(&side.ratio[first], &ratio, sizeof ratio);
-}
 
 template <class Projected>
 void hold_strip(const LawsOfBoth& laws, Strip& strip) {
@@ -150,20 +177,35 @@ void hold_strip(const LawsOfBoth& laws, Strip& strip) {
         candidate.turn_to(ours);
         reference.turn_to(theirs);
         if (candidate.is_of_nothing() && reference.is_of_nothing()) {
-            put(everywhere<Four>(unsettled), strip.candidate, first);
-            put(everywhere<Four>(unsettled), strip.reference, first);
+            std::fill_n(&strip.candidate.ratio[first], four_count, unsettled);
+            std::fill_n(&strip.reference.ratio[first], four_count, unsettled);
             continue;
         }
         const double x = strip.x + int(first);
-        const Four at{x, x + 1, x + 2, x + 3};
-        const Spot spot = spot_of<Projected>(candidate.law(), at, strip.y);
+        const Spot spot = candidate.spot<Projected>(x, strip.y);
         const bool is_shared = std::equal(ours, ours + four_count, theirs);
-        const Spot other = is_shared ? spot : spot_of<Projected>(reference.law(), at, strip.y);
-        put(ratio_of<Projected>(candidate.law(), spot, depths_at(strip.candidate, first), candidate.kind()),
-            strip.candidate, first);
-        put(ratio_of<Projected>(reference.law(), other, depths_at(strip.reference, first), reference.kind()),
-            strip.reference, first);
+        const Spot other = is_shared ? spot : reference.spot<Projected>(x, strip.y);
+        candidate.hold<Projected>(spot, &strip.candidate.camera_depth[first], &strip.candidate.ratio[first]);
+        reference.hold<Projected>(other, &strip.reference.camera_depth[first], &strip.reference.ratio[first]);
     }
+}
+
+template <class Projected>
+DepthRow hold_row(const DepthLaw& law, const LaneRow& row, const LanesOf<float>& camera_depth) {
+    Law four;
+    put_side_by_side({&law, &law, &law, &law}, four);
+    const Relative kind = relative_of(four);
+    DepthRow all;
+    for (std::size_t i = 0; i < lane_count; i += four_count) {
+        const Spot spot = spot_of<Projected>(four, from_on(row.left + int(i)), row.y);
+        const Held one = held<Projected>(four, ends_of<Projected>(four, spot),
+                                         relative_error(four, spot.here, kind), four_at(&camera_depth[i]));
+        std::memcpy(&all.low[i], &one.low, sizeof one.low);
+        std::memcpy(&all.truth[i], &one.truth, sizeof one.truth);
+        std::memcpy(&all.high[i], &one.high, sizeof one.high);
+        std::memcpy(&all.ratio[i], &one.ratio, sizeof one.ratio);
+    }
+    return all;
 }
 
 constexpr std::size_t together = 8;
@@ -187,6 +229,12 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
 [[gnu::flatten, gnu::target_clones("default", "avx2")]] void hold_parallel(const LawsOfBoth& laws,
                                                                            Strip& strip) {
     hold_strip<Parallel>(laws, strip);
+}
+
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] DepthRow depths_in_row(
+    const DepthLaw& law, Projection projection, const LaneRow& row, const LanesOf<float>& camera_depth) {
+    return projection == Projection::perspective ? hold_row<Perspective>(law, row, camera_depth)
+                                                 : hold_row<Parallel>(law, row, camera_depth);
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] void sort_out(Strip& strip, Largest& candidate,

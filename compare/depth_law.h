@@ -7,7 +7,9 @@
 #include <limits>
 #include <vector>
 
+#include "compare/lanes.h"
 #include "frame/frame.h"
+#include "scenes/view.h"
 
 namespace zproof {
 
@@ -16,13 +18,13 @@ namespace zproof {
 /// depths, `nearest` and `farthest` are infinite.
 template <class Number>
 struct DepthLawOf {
-    Number nearness_per_x{}, nearness_per_y{}, nearness_offset{};  ///< of pixel indices
-    Number gradient{}, own_error{};
-    Number least{}, highest{};                      ///< nearness
-    Number base{}, per{}, most{}, amplification{};  ///< of a Displacement
-    Number depth_factor{}, plane_offset{}, absolute{}, nearness_error{};
-    Number relative{};  ///< of depth, where plane_offset is 0: depth_factor compounded
-    Number nearest{}, farthest{};
+    Number nearness_per_x, nearness_per_y, nearness_offset;  ///< of pixel indices
+    Number gradient, own_error;
+    Number least, highest;                  ///< nearness
+    Number base, per, most, amplification;  ///< of a Displacement
+    Number depth_factor, plane_offset, absolute, nearness_error;
+    Number relative;  ///< of depth, where plane_offset is 0: depth_factor compounded
+    Number nearest, farthest;
 };
 using DepthLaw = DepthLawOf<double>;
 
@@ -30,8 +32,12 @@ using DepthLaw = DepthLawOf<double>;
 inline constexpr double unsettled = -1;
 
 /// A law by which every depth is unsettled.
-inline constexpr DepthLaw law_of_nothing{.depth_factor = 1,
-                                         .relative = std::numeric_limits<double>::infinity()};
+inline constexpr DepthLaw law_of_nothing = [] {
+    DepthLaw law{};
+    law.depth_factor = 1;
+    law.relative = std::numeric_limits<double>::infinity();
+    return law;
+}();
 
 /// The laws of the same triangles for both renderers, by place. What both laws of a triangle say of its plane
 /// is the same.
@@ -65,6 +71,13 @@ struct Strip {
 /// double precision does not hold the depth lawful for certain.
 void hold_perspective(const LawsOfBoth& laws, Strip& strip);
 void hold_parallel(const LawsOfBoth& laws, Strip& strip);
+
+/// Depths along a row held against one law: TriangleDepth::at and, as above, the ratio.
+struct DepthRow {
+    Lanes low, truth, high, ratio;
+};
+DepthRow depths_in_row(const DepthLaw& law, Projection projection, const LaneRow& row,
+                       const LanesOf<float>& camera_depth);
 
 /// The largest ratios that were counted, side by side.
 using Largest = std::array<double, 8>;

@@ -1,5 +1,5 @@
 /// From a triangle's size and a renderer's precision to the law of its depth (docs/bounds.md). In double, or
-/// in lanes.
+/// four at a time.
 #pragma once
 
 #include "compare/depth_law.h"

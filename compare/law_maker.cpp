@@ -13,13 +13,13 @@ Vector3<Four> in_four(const Vector3<double>& v) {
 }
 
 Sight<Four> in_four(const Sight<double>& sight) {
-    Sight<Four> lanes;
-    lanes.projection = sight.projection;
-    lanes.origin = in_four(sight.origin);
-    lanes.direction = in_four(sight.direction);
-    lanes.step_x = in_four(sight.step_x);
-    lanes.step_y = in_four(sight.step_y);
-    return lanes;
+    Sight<Four> four;
+    four.projection = sight.projection;
+    four.origin = in_four(sight.origin);
+    four.direction = in_four(sight.direction);
+    four.step_x = in_four(sight.step_x);
+    four.step_y = in_four(sight.step_y);
+    return four;
 }
 
 LawMaker::Lens::Side side_of(const ViewBounds& bounds) {
@@ -43,7 +43,7 @@ Corners<Four> side_by_side(const std::array<CornersWorld, four_count>& p) {
 }
 
 PlaneOfLaw<Four> plane_of(const LawMaker::Lens& lens, const TriangleSize<Four>& triangle,
-                           const Corners<Four>& p) {
+                          const Corners<Four>& p) {
     const ScaledNearness<Four> plane = scaled_nearness(lens.first_pixel, p);
     const Affine<Four> nearness = (1.0 / plane.divisor) * plane.scaled;
     const auto& depth = triangle.depth;
@@ -57,7 +57,7 @@ PlaneOfLaw<Four> plane_of(const LawMaker::Lens& lens, const TriangleSize<Four>& 
 }
 
 DepthLawOf<Four> law_of(const LawMaker::Lens::Side& side, const PlaneOfLaw<Four>& plane,
-                         const TriangleSize<Four>& triangle) {
+                        const TriangleSize<Four>& triangle) {
     const auto* raster = std::get_if<RasterTerms>(&side.terms);
     return law_of(plane, raster ? raster->of(triangle) : std::get_if<RayTerms>(&side.terms)->of(triangle),
                   side.keeps);
@@ -103,7 +103,7 @@ LawMaker::LawMaker(const Scene& scene, const Witness& candidate, const Witness& 
 }
 
 void LawMaker::make(std::span<const PrimitiveId> triangles, std::size_t first_place, LawsOfBoth& laws) const {
-    // whole groups of lanes; whoever stands in those of the last group that nobody asked for goes again
+    // whole groups of four; whoever stands in those of the last group that nobody asked for goes again
     const std::size_t room = first_place + triangles.size() + four_count;
     if (laws.candidate.size() < room) {
         laws.candidate.resize(2 * room);

@@ -1,5 +1,5 @@
 /// How large a triangle is as error analysis sees it: sums of absolute products, the same for every renderer
-/// of a view (docs/bounds.md, "A triangle's size"). In double, or in lanes.
+/// of a view (docs/bounds.md, "A triangle's size"). In double, or four at a time.
 #pragma once
 
 #include <array>
