@@ -374,6 +374,22 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRa
     return bounds;
 }
 
+DepthLaw BoundsOnPlane::depth_law() const {
+    DepthLaw law{};
+    law.least = corners_.least;
+    law.highest = corners_.highest;
+    law.base = depth_eps_px_.base;
+    law.per = depth_eps_px_.per;
+    law.most = depth_eps_px_.most;
+    law.amplification = depth_eps_px_.amplification;
+    law.depth_factor = depth_factor_;
+    law.plane_offset = plane_offset_;
+    law.relative = compounded(depth_factor_);
+    law.absolute = depth_absolute_;
+    law.nearness_error = nearness_error_;
+    return law;
+}
+
 LocalBounds TriangleBounds::at(double nearness, double gradient) const {
     return BoundsOnPlane(*this, gradient).at(nearness);
 }

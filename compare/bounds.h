@@ -68,6 +68,9 @@ class BoundsOnPlane {
                 .nearness_error = nearness_error_};
     }
 
+    /// As much of a law as bounds say; the rest is 0.
+    DepthLaw depth_law() const;
+
   private:
     CornerNearness<double> corners_;
     Displacement<double> eps_px_, depth_eps_px_;

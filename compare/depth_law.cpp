@@ -191,12 +191,12 @@ void hold_strip(const LawsOfBoth& laws, Strip& strip) {
 }
 
 template <class Projected>
-DepthRow hold_row(const DepthLaw& law, const LaneRow& row, const LanesOf<float>& camera_depth) {
+DepthRow hold_row(const DepthLaw& law, const RowPlace& row, const TileRowOf<float>& camera_depth) {
     Law four;
     put_side_by_side({&law, &law, &law, &law}, four);
     const Relative kind = relative_of(four);
     DepthRow all;
-    for (std::size_t i = 0; i < lane_count; i += four_count) {
+    for (std::size_t i = 0; i < tile_columns; i += four_count) {
         const Spot spot = spot_of<Projected>(four, from_on(row.left + int(i)), row.y);
         const Held one = held<Projected>(four, ends_of<Projected>(four, spot),
                                          relative_error(four, spot.here, kind), four_at(&camera_depth[i]));
@@ -232,7 +232,7 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
 }
 
 [[gnu::flatten, gnu::target_clones("default", "avx2")]] DepthRow depths_in_row(
-    const DepthLaw& law, Projection projection, const LaneRow& row, const LanesOf<float>& camera_depth) {
+    const DepthLaw& law, Projection projection, const RowPlace& row, const TileRowOf<float>& camera_depth) {
     return projection == Projection::perspective ? hold_row<Perspective>(law, row, camera_depth)
                                                  : hold_row<Parallel>(law, row, camera_depth);
 }

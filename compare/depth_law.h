@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "compare/lanes.h"
+#include "compare/tile_row.h"
 #include "frame/frame.h"
 #include "scenes/view.h"
 
@@ -74,10 +74,10 @@ void hold_parallel(const LawsOfBoth& laws, Strip& strip);
 
 /// Depths along a row held against one law: TriangleDepth::at and, as above, the ratio.
 struct DepthRow {
-    Lanes low, truth, high, ratio;
+    TileRow low, truth, high, ratio;
 };
-DepthRow depths_in_row(const DepthLaw& law, Projection projection, const LaneRow& row,
-                       const LanesOf<float>& camera_depth);
+DepthRow depths_in_row(const DepthLaw& law, Projection projection, const RowPlace& row,
+                       const TileRowOf<float>& camera_depth);
 
 /// The largest ratios that were counted, side by side.
 using Largest = std::array<double, 8>;

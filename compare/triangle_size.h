@@ -37,8 +37,12 @@ class PlaneErrorOf {
     auto is_known() const { return is_known_; }
     /// Where |nearness| is at most this.
     Number at(const Number& largest_nearness) const {
-        const Number error = 2 * rounding * (numerator_ + largest_nearness * condition_) + of_origin_;
+        const Number error = known_at(largest_nearness);
         return is_known_ ? error : everywhere<Number>(std::numeric_limits<double>::infinity());
+    }
+    /// The same where the orientation is known.
+    Number known_at(const Number& largest_nearness) const {
+        return 2 * rounding * (numerator_ + largest_nearness * condition_) + of_origin_;
     }
 
   private:
