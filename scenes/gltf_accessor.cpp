@@ -119,7 +119,7 @@ Elements Accessors::packed(int accessor) const {
 
 Elements Accessors::view_of(int buffer_view, std::size_t offset, const Elements& type) const {
     const tinygltf::BufferView& view = model_.gltf.bufferViews[static_cast<std::size_t>(buffer_view)];
-    const Bytes& bytes = model_.gltf.buffers[static_cast<std::size_t>(view.buffer)].data;
+    const std::span<const unsigned char> bytes = model_.buffers[static_cast<std::size_t>(view.buffer)];
     Elements elements = type;
     elements.stride = view.byteStride != 0 ? view.byteStride : element_bytes(type);
     elements.first = bytes.data() + view.byteOffset + offset;

@@ -50,21 +50,6 @@ std::string quoted(const std::string& path) {
     return text;
 }
 
-/// tinygltf 2.7's own decoding (it also turns '+' into a blank): the name under which it asks for a file.
-std::string name_in_tinygltf(const std::string& uri) {
-    std::string name;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        if (uri[i] == '%' && uri.size() > i + 2) {
-            name += static_cast<char>(std::max(hex_digit(uri[i + 1]), 0) << 4 |
-                                      std::max(hex_digit(uri[i + 2]), 0));
-            i += 2;
-        } else {
-            name += uri[i] == '+' ? ' ' : uri[i];
-        }
-    }
-    return name;
-}
-
 Bytes read_first(const fs::path& file, std::uint64_t bytes) {
     Bytes content(bytes);
     std::ifstream stream(file, std::ios::binary);
@@ -127,7 +112,7 @@ void Admitted::admit(const std::string& place, const std::string& uri, Entry ent
     if (total_bytes_ > limits::total_bytes)
         refuse(scene_file_, place,
                "too large: at most " + std::to_string(limits::total_bytes) + " bytes in all");
-    const auto [known, is_new] = files_.try_emplace(name_in_tinygltf(uri), entry);
+    const auto [known, is_new] = files_.try_emplace(percent_decoded(uri), entry);
     if (!is_new && (known->second.bytes != entry.bytes || known->second.file != entry.file))
         refuse(scene_file_, place, "the same file is named twice with different lengths; name it once");
 }
@@ -147,8 +132,8 @@ void Admitted::admit_image(const std::string& place, const std::string& uri) {
     admit(place, uri, {file, size_of(file)});
 }
 
-Bytes Admitted::read(const std::string& name) const {
-    const Entry& entry = files_.at(name);
+Bytes Admitted::read(const std::string& uri) const {
+    const Entry& entry = files_.at(percent_decoded(uri));
     return read_first(entry.file, entry.bytes);
 }
 
