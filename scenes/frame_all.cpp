@@ -1,9 +1,13 @@
 #include "scenes/frame_all.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "scenes/scene_error.h"
 
@@ -11,17 +15,42 @@ namespace zproof {
 namespace {
 
 constexpr double yfov = std::numbers::pi / 4;
-constexpr double margin = 1.05;  ///< air around the bounds
+constexpr double margin = 1.05;                ///< air around the bounds
+constexpr std::size_t worth_a_task = 1 << 12;  ///< triangles
 const glm::dvec3 towards_eye = glm::normalize(glm::dvec3(0.5, 0.35, 1));
 
-/// The eight corners of the bounds of every vertex that a triangle uses.
+struct Bounds {
+    glm::vec3 low{INFINITY}, high{-INFINITY};
+
+    Bounds joined(const Bounds& other) const {
+        return {glm::min(low, other.low), glm::max(high, other.high)};
+    }
+};
+
+/// The bounds of every vertex that one of the triangles uses.
+Bounds bounds_of(const Positions& position, std::span<const glm::uvec3> triangles) {
+    Bounds bounds;
+    for (const glm::uvec3& t : triangles) {
+        const glm::vec3 &a = position[t.x], &b = position[t.y], &c = position[t.z];
+        bounds = bounds.joined({glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)});
+    }
+    return bounds;
+}
+
+Bounds bounds_of(const Scene& scene) {
+    const std::span<const glm::uvec3> triangles = scene.triangles;
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, triangles.size(), worth_a_task), Bounds{},
+        [&](const auto& some, const Bounds& so_far) {
+            return so_far.joined(
+                bounds_of(scene.vertices.position_world, triangles.subspan(some.begin(), some.size())));
+        },
+        [](const Bounds& a, const Bounds& b) { return a.joined(b); });
+}
+
+/// The eight corners of the scene's bounds.
 std::array<glm::dvec3, 8> corners_of_bounds(const Scene& scene) {
-    glm::vec3 low = scene.vertices.position_world[scene.triangles.front().x], high = low;
-    for (const glm::uvec3& triangle : scene.triangles)
-        for (int corner = 0; corner < 3; ++corner) {
-            low = glm::min(low, scene.vertices.position_world[triangle[corner]]);
-            high = glm::max(high, scene.vertices.position_world[triangle[corner]]);
-        }
+    const auto [low, high] = bounds_of(scene);
     std::array<glm::dvec3, 8> corners;
     for (unsigned i = 0; i < 8; ++i)
         corners[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};

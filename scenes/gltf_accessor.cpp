@@ -5,6 +5,7 @@
 #include <string>
 
 #include "scenes/gltf_limits.h"
+#include "scenes/largest.h"
 #include "scenes/refusal.h"
 
 namespace zproof {
@@ -56,12 +57,6 @@ double component(const Elements& elements, std::size_t i, int c) {
     }
 }
 
-glm::dvec3 vec3_at(const Elements& elements, std::size_t i) {
-    if (elements.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT)
-        return glm::dvec3(load<glm::vec3>(elements.first + i * elements.stride));
-    return {component(elements, i, 0), component(elements, i, 1), component(elements, i, 2)};
-}
-
 std::uint32_t index_at(const Elements& elements, std::size_t i) {
     const unsigned char* from = elements.first + i * elements.stride;
     switch (elements.component_type) {
@@ -79,7 +74,19 @@ namespace {
 template <typename T>
 void read_indices_of(const Elements& elements, std::size_t first, std::span<std::uint32_t> to) {
     const unsigned char* from = elements.first + first * elements.stride;
-    for (std::size_t i = 0; i < to.size(); ++i) to[i] = load<T>(from + i * elements.stride);
+    if (elements.stride == sizeof(T))  // a constant, so that they are read side by side
+        for (std::size_t i = 0; i < to.size(); ++i) to[i] = load<T>(from + i * sizeof(T));
+    else
+        for (std::size_t i = 0; i < to.size(); ++i) to[i] = load<T>(from + i * elements.stride);
+}
+
+template <typename T>
+std::uint32_t largest_index_of(const Elements& elements) {
+    if (elements.stride == sizeof(T)) return largest<T>(elements.first, elements.count);
+    T most = 0;
+    for (std::size_t i = 0; i < elements.count; ++i)
+        most = std::max(most, load<T>(elements.first + i * elements.stride));
+    return most;
 }
 
 }  // namespace
@@ -92,6 +99,17 @@ void read_indices(const Elements& elements, std::size_t first, std::span<std::ui
             return read_indices_of<std::uint16_t>(elements, first, to);
         default:
             return read_indices_of<std::uint32_t>(elements, first, to);
+    }
+}
+
+std::uint32_t largest_index(const Elements& elements) {
+    switch (elements.component_type) {
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return largest_index_of<std::uint8_t>(elements);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return largest_index_of<std::uint16_t>(elements);
+        default:
+            return largest_index_of<std::uint32_t>(elements);
     }
 }
 
@@ -161,6 +179,9 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
 
 void Accessors::check_finite(int accessor, const Elements& elements) const {
     const auto components = static_cast<std::size_t>(elements.components);
+    if (elements.stride == element_bytes(elements) &&
+        largest(elements.first, elements.count * components, magnitude_bits) < infinite_bits)
+        return;
     for (std::size_t i = 0; i < elements.count; ++i) {
         bool is_finite = true;
         for (std::size_t c = 0; c < components; ++c)

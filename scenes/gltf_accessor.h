@@ -25,11 +25,31 @@ struct Elements {
 /// Component c of element i as glTF defines it: normalized integers are mapped to [0, 1] or [-1, 1].
 double component(const Elements& elements, std::size_t i, int c);
 
+constexpr int component_type_float = 5126;
+
 /// The first three components of element i.
-glm::dvec3 vec3_at(const Elements& elements, std::size_t i);
+inline glm::dvec3 vec3_at(const Elements& elements, std::size_t i) {
+    if (elements.component_type != component_type_float)
+        return {component(elements, i, 0), component(elements, i, 1), component(elements, i, 2)};
+    glm::vec3 value;
+    std::memcpy(&value, elements.first + i * elements.stride, sizeof value);
+    return glm::dvec3(value);
+}
+
+/// The first two components of element i.
+inline glm::dvec2 vec2_at(const Elements& elements, std::size_t i) {
+    if (elements.component_type != component_type_float)
+        return {component(elements, i, 0), component(elements, i, 1)};
+    glm::vec2 value;
+    std::memcpy(&value, elements.first + i * elements.stride, sizeof value);
+    return glm::dvec2(value);
+}
 
 /// Element i of an index accessor.
 std::uint32_t index_at(const Elements& elements, std::size_t i);
+
+/// The largest of all elements of an index accessor.
+std::uint32_t largest_index(const Elements& elements);
 
 /// Elements of an index accessor, from `first` on.
 void read_indices(const Elements& elements, std::size_t first, std::span<std::uint32_t> to);

@@ -5,11 +5,12 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <vector>
+
+#include "scenes/bulk.h"
 
 namespace zproof {
 
-using Bytes = std::vector<unsigned char>;
+using Bytes = Bulk<unsigned char>;
 
 /// Reads a regular file of at most limit bytes. Throws SceneError for anything else.
 Bytes read_file(const std::filesystem::path& file, std::uint64_t limit);

@@ -32,10 +32,13 @@ struct Encoded {
 
 /// What stands in the URI, or in the file that it names; only the former says of what type it is.
 void read_uri(const std::string& uri, const Admitted& admitted, Encoded& image) {
-    if (tinygltf::IsDataURI(uri))
-        tinygltf::DecodeDataURI(&image.own, image.declared_type, uri, 0, false);
-    else
+    if (tinygltf::IsDataURI(uri)) {
+        std::vector<unsigned char> bytes;
+        tinygltf::DecodeDataURI(&bytes, image.declared_type, uri, 0, false);
+        image.own.assign(bytes.begin(), bytes.end());
+    } else {
         image.own = admitted.read(uri);
+    }
     image.bytes = image.own;
 }
 

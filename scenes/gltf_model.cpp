@@ -18,10 +18,10 @@ const Bytes& keep(GltfModel& model, Bytes bytes) {
 }
 
 Bytes decoded(const std::string& data_uri) {
-    Bytes bytes;
+    std::vector<unsigned char> bytes;
     std::string type;
     tinygltf::DecodeDataURI(&bytes, type, data_uri, 0, false);
-    return bytes;
+    return {bytes.begin(), bytes.end()};
 }
 
 /// The bytes of a buffer, which were found to be there when its file was admitted.
