@@ -6,13 +6,6 @@
 #include <utility>
 
 namespace zproof {
-namespace {
-
-/// Some ten thousand instructions at least, and still in the first-level cache when it is read again.
-constexpr std::size_t range_elements = 2048;
-
-}  // namespace
-
 void Batch::add(std::size_t count, Work work) {
     for (std::size_t from = 0; from < count; from += range_elements)
         ranges_.push_back({works_.size(), from, std::min(from + range_elements, count)});

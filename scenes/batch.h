@@ -13,6 +13,9 @@ class Batch {
   public:
     using Work = std::function<void(std::size_t from, std::size_t to)>;
 
+    /// Longest range: some ten thousand instructions at least, and still in the cache when it is read again.
+    static constexpr std::size_t range_elements = 1024;
+
     /// Has work(from, to) called for ranges that make up [0, count) before run() returns, in any order and by
     /// any thread. Work must not throw.
     void add(std::size_t count, Work work);

@@ -2,6 +2,7 @@
 
 #include <sys/mman.h>
 
+#include <cstdint>
 #include <cstdlib>
 
 namespace zproof {
@@ -9,17 +10,22 @@ namespace {
 
 constexpr std::size_t huge_page = std::size_t{2} << 20;
 
-/// Below this a huge page would be mostly empty.
-constexpr std::size_t worth_huge_pages = 2 * huge_page;
+std::size_t rounded_up(std::size_t bytes) { return (bytes + huge_page - 1) / huge_page * huge_page; }
 
 }  // namespace
 
+void prefer_huge_pages(void* memory, std::size_t bytes) noexcept {
+    const std::size_t to_first =
+        (huge_page - reinterpret_cast<std::uintptr_t>(memory) % huge_page) % huge_page;
+    if (bytes < to_first + huge_page) return;
+    madvise(static_cast<char*>(memory) + to_first, (bytes - to_first) / huge_page * huge_page, MADV_HUGEPAGE);
+}
+
 void* allocate_bulk(std::size_t bytes) {
-    const std::size_t rounded = (bytes + huge_page - 1) / huge_page * huge_page;
-    const bool is_huge = bytes >= worth_huge_pages && rounded >= bytes;
-    void* memory = is_huge ? std::aligned_alloc(huge_page, rounded) : std::malloc(bytes);
+    const bool is_huge = bytes >= huge_page && rounded_up(bytes) >= bytes;
+    void* memory = is_huge ? std::aligned_alloc(huge_page, rounded_up(bytes)) : std::malloc(bytes);
     if (memory == nullptr) throw std::bad_alloc();
-    if (is_huge) madvise(memory, rounded, MADV_HUGEPAGE);  // where refused, ordinary pages do
+    if (is_huge) prefer_huge_pages(memory, rounded_up(bytes));
     return memory;
 }
 

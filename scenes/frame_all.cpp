@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <span>
 
@@ -19,11 +20,26 @@ constexpr double margin = 1.05;                ///< air around the bounds
 constexpr std::size_t worth_a_task = 1 << 12;  ///< triangles
 const glm::dvec3 towards_eye = glm::normalize(glm::dvec3(0.5, 0.35, 1));
 
-struct Bounds {
-    glm::vec3 low{INFINITY}, high{-INFINITY};
+/// A vertex and whatever follows it in memory, side by side.
+typedef float Lanes __attribute__((vector_size(16)));
 
-    Bounds joined(const Bounds& other) const {
-        return {glm::min(low, other.low), glm::max(high, other.high)};
+static_assert(sizeof(glm::vec3) + Positions::allocator_type::padding >= sizeof(Lanes));
+
+Lanes lanes_of(const glm::vec3& position) {
+    Lanes lanes;
+    std::memcpy(&lanes, &position, sizeof lanes);
+    return lanes;
+}
+
+Lanes least(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
+Lanes most(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+
+struct Bounds {
+    Lanes low{INFINITY, INFINITY, INFINITY}, high = -low;
+
+    void join(const Lanes& least_of, const Lanes& most_of) {
+        low = least(low, least_of);
+        high = most(high, most_of);
     }
 };
 
@@ -31,8 +47,8 @@ struct Bounds {
 Bounds bounds_of(const Positions& position, std::span<const glm::uvec3> triangles) {
     Bounds bounds;
     for (const glm::uvec3& t : triangles) {
-        const glm::vec3 &a = position[t.x], &b = position[t.y], &c = position[t.z];
-        bounds = bounds.joined({glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)});
+        const Lanes a = lanes_of(position[t.x]), b = lanes_of(position[t.y]), c = lanes_of(position[t.z]);
+        bounds.join(least(least(a, b), c), most(most(a, b), c));
     }
     return bounds;
 }
@@ -41,11 +57,16 @@ Bounds bounds_of(const Scene& scene) {
     const std::span<const glm::uvec3> triangles = scene.triangles;
     return tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, triangles.size(), worth_a_task), Bounds{},
-        [&](const auto& some, const Bounds& so_far) {
-            return so_far.joined(
-                bounds_of(scene.vertices.position_world, triangles.subspan(some.begin(), some.size())));
+        [&](const auto& some, Bounds bounds) {
+            const Bounds more =
+                bounds_of(scene.vertices.position_world, triangles.subspan(some.begin(), some.size()));
+            bounds.join(more.low, more.high);
+            return bounds;
         },
-        [](const Bounds& a, const Bounds& b) { return a.joined(b); });
+        [](Bounds bounds, const Bounds& more) {
+            bounds.join(more.low, more.high);
+            return bounds;
+        });
 }
 
 /// The eight corners of the scene's bounds.
@@ -53,7 +74,7 @@ std::array<glm::dvec3, 8> corners_of_bounds(const Scene& scene) {
     const auto [low, high] = bounds_of(scene);
     std::array<glm::dvec3, 8> corners;
     for (unsigned i = 0; i < 8; ++i)
-        corners[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
+        corners[i] = {(i & 1 ? high : low)[0], (i & 2 ? high : low)[1], (i & 4 ? high : low)[2]};
     return corners;
 }
 

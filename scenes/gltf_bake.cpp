@@ -1,6 +1,7 @@
 #include "scenes/gltf_bake.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <string>
 
 #include "scenes/batch.h"
+#include "scenes/bulk.h"
 #include "scenes/gltf_accessor.h"
 #include "scenes/gltf_corners.h"
 #include "scenes/gltf_limits.h"
@@ -52,6 +54,37 @@ std::uint32_t largest_coordinate(std::span<const glm::vec3> positions) {
                    magnitude_bits);
 }
 
+template <typename T, typename Allocator>
+void reserve_bulk(std::vector<T, Allocator>& attribute, std::size_t elements) {
+    if (attribute.capacity() >= elements) return;
+    attribute.reserve(elements);
+    prefer_huge_pages(attribute.data(), attribute.capacity() * sizeof(T));
+}
+
+/// Vectors of one range of a batch, made of length 1 side by side.
+class Directions {
+  public:
+    void set(std::size_t i, const glm::dvec3& vector) {
+        x_[i] = vector.x;
+        y_[i] = vector.y;
+        z_[i] = vector.z;
+    }
+
+    /// The first to.size() of them; 0 for those that have no direction.
+    void write(std::span<glm::vec3> to) const {
+        std::array<double, Batch::range_elements> length;
+        for (std::size_t i = 0; i < to.size(); ++i)
+            length[i] = std::sqrt(x_[i] * x_[i] + y_[i] * y_[i] + z_[i] * z_[i]);
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            const glm::vec3 direction(x_[i] / length[i], y_[i] / length[i], z_[i] / length[i]);
+            to[i] = length[i] > 0 && std::isfinite(length[i]) ? direction : glm::vec3(0);
+        }
+    }
+
+  private:
+    std::array<double, Batch::range_elements> x_, y_, z_;
+};
+
 /// The triangles and vertices that one primitive at one node became.
 struct Placement {
     int node = 0;
@@ -76,8 +109,8 @@ class Baker {
                 vertices += std::min(corners, vertex_count(primitive));
                 check_limits(triangles, vertices);
             }
-        scene_.triangles.reserve(triangles);
-        scene_.vertices.position_world.reserve(vertices);
+        reserve_bulk(scene_.triangles, triangles);
+        reserve_bulk(scene_.vertices.position_world, vertices);
         scene_.vertices.uv.reserve(limits::uv_sets);
     }
 
@@ -167,13 +200,20 @@ class Baker {
                                 primitive.material < 0 ? default_material : primitive.material});
     }
 
-    /// Makes room for what bake(element) gives for each vertex of the placement, and has it written later.
-    /// Vertices before it that lack the attribute get `otherwise`.
-    template <typename T, typename Bake>
-    void append(Bulk<T>& attribute, const Placement& placement, const T& otherwise, const Bake& bake) {
-        attribute.reserve(scene_.vertices.position_world.capacity());
+    /// Makes room for the vertices of the placement. Vertices before it that lack the attribute get
+    /// `otherwise`.
+    template <typename T, typename Allocator>
+    void make_room(std::vector<T, Allocator>& attribute, const Placement& placement,
+                   const T& otherwise) const {
+        reserve_bulk(attribute, scene_.vertices.position_world.capacity());
         attribute.resize(placement.first_vertex, otherwise);
         attribute.resize(placement.first_vertex + placement.vertex_count);
+    }
+
+    /// Makes room, and has bake(element) written there for each vertex later.
+    template <typename T, typename Bake>
+    void append(std::vector<T>& attribute, const Placement& placement, const T& otherwise, const Bake& bake) {
+        make_room(attribute, placement, otherwise);
         of_vertices_.add(placement.vertex_count,
                          [&attribute, &placement, bake](std::size_t i, std::size_t end) {
                              for (T* to = &attribute[placement.first_vertex]; i < end; ++i)
@@ -242,13 +282,16 @@ class Baker {
         const std::optional<int> accessor = attribute(primitive, "NORMAL");
         if (!accessor) return;
         const glm::dmat3 world_from_normal = normal_matrix(glm::dmat3(placed.world_from_node));
-        append(scene_.vertices.normal_world, placement, glm::vec3(0),
-               [world_from_normal, &elements = accessors_.elements(*accessor)](std::size_t i) {
-                   const glm::dvec3 normal = world_from_normal * vec3_at(elements, i);
-                   const double length = glm::length(normal);
-                   const bool has_direction = length > 0 && std::isfinite(length);
-                   return has_direction ? glm::vec3(normal / length) : glm::vec3(0);
-               });
+        const Elements& elements = accessors_.elements(*accessor);
+        make_room(scene_.vertices.normal_world, placement, glm::vec3(0));
+        of_vertices_.add(placement.vertex_count, [=, this, &elements, &placement](std::size_t from,
+                                                                                  std::size_t end) {
+            Directions normals;
+            for (std::size_t i = from; i < end; ++i)
+                normals.set(i - from, world_from_normal * vec3_at(elements, placement.element(i)));
+            normals.write(
+                std::span(scene_.vertices.normal_world).subspan(placement.first_vertex + from, end - from));
+        });
     }
 
     void append_uv(const tinygltf::Primitive& primitive, const Placement& placement) {

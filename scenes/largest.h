@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
@@ -15,16 +15,13 @@ constexpr std::uint32_t magnitude_bits = 0x7FFF'FFFF, infinite_bits = 0x7F80'000
 /// The largest of `count` packed numbers, of whose bits only those in the mask count; 0 for none.
 template <typename T>
 T largest(const unsigned char* numbers, std::size_t count, T mask = T(-1)) {
-    constexpr std::size_t abreast = 16;
-    std::array<T, abreast> most{}, some;
-    for (; count >= abreast; count -= abreast, numbers += sizeof some) {
-        std::memcpy(some.data(), numbers, sizeof some);
-        for (std::size_t i = 0; i < abreast; ++i) most[i] = std::max(most[i], T(some[i] & mask));
+    T most = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        T number;
+        std::memcpy(&number, numbers + i * sizeof(T), sizeof(T));
+        most = std::max(most, T(number & mask));
     }
-    some.fill(0);
-    if (count > 0) std::memcpy(some.data(), numbers, count * sizeof(T));
-    for (std::size_t i = 0; i < abreast; ++i) most[0] = std::max({most[0], most[i], T(some[i] & mask)});
-    return most[0];
+    return most;
 }
 
 }  // namespace zproof

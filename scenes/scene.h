@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/bulk.h"
+#include "scenes/padded_allocator.h"
 
 namespace zproof {
 
@@ -60,16 +60,15 @@ struct Material {
 };
 
 /// Readable for 16 bytes at the last vertex, so that a renderer may share it without a copy.
-using Positions = Bulk<glm::vec3>;
-using Triangles = Bulk<glm::uvec3>;  ///< vertex indices of each
+using Positions = std::vector<glm::vec3, PaddedAllocator<glm::vec3>>;
 
 /// Attributes are per vertex; an empty vector means that no primitive has the attribute, otherwise its size
 /// is that of positions (vertices without it hold the default: normal 0, uv 0, colour 1).
 struct Vertices {
     Positions position_world;
-    Bulk<glm::vec3> normal_world;
-    std::vector<Bulk<glm::vec2>> uv;  ///< by uv set
-    Bulk<glm::vec4> color;            ///< linear RGBA
+    std::vector<glm::vec3> normal_world;
+    std::vector<std::vector<glm::vec2>> uv;  ///< by uv set
+    std::vector<glm::vec4> color;            ///< linear RGBA
 };
 
 /// A run of triangles that came from one primitive of one mesh at one node.
@@ -83,9 +82,9 @@ struct Part {
 struct Scene {
     std::string name;
     Vertices vertices;
-    Triangles triangles;              ///< vertex indices, all in range
-    std::vector<Part> parts;          ///< in triangle order, covering every triangle
-    std::vector<Material> materials;  ///< at least one where there are parts
+    std::vector<glm::uvec3> triangles;  ///< vertex indices, all in range
+    std::vector<Part> parts;            ///< in triangle order, covering every triangle
+    std::vector<Material> materials;    ///< at least one where there are parts
     std::vector<Image> images;
     std::vector<std::string> notes;  ///< what baking left out or chose, one line each, for the report
 };
