@@ -1,5 +1,8 @@
 #include "scenes/gltf_accessor.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -80,9 +83,21 @@ void read_indices_of(const Elements& elements, std::size_t first, std::span<std:
         for (std::size_t i = 0; i < to.size(); ++i) to[i] = load<T>(from + i * elements.stride);
 }
 
+/// largest() of many, side by side.
+template <typename T>
+T largest_of_many(const unsigned char* numbers, std::size_t count, T mask = T(-1)) {
+    constexpr std::size_t worth_a_task = 1 << 16;
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, count, worth_a_task), T{0},
+        [=](const auto& some, T most) {
+            return std::max(most, largest(numbers + some.begin() * sizeof(T), some.size(), mask));
+        },
+        [](T a, T b) { return std::max(a, b); });
+}
+
 template <typename T>
 std::uint32_t largest_index_of(const Elements& elements) {
-    if (elements.stride == sizeof(T)) return largest<T>(elements.first, elements.count);
+    if (elements.stride == sizeof(T)) return largest_of_many<T>(elements.first, elements.count);
     T most = 0;
     for (std::size_t i = 0; i < elements.count; ++i)
         most = std::max(most, load<T>(elements.first + i * elements.stride));
@@ -180,7 +195,7 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
 void Accessors::check_finite(int accessor, const Elements& elements) const {
     const auto components = static_cast<std::size_t>(elements.components);
     if (elements.stride == element_bytes(elements) &&
-        largest(elements.first, elements.count * components, magnitude_bits) < infinite_bits)
+        largest_of_many(elements.first, elements.count * components, magnitude_bits) < infinite_bits)
         return;
     for (std::size_t i = 0; i < elements.count; ++i) {
         bool is_finite = true;

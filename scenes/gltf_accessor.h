@@ -27,22 +27,26 @@ double component(const Elements& elements, std::size_t i, int c);
 
 constexpr int component_type_float = 5126;
 
+inline double float_at(const unsigned char* from) {
+    float value;
+    std::memcpy(&value, from, sizeof value);
+    return double{value};
+}
+
 /// The first three components of element i.
 inline glm::dvec3 vec3_at(const Elements& elements, std::size_t i) {
     if (elements.component_type != component_type_float)
         return {component(elements, i, 0), component(elements, i, 1), component(elements, i, 2)};
-    glm::vec3 value;
-    std::memcpy(&value, elements.first + i * elements.stride, sizeof value);
-    return glm::dvec3(value);
+    const unsigned char* from = elements.first + i * elements.stride;
+    return {float_at(from), float_at(from + 4), float_at(from + 8)};
 }
 
 /// The first two components of element i.
 inline glm::dvec2 vec2_at(const Elements& elements, std::size_t i) {
     if (elements.component_type != component_type_float)
         return {component(elements, i, 0), component(elements, i, 1)};
-    glm::vec2 value;
-    std::memcpy(&value, elements.first + i * elements.stride, sizeof value);
-    return glm::dvec2(value);
+    const unsigned char* from = elements.first + i * elements.stride;
+    return {float_at(from), float_at(from + 4)};
 }
 
 /// Element i of an index accessor.

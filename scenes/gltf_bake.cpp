@@ -1,7 +1,6 @@
 #include "scenes/gltf_bake.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
@@ -17,6 +16,7 @@
 #include "scenes/gltf_limits.h"
 #include "scenes/largest.h"
 #include "scenes/refusal.h"
+#include "scenes/vector_block.h"
 
 namespace zproof {
 namespace {
@@ -61,29 +61,7 @@ void reserve_bulk(std::vector<T, Allocator>& attribute, std::size_t elements) {
     prefer_huge_pages(attribute.data(), attribute.capacity() * sizeof(T));
 }
 
-/// Vectors of one range of a batch, made of length 1 side by side.
-class Directions {
-  public:
-    void set(std::size_t i, const glm::dvec3& vector) {
-        x_[i] = vector.x;
-        y_[i] = vector.y;
-        z_[i] = vector.z;
-    }
-
-    /// The first to.size() of them; 0 for those that have no direction.
-    void write(std::span<glm::vec3> to) const {
-        std::array<double, Batch::range_elements> length;
-        for (std::size_t i = 0; i < to.size(); ++i)
-            length[i] = std::sqrt(x_[i] * x_[i] + y_[i] * y_[i] + z_[i] * z_[i]);
-        for (std::size_t i = 0; i < to.size(); ++i) {
-            const glm::vec3 direction(x_[i] / length[i], y_[i] / length[i], z_[i] / length[i]);
-            to[i] = length[i] > 0 && std::isfinite(length[i]) ? direction : glm::vec3(0);
-        }
-    }
-
-  private:
-    std::array<double, Batch::range_elements> x_, y_, z_;
-};
+static_assert(Batch::range_elements <= VectorBlock::capacity);
 
 /// The triangles and vertices that one primitive at one node became.
 struct Placement {
@@ -221,16 +199,25 @@ class Baker {
                          });
     }
 
+    /// The vectors of a range of the placement's vertices.
+    static VectorBlock block_of(const Elements& elements, const Placement& placement, std::size_t from,
+                                std::size_t end) {
+        VectorBlock block(end - from);
+        for (std::size_t i = from; i < end; ++i) block.set(i - from, vec3_at(elements, placement.element(i)));
+        return block;
+    }
+
     void append_positions(const PlacedNode& placed, const Elements& positions, Placement& placement) {
         placement.first_vertex = scene_.vertices.position_world.size();
         scene_.vertices.position_world.resize(placement.first_vertex + placement.vertex_count);
-        of_vertices_.add(placement.vertex_count, [&, linear = glm::dmat3(placed.world_from_node),
-                                                  translation = glm::dvec3(placed.world_from_node[3])](
+        of_vertices_.add(placement.vertex_count, [&, world_from_node = placed.world_from_node](
                                                      std::size_t from, std::size_t end) {
-            const std::span<glm::vec3> baked =
+            const std::span baked =
                 std::span(scene_.vertices.position_world).subspan(placement.first_vertex + from, end - from);
-            for (std::size_t i = 0; i < baked.size(); ++i)
-                baked[i] = glm::vec3(linear * vec3_at(positions, placement.element(from + i)) + translation);
+            VectorBlock block = block_of(positions, placement, from, end);
+            block.multiply(glm::dmat3(world_from_node));
+            block.add(glm::dvec3(world_from_node[3]));
+            block.write(baked);
             tally_magnitude(largest_coordinate(baked));
         });
     }
@@ -286,10 +273,10 @@ class Baker {
         make_room(scene_.vertices.normal_world, placement, glm::vec3(0));
         of_vertices_.add(placement.vertex_count, [=, this, &elements, &placement](std::size_t from,
                                                                                   std::size_t end) {
-            Directions normals;
-            for (std::size_t i = from; i < end; ++i)
-                normals.set(i - from, world_from_normal * vec3_at(elements, placement.element(i)));
-            normals.write(
+            VectorBlock block = block_of(elements, placement, from, end);
+            block.multiply(world_from_normal);
+            block.normalize();
+            block.write(
                 std::span(scene_.vertices.normal_world).subspan(placement.first_vertex + from, end - from));
         });
     }
