@@ -38,6 +38,11 @@ GeometryHandle triangle_geometry(RTCDevice device, const Scene& scene) {
     return geometry;
 }
 
+RTCSceneFlags flags_for(std::size_t triangles) {
+    return triangles < compact_from_triangles ? RTC_SCENE_FLAG_ROBUST
+                                              : RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT;
+}
+
 }  // namespace
 
 DeviceHandle new_device() {
@@ -50,7 +55,7 @@ DeviceHandle new_device() {
 SceneHandle share_triangles(RTCDevice device, const Scene& scene) {
     refuse_unacceptable_positions(scene);
     SceneHandle shared(rtcNewScene(device));
-    rtcSetSceneFlags(shared.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(shared.get(), flags_for(scene.triangles.size()));
     if (!scene.triangles.empty()) {
         rtcAttachGeometry(shared.get(), triangle_geometry(device, scene).get());
     }
