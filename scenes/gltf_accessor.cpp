@@ -169,7 +169,7 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
         refuse(
             model_.file, accessor_at(accessor),
             "sparse accessors need more than " + std::to_string(limits::sparse_bytes) + " bytes written out");
-    Bytes& bytes = written_out_.emplace_back(size * base.count);
+    Bytes& bytes = written_out_.emplace_back(size * base.count, 0);
     for (std::size_t i = 0; base.first != nullptr && i < base.count; ++i)
         std::memcpy(bytes.data() + i * size, base.first + i * base.stride, size);
     const Elements indices =

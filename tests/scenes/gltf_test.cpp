@@ -384,6 +384,17 @@ TEST(Gltf, RefusesCoordinatesThatOverflowFloat) {
     EXPECT_NE(refusal_of(gltf.write(folder)).find("overflows float32"), std::string::npos);
 }
 
+TEST(Gltf, NamesTheFirstVertexThatOverflowsAmongManyParts) {
+    const TestFolder folder;
+    WrittenGltf gltf;
+    gltf.add_vec3(five_points);
+    gltf.json["nodes"] = {
+        {{"mesh", 0}}, {{"mesh", 0}, {"scale", {1e39, 1, 1}}}, {{"mesh", 0}, {"scale", {1, 1e39, 1}}}};
+    gltf.json["scenes"][0]["nodes"] = {0, 1, 2};
+    EXPECT_NE(refusal_of(gltf.write(folder)).find("/nodes/1: vertex 1 overflows"), std::string::npos)
+        << refusal_of(gltf.write(folder));
+}
+
 TEST(Gltf, RefusesInstancesBeyondTheLimitBeforeAllocatingThem) {
     const TestFolder folder;
     WrittenGltf gltf;
