@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "compare/adjudication.h"
+#include "compare/layered_tiles.h"
 
 namespace zproof {
 
@@ -37,6 +38,12 @@ std::vector<PixelPlace> first_pass(const Scene& scene, const View& view, const W
     return open;
 }
 
+std::vector<PixelPlace> places(std::span<const PixelPlace> open, std::span<const std::uint32_t> some) {
+    std::vector<PixelPlace> found(some.size());
+    std::ranges::transform(some, found.begin(), [&](std::uint32_t i) { return open[i]; });
+    return found;
+}
+
 bool reference_is_wrong(const OpenPixel& open, const Ruling& ruling) {
     return open.reference_invalid || !open.reference_depth_lawful ||
            !is_lawful(ruling.reference.decision.standing);
@@ -56,6 +63,13 @@ struct Count {
         if (const auto& d = ruling.candidate.displacement_over_eps) count(edges.candidate, *d);
         if (const auto& d = ruling.reference.displacement_over_eps) count(edges.reference, *d);
     }
+    /// Lawful answers that differ.
+    void add(const ClassCounts& layered) {
+        for (std::size_t c = 0; c < classes.size(); ++c) {
+            classes[c] += layered[c];
+            adjudicated += layered[c];
+        }
+    }
 };
 
 Count operator+(Count a, const Count& b) {
@@ -70,19 +84,18 @@ Count operator+(Count a, const Count& b) {
 /// The findings of open pixels and their ruling.
 class Record {
   public:
-    Record(const Scene& scene, const Witness& candidate, const Witness& reference,
-           std::span<const PixelPlace> open, const Rulings& rulings)
-        : scene_(scene), candidate_(candidate), reference_(reference), open_(open), rulings_(rulings) {}
+    Record(const Comparands& of, std::span<const PixelPlace> open, const Rulings& rulings)
+        : of_(of), open_(open), rulings_(rulings) {}
 
-    /// Writes findings and classes of the verdict, whose size is set.
-    Count write(Verdict& verdict) const {
+    /// Writes findings and classes of the verdict, whose size is set; each finding to the place given.
+    Count write(std::span<const std::uint32_t> places, Verdict& verdict) const {
         using Pixels = tbb::blocked_range<std::size_t>;
         const auto write_some = [&](const Pixels& some, Count sum) {
-            PixelLook look(scene_, candidate_, reference_);
+            PixelLook look(of_.scene, of_.candidate, of_.reference);
             for (std::size_t i = some.begin(); i < some.end(); ++i) {
                 const OpenPixel open = look.at(open_[i].x, open_[i].y);
                 const Ruling ruling = rulings_[i];
-                Finding& finding = verdict.findings[i];
+                Finding& finding = verdict.findings[places[i]];
                 finding = open.finding;
                 finding.verdict = class_of(open, ruling);
                 finding.eps_px = ruling.candidate.eps_px;
@@ -96,8 +109,7 @@ class Record {
     }
 
   private:
-    const Scene& scene_;
-    const Witness &candidate_, &reference_;
+    const Comparands& of_;
     std::span<const PixelPlace> open_;
     const Rulings& rulings_;
 };
@@ -112,9 +124,13 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     verdict.classes = Plane<PixelClass>(size, PixelClass::agree);
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
     const std::vector<PixelPlace> open = first_pass(scene, view, ours, theirs, verdict);
-    const Rulings rulings = rule_on(scene, view, ours, theirs, open);
     verdict.findings.resize(open.size());
-    const Count count = Record(scene, ours, theirs, open, rulings).write(verdict);
+    const Comparands comparands{scene, view, ours, theirs};
+    const LayeredFindings layered = settle_layers(comparands, open, verdict);
+    const std::vector<PixelPlace> rest = places(open, layered.left);
+    const Rulings rulings = rule_on(scene, view, ours, theirs, rest);
+    Count count = Record(comparands, rest, rulings).write(layered.left, verdict);
+    count.add(layered.counts);
     verdict.counts = count.classes;
     verdict.counts[std::size_t(PixelClass::agree)] += size.pixel_count() - open.size();
     verdict.candidate_edges = count.edges.candidate;
