@@ -1,10 +1,11 @@
 #include "compare/tile_search.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "compare/neighbourhood.h"
 #include "compare/triangle_filter.h"
@@ -13,7 +14,8 @@ namespace zproof {
 
 namespace {
 
-constexpr std::size_t chunk_triangles = 4096;
+/// Triangles that are searched together: long runs share more of their corners, short ones more threads.
+std::size_t chunk_triangles(std::size_t count) { return std::clamp<std::size_t>(count / 64, 4096, 32768); }
 
 /// A box in float32, rounded outwards, far sides negated, so that the box of several is their minimum.
 struct Outset {
@@ -68,6 +70,41 @@ class AskedTiles {
     std::vector<std::uint32_t> sums_;
 };
 
+/// The corners of a run of triangles, each projected once where the run's indices lie close together, as they
+/// do in most meshes. Only the run's are kept: those of a whole scene would need as much memory as the scene.
+class RunCorners {
+  public:
+    RunCorners(const Scene& scene, const BoxProjection& projection, std::span<const glm::uvec3> run)
+        : scene_(scene), projection_(projection) {
+        std::uint32_t first = UINT32_MAX, last = 0;
+        for (const glm::uvec3& t : run) {
+            first = std::min({first, t.x, t.y, t.z});
+            last = std::max({last, t.x, t.y, t.z});
+        }
+        if (last - first >= most_corners_each * run.size()) return;
+        first_ = first;
+        outsets_.reserve(std::size_t{last} - first + 1);
+        for (std::size_t i = first; i <= last; ++i) outsets_.push_back(projected(i));
+    }
+
+    Outset operator[](std::uint32_t vertex) const {
+        return outsets_.empty() ? projected(vertex) : outsets_[vertex - first_];
+    }
+
+  private:
+    static constexpr std::size_t most_corners_each = 3;  ///< a soup has as many
+
+    Outset projected(std::size_t vertex) const {
+        const auto box = projection_(scene_.vertices.position_world[vertex]);
+        return box ? Outset::around(*box) : Outset::unknown();
+    }
+
+    const Scene& scene_;
+    const BoxProjection& projection_;
+    std::uint32_t first_ = 0;
+    std::vector<Outset> outsets_;
+};
+
 struct Meeting {
     std::uint32_t tile, triangle;
 };
@@ -82,27 +119,25 @@ class TileSearch {
           tiles_(view),
           asked_tiles_(tiles_, asked),
           projection_(view),
-          filters_(view),
-          corners_(scene.vertices.position_world.size(), Outset::unknown()) {
-        const auto& p_world = scene.vertices.position_world;
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, p_world.size(), chunk_triangles),
-                          [&](const auto& some) {
-                              for (std::size_t i = some.begin(); i < some.end(); ++i)
-                                  if (const auto box = projection_(p_world[i]))
-                                      corners_[i] = Outset::around(*box);
-                          });
+          filters_(view) {}
+
+    /// Triangles from first to before end, ascending.
+    void search(std::size_t first, std::size_t end, std::vector<Meeting>& found) const {
+        const RunCorners corners(scene_, projection_,
+                                 std::span(scene_.triangles).subspan(first, end - first));
+        for (std::size_t t = first; t < end; ++t) search(std::uint32_t(t), corners, found);
     }
 
-    void search(std::uint32_t triangle, std::vector<Meeting>& found) const {
+  private:
+    void search(std::uint32_t triangle, const RunCorners& corners, std::vector<Meeting>& found) const {
         const glm::uvec3 v = scene_.triangles[triangle];
-        const Outset all = Outset::of(corners_[v.x], corners_[v.y], corners_[v.z]);
+        const Outset all = Outset::of(corners[v.x], corners[v.y], corners[v.z]);
         if (!all.is_unknown())
             search(triangle, all.box(), found);
         else if (const auto box = projection_(corners_of(scene_, triangle)))
             search(triangle, *box, found);
     }
 
-  private:
     void search(std::uint32_t triangle, const Box& box, std::vector<Meeting>& found) const {
         const double reach = reach_px_;
         const int left = clamped(box.left - reach, tiles_.columns),
@@ -135,7 +170,6 @@ class TileSearch {
     AskedTiles asked_tiles_;
     BoxProjection projection_;
     TriangleFilters filters_;
-    std::vector<Outset> corners_;
 };
 
 }  // namespace
@@ -159,11 +193,11 @@ TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const Ask
     : first_(Tiles(view).count() + 1) {
     const TileSearch tile_search(scene, view, asked);
     const std::size_t count = scene.triangles.size();
-    std::vector<std::vector<Meeting>> chunks((count + chunk_triangles - 1) / chunk_triangles);
+    const std::size_t length = chunk_triangles(count);
+    std::vector<std::vector<Meeting>> chunks((count + length - 1) / length);
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t chunk) {
-        const std::size_t end = std::min(count, (chunk + 1) * chunk_triangles);
-        for (std::size_t t = chunk * chunk_triangles; t < end; ++t)
-            tile_search.search(std::uint32_t(t), chunks[chunk]);
+        const std::size_t first = chunk * length;
+        tile_search.search(first, std::min(count, first + length), chunks[chunk]);
     });
     for (const auto& chunk : chunks)
         for (const Meeting& m : chunk) ++first_[m.tile + 1];

@@ -1,5 +1,7 @@
 #include "oracle/embree_geometry.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -54,6 +56,8 @@ DeviceHandle new_device() {
 
 SceneHandle share_triangles(RTCDevice device, const Scene& scene) {
     refuse_unacceptable_positions(scene);
+    // A large tree takes memory of its own; what was freed before need not lie idle beside it.
+    if (scene.triangles.size() >= compact_from_triangles) malloc_trim(0);
     SceneHandle shared(rtcNewScene(device));
     rtcSetSceneFlags(shared.get(), flags_for(scene.triangles.size()));
     if (!scene.triangles.empty()) {
