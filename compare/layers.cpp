@@ -22,7 +22,7 @@ Layers::Layers(const Shared& shared, const Around& centres, std::span<const std:
 void Layers::meet(std::span<const std::uint32_t> near) {
     for (const std::uint32_t t : near) {
         const KnownTriangle& known = shared_.acquaintance.of(t);
-        layers_.push_back({t, &known, false, {}});
+        layers_.push_back({.triangle = t, .known = &known});
         for (Renderer& r : renderers_) {
             r.triangles.push_back(&shared_.acquaintance.of(t, *r.bounds));
             widest_px_ = std::max(widest_px_, r.triangles.back()->most_eps_px(known.filter, tile_));
@@ -54,30 +54,34 @@ void Layers::sort_out() {
 }
 
 void Layers::turn_to(int y) {
-    constexpr LaneMask all = (LaneMask{1} << lane_count) - 1;
     row_ = {left_, y};
     cut_ = 0;
     for (Layer& layer : layers_) {
-        const PlaceMasks places =
-            layer.covers_tile ? PlaceMasks{all, 0} : places_in_row(layer.known->filter, row_, widest_px_);
+        const PlaceMasks places = layer.covers_tile ? PlaceMasks{all_columns, 0}
+                                                    : places_in_row(layer.known->filter, row_, widest_px_);
         layer.covers = places.covers;
         cut_ |= places.cuts;
     }
     sight_.emplace(shared_.sights, row_);
-    for (Renderer& r : renderers_) turn(r, *sight_);
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        Layer& layer = layers_[i];
+        layer.row.reset();
+        if ((layer.covers & ~cut_) != 0)
+            layer.row.emplace(renderers_.front().triangles[i]->of_view.image, *sight_);
+    }
+    for (Renderer& r : renderers_) turn(r);
 }
 
-void Layers::turn(Renderer& renderer, const SightRow& sight) const {
+void Layers::turn(Renderer& renderer) const {
     renderer.eps_px.fill(0);
     renderer.unclear = 0;
     renderer.nearness.assign(layers_.size(), std::nullopt);
     for (std::size_t i = 0; i < layers_.size(); ++i) {
-        const LaneMask covers = layers_[i].covers;
-        if ((covers & ~cut_) == 0) continue;
-        if ((renderer.clear >> i & 1) == 0) renderer.unclear |= covers;
-        const Lanes eps_px = eps_px_in_row(renderer.triangles[i]->of_view, sight);
-        for (std::size_t lane = 0; lane < lane_count; ++lane)
-            if (covers >> lane & 1) renderer.eps_px[lane] = std::max(renderer.eps_px[lane], eps_px[lane]);
+        const Layer& layer = layers_[i];
+        if (!layer.row) continue;
+        if ((renderer.clear >> i & 1) == 0) renderer.unclear |= layer.covers;
+        renderer.eps_px =
+            raised(renderer.eps_px, layer.row->eps_px(renderer.triangles[i]->of_view), layer.covers);
     }
 }
 
@@ -109,38 +113,39 @@ auto Layers::relations_of(std::size_t layer) -> const Relations& {
     return *one.others;
 }
 
-const NearnessRow& Layers::nearness(Renderer& renderer, std::size_t layer) const {
-    std::optional<NearnessRow>& known = renderer.nearness[layer];
-    if (!known) known = nearness_in_row(renderer.triangles[layer]->of_view, *sight_);
+const TriangleRow::Range& Layers::nearness(Renderer& renderer, std::size_t layer) const {
+    std::optional<TriangleRow::Range>& known = renderer.nearness[layer];
+    if (!known) known = layers_[layer].row->nearness_range(renderer.triangles[layer]->of_view);
     return *known;
 }
 
-LaneMask Layers::ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back) const {
-    const Lanes &least = nearness(renderer, front).least, &greatest = nearness(renderer, back).greatest;
-    LaneMask mask = 0;
-    for (std::size_t lane = 0; lane < lane_count; ++lane)
-        mask |= LaneMask(least[lane] > greatest[lane]) << lane;
-    return mask;
+ColumnMask Layers::ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back) const {
+    return above(nearness(renderer, front).least, nearness(renderer, back).greatest);
 }
 
 /// Of two in one plane neither is in front for certain, and what is behind is not (docs/truth.md, "Layers").
-auto Layers::standings(std::size_t of, std::uint32_t triangle, LaneMask pixels) -> Standings {
+auto Layers::standings(std::size_t of, std::uint32_t triangle, ColumnMask pixels) -> Standings {
     const std::optional<std::size_t> answer = index_of(triangle);
     if (!answer) return {};
     Renderer& renderer = renderers_[of];
-    const LaneMask covered = pixels & layers_[*answer].covers & ~cut_ & ~renderer.unclear;
+    const ColumnMask covered = pixels & layers_[*answer].covers & ~cut_ & ~renderer.unclear;
     if (covered == 0) return {};
     const Relations& others = relations_of(*answer);
-    LaneMask rivals = 0, undecided = 0;
+    ColumnMask rivals = 0, undecided = 0;
     for (std::size_t i = 0; i < layers_.size(); ++i) {
-        const LaneMask shared = layers_[i].covers & covered;
+        ColumnMask shared = layers_[i].covers & covered;
         const Set bit = Set{1} << i;
         if (shared == 0 || i == *answer || (others.behind & bit) != 0) continue;
+        ColumnMask ahead = (others.ahead & bit) != 0 ? shared : 0;
+        if ((others.crossing() & bit) != 0) {
+            const OrderMasks order =
+                orders_in_row(layers_[i].known->filter, layers_[*answer].known->filter, row_, widest_px_);
+            shared &= ~order.behind;
+            ahead = shared & order.ahead;
+            undecided |= shared & ~ahead;
+        }
         rivals |= shared;
-        if ((others.ahead & bit) != 0)
-            undecided |= shared & ahead_for_certain(renderer, i, *answer);
-        else if ((others.level & bit) == 0)
-            undecided |= shared;
+        if (ahead != 0) undecided |= ahead & ahead_for_certain(renderer, i, *answer);
     }
     return {.tied = rivals & ~undecided, .visible = covered & ~rivals};
 }

@@ -18,7 +18,7 @@ OpenTiles::OpenTiles(const View& view, std::span<const PixelPlace> open)
             Tile& tile = tile_[tiles_.of(open[i].x, open[i].y)];
             Row& row = tile.rows[std::size_t(open[i].y % Tiles::side_px)];
             if (row.pixels == 0) row.first = std::uint32_t(i);
-            row.pixels |= LaneMask{1} << (open[i].x % Tiles::side_px);
+            row.pixels |= ColumnMask{1} << (open[i].x % Tiles::side_px);
             ++tile.count;
         }
     });

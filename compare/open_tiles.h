@@ -4,19 +4,19 @@
 #include <span>
 #include <vector>
 
-#include "compare/lanes.h"
 #include "compare/pixel_place.h"
+#include "compare/tile_row.h"
 #include "compare/tile_search.h"
 
 namespace zproof {
 
-static_assert(Tiles::side_px == lane_count);
+static_assert(Tiles::side_px == tile_columns);
 
 class OpenTiles {
   public:
     /// The pixels of one row of a tile: bit i of `pixels` is column i.
     struct Row {
-        LaneMask pixels = 0;
+        ColumnMask pixels = 0;
         std::uint32_t first = 0;  ///< place of its first pixel among all that are open; the others follow it
     };
     struct Tile {

@@ -3,40 +3,59 @@
 #pragma once
 
 #include "compare/acquaintance.h"
-#include "compare/depth_law.h"
-#include "compare/lanes.h"
+#include "compare/tile_row.h"
 
 namespace zproof {
 
 /// The lines of sight of a row.
 class SightRow {
   public:
-    SightRow(const Sights<double>& sights, const LaneRow& row);
+    SightRow(const Sights<double>& sights, const RowPlace& row);
 
-    Sight<double> at(std::size_t lane) const { return sights_->at(row_.left + int(lane), row_.y); }
-    /// Of a perspective.
-    const std::array<Lanes, 3>& direction() const { return direction_; }
+    Sight<double> at(std::size_t column) const { return sights_->at(row_.left + int(column), row_.y); }
+    /// ImageOfView::nearness_at.
+    TileRow nearness(const KeptPlane& plane) const;
 
   private:
     const Sights<double>* sights_;
-    LaneRow row_;
-    std::array<Lanes, 3> direction_;
+    RowPlace row_;
+    std::array<TileRow, 3> direction_;
 };
 
 struct PlaceMasks {
-    LaneMask covers = 0, cuts = 0;  ///< cuts: neither covers nor misses for certain
+    ColumnMask covers = 0, cuts = 0;  ///< cuts: neither covers nor misses for certain
 };
 
-/// TriangleFilter::place_of the squares of that half-side.
-PlaceMasks places_in_row(const TriangleFilter& filter, const LaneRow& row, double half_side_px);
+/// TriangleFilter::place_of the squares of that half-side. For filters that are trusted.
+PlaceMasks places_in_row(const TriangleFilter& filter, const RowPlace& row, double half_side_px);
 
-/// TriangleOfView::eps_px.
-Lanes eps_px_in_row(const TriangleOfView& triangle, const SightRow& sight);
-
-/// Neighbour::least_nearness and greatest_nearness.
-struct NearnessRow {
-    Lanes least, greatest;
+struct OrderMasks {
+    ColumnMask ahead = 0, behind = 0;  ///< of `front`, all over the square, for certain
 };
-NearnessRow nearness_in_row(const TriangleOfView& triangle, const SightRow& sight);
+
+/// order_in() the squares of that half-side.
+OrderMasks orders_in_row(const TriangleFilter& front, const TriangleFilter& back, const RowPlace& row,
+                         double half_side_px);
+
+/// One triangle along a row.
+class TriangleRow {
+  public:
+    /// As any renderer has it. `sight` must outlive this.
+    TriangleRow(const ImageOfView& image, const SightRow& sight);
+
+    /// TriangleOfView::eps_px.
+    TileRow eps_px(const TriangleOfView& triangle) const;
+
+    /// Neighbour::least_nearness and greatest_nearness.
+    struct Range {
+        TileRow least, greatest;
+    };
+    Range nearness_range(const TriangleOfView& triangle) const;
+
+  private:
+    const SightRow* sight_;
+    std::optional<KeptPlane> plane_;
+    TileRow nearness_;  ///< where there is a plane
+};
 
 }  // namespace zproof
