@@ -1,10 +1,11 @@
 #include "compare/tile_search.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "compare/corner_cells.h"
 #include "compare/neighbourhood.h"
@@ -14,7 +15,8 @@ namespace zproof {
 
 namespace {
 
-constexpr std::size_t chunk_triangles = 4096;
+/// Triangles that are searched together: long runs share more of their corners, short ones more threads.
+std::size_t chunk_triangles(std::size_t count) { return std::clamp<std::size_t>(count / 64, 4096, 32768); }
 
 /// How many cells before a place, row by row, hold anything that is asked about: any in a rectangle by four
 /// look-ups.
@@ -49,6 +51,41 @@ class AskedCells {
     std::vector<std::uint32_t> sums_;
 };
 
+/// The cells of the corners of a run of triangles, each found once where the run's indices lie close
+/// together, as they do in most meshes, and otherwise once for every triangle. Only the run's are kept: those
+/// of a whole scene would take a quarter of the scene's own memory.
+class RunCorners {
+  public:
+    RunCorners(std::span<const glm::vec3> p_world, const CornerCells& cells,
+               std::span<const glm::uvec3> run) {
+        std::uint32_t first = UINT32_MAX, last = 0;
+        for (const glm::uvec3& t : run) {
+            first = std::min({first, t.x, t.y, t.z});
+            last = std::max({last, t.x, t.y, t.z});
+        }
+        is_shared_ = last - first < 3 * run.size();
+        first_ = first;
+        std::vector<glm::vec3> apart;
+        if (!is_shared_)
+            for (const glm::uvec3& t : run)
+                apart.insert(apart.end(), {p_world[t.x], p_world[t.y], p_world[t.z]});
+        const auto corners = is_shared_ ? p_world.subspan(first, std::size_t{last} - first + 1) : apart;
+        reach_.resize(corners.size());
+        cells.find(corners, reach_);
+    }
+
+    /// Of triangle i of the run, which has these corners.
+    CellReach of(std::size_t i, const glm::uvec3& t) const {
+        const glm::uvec3 at = is_shared_ ? t - first_ : std::uint32_t(3 * i) + glm::uvec3(0, 1, 2);
+        return CellReach::of(reach_[at.x], reach_[at.y], reach_[at.z]);
+    }
+
+  private:
+    bool is_shared_ = false;
+    std::uint32_t first_ = 0;
+    std::vector<CellReach> reach_;
+};
+
 struct Meeting {
     std::uint32_t tile, triangle;
 };
@@ -65,22 +102,19 @@ class TileSearch {
           cells_(view),
           asked_cells_(cells_, tiles_, asked),
           projection_(view),
-          filters_(view),
-          corners_(scene.vertices.position_world.size()) {
-        const CornerCells corner_cells(projection_, cells_);
-        const std::span<const glm::vec3> p_world = scene.vertices.position_world;
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, p_world.size(), chunk_triangles),
-                          [&](const auto& some) {
-                              corner_cells.find(p_world.subspan(some.begin(), some.size()),
-                                                std::span(corners_).subspan(some.begin(), some.size()));
-                          });
-    }
+          corner_cells_(projection_, cells_),
+          filters_(view) {}
 
-    void search(std::uint32_t triangle, std::vector<Meeting>& found) const {
-        const glm::uvec3 v = scene_.triangles[triangle];
-        const CellReach all = CellReach::of(corners_[v.x], corners_[v.y], corners_[v.z]);
-        if (!asked_cells_.any(all.left(), all.top(), all.right(), all.bottom())) return;
-        if (const auto box = projection_(corners_of(scene_, triangle))) search(triangle, *box, found);
+    /// Triangles from first to before end, ascending.
+    void search(std::size_t first, std::size_t end, std::vector<Meeting>& found) const {
+        const std::span run = std::span(scene_.triangles).subspan(first, end - first);
+        const RunCorners corners(scene_.vertices.position_world, corner_cells_, run);
+        for (std::size_t i = 0; i < run.size(); ++i) {
+            const CellReach all = corners.of(i, run[i]);
+            if (!asked_cells_.any(all.left(), all.top(), all.right(), all.bottom())) continue;
+            const auto triangle = std::uint32_t(first + i);
+            if (const auto box = projection_(corners_of(scene_, triangle))) search(triangle, *box, found);
+        }
     }
 
   private:
@@ -115,8 +149,8 @@ class TileSearch {
     Cells cells_;
     AskedCells asked_cells_;
     BoxProjection projection_;
+    CornerCells corner_cells_;
     TriangleFilters filters_;
-    std::vector<CellReach> corners_;
 };
 
 }  // namespace
@@ -140,11 +174,11 @@ TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const Ask
     : first_(Tiles(view).count() + 1) {
     const TileSearch tile_search(scene, view, asked);
     const std::size_t count = scene.triangles.size();
-    std::vector<std::vector<Meeting>> chunks((count + chunk_triangles - 1) / chunk_triangles);
+    const std::size_t length = chunk_triangles(count);
+    std::vector<std::vector<Meeting>> chunks((count + length - 1) / length);
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t chunk) {
-        const std::size_t end = std::min(count, (chunk + 1) * chunk_triangles);
-        for (std::size_t t = chunk * chunk_triangles; t < end; ++t)
-            tile_search.search(std::uint32_t(t), chunks[chunk]);
+        const std::size_t first = chunk * length;
+        tile_search.search(first, std::min(count, first + length), chunks[chunk]);
     });
     for (const auto& chunk : chunks)
         for (const Meeting& m : chunk) ++first_[m.tile + 1];
