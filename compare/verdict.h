@@ -3,10 +3,10 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 #include "compare/pixel_class.h"
 #include "frame/frame.h"
+#include "scenes/bulk.h"
 
 namespace zproof {
 
@@ -43,7 +43,7 @@ struct BoundRecord {
 struct Verdict {
     Plane<PixelClass> classes;
     ClassCounts counts{};
-    std::vector<Finding> findings;                 ///< every pixel that is not `agree`, in raster order
+    Bulk<Finding> findings;                        ///< every pixel that is not `agree`, in raster order
     BoundRecord candidate_depth, reference_depth;  ///< where both answers name the same triangle
     /// Displacement over eps, where the two differ and an answer is lawful by its place but not right at the
     /// centre (compare/displacement.h).

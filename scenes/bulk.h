@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <new>
+#include <type_traits>
 #include <vector>
 
 namespace zproof {
@@ -15,8 +16,8 @@ void prefer_huge_pages(void* memory, std::size_t bytes) noexcept;
 void* allocate_bulk(std::size_t bytes);
 void free_bulk(void* memory) noexcept;
 
-/// Unlike with std::allocator, elements that nobody gives a value to stay unwritten, where their type allows
-/// that: resize() clears nothing that is about to be written.
+/// Unlike with std::allocator, elements that nobody gives a value to stay unwritten where they can be copied
+/// byte by byte: resize() clears nothing that is about to be written.
 template <class T>
 struct BulkAllocator {
     using value_type = T;
@@ -29,7 +30,7 @@ struct BulkAllocator {
     void deallocate(T* values, std::size_t) noexcept { free_bulk(values); }
     template <class U>
     void construct(U* value) noexcept {
-        ::new (static_cast<void*>(value)) U;
+        if constexpr (!std::is_trivially_copyable_v<U>) ::new (static_cast<void*>(value)) U;
     }
     bool operator==(const BulkAllocator&) const = default;
 };
