@@ -14,8 +14,14 @@ namespace zproof {
 
 namespace {
 
-/// Open pixels of a tile from which on it is worth the trouble to look at whole rows.
-constexpr std::uint32_t many = 16;
+/// Open pixels of a tile from which on it is worth the trouble to look at whole rows, and of each row that
+/// has any.
+constexpr std::uint32_t many = 16, many_of_row = 4;
+
+bool is_layered(const OpenTiles::Tile& tile) {
+    const auto rows = std::ranges::count_if(tile.rows, [](const OpenTiles::Row& r) { return r.pixels != 0; });
+    return tile.count >= many && tile.count >= many_of_row * std::uint32_t(rows);
+}
 
 /// How far triangles are looked for around a pixel. Squares that are larger are left.
 constexpr double reach_px = 1;
@@ -39,27 +45,40 @@ struct Shown {
     TileRowOf<float> camera_depth;
 
     Shown(const Frame& frame, const RowPlace& at) {
-        const auto left = std::size_t(at.left),
-                   count = std::min(tile_columns, frame.primitive.row(at.y).size() - left);
-        primitive.fill(PrimitiveId::none);
-        camera_depth.fill(background_depth);
-        std::ranges::copy(frame.primitive.row(at.y).subspan(left, count), primitive.begin());
-        std::ranges::copy(frame.camera_depth.row(at.y).subspan(left, count), camera_depth.begin());
+        take(frame.primitive.row(at.y), at.left, PrimitiveId::none, primitive);
+        take(frame.camera_depth.row(at.y), at.left, background_depth, camera_depth);
+    }
+
+  private:
+    /// Beyond the image nothing shows.
+    template <class T>
+    static void take(std::span<const T> row, int left, T beyond, TileRowOf<T>& taken) {
+        const std::span<const T> rest = row.subspan(std::size_t(left));
+        if (rest.size() >= tile_columns) {
+            std::copy_n(rest.begin(), tile_columns, taken.begin());
+        } else {
+            taken.fill(beyond);
+            std::ranges::copy(rest, taken.begin());
+        }
     }
 };
 
 /// What is certain of one renderer's answers along a row.
 struct Certain {
     ColumnMask tied = 0, visible = 0;  ///< with a lawful depth
-    DepthRow depth{};                  ///< there
+    DepthRow depth;                    ///< there; elsewhere unwritten
 
+    ColumnMask any() const { return tied | visible; }
     void add(const Layers::Standings& standings, const DepthRow& row) {
-        const ColumnMask lawful = at_least_zero(row.ratio);
+        const ColumnMask lawful = at_least_zero(row.ratio),
+                         here = (standings.tied | standings.visible) & lawful;
+        if (any() == 0)
+            depth = row;
+        else
+            depth = {chosen(depth.low, row.low, here), chosen(depth.truth, row.truth, here),
+                     chosen(depth.high, row.high, here), chosen(depth.ratio, row.ratio, here)};
         tied |= standings.tied & lawful;
         visible |= standings.visible & lawful;
-        const ColumnMask here = (standings.tied | standings.visible) & lawful;
-        depth = {chosen(depth.low, row.low, here), chosen(depth.truth, row.truth, here),
-                 chosen(depth.high, row.high, here), chosen(depth.ratio, row.ratio, here)};
     }
 };
 
@@ -109,7 +128,7 @@ class LayeredPass {
         AskedBoxes asked(tiles.count());
         for (int row = 0; row < tiles.rows; ++row)
             for (int column = 0; column < tiles.columns; ++column) {
-                if (tiles_.at(column, row).count < many) continue;
+                if (!is_layered(tiles_.at(column, row))) continue;
                 Around box = centres(column, row);
                 box.half_x += reach_px, box.half_y += reach_px;
                 asked.add(tiles.index(column, row), raster_box(box), reach_px);
@@ -139,7 +158,7 @@ class LayeredPass {
         if (tile.count == 0) return;
         Memories& memories = memories_.local();
         std::optional<Layers> layers;
-        if (tile.count >= many)
+        if (is_layered(tile))
             layers.emplace(Layers::Shared{sights_, memories.acquaintance, memories.coplanar},
                            centres(column, row), near.of(tiles_.tiles().index(column, row)), bounds());
         for (std::size_t y = 0; y < tile.rows.size(); ++y) {
@@ -158,13 +177,13 @@ class LayeredPass {
     ColumnMask settle_row(Layers& layers, const RowPlace& at, const OpenTiles::Row& row,
                           ClassCounts& counts) {
         const Shown ours(of_.candidate.frame(), at), theirs(of_.reference.frame(), at);
-        layers.turn_to(at.y);
-        ColumnMask open = row.pixels & ~equal(ours.primitive, theirs.primitive);
+        ColumnMask open = layers.turn_to(at.y, row.pixels & ~equal(ours.primitive, theirs.primitive));
+        if (open == 0) return 0;
         for (std::size_t renderer = 0; renderer < 2; ++renderer)
             open &= ~above(layers.eps_px(renderer), farthest_);
         const Certain candidate = certain(layers, 0, at, ours, open);
-        const Certain reference = certain(layers, 1, at, theirs, candidate.tied | candidate.visible);
-        const ColumnMask settled = reference.tied | reference.visible;
+        const Certain reference = certain(layers, 1, at, theirs, candidate.any());
+        const ColumnMask settled = reference.any();
         std::uint32_t place = row.first;
         for (ColumnMask rest = row.pixels; rest != 0; rest &= rest - 1, ++place) {
             const auto i = std::size_t(std::countr_zero(rest));
