@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "cli/arguments.h"
-#include "compare/error_map.h"
 #include "compare/illustration.h"
 #include "frame/exr.h"
 #include "reports/planes/view_planes.h"
@@ -80,16 +79,16 @@ std::vector<PixelPlace> telling_pixels(const Verdict& verdict, std::size_t most)
     return places;
 }
 
-void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView& judged) {
-    const auto& [docket, candidate, reference, verdict, statements] = judged;
+void write_viewer_evidence(const std::filesystem::path& folder, JudgedView judged) {
+    auto& [docket, candidate, reference, verdict, errors, statements] = judged;
     planes::ViewPlanes shown{
         .facts = facts_of(docket),
         .candidate = {name_of(docket.parties.candidate), candidate.frame, colours_in(folder / "colour.exr")},
         .reference = {name_of(docket.parties.reference), reference.frame, {}},
         .witnesses = {},
         .verdict = verdict,
-        .candidate_error = error_over_bound(docket.scene, docket.view, candidate),
-        .reference_error = error_over_bound(docket.scene, docket.view, reference),
+        .candidate_error = std::move(errors.candidate),
+        .reference_error = std::move(errors.reference),
         .ranges = ranges_of(docket.scene),
         .stories = stories_of(judged)};
     for (const Statement& statement : statements)

@@ -10,4 +10,18 @@ namespace zproof {
 /// surrounding tbb::task_arena. The frame must have the view's size (std::invalid_argument otherwise).
 Plane<float> error_over_bound(const Scene& scene, const View& view, const Testimony& testimony);
 
+/// The same of both renderers.
+struct ErrorMaps {
+    Plane<float> candidate, reference;
+};
+
+struct VerdictWithErrors {
+    Verdict verdict;
+    ErrorMaps errors;
+};
+
+/// judge(), and what error_over_bound() says of either frame, bit for bit: the judge works it out anyway.
+VerdictWithErrors judge_with_errors(const Scene& scene, const View& view, const Testimony& candidate,
+                                    const Testimony& reference);
+
 }  // namespace zproof

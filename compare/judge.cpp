@@ -8,20 +8,27 @@
 #include <stdexcept>
 
 #include "compare/adjudication.h"
+#include "compare/error_map.h"
 
 namespace zproof {
 
 namespace {
 
+/// What comes of judging; error maps only where somebody wants them.
+struct Kept {
+    Verdict& verdict;
+    ErrorMaps* errors;
+};
+
 /// Every open pixel of the frame in raster order; depths are counted into the verdict.
 std::vector<PixelPlace> first_pass(const Scene& scene, const View& view, const Witness& candidate,
-                                   const Witness& reference, Verdict& verdict) {
+                                   const Witness& reference, const Kept& kept) {
     constexpr int band_rows = 16;
     std::vector<Findings> bands(static_cast<std::size_t>((view.height + band_rows - 1) / band_rows));
     tbb::parallel_for(0, int(bands.size()), [&](int band) {
         const int top = band * band_rows;
-        bands[std::size_t(band)] =
-            compare_rows(scene, view, candidate, reference, top, std::min(top + band_rows, view.height));
+        bands[std::size_t(band)] = compare_rows(scene, view, candidate, reference,
+                                                {top, std::min(top + band_rows, view.height), kept.errors});
     });
     Tally sum;
     std::vector<PixelPlace> open;
@@ -32,8 +39,8 @@ std::vector<PixelPlace> first_pass(const Scene& scene, const View& view, const W
         add(sum, band.tally);
         open.insert(open.end(), band.open.begin(), band.open.end());
     }
-    verdict.candidate_depth = sum.candidate;
-    verdict.reference_depth = sum.reference;
+    kept.verdict.candidate_depth = sum.candidate;
+    kept.verdict.reference_depth = sum.reference;
     return open;
 }
 
@@ -104,14 +111,17 @@ class Record {
 
 }  // namespace
 
-Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference) {
+namespace {
+
+Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference,
+              ErrorMaps* errors) {
     const Resolution size{view.width, view.height};
     if (candidate.frame.size() != size || reference.frame.size() != size)
         throw std::invalid_argument("judge: both frames must have the view's size");
     Verdict verdict;
     verdict.classes = Plane<PixelClass>(size, PixelClass::agree);
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
-    const std::vector<PixelPlace> open = first_pass(scene, view, ours, theirs, verdict);
+    const std::vector<PixelPlace> open = first_pass(scene, view, ours, theirs, {verdict, errors});
     const Rulings rulings = rule_on(scene, view, ours, theirs, open);
     verdict.findings.resize(open.size());
     const Count count = Record(scene, ours, theirs, open, rulings).write(verdict);
@@ -124,6 +134,20 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     verdict.exact = count.exact;
     std::erase_if(verdict.findings, [](const Finding& f) { return f.verdict == PixelClass::agree; });
     return verdict;
+}
+
+}  // namespace
+
+Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference) {
+    return judge(scene, view, candidate, reference, nullptr);
+}
+
+VerdictWithErrors judge_with_errors(const Scene& scene, const View& view, const Testimony& candidate,
+                                    const Testimony& reference) {
+    const Resolution size{view.width, view.height};
+    VerdictWithErrors judged{{}, {Plane<float>::unwritten(size), Plane<float>::unwritten(size)}};
+    judged.verdict = judge(scene, view, candidate, reference, &judged.errors);
+    return judged;
 }
 
 std::uint64_t defect_count(const Verdict& verdict) {
