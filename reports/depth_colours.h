@@ -1,0 +1,48 @@
+/// The colours of depths: logarithm over a range, near bright, far dark blue.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "frame/plane.h"
+#include "frame/png.h"
+
+namespace zproof {
+
+/// The least and the greatest finite positive depth of a picture, as bits: such floats are ordered as their
+/// bits are. Both 0: there is none.
+struct DepthRange {
+    std::uint32_t nearest = 0, farthest = 0;
+};
+
+DepthRange range_of(const Plane<float>& depths);
+
+/// viridis((log far - log depth) / (log far - log near)), 0.7 where all are alike. A colour has three times
+/// eight bits, so some 650 depths at which it changes are all there is to know: they are found once, by
+/// bisection, and no pixel takes a logarithm.
+class DepthColours {
+  public:
+    explicit DepthColours(const DepthRange& range);
+
+    /// Of a depth in the range.
+    Rgb8 operator()(float depth) const;
+    /// The same by the formula.
+    Rgb8 by_formula(float depth) const;
+
+  private:
+    /// Depths from `bits` on, up to the next step, have this colour.
+    struct Step {
+        std::uint32_t bits;
+        Rgb8 colour;
+    };
+    double share_of(std::uint32_t bits) const;
+    void find_steps(std::uint32_t low, std::uint32_t high);
+
+    DepthRange range_;
+    double log_near_ = 0, log_far_ = 0;
+    std::vector<Step> steps_;           ///< ascending; one more at the end, which no depth reaches
+    std::vector<std::uint16_t> first_;  ///< by bucket of depths: the step that its least depth is in
+    int shift_ = 0;                     ///< depths of one bucket differ in so many bits
+};
+
+}  // namespace zproof
