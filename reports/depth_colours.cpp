@@ -4,12 +4,15 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <span>
 
+#include "reports/id_colours.h"
+#include "reports/rgb_words.h"
 #include "reports/viridis.h"
 
 namespace zproof {
@@ -19,6 +22,7 @@ namespace {
 constexpr std::uint32_t largest = 0x7F7FFFFF;  ///< the bits of the largest finite float
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t buckets = 4096;
+constexpr std::uint32_t no_colour = none;
 
 /// Of the finite positive ones; `none` and 0 where there are none.
 [[gnu::target_clones("default", "avx2", "avx512f")]] DepthRange range_in(std::span<const float> depths) {
@@ -61,8 +65,11 @@ DepthColours::DepthColours(const DepthRange& range) : range_(range) {
     shift_ = std::max(0, int(std::bit_width(reach)) - int(std::bit_width(buckets - 1)));
     std::uint16_t step = 0;
     for (std::uint32_t bucket = 0; bucket <= reach >> shift_; ++bucket) {
-        while (steps_[step + 1u].bits <= range.nearest + (bucket << shift_)) ++step;
+        const std::uint32_t least = range.nearest + (bucket << shift_);
+        while (steps_[step + 1u].bits <= least) ++step;
         first_.push_back(step);
+        const bool is_whole = steps_[step + 1u].bits - least >= 1u << shift_;
+        words_.push_back(is_whole ? word_of(steps_[step].colour) : no_colour);
     }
 }
 
@@ -91,12 +98,33 @@ void DepthColours::find_steps(std::uint32_t low, std::uint32_t high) {
     find_steps(middle, high);
 }
 
-Rgb8 DepthColours::operator()(float depth) const {
-    const auto bits = std::bit_cast<std::uint32_t>(depth);
+auto DepthColours::step_of(std::uint32_t bits) const -> const Step& {
     assert(bits >= range_.nearest && bits <= range_.farthest);
     std::size_t step = first_[(bits - range_.nearest) >> shift_];
     while (steps_[step + 1].bits <= bits) ++step;
-    return steps_[step].colour;
+    return steps_[step];
+}
+
+Rgb8 DepthColours::operator()(float depth) const {
+    return step_of(std::bit_cast<std::uint32_t>(depth)).colour;
+}
+
+void DepthColours::colour(std::span<const float> depths, std::span<Rgb8> pixels) const {
+    std::array<std::uint32_t, 256> words;
+    const std::uint32_t reach = range_.farthest - range_.nearest;
+    for (std::size_t first = 0; first < depths.size(); first += words.size()) {
+        const std::size_t count = std::min(words.size(), depths.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto bits = std::bit_cast<std::uint32_t>(depths[first + i]);
+            const std::uint32_t beyond = bits - range_.nearest;
+            const bool is_depth = beyond <= reach && !words_.empty();
+            words[i] = is_depth                                ? words_[beyond >> shift_]
+                       : depths[first + i] == background_depth ? word_of(background_colour)
+                                                               : word_of(no_depth_colour);
+            if (words[i] == no_colour) words[i] = word_of(step_of(bits).colour);
+        }
+        store(std::span(words).first(count), pixels.subspan(first, count));
+    }
 }
 
 }  // namespace zproof

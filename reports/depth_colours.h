@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "frame/plane.h"
@@ -26,7 +27,9 @@ class DepthColours {
 
     /// Of a depth in the range.
     Rgb8 operator()(float depth) const;
-    /// The same by the formula.
+    /// Of a row of pixels; background dark, what is no depth (NaN, zero, negative) magenta.
+    void colour(std::span<const float> depths, std::span<Rgb8> pixels) const;
+    /// The first by the formula.
     Rgb8 by_formula(float depth) const;
 
   private:
@@ -35,13 +38,15 @@ class DepthColours {
         std::uint32_t bits;
         Rgb8 colour;
     };
+    const Step& step_of(std::uint32_t bits) const;
     double share_of(std::uint32_t bits) const;
     void find_steps(std::uint32_t low, std::uint32_t high);
 
     DepthRange range_;
     double log_near_ = 0, log_far_ = 0;
     std::vector<Step> steps_;           ///< ascending; one more at the end, which no depth reaches
-    std::vector<std::uint16_t> first_;  ///< by bucket of depths: the step that its least depth is in
+    std::vector<std::uint32_t> words_;  ///< by bucket of depths: its colour, where there is only one
+    std::vector<std::uint16_t> first_;  ///< by bucket: the step that its least depth is in
     int shift_ = 0;                     ///< depths of one bucket differ in so many bits
 };
 

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cstring>
 
+#include "reports/rgb_words.h"
+
 namespace zproof {
 
 namespace {
@@ -37,10 +39,9 @@ struct Hsv {
     }
 };
 
-/// Red, green and blue from the lowest byte up. No branches, so that neighbours are done side by side.
+/// No branches, so that neighbours are done side by side.
 [[gnu::target_clones("default", "avx2", "avx512f")]] void colour_block(const Block& ids, Block& colours) {
-    constexpr std::uint32_t background =
-        background_colour.r | background_colour.g << 8 | background_colour.b << 16;
+    constexpr std::uint32_t background = word_of(background_colour);
     for (std::size_t i = 0; i < together; ++i) {
         const std::uint32_t h = scrambled(ids[i] + 1);
         const Hsv colour{std::int32_t(h & 0xFFFF) / 65536.0,
@@ -49,14 +50,6 @@ struct Hsv {
         const std::uint32_t mixed = colour.channel(5) | colour.channel(3) << 8 | colour.channel(1) << 16;
         colours[i] = ids[i] == std::uint32_t(PrimitiveId::none) ? background : mixed;
     }
-}
-
-/// Four bytes are stored at once where the next pixel will overwrite the fourth.
-void store(std::span<const std::uint32_t> colours, std::span<Rgb8> pixels) {
-    const std::size_t last = pixels.size() - 1;
-    for (std::size_t i = 0; i < last; ++i)
-        std::memcpy(static_cast<void*>(&pixels[i]), &colours[i], sizeof colours[i]);
-    std::memcpy(static_cast<void*>(&pixels[last]), &colours[last], sizeof(Rgb8));
 }
 
 }  // namespace

@@ -15,7 +15,6 @@ namespace zproof {
 
 namespace {
 
-constexpr Rgb8 no_depth_colour{0xFF, 0x00, 0xFF};
 constexpr int undotted_side = 240;  // pages show pictures at least this wide
 
 /// Equal neighbours are looked up once.
@@ -42,8 +41,6 @@ Rgb8 colour_of_light(const LinearRgb& c) {
     return {srgb(c.r), srgb(c.g), srgb(c.b)};
 }
 
-bool is_depth(float depth) { return std::isfinite(depth) && depth > 0; }
-
 template <class Visit>
 void for_each_pixel(Resolution size, Visit visit) {
     for (int y = 0; y < size.height; ++y)
@@ -64,10 +61,9 @@ Plane<Rgb8> picture_of_ids(const Plane<PrimitiveId>& ids) {
 
 Plane<Rgb8> picture_of_depths(const Plane<float>& depths) {
     const DepthColours colours(range_of(depths));
-    return coloured(depths, [&](float depth) {
-        if (depth == background_depth) return background_colour;
-        return is_depth(depth) ? colours(depth) : no_depth_colour;
-    });
+    auto picture = Plane<Rgb8>::unwritten(depths.size());
+    tbb::parallel_for(0, depths.size().height, [&](int y) { colours.colour(depths.row(y), picture.row(y)); });
+    return picture;
 }
 
 Plane<Rgb8> picture_of_light(const Picture& picture) { return coloured(picture, colour_of_light); }
