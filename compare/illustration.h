@@ -22,4 +22,21 @@ std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const Vi
                                                     std::span<const PixelPlace> places, double reach_px,
                                                     std::size_t most);
 
+/// A story, and what is drawn beside it.
+struct IllustratedStory {
+    PixelStory story;
+    std::vector<NearbyImage> images;
+};
+
+/// What is told and drawn; see images_around().
+struct IllustratedPlaces {
+    std::span<const PixelPlace> places;
+    double reach_px = 0;
+    std::size_t most = 0;
+};
+
+/// explain() and images_around() together: the scene is searched once for both.
+std::vector<IllustratedStory> illustrate(const Scene& scene, const View& view, const Testimony& candidate,
+                                         const Testimony& reference, const IllustratedPlaces& places);
+
 }  // namespace zproof

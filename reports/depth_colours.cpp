@@ -60,17 +60,25 @@ DepthColours::DepthColours(const DepthRange& range) : range_(range) {
     log_near_ = std::log(depth_of(range.nearest)), log_far_ = std::log(depth_of(range.farthest));
     steps_.push_back({range.nearest, by_formula(depth_of(range.nearest))});
     find_steps(range.nearest, range.farthest);
-    steps_.push_back({none, {}});
+    steps_.insert(steps_.end(), 2, {none, {}});
     const std::uint32_t reach = range.farthest - range.nearest;
     shift_ = std::max(0, int(std::bit_width(reach)) - int(std::bit_width(buckets - 1)));
-    std::uint16_t step = 0;
+    std::uint32_t step = 0;
     for (std::uint32_t bucket = 0; bucket <= reach >> shift_; ++bucket) {
         const std::uint32_t least = range.nearest + (bucket << shift_);
-        while (steps_[step + 1u].bits <= least) ++step;
-        first_.push_back(step);
-        const bool is_whole = steps_[step + 1u].bits - least >= 1u << shift_;
-        words_.push_back(is_whole ? word_of(steps_[step].colour) : no_colour);
+        while (steps_[step + 1].bits <= least) ++step;
+        buckets_.push_back(bucket_from(least, step));
     }
+}
+
+/// `step` is the one that the bucket's least depth, `bits`, is in.
+auto DepthColours::bucket_from(std::uint32_t bits, std::uint32_t step) const -> Bucket {
+    const std::uint32_t change = steps_[step + 1].bits, width = 1u << shift_;
+    const bool has_one = change - bits >= width;
+    const bool has_two = !has_one && steps_[step + 2].bits - bits >= width;
+    const std::uint32_t before = word_of(steps_[step].colour), after = word_of(steps_[step + 1].colour);
+    if (has_one) return {before, before, change, step};
+    return has_two ? Bucket{before, after, change, step} : Bucket{no_colour, no_colour, change, step};
 }
 
 double DepthColours::share_of(std::uint32_t bits) const {
@@ -100,7 +108,7 @@ void DepthColours::find_steps(std::uint32_t low, std::uint32_t high) {
 
 auto DepthColours::step_of(std::uint32_t bits) const -> const Step& {
     assert(bits >= range_.nearest && bits <= range_.farthest);
-    std::size_t step = first_[(bits - range_.nearest) >> shift_];
+    std::size_t step = buckets_[(bits - range_.nearest) >> shift_].first;
     while (steps_[step + 1].bits <= bits) ++step;
     return steps_[step];
 }
@@ -109,20 +117,21 @@ Rgb8 DepthColours::operator()(float depth) const {
     return step_of(std::bit_cast<std::uint32_t>(depth)).colour;
 }
 
+std::uint32_t DepthColours::word_at(float depth) const {
+    const auto bits = std::bit_cast<std::uint32_t>(depth);
+    const std::uint32_t beyond = bits - range_.nearest;
+    if (beyond > range_.farthest - range_.nearest || buckets_.empty())
+        return word_of(depth == background_depth ? background_colour : no_depth_colour);
+    const Bucket& bucket = buckets_[beyond >> shift_];
+    const std::uint32_t word = bits < bucket.change ? bucket.before : bucket.after;
+    return word == no_colour ? word_of(step_of(bits).colour) : word;
+}
+
 void DepthColours::colour(std::span<const float> depths, std::span<Rgb8> pixels) const {
     std::array<std::uint32_t, 256> words;
-    const std::uint32_t reach = range_.farthest - range_.nearest;
     for (std::size_t first = 0; first < depths.size(); first += words.size()) {
         const std::size_t count = std::min(words.size(), depths.size() - first);
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto bits = std::bit_cast<std::uint32_t>(depths[first + i]);
-            const std::uint32_t beyond = bits - range_.nearest;
-            const bool is_depth = beyond <= reach && !words_.empty();
-            words[i] = is_depth                                ? words_[beyond >> shift_]
-                       : depths[first + i] == background_depth ? word_of(background_colour)
-                                                               : word_of(no_depth_colour);
-            if (words[i] == no_colour) words[i] = word_of(step_of(bits).colour);
-        }
+        for (std::size_t i = 0; i < count; ++i) words[i] = word_at(depths[first + i]);
         store(std::span(words).first(count), pixels.subspan(first, count));
     }
 }

@@ -38,16 +38,23 @@ class DepthColours {
         std::uint32_t bits;
         Rgb8 colour;
     };
+    /// Neighbouring depths; most have one colour or two.
+    struct Bucket {
+        std::uint32_t before, after;  ///< colours as words (rgb_words.h); no colours where there are more
+        std::uint32_t change;         ///< the first bits of `after`
+        std::uint32_t first;          ///< the step that its least depth is in
+    };
+    Bucket bucket_from(std::uint32_t bits, std::uint32_t step) const;
+    std::uint32_t word_at(float depth) const;
     const Step& step_of(std::uint32_t bits) const;
     double share_of(std::uint32_t bits) const;
     void find_steps(std::uint32_t low, std::uint32_t high);
 
     DepthRange range_;
     double log_near_ = 0, log_far_ = 0;
-    std::vector<Step> steps_;           ///< ascending; one more at the end, which no depth reaches
-    std::vector<std::uint32_t> words_;  ///< by bucket of depths: its colour, where there is only one
-    std::vector<std::uint16_t> first_;  ///< by bucket: the step that its least depth is in
-    int shift_ = 0;                     ///< depths of one bucket differ in so many bits
+    std::vector<Step> steps_;  ///< ascending; two more at the end, which no depth reaches
+    std::vector<Bucket> buckets_;
+    int shift_ = 0;  ///< depths of one bucket differ in so many bits
 };
 
 }  // namespace zproof

@@ -117,6 +117,9 @@ TEST(DepthColours, AreThoseOfTheFormulaAtEveryStepAndBetween) {
         for (std::uint32_t bits = low; bits <= high; bits += stride) {
             const auto depth = std::bit_cast<float>(bits);
             ASSERT_EQ(colours(depth), colours.by_formula(depth)) << depth << " of " << near << " to " << far;
+            Rgb8 pixel;
+            colours.colour({&depth, 1}, {&pixel, 1});
+            ASSERT_EQ(pixel, colours(depth)) << depth << " of " << near << " to " << far;
         }
     }
 }

@@ -1,0 +1,34 @@
+/// Stories of pixels in two steps, so that one search of the scene can serve them and what is drawn beside
+/// them.
+#pragma once
+
+#include "compare/explain.h"
+#include "compare/witness.h"
+
+namespace zproof {
+
+class Storyteller {
+  public:
+    /// Everything must outlive it.
+    Storyteller(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference)
+        : scene_(scene),
+          view_(view),
+          candidate_(scene, view, candidate),
+          reference_(scene, view, reference) {}
+
+    /// Stories without `candidates` and `background`, in order. Throws std::out_of_range for a place outside
+    /// the view.
+    std::vector<PixelStory> begin(std::span<const PixelPlace> places) const;
+    /// `site` holds the triangles within the finding's eps_px.
+    void finish(PixelStory& story, const Site& site) const;
+
+  private:
+    const Scene& scene_;
+    const View& view_;
+    Witness candidate_, reference_;
+};
+
+/// Where a story's triangles are to be found: within its finding's eps_px, and at least within `reach_px`.
+Site site_of(const PixelStory& story, double reach_px = 0);
+
+}  // namespace zproof
