@@ -2,10 +2,8 @@
 
 namespace zproof {
 
-namespace {
-
-Hearing about(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
-              std::span<const PixelPlace> open) {
+Rulings rule_on(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
+                std::span<const PixelPlace> open) {
     const std::size_t triangle_count = scene.triangles.size();
     Hearing hearing(scene, view);
     hearing.expect(2 * open.size());
@@ -26,19 +24,7 @@ Hearing about(const Scene& scene, const View& view, const Witness& candidate, co
             plead(reference, theirs, place);
         }
     }
-    return hearing;
-}
-
-}  // namespace
-
-Rulings rule_on(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
-                std::span<const PixelPlace> open) {
-    return Rulings(about(scene, view, candidate, reference, open).hear(Asked::standing_and_displacement));
-}
-
-Rulings standings_of(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
-                     std::span<const PixelPlace> places) {
-    return Rulings(about(scene, view, candidate, reference, places).hear(Asked::standing));
+    return Rulings(hearing.hear(Asked::standing_and_displacement));
 }
 
 PixelClass class_of(const OpenPixel& open, const Ruling& ruling) {

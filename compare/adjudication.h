@@ -29,10 +29,6 @@ class Rulings {
 Rulings rule_on(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
                 std::span<const PixelPlace> open);
 
-/// The same without displacements, which a verdict counts and nobody else needs.
-Rulings standings_of(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
-                     std::span<const PixelPlace> places);
-
 /// The word that an open pixel earns from its ruling.
 PixelClass class_of(const OpenPixel& open, const Ruling& ruling);
 

@@ -94,7 +94,7 @@ std::vector<PixelStory> Storyteller::begin(std::span<const PixelPlace> places) c
         require_inside(view_, place);
         open.push_back(look.at(place.x, place.y));
     }
-    const Rulings rulings = standings_of(scene_, view_, candidate_, reference_, places);
+    const Rulings rulings = rule_on(scene_, view_, candidate_, reference_, places);
     std::vector<PixelStory> stories;
     for (std::size_t i = 0; i < open.size(); ++i) {
         stories.push_back(told_so_far(open[i], rulings[i]));
