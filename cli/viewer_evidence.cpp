@@ -29,8 +29,8 @@ std::vector<planes::Story> stories_of(const JudgedView& judged) {
     const auto& [scene, view] = std::tie(judged.docket.scene, judged.docket.view);
     const std::vector<PixelPlace> places = telling_pixels(
         judged.verdict, defect_count(judged.verdict) > 0 ? most_stories_of_failed : most_stories_of_proven);
-    std::vector<IllustratedStory> told =
-        illustrate(scene, view, judged.candidate, judged.reference, {places, drawn_around_px, most_images});
+    std::vector<IllustratedStory> told = illustrate(scene, view, judged.candidate, judged.reference,
+                                                    {places, drawn_around_px, most_images, judged.rulings});
     std::vector<planes::Story> stories(told.size());
     tbb::parallel_for(std::size_t(0), told.size(), [&](std::size_t i) {
         auto& [story, images] = told[i];
@@ -121,7 +121,7 @@ std::vector<PixelPlace> telling_pixels(const Verdict& verdict, std::size_t most)
 }
 
 void write_viewer_evidence(const std::filesystem::path& folder, JudgedView judged) {
-    auto& [docket, candidate, reference, verdict, errors, statements] = judged;
+    auto& [docket, candidate, reference, verdict, errors, rulings, statements] = judged;
     planes::ViewPlanes shown{
         .facts = facts_of(docket),
         .candidate = {name_of(docket.parties.candidate), candidate.frame, colours_in(folder / "colour.exr")},

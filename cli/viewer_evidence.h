@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cli/witness_hearing.h"
-#include "compare/error_map.h"
 #include "compare/explain.h"
+#include "compare/judge_in_full.h"
 
 namespace zproof {
 
@@ -16,6 +16,7 @@ struct JudgedView {
     const Testimony &candidate, &reference;
     const Verdict& verdict;
     ErrorMaps errors;
+    const std::vector<RuledPlace>& rulings;  ///< see JudgedInFull
     const std::vector<Statement>& statements;
 };
 

@@ -45,9 +45,10 @@ class PlaneError {
     /// Is the plane's orientation, as seen, certain?
     bool is_known() const { return is_known_; }
     /// Where |nearness| is at most this.
-    double at(double largest_nearness) const {
-        return is_known_ ? 2 * rounding_ * (numerator_ + largest_nearness * condition_) + of_origin_
-                         : unlimited;
+    double at(double largest_nearness) const { return is_known_ ? known_at(largest_nearness) : unlimited; }
+    /// The same where the orientation is known.
+    double known_at(double largest_nearness) const {
+        return 2 * rounding_ * (numerator_ + largest_nearness * condition_) + of_origin_;
     }
 
   private:

@@ -58,9 +58,14 @@ struct Either {
     }
 };
 
+/// A depth's bound, and its error over that.
+struct Held {
+    double low, truth, high, ratio;
+};
+
 /// A pixel's depth held against its law; no branches, so that neighbours are done side by side.
 template <class Projected, class Relative>
-[[gnu::always_inline]] inline double ratio_of(const DepthLaw& t, double nearness, double z) {
+[[gnu::always_inline]] inline Held held(const DepthLaw& t, double nearness, double z) {
     const double here = clamped(nearness, t.least, t.highest);
     const double reach = (t.base + t.per * here) * t.amplification;
     const Range range =
@@ -76,7 +81,7 @@ template <class Projected, class Relative>
                        (z <= high - margin - rounding);
     const double error = std::abs(z - truth), room = z < truth ? truth - low : high - truth;
     const double share = error / room;
-    return holds ? (error > 0 ? share : 0) : unsettled;
+    return {low, truth, high, holds ? (error > 0 ? share : 0) : unsettled};
 }
 
 /// Pixels [first, end) of one law. It is a copy, so that what is written cannot be any of it, and stays in
@@ -90,7 +95,7 @@ template <class Projected, class Relative>
     double* ratio = side.ratio.data() + first;
     for (int i = 0; i < count; ++i) {
         const double nearness = law.nearness_per_x * (x + i) + along_column + law.nearness_offset;
-        ratio[i] = ratio_of<Projected, Relative>(law, nearness, depth[i]);
+        ratio[i] = held<Projected, Relative>(law, nearness, depth[i]).ratio;
     }
 }
 
@@ -109,7 +114,7 @@ template <class Projected>
         const DepthLaw& law = laws[which[i]];
         const double nearness =
             law.nearness_per_x * (x + i) + law.nearness_per_y * origin.y + law.nearness_offset;
-        ratio[i] = ratio_of<Projected, Either>(law, nearness, depth[i]);
+        ratio[i] = held<Projected, Either>(law, nearness, depth[i]).ratio;
     }
     std::copy_n(ratio, together, side.ratio.data() + first);
 }
@@ -144,6 +149,22 @@ template <class Projected>
     }
 }
 
+template <class Projected>
+[[gnu::always_inline]] inline DepthRow hold_row(const DepthLaw& law, const RowPlace& at,
+                                                const TileRowOf<float>& depth) {
+    const double along_column = law.nearness_per_y * at.y;
+    DepthRow row;
+    for (int i = 0; i < int(tile_columns); ++i) {
+        const double nearness = law.nearness_per_x * (at.left + i) + along_column + law.nearness_offset;
+        const Held here = held<Projected, Either>(law, nearness, depth[std::size_t(i)]);
+        row.low[std::size_t(i)] = here.low;
+        row.truth[std::size_t(i)] = here.truth;
+        row.high[std::size_t(i)] = here.high;
+        row.ratio[std::size_t(i)] = here.ratio;
+    }
+    return row;
+}
+
 /// 0 to 20.
 [[gnu::always_inline]] inline std::int32_t bin_of(double ratio) {
     const double scaled = ratio * 20;
@@ -162,6 +183,12 @@ template <class Projected>
 [[gnu::target_clones("default", "avx2", "avx512f")]] void hold_parallel(std::span<const DepthLaw> laws, int x,
                                                                         int y, Strip::Side& side) {
     hold_strip<Parallel>(laws, {x, y}, side);
+}
+
+[[gnu::target_clones("default", "avx2", "avx512f")]] DepthRow depths_in_row(
+    const DepthLaw& law, Projection projection, const RowPlace& row, const TileRowOf<float>& camera_depth) {
+    return projection == Projection::perspective ? hold_row<Perspective>(law, row, camera_depth)
+                                                 : hold_row<Parallel>(law, row, camera_depth);
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] void sort_out(Strip& strip, Largest& candidate,

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <span>
 
+#include "compare/tile_row.h"
 #include "frame/frame.h"
+#include "scenes/view.h"
 
 namespace zproof {
 
@@ -54,6 +56,13 @@ struct Strip {
 /// double precision does not hold the depth lawful for certain.
 void hold_perspective(std::span<const DepthLaw> laws, int x, int y, Strip::Side& side);
 void hold_parallel(std::span<const DepthLaw> laws, int x, int y, Strip::Side& side);
+
+/// Depths along a row held against one law: TriangleDepth::at and, as above, the ratio.
+struct DepthRow {
+    TileRow low, truth, high, ratio;
+};
+DepthRow depths_in_row(const DepthLaw& law, Projection projection, const RowPlace& row,
+                       const TileRowOf<float>& camera_depth);
 
 /// The largest ratios that were counted, side by side.
 using Largest = std::array<double, 8>;

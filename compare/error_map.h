@@ -15,13 +15,4 @@ struct ErrorMaps {
     Plane<float> candidate, reference;
 };
 
-struct VerdictWithErrors {
-    Verdict verdict;
-    ErrorMaps errors;
-};
-
-/// judge(), and what error_over_bound() says of either frame, bit for bit: the judge works it out anyway.
-VerdictWithErrors judge_with_errors(const Scene& scene, const View& view, const Testimony& candidate,
-                                    const Testimony& reference);
-
 }  // namespace zproof

@@ -67,6 +67,14 @@ void require_inside(const View& view, const PixelPlace& place) {
         throw std::out_of_range("explain: the pixel lies outside the view");
 }
 
+const RuledPlace* found_among(std::span<const RuledPlace> known, const PixelPlace& place) {
+    const auto found =
+        std::ranges::lower_bound(known, std::pair{place.y, place.x}, {}, [](const RuledPlace& r) {
+            return std::pair{r.y, r.x};
+        });
+    return found != known.end() && found->x == place.x && found->y == place.y ? &*found : nullptr;
+}
+
 }  // namespace
 
 PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
@@ -87,14 +95,35 @@ std::vector<PixelStory> explain(const Scene& scene, const View& view, const Test
     return stories;
 }
 
-std::vector<PixelStory> Storyteller::begin(std::span<const PixelPlace> places) const {
+std::vector<Ruling> Storyteller::rulings_on(std::span<const PixelPlace> places,
+                                            std::span<const RuledPlace> known) const {
+    std::vector<Ruling> rulings(places.size());
+    std::vector<PixelPlace> unknown;
+    std::vector<std::size_t> number;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (const RuledPlace* ruled = found_among(known, places[i])) {
+            rulings[i] = {{ruled->candidate, ruled->candidate_eps_px, {}},
+                          {ruled->reference, ruled->reference_eps_px, {}}};
+        } else {
+            unknown.push_back(places[i]);
+            number.push_back(i);
+        }
+    }
+    if (unknown.empty()) return rulings;
+    const Rulings ruled = rule_on(scene_, view_, candidate_, reference_, unknown);
+    for (std::size_t i = 0; i < unknown.size(); ++i) rulings[number[i]] = ruled[i];
+    return rulings;
+}
+
+std::vector<PixelStory> Storyteller::begin(std::span<const PixelPlace> places,
+                                           std::span<const RuledPlace> known) const {
     std::vector<OpenPixel> open;
     PixelLook look(scene_, candidate_, reference_);
     for (const PixelPlace& place : places) {
         require_inside(view_, place);
         open.push_back(look.at(place.x, place.y));
     }
-    const Rulings rulings = rule_on(scene_, view_, candidate_, reference_, places);
+    const std::vector<Ruling> rulings = rulings_on(places, known);
     std::vector<PixelStory> stories;
     for (std::size_t i = 0; i < open.size(); ++i) {
         stories.push_back(told_so_far(open[i], rulings[i]));

@@ -18,9 +18,6 @@ namespace {
 /// In own eps. Few squares grow beyond it, and a triangle that is found and meets no square changes nothing.
 constexpr double first_reach = 2;
 
-/// Answers of a tile from which on it is worth the trouble to look at whole rows.
-constexpr std::size_t many = 64;
-
 /// The triangles of the latest answers: neighbouring pixels give the same.
 class LatestTriangles {
   public:
@@ -104,7 +101,6 @@ class Hearing::Session {
             summary.emplace(
                 Summary::Shared{hearing_.view_, sights_, memories.acquaintance, memories.coplanar},
                 centres(tile), near_.of(tile), renderers_of(tile));
-        if (summary && docket_.first[tile + 1] - docket_.first[tile] >= many) summary->expect_many();
         const Plea* latest = nullptr;
         for (std::size_t i = docket_.first[tile]; i < docket_.first[tile + 1]; ++i) {
             const Plea& p = plea(i);

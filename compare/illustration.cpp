@@ -78,7 +78,7 @@ std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const Vi
 std::vector<IllustratedStory> illustrate(const Scene& scene, const View& view, const Testimony& candidate,
                                          const Testimony& reference, const IllustratedPlaces& places) {
     const Storyteller teller(scene, view, candidate, reference);
-    std::vector<PixelStory> stories = teller.begin(places.places);
+    std::vector<PixelStory> stories = teller.begin(places.places, places.known);
     std::vector<Site> sites;
     for (const PixelStory& story : stories) sites.push_back(site_of(story, places.reach_px));
     find_nearby_triangles(scene, view, sites);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/explain.h"
+#include "compare/judge_in_full.h"
 #include "math/affine.h"
 
 namespace zproof {
@@ -33,6 +34,7 @@ struct IllustratedPlaces {
     std::span<const PixelPlace> places;
     double reach_px = 0;
     std::size_t most = 0;
+    std::span<const RuledPlace> known{};  ///< rulings that need not be made again, in raster order
 };
 
 /// explain() and images_around() together: the scene is searched once for both.

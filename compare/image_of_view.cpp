@@ -1,5 +1,7 @@
 #include "compare/image_of_view.h"
 
+#include <cmath>
+
 namespace zproof {
 
 ImageOfView::ImageOfView(const Sight<double>& any, const CornersWorld& p_world)
@@ -7,14 +9,15 @@ ImageOfView::ImageOfView(const Sight<double>& any, const CornersWorld& p_world)
     if (!is_kept_) return;
     const Vector3<double> v0 = p_world_[0] - any.origin, v1 = p_world_[1] - any.origin,
                           v2 = p_world_[2] - any.origin;
-    normal_ = cross(v1 - v0, v2 - v0);
-    const double volume = dot(v0, normal_);
+    plane_.normal = cross(v1 - v0, v2 - v0);
+    const double volume = dot(v0, plane_.normal);
     orientation_ = sign(volume);
     is_edge_on_ = orientation_ == 0;
     if (is_edge_on_) return;
     moment_ = {cross(v1, v2), cross(v2, v0), cross(v0, v1)};
-    volume_reciprocal_ = 1 / volume;
+    plane_.volume_reciprocal = 1 / volume;
     slopes_ = *image_of(any, p_world_);
+    plane_.gradient = std::abs(slopes_.nearness.a) + std::abs(slopes_.nearness.b);
 }
 
 std::optional<TriangleImage<double>> ImageOfView::at(const Sight<double>& sight) const {
@@ -31,7 +34,7 @@ std::optional<TriangleImage<double>> ImageOfView::at(const Sight<double>& sight)
 
 double ImageOfView::nearness_at(const Sight<double>& sight) const {
     if (!is_kept_) return image_of(sight, p_world_)->nearness.c;
-    return volume_reciprocal_ * dot(normal_, sight.direction);
+    return plane_.nearness_at(sight.direction);
 }
 
 }  // namespace zproof

@@ -15,6 +15,18 @@ Corners<Number> corners(const CornersWorld& p) {
             exactly<Number>(glm::dvec3(p[2]))};
 }
 
+/// What a perspective keeps of a triangle's plane: the nearness along a direction of sight is
+/// volume_reciprocal * dot(normal, direction).
+struct KeptPlane {
+    Vector3<double> normal{};
+    double volume_reciprocal = 0;
+    double gradient = 0;  ///< |d/dx| + |d/dy| of nearness, per px
+
+    double nearness_at(const Vector3<double>& direction) const {
+        return volume_reciprocal * dot(normal, direction);
+    }
+};
+
 /// image_of() in double. For perspective all but the direction of sight is the same at every pixel, so the
 /// vectors that it is multiplied with are kept; parallel projections are worked out anew. Either way the
 /// bits are those of image_of.
@@ -29,13 +41,16 @@ class ImageOfView {
     std::optional<TriangleImage<double>> at(const Sight<double>& sight) const;
     /// Its nearness at the pixel's centre. Only where at() gives an image.
     double nearness_at(const Sight<double>& sight) const;
+    /// Nothing for parallel projections and edge-on triangles.
+    std::optional<KeptPlane> kept_plane() const {
+        return is_kept_ && !is_edge_on_ ? std::optional(plane_) : std::nullopt;
+    }
 
   private:
     Corners<double> p_world_;
     bool is_kept_, is_edge_on_ = false;
     std::array<Vector3<double>, 3> moment_{};  ///< of each edge
-    Vector3<double> normal_{};
-    double volume_reciprocal_ = 0;
+    KeptPlane plane_;
     int orientation_ = 1;
     TriangleImage<double> slopes_{};  ///< the image but for its constants
 };

@@ -8,16 +8,17 @@
 #include <stdexcept>
 
 #include "compare/adjudication.h"
-#include "compare/error_map.h"
+#include "compare/judge_in_full.h"
+#include "compare/layered_tiles.h"
 
 namespace zproof {
 
 namespace {
 
-/// What comes of judging; error maps only where somebody wants them.
+/// What comes of judging; all of it only where somebody wants that.
 struct Kept {
     Verdict& verdict;
-    ErrorMaps* errors;
+    JudgedInFull* full;
 };
 
 /// Every open pixel of the frame in raster order; depths are counted into the verdict.
@@ -27,8 +28,9 @@ std::vector<PixelPlace> first_pass(const Scene& scene, const View& view, const W
     std::vector<Findings> bands(static_cast<std::size_t>((view.height + band_rows - 1) / band_rows));
     tbb::parallel_for(0, int(bands.size()), [&](int band) {
         const int top = band * band_rows;
-        bands[std::size_t(band)] = compare_rows(scene, view, candidate, reference,
-                                                {top, std::min(top + band_rows, view.height), kept.errors});
+        bands[std::size_t(band)] = compare_rows(
+            scene, view, candidate, reference,
+            {top, std::min(top + band_rows, view.height), kept.full ? &kept.full->errors : nullptr});
     });
     Tally sum;
     std::vector<PixelPlace> open;
@@ -42,6 +44,12 @@ std::vector<PixelPlace> first_pass(const Scene& scene, const View& view, const W
     kept.verdict.candidate_depth = sum.candidate;
     kept.verdict.reference_depth = sum.reference;
     return open;
+}
+
+std::vector<PixelPlace> places(std::span<const PixelPlace> open, std::span<const std::uint32_t> some) {
+    std::vector<PixelPlace> found(some.size());
+    std::ranges::transform(some, found.begin(), [&](std::uint32_t i) { return open[i]; });
+    return found;
 }
 
 bool reference_is_wrong(const OpenPixel& open, const Ruling& ruling) {
@@ -63,6 +71,13 @@ struct Count {
         if (const auto& d = ruling.candidate.displacement_over_eps) count(edges.candidate, *d);
         if (const auto& d = ruling.reference.displacement_over_eps) count(edges.reference, *d);
     }
+    /// Lawful answers that differ.
+    void add(const ClassCounts& layered) {
+        for (std::size_t c = 0; c < classes.size(); ++c) {
+            classes[c] += layered[c];
+            adjudicated += layered[c];
+        }
+    }
 };
 
 Count operator+(Count a, const Count& b) {
@@ -77,19 +92,18 @@ Count operator+(Count a, const Count& b) {
 /// The findings of open pixels and their ruling.
 class Record {
   public:
-    Record(const Scene& scene, const Witness& candidate, const Witness& reference,
-           std::span<const PixelPlace> open, const Rulings& rulings)
-        : scene_(scene), candidate_(candidate), reference_(reference), open_(open), rulings_(rulings) {}
+    Record(const Comparands& of, std::span<const PixelPlace> open, const Rulings& rulings)
+        : of_(of), open_(open), rulings_(rulings) {}
 
-    /// Writes findings and classes of the verdict, whose size is set.
-    Count write(Verdict& verdict) const {
+    /// Writes findings and classes of the verdict, whose size is set; each finding to the place given.
+    Count write(std::span<const std::uint32_t> places, Verdict& verdict) const {
         using Pixels = tbb::blocked_range<std::size_t>;
         const auto write_some = [&](const Pixels& some, Count sum) {
-            PixelLook look(scene_, candidate_, reference_);
+            PixelLook look(of_.scene, of_.candidate, of_.reference);
             for (std::size_t i = some.begin(); i < some.end(); ++i) {
                 const OpenPixel open = look.at(open_[i].x, open_[i].y);
                 const Ruling ruling = rulings_[i];
-                Finding& finding = verdict.findings[i];
+                Finding& finding = verdict.findings[places[i]];
                 finding = open.finding;
                 finding.verdict = class_of(open, ruling);
                 finding.eps_px = ruling.candidate.eps_px;
@@ -103,28 +117,39 @@ class Record {
     }
 
   private:
-    const Scene& scene_;
-    const Witness &candidate_, &reference_;
+    const Comparands& of_;
     std::span<const PixelPlace> open_;
     const Rulings& rulings_;
 };
 
-}  // namespace
-
-namespace {
+std::vector<RuledPlace> placed(std::span<const PixelPlace> places, const Rulings& rulings) {
+    std::vector<RuledPlace> ruled;
+    ruled.reserve(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto [ours, theirs] = rulings[i];
+        ruled.push_back(
+            {places[i].x, places[i].y, ours.decision, theirs.decision, ours.eps_px, theirs.eps_px});
+    }
+    return ruled;
+}
 
 Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference,
-              ErrorMaps* errors) {
+              JudgedInFull* full) {
     const Resolution size{view.width, view.height};
     if (candidate.frame.size() != size || reference.frame.size() != size)
         throw std::invalid_argument("judge: both frames must have the view's size");
     Verdict verdict;
     verdict.classes = Plane<PixelClass>(size, PixelClass::agree);
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
-    const std::vector<PixelPlace> open = first_pass(scene, view, ours, theirs, {verdict, errors});
-    const Rulings rulings = rule_on(scene, view, ours, theirs, open);
+    const std::vector<PixelPlace> open = first_pass(scene, view, ours, theirs, {verdict, full});
     verdict.findings.resize(open.size());
-    const Count count = Record(scene, ours, theirs, open, rulings).write(verdict);
+    const Comparands comparands{scene, view, ours, theirs};
+    const LayeredFindings layered = settle_layers(comparands, open, verdict);
+    const std::vector<PixelPlace> rest = places(open, layered.left);
+    const Rulings rulings = rule_on(scene, view, ours, theirs, rest);
+    if (full) full->rulings = placed(rest, rulings);
+    Count count = Record(comparands, rest, rulings).write(layered.left, verdict);
+    count.add(layered.counts);
     verdict.counts = count.classes;
     verdict.counts[std::size_t(PixelClass::agree)] += size.pixel_count() - open.size();
     verdict.candidate_edges = count.edges.candidate;
@@ -142,11 +167,11 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     return judge(scene, view, candidate, reference, nullptr);
 }
 
-VerdictWithErrors judge_with_errors(const Scene& scene, const View& view, const Testimony& candidate,
-                                    const Testimony& reference) {
+JudgedInFull judge_in_full(const Scene& scene, const View& view, const Testimony& candidate,
+                           const Testimony& reference) {
     const Resolution size{view.width, view.height};
-    VerdictWithErrors judged{{}, {Plane<float>::unwritten(size), Plane<float>::unwritten(size)}};
-    judged.verdict = judge(scene, view, candidate, reference, &judged.errors);
+    JudgedInFull judged{{}, {Plane<float>::unwritten(size), Plane<float>::unwritten(size)}, {}};
+    judged.verdict = judge(scene, view, candidate, reference, &judged);
     return judged;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/nearness_range.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -11,33 +12,20 @@ namespace {
 
 double steepness(const Affine<double>& f) { return std::abs(f.a) + std::abs(f.b); }
 
-/// [least, greatest] from the plane's slope over eps, kept to the corners where the renderer keeps to them,
-/// then rounded. An estimate in double of numbers that are bounds themselves.
 void set_nearness_range(Neighbour& n, Projection projection, bool keeps_to_corners) {
-    const std::optional<TriangleImage<double>>& image = n.image;
     const bool perspective = projection == Projection::perspective;
-    double least = perspective ? 1 / n.farthest : -n.farthest,
-           greatest = perspective ? 1 / n.nearest : -n.nearest;
-    if (image) {
-        const double error = n.plane_error;
-        n.is_plane_known = std::isfinite(error);
-        const double shift = n.bounds.depth_eps_px * (n.gradient + error) + error + n.bounds.nearness_error;
-        const double low = image->nearness.c - shift, high = image->nearness.c + shift;
-        least = keeps_to_corners ? std::clamp(low, least, greatest) : low;
-        greatest = keeps_to_corners ? std::clamp(high, least, greatest) : high;
+    const LocalBounds& bounds = n.bounds;
+    NearnessRange range{perspective ? 1 / n.farthest : -n.farthest, perspective ? 1 / n.nearest : -n.nearest};
+    if (n.image) {
+        n.is_plane_known = std::isfinite(n.plane_error);
+        range = on_plane({n.image->nearness.c, n.gradient, n.plane_error}, bounds, range, keeps_to_corners);
     }
-    const double r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
-    if (!std::isfinite(r + a + n.bounds.nearness_error) || (!n.is_plane_known && !keeps_to_corners)) {
-        n.least_nearness = -unlimited;
-        n.greatest_nearness = unlimited;
-    } else if (perspective) {
-        const double share = r + a * std::abs(greatest);
-        n.least_nearness = least - std::abs(least) * (r + a * std::abs(least));
-        n.greatest_nearness = share < 1 ? greatest + std::abs(greatest) * share / (1 - share) : unlimited;
-    } else {
-        n.least_nearness = least - std::abs(least) * r - a;
-        n.greatest_nearness = greatest + std::abs(greatest) * r + a;
-    }
+    const bool is_bounded =
+        std::isfinite(bounds.depth_relative + bounds.depth_absolute + bounds.nearness_error) &&
+        (n.is_plane_known || keeps_to_corners);
+    const NearnessRange all = is_bounded ? rounded(range, bounds, perspective) : any_nearness;
+    n.least_nearness = all.least;
+    n.greatest_nearness = all.greatest;
 }
 
 /// Forward error of an edge's value within a pixel of the centre: at most 16 roundings in a triple product,

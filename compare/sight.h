@@ -45,17 +45,24 @@ class Sights {
 
     Sight<Number> at(int pixel_x, int pixel_y) const {
         Sight<Number> sight = common_;
-        const Number u = left_ + u_per_px_ * Number(pixel_x + 0.5);
-        const Number v = top_ + v_per_px_ * Number(pixel_y + 0.5);
-        const auto on_plane = u * right_ + v * up_;
         if (sight.projection == Projection::perspective)
-            sight.direction = on_plane - back_;
+            sight.direction = direction_at(pixel_x, pixel_y);
         else
-            sight.origin = sight.origin + on_plane;
+            sight.origin = sight.origin + on_plane(pixel_x, pixel_y);
         return sight;
+    }
+    /// Of a perspective.
+    Vector3<Number> direction_at(int pixel_x, int pixel_y) const {
+        return on_plane(pixel_x, pixel_y) - back_;
     }
 
   private:
+    Vector3<Number> on_plane(int pixel_x, int pixel_y) const {
+        const Number u = left_ + u_per_px_ * Number(pixel_x + 0.5);
+        const Number v = top_ + v_per_px_ * Number(pixel_y + 0.5);
+        return u * right_ + v * up_;
+    }
+
     Number left_, top_, u_per_px_, v_per_px_;
     Vector3<Number> right_, up_, back_;
     Sight<Number> common_;

@@ -2,7 +2,9 @@
 /// them.
 #pragma once
 
+#include "compare/adjudication.h"
 #include "compare/explain.h"
+#include "compare/judge_in_full.h"
 #include "compare/witness.h"
 
 namespace zproof {
@@ -16,13 +18,17 @@ class Storyteller {
           candidate_(scene, view, candidate),
           reference_(scene, view, reference) {}
 
-    /// Stories without `candidates` and `background`, in order. Throws std::out_of_range for a place outside
-    /// the view.
-    std::vector<PixelStory> begin(std::span<const PixelPlace> places) const;
+    /// Stories without `candidates` and `background`, in order. What is among the `known` rulings, which
+    /// stand in raster order, is not ruled on again. Throws std::out_of_range for a place outside the view.
+    std::vector<PixelStory> begin(std::span<const PixelPlace> places,
+                                  std::span<const RuledPlace> known = {}) const;
     /// `site` holds the triangles within the finding's eps_px.
     void finish(PixelStory& story, const Site& site) const;
 
   private:
+    std::vector<Ruling> rulings_on(std::span<const PixelPlace> places,
+                                   std::span<const RuledPlace> known) const;
+
     const Scene& scene_;
     const View& view_;
     Witness candidate_, reference_;

@@ -1,7 +1,6 @@
 #include "compare/summary.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "compare/coplanar.h"
 #include "compare/displacement.h"
@@ -18,7 +17,7 @@ double value_at(const Affine<double>& f, double x, double y, double dx, double d
 
 Summary::Summary(const Shared& shared, const Around& tile, std::span<const std::uint32_t> near,
                  std::span<const ViewBounds* const> renderers)
-    : shared_(shared), tile_(tile), left_(int(tile.x - tile.half_x)) {
+    : shared_(shared), tile_(tile) {
     for (const ViewBounds* bounds : renderers) {
         renderers_.push_back({.bounds = bounds, .triangles = {}, .standing = {}});
         widest_px_ = std::max(widest_px_, bounds->background_eps_px());
@@ -58,71 +57,6 @@ void Summary::sort_out() {
     }
     if (all_cover_)
         for (std::size_t i = 0; i < kept; ++i) covering_.push_back(i);
-}
-
-/// Nothing where something is not trusted.
-std::vector<CoverRows::Triangle> Summary::triangles_of_rows() const {
-    std::vector<CoverRows::Triangle> triangles;
-    for (std::size_t i = 0; untrusted_.empty() && i < present_.size(); ++i) {
-        CoverRows::Triangle& triangle =
-            triangles.emplace_back(CoverRows::Triangle{&filter(i), present_[i].covers_tile, {}});
-        for (const Renderer& r : renderers_) triangle.of_view.push_back(&r.triangles[i]->of_view);
-    }
-    return triangles;
-}
-
-void Summary::expect_many() {
-    const double last = tile_.x + tile_.half_x - widest_px_;
-    if (!std::isfinite(widest_px_) || present_.size() > CoverRows::most_triangles ||
-        last - left_ >= CoverRows::width)
-        return;
-    std::vector<CoverRows::Triangle> triangles = triangles_of_rows();
-    if (triangles.empty()) return;
-    rows_.emplace(shared_.sights, left_, widest_px_, std::move(triangles));
-    relations_.resize(present_.size());
-    for (Renderer& r : renderers_)
-        for (std::size_t i = 0; i < present_.size(); ++i)
-            r.clear |= CoverRows::Set(r.triangles[i]->is_clear_of_planes(filter(i), tile_)) << i;
-}
-
-auto Summary::relations_of(std::size_t answer) -> const Relations& {
-    std::optional<Relations>& known = relations_[answer];
-    if (known) return *known;
-    known.emplace();
-    for (std::size_t i = 0; i < present_.size(); ++i) {
-        if (i == answer) continue;
-        const CoverRows::Set bit = CoverRows::Set{1} << i;
-        const int order = order_in(tile_, filter(i), filter(answer));
-        (order < 0 ? known->behind : order > 0 ? known->ahead : known->level) |= bit;
-        if (order == 0 && !are_coplanar(i, answer)) known->level &= ~bit;
-    }
-    return *known;
-}
-
-/// is_tied() where what it asks of each pair is so all over the tile, but for what is in front for certain.
-bool Summary::is_tied_in_rows(const Renderer& renderer, std::size_t answer) {
-    using Set = CoverRows::Set;
-    rows_->turn_to(y_);
-    const Set covering = rows_->covering(x_), itself = Set{1} << answer;
-    if (rows_->cutting(x_) != 0 || (covering & itself) == 0 || (covering & ~renderer.clear) != 0)
-        return false;
-    const Relations& relations = relations_of(answer);
-    const Set rivals = covering & (relations.level | relations.ahead);
-    if (rivals == 0 || (covering & ~itself & ~rivals & ~relations.behind) != 0) return false;
-    if ((rivals & relations.ahead) == 0) return true;
-    sight_ = shared_.sights.at(x_, y_);
-    for (Set ahead = rivals & relations.ahead; ahead != 0; ahead &= ahead - 1)
-        if (may_be_hidden_for_certain(renderer, std::size_t(std::countr_zero(ahead)), answer)) return false;
-    return true;
-}
-
-std::optional<Ruled> Summary::tied_in_rows(const Renderer& renderer, const Plaint& plaint) {
-    const std::optional<std::size_t> answer = index_of(plaint.answer);
-    if (!answer || !is_tied_in_rows(renderer, *answer)) return std::nullopt;
-    const double eps =
-        std::max(plaint.own_eps_px, rows_->eps_px(std::size_t(&renderer - renderers_.data()), x_));
-    if (eps > plaint.reach_px) return std::nullopt;
-    return Ruled{{Standing::tied, false}, eps, std::nullopt};
 }
 
 void Summary::sort_out_pixel() {
@@ -323,8 +257,6 @@ double Summary::lacking_reach_px(const Plaint& plaint) {
 std::optional<Ruled> Summary::rule(const Plaint& plaint) {
     if (!std::isfinite(widest_px_) || plaint.own_eps_px > widest_px_) return std::nullopt;
     Renderer& renderer = renderer_of(plaint.bounds);
-    if (rows_)
-        if (const auto tied = tied_in_rows(renderer, plaint)) return tied;
     sort_out_pixel();
     const bool is_background = plaint.answer == PrimitiveId::none;
     const std::optional<std::size_t> answer = is_background ? std::nullopt : index_of(plaint.answer);

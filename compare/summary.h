@@ -3,7 +3,6 @@
 #pragma once
 
 #include "compare/acquaintance.h"
-#include "compare/cover_rows.h"
 #include "compare/ruled.h"
 
 namespace zproof {
@@ -32,8 +31,6 @@ class Summary {
     Summary(const Shared& shared, const Around& tile, std::span<const std::uint32_t> near,
             std::span<const ViewBounds* const> renderers);
 
-    /// Many answers will be asked for: works out what pixels of a row have in common, where that can be.
-    void expect_many();
     /// Turns to another pixel.
     void look_at(int x, int y) { x_ = x, y_ = y, is_sorted_out_ = false; }
     /// What decide() and displacement_over_eps() would say in the neighbourhood of the pixel. Nothing where
@@ -55,13 +52,6 @@ class Summary {
         std::vector<const BoundedTriangle*> triangles;  ///< of present_, in order
         bool is_never_cut = true;                       ///< any of them
         std::vector<std::optional<Standing>> standing;  ///< by present_, of all pixels; if all cover the tile
-        CoverRows::Set clear = 0;  ///< of planes, all over the tile; where rows_ are at hand
-    };
-    /// What others are to one triangle, wherever in the tile they are.
-    struct Relations {
-        CoverRows::Set level = 0;   ///< in its plane
-        CoverRows::Set behind = 0;  ///< farther
-        CoverRows::Set ahead = 0;   ///< nearer
     };
     /// A square around the pixel's centre, or a place in it.
     Around square(double half_side_px) const { return {double(x_), double(y_), half_side_px, half_side_px}; }
@@ -71,10 +61,6 @@ class Summary {
 
     void sort_out();
     void sort_out_pixel();
-    std::vector<CoverRows::Triangle> triangles_of_rows() const;
-    const Relations& relations_of(std::size_t answer);
-    bool is_tied_in_rows(const Renderer& renderer, std::size_t answer);
-    std::optional<Ruled> tied_in_rows(const Renderer& renderer, const Plaint& plaint);
     const TriangleFilter& filter(std::size_t i) const { return present_[i].known->filter; }
     Renderer& renderer_of(const ViewBounds* bounds);
     double eps_px(const Renderer& renderer, const Plaint& plaint);
@@ -105,9 +91,6 @@ class Summary {
     Around tile_;
     double widest_px_ = 0;  ///< no square in the tile has a larger half-side
     bool all_cover_ = true;
-    std::optional<CoverRows> rows_;                    ///< bit i is present_[i]
-    std::vector<std::optional<Relations>> relations_;  ///< by present_
-    int left_;                                         ///< the first column asked about
     int x_ = 0, y_ = 0;
     bool is_sorted_out_ = false;  ///< do sight_, covering_ and cutting_ speak of the pixel?
     Sight<double> sight_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/displacement.h"
+#include "compare/layers.h"
 #include "math/rational.h"
 #include "random_surroundings.h"
 #include "stage.h"
@@ -30,20 +31,34 @@ class OnePixel {
             if (filters.of(corners_of(scene_, t)).is_near(x_, y_, site.reach_px)) site.triangles.push_back(t);
         return neighbourhood_of(scene_, view_, bounds_, site, own_eps_px(answer));
     }
-    enum class Asked { little, much };
-
     /// As a pixel of a tile whose centres reach that far from its own.
-    std::optional<Ruled> summarily(PrimitiveId answer, double tile_px, Asked how) const {
+    std::optional<Ruled> summarily(PrimitiveId answer, double tile_px) const {
         const Sights<double> sights(view_);
         Acquaintance acquaintance(scene_, view_);
         CoplanarMemory coplanar(16);
         const std::array<const ViewBounds*, 1> renderers{&bounds_};
         Summary summary({view_, sights, acquaintance, coplanar}, {double(x_), double(y_), tile_px, tile_px},
                         all_, renderers);
-        if (how == Asked::much) summary.expect_many();
         summary.look_at(x_, y_);
         const double own = own_eps_px(answer);
         return summary.rule({&bounds_, answer, own, 2 * own, zproof::Asked::standing_and_displacement});
+    }
+
+    /// In the same tile, as one of a row.
+    std::optional<Ruled> in_its_row(PrimitiveId answer, double tile_px) const {
+        const Sights<double> sights(view_);
+        Acquaintance acquaintance(scene_, view_);
+        CoplanarMemory coplanar(16);
+        const std::array<const ViewBounds*, 1> renderers{&bounds_};
+        Layers layers({sights, acquaintance, coplanar}, {double(x_), double(y_), tile_px, tile_px}, all_,
+                      renderers);
+        if (!layers.are_known()) return std::nullopt;
+        layers.turn_to(y_);
+        const auto column = std::size_t(tile_px);
+        const auto [tied, visible] = layers.standings(0, std::uint32_t(answer), ColumnMask{1} << column);
+        const double eps_px = layers.eps_px(0)[column];
+        if ((tied | visible) == 0 || eps_px > 2 * own_eps_px(answer)) return std::nullopt;
+        return Ruled{{tied != 0 ? Standing::tied : Standing::visible, false}, eps_px, std::nullopt};
     }
 
   private:
@@ -58,9 +73,14 @@ class OnePixel {
 class Comparison {
   public:
     void hear(const OnePixel& pixel, PrimitiveId answer) {
-        for (const double tile_px : {0, 7})
-            for (const auto asked : {OnePixel::Asked::little, OnePixel::Asked::much})
-                hear(pixel, answer, pixel.summarily(answer, tile_px, asked));
+        for (const double tile_px : {0, 7}) {
+            hear(pixel, answer, pixel.summarily(answer, tile_px));
+            if (answer != PrimitiveId::none) hear_row(pixel, answer, pixel.in_its_row(answer, tile_px));
+        }
+    }
+    void hear_row(const OnePixel& pixel, PrimitiveId answer, const std::optional<Ruled>& ruled) {
+        if (ruled) ++in_rows[std::size_t(ruled->decision.standing)];
+        hear(pixel, answer, ruled);
     }
     void hear(const OnePixel& pixel, PrimitiveId answer, const std::optional<Ruled>& ruled) {
         ++(ruled ? decided : left);
@@ -79,7 +99,7 @@ class Comparison {
         moved += ruled->displacement_over_eps.has_value();
     }
 
-    std::array<int, 7> said{};
+    std::array<int, 7> said{}, in_rows{};
     int decided = 0, left = 0, moved = 0;
 };
 
@@ -111,6 +131,8 @@ TEST(Summary, TellsTiesOfWallsAsRationalsDo) {
     }
     EXPECT_GT(comparison.said[std::size_t(Standing::visible)], 300);
     EXPECT_GT(comparison.said[std::size_t(Standing::tied)], 300);
+    EXPECT_GT(comparison.in_rows[std::size_t(Standing::visible)], 300);
+    EXPECT_GT(comparison.in_rows[std::size_t(Standing::tied)], 300);
 }
 
 /// Two walls that meet within eps of the centre, at any slope, in front of a third or of nothing; or four
@@ -146,39 +168,6 @@ TEST(Summary, TellsSeamsAndHowFarTheyMovedAsTheLongWayDoes) {
     }
     EXPECT_GT(comparison.said[std::size_t(Standing::visible)], 1000);
     EXPECT_GT(comparison.moved, 300);
-}
-
-TEST(CoverRows, PlaceTrianglesAndWidenSquaresAsOnePixelAtATimeDoes) {
-    int covering = 0, cutting = 0, missing = 0;
-    for (std::uint32_t seed = 0; seed < 300; ++seed) {
-        SCOPED_TRACE(seed);
-        const Surroundings s = random_surroundings(seed);
-        const ViewBounds bounds(s.view, seed % 2 ? raster_precision() : ray_precision());
-        const Sights<double> sights(s.view);
-        const Sight<double> any = sights.at(0, 0);
-        const TriangleFilters filters(s.view);
-        for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
-            const CornersWorld p = corners_of(s.scene, t);
-            const TriangleFilter filter = filters.of(p);
-            const TriangleOfView triangle(bounds, any, p);
-            if (!filter.is_trusted) continue;
-            constexpr double half_px = 1.0 / 64;
-            CoverRows rows(sights, 1, half_px, {{&filter, false, {&triangle}}});
-            for (int y = 0; y < 16; ++y)
-                for (int x = 1; x < 17; ++x) {
-                    rows.turn_to(y);
-                    const auto place = filter.place_of({double(x), double(y), half_px, half_px});
-                    ASSERT_EQ(rows.covering(x), place == TriangleFilter::Place::covers);
-                    ASSERT_EQ(rows.cutting(x), place == TriangleFilter::Place::unknown);
-                    const bool covers = rows.covering(x) != 0;
-                    ASSERT_EQ(rows.eps_px(0, x), covers ? triangle.eps_px(sights.at(x, y)) : 0);
-                    ++(covers ? covering : rows.cutting(x) != 0 ? cutting : missing);
-                }
-        }
-    }
-    EXPECT_GT(covering, 5000);
-    EXPECT_GT(cutting, 100);
-    EXPECT_GT(missing, 5000);
 }
 
 TEST(ImageOfView, HasTheBitsOfImageOfAtEveryPixel) {

@@ -1,0 +1,153 @@
+#include "compare/layers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/coplanar.h"
+
+namespace zproof {
+
+Layers::Layers(const Shared& shared, const Around& centres, std::span<const std::uint32_t> near,
+               std::span<const ViewBounds* const> renderers)
+    : shared_(shared), tile_(centres), left_(int(centres.x - centres.half_x)) {
+    for (const ViewBounds* bounds : renderers) {
+        renderers_.push_back({.bounds = bounds, .triangles = {}, .nearness = {}});
+        widest_px_ = std::max(widest_px_, bounds->background_eps_px());
+    }
+    meet(near);
+    are_known_ = are_known_ && std::isfinite(widest_px_);
+    if (are_known_) sort_out();
+}
+
+void Layers::meet(std::span<const std::uint32_t> near) {
+    for (const std::uint32_t t : near) {
+        const KnownTriangle& known = shared_.acquaintance.of(t);
+        layers_.push_back({.triangle = t, .known = &known});
+        for (Renderer& r : renderers_) {
+            r.triangles.push_back(&shared_.acquaintance.of(t, *r.bounds));
+            widest_px_ = std::max(widest_px_, r.triangles.back()->most_eps_px(known.filter, tile_));
+        }
+    }
+}
+
+/// Keeps what does not certainly miss the tile.
+void Layers::sort_out() {
+    tile_.half_x += widest_px_;
+    tile_.half_y += widest_px_;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        const TriangleFilter& filter = layers_[i].known->filter;
+        const TriangleFilter::Place place = filter.place_of(tile_);
+        if (place == TriangleFilter::Place::misses && filter.is_trusted) continue;
+        are_known_ = are_known_ && filter.is_trusted;
+        layers_[kept] = layers_[i];
+        layers_[kept].covers_tile = place == TriangleFilter::Place::covers;
+        for (Renderer& r : renderers_) r.triangles[kept] = r.triangles[i];
+        ++kept;
+    }
+    layers_.resize(kept);
+    are_known_ = are_known_ && kept <= most;
+    if (!are_known_) return;
+    for (Renderer& r : renderers_)
+        for (std::size_t i = 0; i < kept; ++i)
+            r.clear |= Set(r.triangles[i]->is_clear_of_planes(layers_[i].known->filter, tile_)) << i;
+}
+
+void Layers::turn_to(int y) {
+    row_ = {left_, y};
+    cut_ = 0;
+    for (Layer& layer : layers_) {
+        const PlaceMasks places = layer.covers_tile ? PlaceMasks{all_columns, 0}
+                                                    : places_in_row(layer.known->filter, row_, widest_px_);
+        layer.covers = places.covers;
+        cut_ |= places.cuts;
+    }
+    sight_.emplace(shared_.sights, row_);
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        Layer& layer = layers_[i];
+        layer.row.reset();
+        if ((layer.covers & ~cut_) != 0)
+            layer.row.emplace(renderers_.front().triangles[i]->of_view.image, *sight_);
+    }
+    for (Renderer& r : renderers_) turn(r);
+}
+
+void Layers::turn(Renderer& renderer) const {
+    renderer.eps_px.fill(0);
+    renderer.unclear = 0;
+    renderer.nearness.assign(layers_.size(), std::nullopt);
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        const Layer& layer = layers_[i];
+        if (!layer.row) continue;
+        if ((renderer.clear >> i & 1) == 0) renderer.unclear |= layer.covers;
+        renderer.eps_px =
+            raised(renderer.eps_px, layer.row->eps_px(renderer.triangles[i]->of_view), layer.covers);
+    }
+}
+
+std::optional<std::size_t> Layers::index_of(std::uint32_t triangle) const {
+    const auto found = std::ranges::find(layers_, triangle, &Layer::triangle);
+    if (found == layers_.end()) return std::nullopt;
+    return std::size_t(found - layers_.begin());
+}
+
+auto Layers::relations_of(std::size_t layer) -> const Relations& {
+    Layer& one = layers_[layer];
+    if (one.others) return *one.others;
+    one.others.emplace();
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        if (i == layer) continue;
+        const KnownTriangle& other = *layers_[i].known;
+        const int order = order_in(tile_, other.filter, one.known->filter);
+        const auto are_coplanar = [&] {
+            const std::uint64_t pair = std::uint64_t{layers_[i].triangle} << 32 | one.triangle;
+            return shared_.coplanar(pair, [&] { return coplanar(other.p_world, one.known->p_world); });
+        };
+        if (order < 0)
+            one.others->behind |= Set{1} << i;
+        else if (order > 0)
+            one.others->ahead |= Set{1} << i;
+        else if (are_coplanar())
+            one.others->level |= Set{1} << i;
+    }
+    return *one.others;
+}
+
+const TriangleRow::Range& Layers::nearness(Renderer& renderer, std::size_t layer) const {
+    std::optional<TriangleRow::Range>& known = renderer.nearness[layer];
+    if (!known) known = layers_[layer].row->nearness_range(renderer.triangles[layer]->of_view);
+    return *known;
+}
+
+ColumnMask Layers::ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back) const {
+    return above(nearness(renderer, front).least, nearness(renderer, back).greatest);
+}
+
+/// Of two in one plane neither is in front for certain, and what is behind is not (docs/truth.md, "Layers").
+auto Layers::standings(std::size_t of, std::uint32_t triangle, ColumnMask pixels) -> Standings {
+    const std::optional<std::size_t> answer = index_of(triangle);
+    if (!answer) return {};
+    Renderer& renderer = renderers_[of];
+    const ColumnMask covered = pixels & layers_[*answer].covers & ~cut_ & ~renderer.unclear;
+    if (covered == 0) return {};
+    const Relations& others = relations_of(*answer);
+    ColumnMask rivals = 0, undecided = 0;
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        ColumnMask shared = layers_[i].covers & covered;
+        const Set bit = Set{1} << i;
+        if (shared == 0 || i == *answer || (others.behind & bit) != 0) continue;
+        ColumnMask ahead = (others.ahead & bit) != 0 ? shared : 0;
+        if ((others.crossing() & bit) != 0) {
+            const OrderMasks order =
+                orders_in_row(layers_[i].known->filter, layers_[*answer].known->filter, row_, widest_px_);
+            shared &= ~order.behind;
+            ahead = shared & order.ahead;
+            undecided |= shared & ~ahead;
+        }
+        rivals |= shared;
+        if (ahead != 0) undecided |= ahead & ahead_for_certain(renderer, i, *answer);
+    }
+    return {.tied = rivals & ~undecided, .visible = covered & ~rivals};
+}
+
+}  // namespace zproof

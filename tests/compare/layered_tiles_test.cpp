@@ -1,0 +1,113 @@
+/// Findings written for whole rows must be those of one pixel after the other.
+#include "compare/layered_tiles.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "compare/adjudication.h"
+#include "random_surroundings.h"
+#include "stage.h"
+
+namespace zproof {
+namespace {
+
+constexpr int width = 40, height = 24;
+
+/// Walls in nearly one plane, and two frames in which any of them may show, at its true depth or beside it.
+struct Case {
+    View view;
+    Scene scene;
+    Frame candidate{{width, height}}, reference{{width, height}};
+
+    explicit Case(Dice& dice)
+        : view(pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, width, height)),
+          scene(random_walls(dice, view)) {
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                show(candidate, dice, x, y);
+                show(reference, dice, x, y);
+            }
+    }
+
+  private:
+    void show(Frame& frame, Dice& dice, int x, int y) const {
+        const auto triangle = std::uint32_t(dice.below(int(scene.triangles.size())));
+        const auto image = image_of(Sight<double>(view, x, y), corners<double>(corners_of(scene, triangle)));
+        if (!image) return;
+        const double n = image->nearness.c;
+        const double depth = view.camera.projection == Projection::perspective ? 1 / n : -n;
+        answer(frame, x, y, triangle, dice.below(30) == 0 ? depth * 1.01 : depth);
+    }
+};
+
+void expect_same(const Finding& a, const Finding& b) {
+    EXPECT_EQ(a.x, b.x);
+    EXPECT_EQ(a.y, b.y);
+    EXPECT_EQ(name_of(a.verdict), name_of(b.verdict));
+    EXPECT_EQ(a.candidate.primitive, b.candidate.primitive);
+    EXPECT_EQ(a.candidate.camera_depth, b.candidate.camera_depth);
+    EXPECT_EQ(a.reference.primitive, b.reference.primitive);
+    EXPECT_EQ(a.reference.camera_depth, b.reference.camera_depth);
+    EXPECT_EQ(a.eps_px, b.eps_px);
+    EXPECT_EQ(a.candidate_depth.low, b.candidate_depth.low);
+    EXPECT_EQ(a.candidate_depth.truth, b.candidate_depth.truth);
+    EXPECT_EQ(a.candidate_depth.high, b.candidate_depth.high);
+    EXPECT_EQ(a.error_over_bound, b.error_over_bound);
+}
+
+TEST(LayeredTiles, AreSettledAsOnePixelAfterTheOther) {
+    ClassCounts settled{};
+    std::size_t left = 0;
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const Case c(dice);
+        const Witness ours(c.scene, c.view, {c.candidate, raster_precision()}),
+            theirs(c.scene, c.view, {c.reference, ray_precision()});
+        const std::vector<PixelPlace> open = compare_rows(c.scene, c.view, ours, theirs, {0, height}).open;
+        Verdict verdict;
+        verdict.classes = Plane<PixelClass>({width, height}, PixelClass::agree);
+        verdict.findings.resize(open.size());
+        const LayeredFindings layered = settle_layers({c.scene, c.view, ours, theirs}, open, verdict);
+        const Rulings rulings = rule_on(c.scene, c.view, ours, theirs, open);
+        PixelLook look(c.scene, ours, theirs);
+        const std::set<std::uint32_t> still_open(layered.left.begin(), layered.left.end());
+        ASSERT_EQ(still_open.size(), layered.left.size());
+        left += still_open.size();
+        ClassCounts counts{};
+        for (std::uint32_t i = 0; i < open.size(); ++i) {
+            if (still_open.contains(i)) continue;
+            OpenPixel pixel = look.at(open[i].x, open[i].y);
+            pixel.finding.verdict = class_of(pixel, rulings[i]);
+            pixel.finding.eps_px = rulings[i].candidate.eps_px;
+            ++counts[std::size_t(pixel.finding.verdict)];
+            expect_same(verdict.findings[i], pixel.finding);
+            EXPECT_EQ(verdict.classes.at(open[i].x, open[i].y), pixel.finding.verdict);
+            if (testing::Test::HasFailure()) return;
+        }
+        EXPECT_EQ(counts, layered.counts);
+        for (std::size_t k = 0; k < counts.size(); ++k) settled[k] += counts[k];
+    }
+    EXPECT_GT(settled[std::size_t(PixelClass::depth_tie)], 3000u);
+    EXPECT_GT(left, 500u);
+}
+
+TEST(LayeredTiles, LeaveWhatIsHidden) {
+    Trial trial(Projection::perspective, width, height, {wall(4), wall(8)});
+    answer_everywhere(trial.candidate, 1, 8);
+    answer_everywhere(trial.reference, 0, 4);
+    EXPECT_EQ(trial.verdict().counts[std::size_t(PixelClass::hidden)], std::uint64_t(width * height));
+}
+
+TEST(LayeredTiles, LeavePixelsThatNoTriangleOfTheirsCovers) {
+    Trial trial(Projection::perspective, width, height, {wall(4), wall_left_of(20, 4)});
+    answer_everywhere(trial.candidate, 1, 4);
+    answer_everywhere(trial.reference, 0, 4);
+    const Verdict verdict = trial.verdict();
+    EXPECT_EQ(verdict.counts[std::size_t(PixelClass::depth_tie)], std::uint64_t(20 * height));
+    EXPECT_EQ(verdict.counts[std::size_t(PixelClass::outside)], std::uint64_t(20 * height));
+}
+
+}  // namespace
+}  // namespace zproof
