@@ -54,7 +54,7 @@ class Comparison {
         : triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
-          shown_(candidate, reference),
+          shown_(scene, candidate, reference),
           look_(scene, candidate, reference) {}
 
     /// Has the depth errors of what is compared from now on written down.
@@ -71,6 +71,7 @@ class Comparison {
             strip.x = tile.left, strip.y = y;
             fill(strip.candidate, candidate_, tile, y);
             fill(strip.reference, reference_, tile, y);
+            look_up_laws(strip);
         }
         shown_.make_laws();
         for (int y = tile.top; y < tile.bottom; ++y) {
@@ -103,33 +104,46 @@ class Comparison {
         };
         take(witness.frame().primitive, side.primitive, PrimitiveId::none);
         take(witness.frame().camera_depth, side.camera_depth, background_depth);
-        look_up_laws(side);
     }
 
-    /// Eight at a time where they show what the pixel before them shows.
-    void look_up_laws(Strip::Side& side) {
+    /// Eight at a time where they show what the pixel before them shows, or what the candidate shows there.
+    void look_up_laws(Strip& strip) {
         constexpr std::size_t step = 8;
-        PrimitiveId latest = PrimitiveId::none;
-        std::uint32_t law = 0;
+        Latest ours, theirs;
         for (std::size_t first = 0; first < Strip::width; first += step) {
-            std::uint32_t difference = 0;
-            for (std::size_t i = first; i < first + step; ++i)
-                difference |= std::uint32_t(side.primitive[i]) ^ std::uint32_t(latest);
+            const auto &shown = strip.candidate.primitive, &also_shown = strip.reference.primitive;
+            std::uint32_t change = 0, difference = 0;
             for (std::size_t i = first; i < first + step; ++i) {
-                if (difference != 0 && side.primitive[i] != latest) {
-                    latest = side.primitive[i];
-                    law = std::size_t(latest) < triangle_count_ ? shown_.place_of(latest) : 0;
-                }
-                side.law[i] = law;
+                change |= std::uint32_t(shown[i]) ^ std::uint32_t(ours.triangle);
+                difference |= std::uint32_t(shown[i]) ^ std::uint32_t(also_shown[i]);
             }
+            if (change == 0)
+                std::fill_n(strip.candidate.law.begin() + first, step, ours.law);
+            else
+                look_up(strip.candidate, first, first + step, ours);
+            if (difference == 0)
+                std::copy_n(strip.candidate.law.begin() + first, step, strip.reference.law.begin() + first);
+            else
+                look_up(strip.reference, first, first + step, theirs);
+        }
+    }
+
+    struct Latest {
+        PrimitiveId triangle = PrimitiveId::none;
+        std::uint32_t law = 0;
+    };
+    void look_up(Strip::Side& side, std::size_t first, std::size_t end, Latest& latest) {
+        for (std::size_t i = first; i < end; ++i) {
+            const PrimitiveId triangle = side.primitive[i];
+            if (triangle != latest.triangle)
+                latest = {triangle, std::size_t(triangle) < triangle_count_ ? shown_.place_of(triangle) : 0};
+            side.law[i] = latest.law;
         }
     }
 
     void hold(Strip& strip) const {
         const bool perspective = candidate_.projection() == Projection::perspective;
-        const auto hold = perspective ? hold_perspective : hold_parallel;
-        hold(shown_.candidate_laws(), strip.x, strip.y, strip.candidate);
-        hold(shown_.reference_laws(), strip.x, strip.y, strip.reference);
+        (perspective ? hold_perspective : hold_parallel)(shown_.laws(), strip);
     }
 
     void settle(Strip& strip, Findings& found) {

@@ -38,6 +38,17 @@ glm::dvec3 abs_cross(const glm::dvec3& a, const glm::dvec3& b) {
 
 double sum_abs(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
+TriangleBounds bounds_of(const DepthTerms<double>& terms) {
+    TriangleBounds bounds;
+    bounds.depth_eps_base_px = terms.eps_base_px;
+    bounds.depth_eps_per_nearness = terms.eps_per_nearness;
+    bounds.depth_factor = terms.factor;
+    bounds.depth_absolute = terms.absolute;
+    bounds.nearness_error = terms.nearness_error;
+    bounds.plane_offset = terms.plane_offset;
+    return bounds;
+}
+
 double largest_defect(const Camera& camera) {
     const glm::dmat3 axes(camera.right, camera.up, camera.back);
     const glm::dmat3 gram = glm::transpose(axes) * axes;
@@ -49,37 +60,29 @@ double largest_defect(const Camera& camera) {
 
 }  // namespace
 
-PlaneError::PlaneError(const PlaneSize& size)
-    : rounding_(double_gammas[16]),
-      condition_(size.volume_abs / size.volume),
-      numerator_(size.numerator_abs / size.volume),
-      of_origin_(2 * size.origin_error / size.volume) {
-    is_known_ = rounding_ * condition_ < 0.5;
-}
-
 double TriangleExtent::largest_depth() const {
-    return std::max({std::abs(depth[0]), std::abs(depth[1]), std::abs(depth[2])});
+    return std::max({std::abs(size.depth[0]), std::abs(size.depth[1]), std::abs(size.depth[2])});
 }
 
 double ViewBounds::lateral_px(const glm::dvec3& camera_abs) const {
-    return std::max(px_per_u_ * (camera_abs.x + slant_u_ * camera_abs.z),
-                    px_per_v_ * (camera_abs.y + slant_v_ * camera_abs.z));
+    return scale_.lateral_px(exactly<double>(camera_abs));
 }
 
 ViewBounds::ViewBounds(const View& view, const Precision& precision)
     : view_(view),
       precision_(precision),
       perspective_(view.camera.projection == Projection::perspective),
-      px_per_u_(view.width / (view.camera.window.right - view.camera.window.left)),
-      px_per_v_(view.height / (view.camera.window.top - view.camera.window.bottom)),
       orthonormality_(largest_defect(view.camera)) {
     const Camera& c = view.camera;
     largest_u_ = std::max(std::abs(c.window.left), std::abs(c.window.right));
     largest_v_ = std::max(std::abs(c.window.bottom), std::abs(c.window.top));
-    slant_u_ = perspective_ ? largest_u_ : std::abs(c.shear.x);
-    slant_v_ = perspective_ ? largest_v_ : std::abs(c.shear.y);
-    direction_abs_ = slant_u_ * glm::abs(c.right) + slant_v_ * glm::abs(c.up) + glm::abs(c.back);
+    scale_ = {.px_per_u = view.width / (c.window.right - c.window.left),
+              .px_per_v = view.height / (c.window.top - c.window.bottom),
+              .slant_u = perspective_ ? largest_u_ : std::abs(c.shear.x),
+              .slant_v = perspective_ ? largest_v_ : std::abs(c.shear.y)};
+    direction_abs_ = scale_.slant_u * glm::abs(c.right) + scale_.slant_v * glm::abs(c.up) + glm::abs(c.back);
     origin_abs_ = perspective_ ? glm::dvec3(0) : largest_u_ * glm::abs(c.right) + largest_v_ * glm::abs(c.up);
+    gauge_ = gauge<double>();
     if (const auto* raster = std::get_if<RasterPrecision>(&precision))
         background_eps_px_ = std::ldexp(raster->snap == Snap::nearest ? 0.5 : 1.0, -raster->subpixel_bits);
     else if (const auto* ray = std::get_if<RayPrecision>(&precision))
@@ -105,38 +108,10 @@ void ViewBounds::set_aim(double unit, double offset_px) {
 }
 
 TriangleExtent ViewBounds::extent_of(const CornersWorld& p_world) const {
-    const Camera& c = view_.camera;
-    const std::array axes{glm::abs(c.right), glm::abs(c.up), glm::abs(c.back)};
-    const glm::dvec3 eye(c.eye_world), eye_abs = glm::abs(eye);
-    TriangleExtent extent;
-    for (int i = 0; i < 3; ++i) {
-        const glm::dvec3 p(p_world[size_t(i)]);
-        extent.v_world[size_t(i)] = p - eye;
-        extent.depth[size_t(i)] = -glm::dot(c.back, p - eye);
-        const glm::dvec3 away_abs = glm::abs(p - eye) + origin_abs_, p_abs = glm::abs(p) + eye_abs;
-        for (int axis = 0; axis < 3; ++axis) {
-            const glm::dvec3& a = axes[size_t(axis)];
-            extent.from_eye[axis] = std::max(extent.from_eye[axis], glm::dot(a, away_abs));
-            extent.from_origin[axis] = std::max(extent.from_origin[axis], glm::dot(a, p_abs));
-        }
-    }
-    extent.plane_size = plane_size_of(extent, p_world);
-    return extent;
-}
-
-PlaneSize ViewBounds::plane_size_of(const TriangleExtent& extent, const CornersWorld& p_world) const {
-    const glm::dvec3 e1 = glm::dvec3(p_world[1]) - glm::dvec3(p_world[0]);
-    const glm::dvec3 e2 = glm::dvec3(p_world[2]) - glm::dvec3(p_world[0]);
-    const glm::dvec3 normal = glm::cross(e1, e2);
-    const glm::dvec3 normal_abs = abs_cross(e1, e2) + abs_cross(e1, e2 - e1) + abs_cross(e2, e2 - e1);
-    const Camera& c = view_.camera;
-    const double from_corner = glm::dot(glm::abs(extent.v_world[0]) + origin_abs_, normal_abs);
-    const double along_sight = glm::dot(direction_abs_, normal_abs);
-    if (perspective_) return {std::abs(glm::dot(extent.v_world[0], normal)), from_corner, along_sight, 0};
-    const glm::dvec3 direction = c.shear.x * c.right + c.shear.y * c.up - c.back;
-    const double origin_error =
-        double_gammas[6] * glm::dot(glm::abs(glm::dvec3(c.eye_world)) + origin_abs_, normal_abs);
-    return {std::abs(glm::dot(direction, normal)), along_sight, from_corner, origin_error};
+    const glm::dvec3 p[] = {glm::dvec3(p_world[0]), glm::dvec3(p_world[1]), glm::dvec3(p_world[2])};
+    const glm::dvec3 eye(view_.camera.eye_world);
+    return {{p[0] - eye, p[1] - eye, p[2] - eye},
+            gauge_({exactly<double>(p[0]), exactly<double>(p[1]), exactly<double>(p[2])})};
 }
 
 TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
@@ -147,14 +122,14 @@ TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
 TriangleBounds ViewBounds::of_depth(const TriangleExtent& extent) const {
     const auto* ray = std::get_if<RayPrecision>(&precision_);
     if (!ray) return of(extent);
-    TriangleBounds bounds = hit_depth_by(extent, *ray);
+    TriangleBounds bounds = bounds_of(ray_terms(*ray).of(extent.size));
     bounds.depth_factor += framing_by(*ray);
     return between_the_planes(bounds, extent);
 }
 
 TriangleBounds ViewBounds::between_the_planes(TriangleBounds bounds, const TriangleExtent& extent) const {
     const Camera& c = view_.camera;
-    const auto [low, high] = std::minmax({extent.depth[0], extent.depth[1], extent.depth[2]});
+    const auto [low, high] = std::minmax({extent.size.depth[0], extent.size.depth[1], extent.size.depth[2]});
     bounds.nearest = std::clamp(low, c.near_depth, c.far_depth);
     bounds.farthest = std::clamp(high, c.near_depth, c.far_depth);
     return bounds;
@@ -165,41 +140,59 @@ bool ViewBounds::keeps_to_corners() const {
     return raster && raster->depth_buffer == DepthBuffer::camera_depth;
 }
 
-TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const {
+/// Relative to the size of what is transformed.
+double ViewBounds::transform_error(const RasterPrecision& precision, int cuts) const {
     const double u = unit_of(precision.transform);
     // float64: the fused matrix is built and applied in double: 3 (translation) + 3 + 3 (product of the two
-    // matrices)
-    // + 4 (matrix times point) roundings. float32: entries rounded once, then 4. Where the eye is subtracted
-    // first, 1 more, of a smaller size.
-    const bool from_eye = precision.origin == Origin::eye;
-    const int roundings = (precision.transform == Arithmetic::float64 ? 13 : 5) + (from_eye ? 1 : 0);
+    // matrices) + 4 (matrix times point) roundings. float32: entries rounded once, then 4. Where the eye is
+    // subtracted first, 1 more, of a smaller size.
+    const int roundings =
+        (precision.transform == Arithmetic::float64 ? 13 : 5) + (precision.origin == Origin::eye ? 1 : 0);
     // a new corner: 4 roundings of its place on the edge, each at most twice the corners' size, then 5
-    const bool in_volume = precision.clipping == Clipping::view_volume;
-    const int clip_roundings = in_volume ? 13 * cut_count(extent) : 0;
     const double rounding =
-        clip_roundings == 0 ? gammas_of(u)[std::size_t(roundings)] : gamma(roundings + clip_roundings, u);
-    const double transform = rounding + orthonormality_;
-    const glm::dvec3& size = from_eye ? extent.from_eye : extent.from_origin;
+        cuts == 0 ? gammas_of(u)[std::size_t(roundings)] : gamma(roundings + 13 * cuts, u);
+    return rounding + orthonormality_;
+}
+
+/// A rasterizer's transform in double, into a guard band, is as coarse for one triangle as for another.
+CommonTerms ViewBounds::common_terms() const {
+    if (const auto* ray = std::get_if<RayPrecision>(&precision_)) {
+        if (framing_by(*ray) == 0) return ray_terms(*ray);
+    } else if (const auto* raster = std::get_if<RasterPrecision>(&precision_)) {
+        if (raster->transform == Arithmetic::float64 && raster->clipping == Clipping::guard_band &&
+            raster->depth_buffer == DepthBuffer::camera_depth)
+            return raster_terms(*raster, transform_error(*raster, 0), double_gammas[8] * guard_band_px);
+    }
+    return {};
+}
+
+TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const {
+    const double u = unit_of(precision.transform);
+    const bool in_volume = precision.clipping == Clipping::view_volume;
+    const double transform = transform_error(precision, in_volume ? cut_count(extent) : 0);
     // division, scale, offset; clipping's interpolation. In float64 the whole guard band costs 3e-11 px
     const bool is_coarse = precision.transform == Arithmetic::float32;
     const double limit = in_volume ? window_reach_px() : guard_band_px;
     const double viewport = gammas_of(u)[8] * (is_coarse ? reach_px(extent, limit) : limit);
-    const double snap = background_eps_px_;
-    const double lateral = transform * lateral_px(size);
-
-    TriangleBounds bounds;
-    bounds.eps_base_px = snap + viewport + (perspective_ ? 0 : lateral);
-    bounds.eps_per_nearness = perspective_ ? lateral : 0;
-    bounds.depth_eps_base_px = bounds.eps_base_px;
-    bounds.depth_eps_per_nearness = bounds.eps_per_nearness;
-    bounds.depth_factor = gamma(precision.depth_roundings, unit_roundoff_float32);
-    bounds.depth_absolute = transform * size.z;
+    TriangleBounds bounds = bounds_of(raster_terms(precision, transform, viewport).of(extent.size));
+    bounds.eps_base_px = bounds.depth_eps_base_px;
+    bounds.eps_per_nearness = bounds.depth_eps_per_nearness;
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gammas_of(u)[8] * extent.largest_depth();
-    if (precision.depth_buffer == DepthBuffer::camera_depth)
-        bounds.depth_factor += gammas_of(unit_of(precision.interpolation))[8];
-    else
-        set_reversed_z(bounds, extent);
+    if (precision.depth_buffer == DepthBuffer::reversed_z) set_reversed_z(bounds, extent);
     return bounds;
+}
+
+RasterTerms ViewBounds::raster_terms(const RasterPrecision& precision, double transform,
+                                     double viewport) const {
+    const bool is_camera_depth = precision.depth_buffer == DepthBuffer::camera_depth;
+    return {.scale = scale_,
+            .projection = view_.camera.projection,
+            .base_px = background_eps_px_ + viewport,  // snapping first
+            .transform = transform,
+            .factor = gamma(precision.depth_roundings, unit_roundoff_float32) +
+                      (is_camera_depth ? gammas_of(unit_of(precision.interpolation))[8] : 0),
+            .size = precision.origin == Origin::eye ? RasterTerms::Size::from_eye
+                                                    : RasterTerms::Size::from_origin};
 }
 
 void ViewBounds::set_reversed_z(TriangleBounds& bounds, const TriangleExtent& extent) const {
@@ -222,14 +215,14 @@ void ViewBounds::set_reversed_z(TriangleBounds& bounds, const TriangleExtent& ex
 }
 
 double ViewBounds::window_reach_px() const {
-    return 2 * std::max(px_per_u_ * largest_u_, px_per_v_ * largest_v_);
+    return 2 * std::max(scale_.px_per_u * largest_u_, scale_.px_per_v * largest_v_);
 }
 
 int ViewBounds::cut_count(const TriangleExtent& extent) const {
     const Camera& c = view_.camera;
     std::array<bool, 6> cuts{};
     for (std::size_t i = 0; i < 3; ++i) {
-        const double depth = extent.depth[i], w = perspective_ ? depth : 1;
+        const double depth = extent.size.depth[i], w = perspective_ ? depth : 1;
         const double x = glm::dot(c.right, extent.v_world[i]) - c.shear.x * depth;
         const double y = glm::dot(c.up, extent.v_world[i]) - c.shear.y * depth;
         const std::array<bool, 6> beyond{depth<c.near_depth, depth> c.far_depth,
@@ -244,13 +237,13 @@ double ViewBounds::reach_px(const TriangleExtent& extent, double limit) const {
     const Camera& c = view_.camera;
     double reach = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double depth = extent.depth[i];
+        const double depth = extent.size.depth[i];
         if (!(depth >= c.near_depth)) return limit;
         const double x = glm::dot(c.right, extent.v_world[i]), y = glm::dot(c.up, extent.v_world[i]);
         const double u = perspective_ ? x / depth : x - c.shear.x * depth;
         const double v = perspective_ ? y / depth : y - c.shear.y * depth;
-        reach =
-            std::max({reach, px_per_u_ * (std::abs(u) + largest_u_), px_per_v_ * (std::abs(v) + largest_v_)});
+        reach = std::max({reach, scale_.px_per_u * (std::abs(u) + largest_u_),
+                          scale_.px_per_v * (std::abs(v) + largest_v_)});
     }
     return std::min(reach, limit);
 }
@@ -259,7 +252,7 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
     const glm::dvec3& from = extent.v_world[size_t((edge + 1) % 3)];
     const glm::dvec3& to = extent.v_world[size_t((edge + 2) % 3)];
     const Camera& c = view_.camera;
-    const double u_per_px = 1 / px_per_u_, v_per_px = 1 / px_per_v_;
+    const double u_per_px = 1 / scale_.px_per_u, v_per_px = 1 / scale_.px_per_v;
     const glm::dvec3 difference = to - from, sum = to + from;
     const glm::dvec3 sum_abs = glm::abs(sum) + 2.0 * origin_abs_;
     const double error = gammas_of(unit)[7] * glm::dot(abs_cross(difference, sum_abs), direction_abs_);
@@ -273,31 +266,16 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
 }
 
 /// Of the hit itself; on the way to a float32 more may be lost.
-TriangleBounds ViewBounds::hit_depth_by(const TriangleExtent& extent, const RayPrecision& precision) const {
+RayTerms ViewBounds::ray_terms(const RayPrecision& precision) const {
     const double u = unit_of(precision.arithmetic);
-    // a corner is rounded once when the origin is subtracted
-    const double corner = u * lateral_px(extent.from_eye);
-    const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
-    TriangleBounds bounds;
-    bounds.depth_eps_base_px = aim + (perspective_ ? 0 : corner);
-    bounds.depth_eps_per_nearness = perspective_ ? corner : 0;
-
-    // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and the
-    // product
-    const Gammas& gammas = gammas_of(u);
-    const PlaneSize& size = extent.plane_size;
-    const auto over_volume = [&](double sum_abs) {  // unlimited where the plane holds the origin of sight
-        return size.volume > 0 ? gammas[8] * sum_abs / size.volume : unlimited;
-    };
-    const double volume_factor = over_volume(size.volume_abs);
-    const double numerator_error = over_volume(size.numerator_abs);
-    bounds.depth_factor = gammas[4] + aim_depth_relative_ + volume_factor;
-    bounds.depth_absolute = u * extent.from_eye.z + aim_depth_absolute_;
-    if (perspective_)
-        bounds.plane_offset = numerator_error;
-    else
-        bounds.depth_absolute += numerator_error * (1 + BoundsOnPlane::compounded(volume_factor));
-    return bounds;
+    return {.scale = scale_,
+            .projection = view_.camera.projection,
+            .unit = u,
+            .of_products = gammas_of(u)[8],
+            .factor = gammas_of(u)[4] + aim_depth_relative_,
+            .aim_px = aim_px_,
+            .aim_px_per_depth = aim_px_per_depth_,
+            .aim_absolute = aim_depth_absolute_};
 }
 
 /// Frames hold float32: a wider depth is rounded once more on its way there.
@@ -307,8 +285,8 @@ double ViewBounds::framing_by(const RayPrecision& precision) {
 
 TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const {
     const double u = unit_of(precision.arithmetic);
-    TriangleBounds bounds = hit_depth_by(extent, precision);
-    const double corner = u * lateral_px(extent.from_eye);
+    TriangleBounds bounds = bounds_of(ray_terms(precision).of(extent.size));
+    const double corner = u * scale_.lateral_px(extent.size.from_eye);
     const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
     double edges = 0;
     for (int edge = 0; edge < 3; ++edge) edges = std::max(edges, edge_test_eps_px(extent, edge, u));
@@ -316,8 +294,7 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RayPrec
     bounds.eps_base_px = aim + edges + (perspective_ ? 0 : 5 * corner);
     bounds.eps_per_nearness = perspective_ ? 5 * corner : 0;
     const auto slack = [&](double plane_depth) {
-        const double share =
-            BoundsOnPlane::compounded(u + bounds.depth_factor + bounds.plane_offset * plane_depth);
+        const double share = compounded(u + bounds.depth_factor + bounds.plane_offset * plane_depth);
         return std::isinf(share) ? share : plane_depth * share + bounds.depth_absolute;
     };
     const Camera& c = view_.camera;
@@ -348,13 +325,13 @@ double ViewBounds::plane_test_error(const TriangleExtent& extent, const PlaneRay
     const double reach = ray_reach(extent);
     const double offset = sqrt3 * gamma(5, u) / sine * diameter + gamma(8, u) * reach;
     const double error = sqrt3 * (offset + gamma(2, u) * reach + 3 * gamma(3, u) * diameter);
-    const bool may_graze = extent.plane_size.volume <= 2 * precision.least_grazing_sine * area * reach;
+    const bool may_graze = extent.size.plane.volume <= 2 * precision.least_grazing_sine * area * reach;
     return error + (may_graze ? precision.least_grazing_sine * reach : 0);
 }
 
 TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const {
     constexpr double u = unit_roundoff_float64;
-    const double corner = u * lateral_px(extent.from_eye);
+    const double corner = u * scale_.lateral_px(extent.size.from_eye);
     const double inside = lateral_px(glm::dvec3(plane_test_error(extent, precision)));
     const double aim = aim_px_ + aim_px_per_depth_ * extent.largest_depth();
 
@@ -367,25 +344,25 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRa
     // where the ray meets the plane as for Pluecker rays, the normal's length taken out: 10 roundings in each
     // product; then -back . (origin + t d)
     const Camera& c = view_.camera;
-    const PlaneSize& size = extent.plane_size;
+    const PlaneSize& size = extent.size.plane;
     const auto over_volume = [&](double sum) {
         return size.volume > 0 ? gamma(10, u) * sum / size.volume : unlimited;
     };
     const double volume_factor = over_volume(size.volume_abs),
                  numerator_error = over_volume(size.numerator_abs);
     const double along = gamma(8, u) * glm::dot(glm::abs(c.back), direction_abs_) +
-                         orthonormality_ * (1 + slant_u_ + slant_v_);
+                         orthonormality_ * (1 + scale_.slant_u + scale_.slant_v);
     const double hit_factor = gamma(8, u) + aim_depth_relative_ + volume_factor + along;
     bounds.depth_factor = hit_factor + precision.depth_relative;
-    bounds.depth_absolute = u * extent.from_eye.z + aim_depth_absolute_;
+    bounds.depth_absolute = u * extent.size.from_eye.z + aim_depth_absolute_;
     if (perspective_) {
         bounds.plane_offset = numerator_error;
     } else {
-        bounds.depth_absolute += numerator_error * (1 + BoundsOnPlane::compounded(volume_factor)) +
+        bounds.depth_absolute += numerator_error * (1 + compounded(volume_factor)) +
                                  (gamma(8, u) * sum_abs(c.back) + orthonormality_) * ray_reach(extent);
     }
     const auto slack = [&](double plane_depth) {
-        const double share = BoundsOnPlane::compounded(hit_factor + bounds.plane_offset * plane_depth);
+        const double share = compounded(hit_factor + bounds.plane_offset * plane_depth);
         if (std::isinf(share)) return share;
         const double clip = precision.clip_relative * std::abs(plane_depth) +
                             (perspective_ ? 0 : precision.clip_of_reach * ray_reach(extent));
@@ -399,14 +376,15 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRa
 
 DepthLaw BoundsOnPlane::depth_law() const {
     DepthLaw law{};
-    law.least = least_;
-    law.highest = highest_;
+    law.least = corners_.least;
+    law.highest = corners_.highest;
     law.base = depth_eps_px_.base;
     law.per = depth_eps_px_.per;
     law.most = depth_eps_px_.most;
     law.amplification = depth_eps_px_.amplification;
     law.depth_factor = depth_factor_;
     law.plane_offset = plane_offset_;
+    law.relative = compounded(depth_factor_);
     law.absolute = depth_absolute_;
     law.nearness_error = nearness_error_;
     return law;
@@ -417,19 +395,13 @@ LocalBounds TriangleBounds::at(double nearness, double gradient) const {
 }
 
 BoundsOnPlane::BoundsOnPlane(const TriangleBounds& b, double gradient)
-    : least_(b.farthest > 0 && std::isfinite(b.farthest) ? 1 / b.farthest : 0),
-      highest_(b.nearest > 0 ? 1 / b.nearest : 0),
-      eps_px_(displacement(b.eps_base_px, b.eps_per_nearness, gradient)),
-      depth_eps_px_(displacement(b.depth_eps_base_px, b.depth_eps_per_nearness, gradient)),
+    : corners_(b.nearest, b.farthest),
+      eps_px_(b.eps_base_px, b.eps_per_nearness, gradient, corners_.highest),
+      depth_eps_px_(b.depth_eps_base_px, b.depth_eps_per_nearness, gradient, corners_.highest),
       depth_factor_(b.depth_factor),
       plane_offset_(b.plane_offset),
       depth_relative_(compounded(b.depth_factor)),
       depth_absolute_(b.depth_absolute),
       nearness_error_(b.nearness_error) {}
-
-BoundsOnPlane::Displacement BoundsOnPlane::displacement(double base, double per, double gradient) const {
-    const double loop = per * gradient;
-    return {base, per, base + per * highest_, loop < 1 ? 1 / (1 - loop) : unlimited};
-}
 
 }  // namespace zproof

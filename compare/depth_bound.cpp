@@ -70,9 +70,7 @@ TriangleNearness::TriangleNearness(const Sight<double>& first_pixel, const Resol
     if (edge_on) return;
     nearness = *plane;
     gradient = std::abs(nearness.a) + std::abs(nearness.b);
-    own_error = PlaneError(extent.plane_size)
-                    .at(std::abs(nearness.c) + std::abs(nearness.a) * size.width +
-                        std::abs(nearness.b) * size.height);
+    own_error = own_error_of(extent.size.plane, nearness, size);
 }
 
 TriangleDepth::TriangleDepth(const TriangleNearness& nearness, const TriangleBounds& bounds,
@@ -104,18 +102,20 @@ TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds)
 
 DepthLaw depth_law_of(const TriangleInView& triangle, const ViewBounds& of_view) {
     const TriangleNearness& plane = triangle.nearness;
+    if (plane.edge_on) return law_of_nothing;
     const TriangleBounds bounds = of_view.of_depth(triangle.extent);
-    DepthLaw law = BoundsOnPlane(bounds, plane.gradient).depth_law();
-    if (plane.edge_on || !std::isfinite(plane.own_error) || !std::isfinite(law.absolute + law.nearness_error))
-        return law_of_nothing;
-    law.nearness_per_x = plane.nearness.a;
-    law.nearness_per_y = plane.nearness.b;
-    law.nearness_offset = plane.nearness.c;
-    law.gradient = plane.gradient;
-    law.own_error = plane.own_error;
-    law.nearest = of_view.keeps_to_corners() ? bounds.nearest : -unlimited;
-    law.farthest = of_view.keeps_to_corners() ? bounds.farthest : unlimited;
-    return law;
+    return law_of<double>({.nearness = plane.nearness,
+                           .gradient = plane.gradient,
+                           .own_error = plane.own_error,
+                           .nearest = bounds.nearest,
+                           .farthest = bounds.farthest},
+                          {.eps_base_px = bounds.depth_eps_base_px,
+                           .eps_per_nearness = bounds.depth_eps_per_nearness,
+                           .factor = bounds.depth_factor,
+                           .absolute = bounds.depth_absolute,
+                           .nearness_error = bounds.nearness_error,
+                           .plane_offset = bounds.plane_offset},
+                          of_view.keeps_to_corners() ? KeepsToCorners::yes : KeepsToCorners::no);
 }
 
 bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world, int x, int y,

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
+#include <cstring>
 #include <limits>
 
+#include "compare/depth_terms.h"
+#include "compare/four.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -13,157 +16,200 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double clamped(double value, double low, double high) {
-    const double raised = value < low ? low : value;
-    return high < raised ? high : raised;
-}
+using Law = DepthLawOf<Four>;
 
-struct Pixel {
-    int x, y;
-};
-
-struct Range {
-    double low, truth, high;
-};
-
-/// What the projections differ in: the depths within `shift` of a nearness, and what our own rounding of the
-/// nearness comes to at depth z. Divisions come first and what they give is chosen afterwards, so that the
-/// loop has no branches.
+/// What the projections differ in: the depth of a nearness, and what our own rounding of the nearness comes
+/// to at depth z. Divisions come first and what they give is chosen afterwards, so that there are no
+/// branches.
 struct Perspective {
-    static Range range(double nearness, double shift) {
-        const double nearer = nearness + shift, farther = nearness - shift;
-        const double low = 1 / nearer, truth = 1 / nearness, high = 1 / farther;
-        return {nearer > 0 ? low : infinite, nearness > 0 ? truth : infinite, farther > 0 ? high : infinite};
+    static Four depth(const Four& nearness) {
+        const Four reciprocal = 1.0 / nearness;
+        return nearness > 0.0 ? reciprocal : everywhere<Four>(infinite);
     }
-    static double margin(double own_error, double z) { return 2 * own_error * z * z; }
+    static Four margin(const Four& own_error, const Four& z) { return 2.0 * own_error * z * z; }
 };
 struct Parallel {
-    static Range range(double nearness, double shift) {
-        return {-nearness - shift, -nearness, -nearness + shift};
-    }
-    static double margin(double own_error, double) { return own_error; }
+    static Four depth(const Four& nearness) { return -nearness; }
+    static Four margin(const Four& own_error, const Four&) { return own_error; }
 };
 
-/// The sum of depth's relative errors at a nearness. Most renderers have the same everywhere.
-struct Everywhere {
-    static double sum(double factor, double, double) { return factor; }
+/// What both renderers share at four pixels.
+struct Spot {
+    Four nearness;
+    Four here;  ///< nearness, within the corners'
+    Four depth;
 };
-struct ByNearness {
-    static double sum(double factor, double offset, double nearness) { return factor + offset / nearness; }
+
+template <class Projected>
+Spot spot_of(const Law& law, const Four& x, int y) {
+    const Four nearness = law.nearness_per_x * x + law.nearness_per_y * double(y) + law.nearness_offset;
+    return {nearness, held_between(nearness, law.least, law.highest), Projected::depth(nearness)};
+}
+
+/// What displacement does to nearness.
+Four shift_of(const Law& t, const Spot& spot) {
+    const Four reach = (t.base + t.per * spot.here) * t.amplification;
+    return smaller(t.most, reach) * t.gradient + t.nearness_error;
+}
+
+Four within_corners(const Law& t, const Four& depth) { return held_between(depth, t.nearest, t.farthest); }
+
+/// The depths that a displaced plane has, before rounding.
+struct Ends {
+    Four nearest, truth, farthest;
 };
-struct Either {
-    static double sum(double factor, double offset, double nearness) {
-        const double varying = factor + offset / nearness;
-        return offset == 0 ? factor : varying;
-    }
-};
+
+template <class Projected>
+Ends ends_of(const Law& t, const Spot& spot) {
+    const Four shift = shift_of(t, spot);
+    return {within_corners(t, Projected::depth(spot.nearness + shift)), within_corners(t, spot.depth),
+            within_corners(t, Projected::depth(spot.nearness - shift))};
+}
+
+/// Where a law's relative error is the same everywhere, its sum was compounded with the law.
+enum class Relative { everywhere, by_nearness };
+
+Relative relative_of(const Law& t) {
+    const auto varies = t.plane_offset != 0.0;
+    return (varies[0] | varies[1] | varies[2] | varies[3]) != 0 ? Relative::by_nearness
+                                                                : Relative::everywhere;
+}
+
+Four relative_error(const Law& t, const Four& here, Relative relative) {
+    if (relative == Relative::everywhere) return t.relative;
+    const Four varying = t.depth_factor + t.plane_offset / here;
+    return compounded(t.plane_offset == 0.0 ? t.depth_factor : varying);
+}
 
 /// A depth's bound, and its error over that.
 struct Held {
-    double low, truth, high, ratio;
+    Four low, truth, high, ratio;
 };
 
-/// A pixel's depth held against its law; no branches, so that neighbours are done side by side.
-template <class Projected, class Relative>
-[[gnu::always_inline]] inline Held held(const DepthLaw& t, double nearness, double z) {
-    const double here = clamped(nearness, t.least, t.highest);
-    const double reach = (t.base + t.per * here) * t.amplification;
-    const Range range =
-        Projected::range(nearness, (reach < t.most ? reach : t.most) * t.gradient + t.nearness_error);
-    const double nearest = clamped(range.low, t.nearest, t.farthest);
-    const double farthest = clamped(range.high, t.nearest, t.farthest);
-    const double truth = clamped(range.truth, nearest, farthest);
-    const double sum = Relative::sum(t.depth_factor, t.plane_offset, here), relative = sum / (1 - sum);
-    const double low = nearest - std::abs(nearest) * relative - t.absolute;
-    const double high = farthest + std::abs(farthest) * relative + t.absolute;
-    const double margin = Projected::margin(t.own_error, z), rounding = 8 * unit_roundoff_float64 * z;
-    const bool holds = (sum < 1) & (truth < infinite) & (z >= 0) & (low + margin + rounding <= z) &
-                       (z <= high - margin - rounding);
-    const double error = std::abs(z - truth), room = z < truth ? truth - low : high - truth;
-    const double share = error / room;
-    return {low, truth, high, holds ? (error > 0 ? share : 0) : unsettled};
+template <class Projected>
+Held held(const Law& t, const Ends& ends, const Four& relative, const Four& z) {
+    const Four low = ends.nearest - absolute(ends.nearest) * relative - t.absolute;
+    const Four high = ends.farthest + absolute(ends.farthest) * relative + t.absolute;
+    const Four margin = Projected::margin(t.own_error, z), rounding = 8 * unit_roundoff_float64 * z;
+    const auto holds = (relative < infinite) & (ends.truth < infinite) & (z >= 0.0) &
+                       (low + margin + rounding <= z) & (z <= high - margin - rounding);
+    const Four error = absolute(z - ends.truth);
+    const Four room = z < ends.truth ? ends.truth - low : high - ends.truth;
+    const Four share = error / room, none{};
+    return {low, ends.truth, high, holds ? (error > 0.0 ? share : none) : everywhere<Four>(unsettled)};
 }
 
-/// Pixels [first, end) of one law. It is a copy, so that what is written cannot be any of it, and stays in
-/// registers.
-template <class Projected, class Relative>
-[[gnu::always_inline]] inline void hold_run(const DepthLaw law, const Pixel& origin, std::size_t first,
-                                            std::size_t end, Strip::Side& side) {
-    const double along_column = law.nearness_per_y * origin.y;
-    const int x = origin.x + int(first), count = int(end - first);
-    const float* depth = side.camera_depth.data() + first;
-    double* ratio = side.ratio.data() + first;
-    for (int i = 0; i < count; ++i) {
-        const double nearness = law.nearness_per_x * (x + i) + along_column + law.nearness_offset;
-        ratio[i] = held<Projected, Relative>(law, nearness, depth[i]).ratio;
+constexpr std::size_t fields = sizeof(DepthLaw) / sizeof(double);
+static_assert(fields % 2 == 0 && sizeof(Law) == fields * sizeof(Four));
+
+/// Writes four laws side by side, two numbers of each at a time.
+void put_side_by_side(const std::array<const DepthLaw*, four_count>& laws, Law& all) {
+    using Two = double __attribute__((vector_size(16)));
+    const auto pair = [](const DepthLaw* law, std::size_t i) {
+        Two two;
+        std::memcpy(&two, reinterpret_cast<const char*>(law) + i * sizeof two, sizeof two);
+        return two;
+    };
+    const auto put = [&](std::size_t i, const Four& four) {
+        std::memcpy(reinterpret_cast<char*>(&all) + i * sizeof four, &four, sizeof four);
+    };
+    for (std::size_t i = 0; i < fields / 2; ++i) {
+        const Four first = __builtin_shufflevector(pair(laws[0], i), pair(laws[2], i), 0, 1, 2, 3);
+        const Four second = __builtin_shufflevector(pair(laws[1], i), pair(laws[3], i), 0, 1, 2, 3);
+        put(2 * i, __builtin_shufflevector(first, second, 0, 4, 2, 6));
+        put(2 * i + 1, __builtin_shufflevector(first, second, 1, 5, 3, 7));
     }
+}
+
+Four four_at(const float* depth) {
+    using Floats = float __attribute__((vector_size(16)));
+    Floats floats;
+    std::memcpy(&floats, depth, sizeof floats);
+    return __builtin_convertvector(floats, Four);
+}
+
+/// The four from x on.
+Four from_on(double x) { return Four{x, x + 1, x + 2, x + 3}; }
+
+/// The laws of four pixels. Where one triangle fills them they are often those of the four before.
+class LatestLaw {
+  public:
+    explicit LatestLaw(const std::vector<DepthLaw>& laws) : laws_(laws) {
+        put_side_by_side({&laws[0], &laws[0], &laws[0], &laws[0]}, law_);
+    }
+
+    void turn_to(const std::uint32_t* which) {
+        const bool is_one = ((which[0] ^ which[1]) | (which[0] ^ which[2]) | (which[0] ^ which[3])) == 0;
+        if (is_one && is_one_ && which[0] == which_) return;
+        put_side_by_side({&laws_[which[0]], &laws_[which[1]], &laws_[which[2]], &laws_[which[3]]}, law_);
+        is_one_ = is_one;
+        which_ = which[0];
+        kind_ = relative_of(law_);
+    }
+    /// Is none of the four held against anything?
+    bool is_of_nothing() const { return is_one_ && which_ == 0; }
+
+    template <class Projected>
+    Spot spot(double x, int y) const {
+        return spot_of<Projected>(law_, from_on(x), y);
+    }
+    template <class Projected>
+    void hold(const Spot& spot, const float* camera_depth, double* ratio) const {
+        const Four relative = relative_error(law_, spot.here, kind_);
+        const Held four =
+            held<Projected>(law_, ends_of<Projected>(law_, spot), relative, four_at(camera_depth));
+        std::memcpy(ratio, &four.ratio, sizeof four.ratio);
+    }
+
+  private:
+    const std::vector<DepthLaw>& laws_;
+    bool is_one_ = true;
+    std::uint32_t which_ = 0;
+    Law law_;
+    Relative kind_ = Relative::everywhere;
+};
+
+template <class Projected>
+void hold_strip(const LawsOfBoth& laws, Strip& strip) {
+    LatestLaw candidate(laws.candidate), reference(laws.reference);
+    for (std::size_t first = 0; first < Strip::width; first += four_count) {
+        const std::uint32_t *ours = &strip.candidate.law[first], *theirs = &strip.reference.law[first];
+        candidate.turn_to(ours);
+        reference.turn_to(theirs);
+        if (candidate.is_of_nothing() && reference.is_of_nothing()) {
+            std::fill_n(&strip.candidate.ratio[first], four_count, unsettled);
+            std::fill_n(&strip.reference.ratio[first], four_count, unsettled);
+            continue;
+        }
+        const double x = strip.x + int(first);
+        const Spot spot = candidate.spot<Projected>(x, strip.y);
+        const bool is_shared = std::equal(ours, ours + four_count, theirs);
+        const Spot other = is_shared ? spot : reference.spot<Projected>(x, strip.y);
+        candidate.hold<Projected>(spot, &strip.candidate.camera_depth[first], &strip.candidate.ratio[first]);
+        reference.hold<Projected>(other, &strip.reference.camera_depth[first], &strip.reference.ratio[first]);
+    }
+}
+
+template <class Projected>
+DepthRow hold_row(const DepthLaw& law, const RowPlace& row, const TileRowOf<float>& camera_depth) {
+    Law four;
+    put_side_by_side({&law, &law, &law, &law}, four);
+    const Relative kind = relative_of(four);
+    DepthRow all;
+    for (std::size_t i = 0; i < tile_columns; i += four_count) {
+        const Spot spot = spot_of<Projected>(four, from_on(row.left + int(i)), row.y);
+        const Held one = held<Projected>(four, ends_of<Projected>(four, spot),
+                                         relative_error(four, spot.here, kind), four_at(&camera_depth[i]));
+        std::memcpy(&all.low[i], &one.low, sizeof one.low);
+        std::memcpy(&all.truth[i], &one.truth, sizeof one.truth);
+        std::memcpy(&all.high[i], &one.high, sizeof one.high);
+        std::memcpy(&all.ratio[i], &one.ratio, sizeof one.ratio);
+    }
+    return all;
 }
 
 constexpr std::size_t together = 8;
 static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == together);
-
-/// `together` pixels of several laws.
-template <class Projected>
-[[gnu::always_inline]] inline void hold_mixed(const DepthLaw* laws, const Pixel& origin, std::size_t first,
-                                              Strip::Side& side) {
-    const std::uint32_t* which = side.law.data() + first;
-    const float* depth = side.camera_depth.data() + first;
-    const int x = origin.x + int(first);
-    double ratio[together];
-    for (int i = 0; i < int(together); ++i) {
-        const DepthLaw& law = laws[which[i]];
-        const double nearness =
-            law.nearness_per_x * (x + i) + law.nearness_per_y * origin.y + law.nearness_offset;
-        ratio[i] = held<Projected, Either>(law, nearness, depth[i]).ratio;
-    }
-    std::copy_n(ratio, together, side.ratio.data() + first);
-}
-
-/// The end of the pixels from `first` on that share its law, in whole steps.
-[[gnu::always_inline]] inline std::size_t end_of_law(const Strip::Values<std::uint32_t>& law,
-                                                     std::size_t first) {
-    std::size_t end = first;
-    for (; end < Strip::width; end += together) {
-        std::uint32_t difference = 0;
-        for (std::size_t i = 0; i < together; ++i) difference |= law[end + i] ^ law[first];
-        if (difference != 0) break;
-    }
-    return end;
-}
-
-template <class Projected>
-[[gnu::always_inline]] inline void hold_strip(std::span<const DepthLaw> laws, const Pixel& origin,
-                                              Strip::Side& side) {
-    for (std::size_t first = 0; first < Strip::width;) {
-        const std::size_t end = end_of_law(side.law, first);
-        const std::uint32_t which = side.law[first];
-        if (end == first)
-            hold_mixed<Projected>(laws.data(), origin, first, side);
-        else if (which == 0)
-            std::fill(side.ratio.begin() + first, side.ratio.begin() + end, unsettled);
-        else if (laws[which].plane_offset == 0)
-            hold_run<Projected, Everywhere>(laws[which], origin, first, end, side);
-        else
-            hold_run<Projected, ByNearness>(laws[which], origin, first, end, side);
-        first = std::max(end, first + together);
-    }
-}
-
-template <class Projected>
-[[gnu::always_inline]] inline DepthRow hold_row(const DepthLaw& law, const RowPlace& at,
-                                                const TileRowOf<float>& depth) {
-    const double along_column = law.nearness_per_y * at.y;
-    DepthRow row;
-    for (int i = 0; i < int(tile_columns); ++i) {
-        const double nearness = law.nearness_per_x * (at.left + i) + along_column + law.nearness_offset;
-        const Held here = held<Projected, Either>(law, nearness, depth[std::size_t(i)]);
-        row.low[std::size_t(i)] = here.low;
-        row.truth[std::size_t(i)] = here.truth;
-        row.high[std::size_t(i)] = here.high;
-        row.ratio[std::size_t(i)] = here.ratio;
-    }
-    return row;
-}
 
 /// 0 to 20.
 [[gnu::always_inline]] inline std::int32_t bin_of(double ratio) {
@@ -173,19 +219,19 @@ template <class Projected>
 
 }  // namespace
 
-/// Compiled once per instruction set. No bit depends on which runs: contraction is off, and the loops keep
-/// their order.
-[[gnu::target_clones("default", "avx2", "avx512f")]] void hold_perspective(std::span<const DepthLaw> laws,
-                                                                           int x, int y, Strip::Side& side) {
-    hold_strip<Perspective>(laws, {x, y}, side);
+/// Compiled once per instruction set, with everything that they call. No bit depends on which runs:
+/// contraction is off, and every pixel's operations keep their order.
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void hold_perspective(const LawsOfBoth& laws,
+                                                                              Strip& strip) {
+    hold_strip<Perspective>(laws, strip);
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] void hold_parallel(std::span<const DepthLaw> laws, int x,
-                                                                        int y, Strip::Side& side) {
-    hold_strip<Parallel>(laws, {x, y}, side);
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void hold_parallel(const LawsOfBoth& laws,
+                                                                           Strip& strip) {
+    hold_strip<Parallel>(laws, strip);
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] DepthRow depths_in_row(
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] DepthRow depths_in_row(
     const DepthLaw& law, Projection projection, const RowPlace& row, const TileRowOf<float>& camera_depth) {
     return projection == Projection::perspective ? hold_row<Perspective>(law, row, camera_depth)
                                                  : hold_row<Parallel>(law, row, camera_depth);

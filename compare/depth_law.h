@@ -4,7 +4,8 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
+#include <limits>
+#include <vector>
 
 #include "compare/tile_row.h"
 #include "frame/frame.h"
@@ -15,20 +16,34 @@ namespace zproof {
 /// What TriangleDepth::at and certainly_holds need of one triangle and one renderer, as plain numbers. Only
 /// for triangles whose plane and depth errors are finite; where a renderer does not keep to its corners'
 /// depths, `nearest` and `farthest` are infinite.
-struct DepthLaw {
-    double nearness_per_x = 0, nearness_per_y = 0, nearness_offset = 0;  ///< of pixel indices
-    double gradient = 0, own_error = 0;
-    double least = 0, highest = 0;                          ///< nearness
-    double base = 0, per = 0, most = 0, amplification = 0;  ///< of BoundsOnPlane's depth_eps_px
-    double depth_factor = 0, plane_offset = 0, absolute = 0, nearness_error = 0;
-    double nearest = 0, farthest = 0;
+template <class Number>
+struct DepthLawOf {
+    Number nearness_per_x, nearness_per_y, nearness_offset;  ///< of pixel indices
+    Number gradient, own_error;
+    Number least, highest;                  ///< nearness
+    Number base, per, most, amplification;  ///< of a Displacement
+    Number depth_factor, plane_offset, absolute, nearness_error;
+    Number relative;  ///< of depth, where plane_offset is 0: depth_factor compounded
+    Number nearest, farthest;
 };
+using DepthLaw = DepthLawOf<double>;
 
 /// A ratio that says: ask for this pixel by itself.
 inline constexpr double unsettled = -1;
 
 /// A law by which every depth is unsettled.
-inline constexpr DepthLaw law_of_nothing{.depth_factor = 1};
+inline constexpr DepthLaw law_of_nothing = [] {
+    DepthLaw law{};
+    law.depth_factor = 1;
+    law.relative = std::numeric_limits<double>::infinity();
+    return law;
+}();
+
+/// The laws of the same triangles for both renderers, by place. What both laws of a triangle say of its plane
+/// is the same.
+struct LawsOfBoth {
+    std::vector<DepthLaw> candidate, reference;
+};
 
 /// 64 pixels of a row, as both frames show them, on their way through the first pass.
 struct Strip {
@@ -54,8 +69,8 @@ struct Strip {
 
 /// Fills in the ratios: the same bits as TriangleDepth::at followed by error_over_bound, or `unsettled` where
 /// double precision does not hold the depth lawful for certain.
-void hold_perspective(std::span<const DepthLaw> laws, int x, int y, Strip::Side& side);
-void hold_parallel(std::span<const DepthLaw> laws, int x, int y, Strip::Side& side);
+void hold_perspective(const LawsOfBoth& laws, Strip& strip);
+void hold_parallel(const LawsOfBoth& laws, Strip& strip);
 
 /// Depths along a row held against one law: TriangleDepth::at and, as above, the ratio.
 struct DepthRow {

@@ -39,27 +39,40 @@ struct Shown {
     TileRowOf<float> camera_depth;
 
     Shown(const Frame& frame, const RowPlace& at) {
-        const auto left = std::size_t(at.left),
-                   count = std::min(tile_columns, frame.primitive.row(at.y).size() - left);
-        primitive.fill(PrimitiveId::none);
-        camera_depth.fill(background_depth);
-        std::ranges::copy(frame.primitive.row(at.y).subspan(left, count), primitive.begin());
-        std::ranges::copy(frame.camera_depth.row(at.y).subspan(left, count), camera_depth.begin());
+        take(frame.primitive.row(at.y), at.left, PrimitiveId::none, primitive);
+        take(frame.camera_depth.row(at.y), at.left, background_depth, camera_depth);
+    }
+
+  private:
+    /// Beyond the image nothing shows.
+    template <class T>
+    static void take(std::span<const T> row, int left, T beyond, TileRowOf<T>& taken) {
+        const std::span<const T> rest = row.subspan(std::size_t(left));
+        if (rest.size() >= tile_columns) {
+            std::copy_n(rest.begin(), tile_columns, taken.begin());
+        } else {
+            taken.fill(beyond);
+            std::ranges::copy(rest, taken.begin());
+        }
     }
 };
 
 /// What is certain of one renderer's answers along a row.
 struct Certain {
     ColumnMask tied = 0, visible = 0;  ///< with a lawful depth
-    DepthRow depth{};                  ///< there
+    DepthRow depth;                    ///< there; elsewhere unwritten
 
+    ColumnMask any() const { return tied | visible; }
     void add(const Layers::Standings& standings, const DepthRow& row) {
-        const ColumnMask lawful = at_least_zero(row.ratio);
+        const ColumnMask lawful = at_least_zero(row.ratio),
+                         here = (standings.tied | standings.visible) & lawful;
+        if (any() == 0)
+            depth = row;
+        else
+            depth = {chosen(depth.low, row.low, here), chosen(depth.truth, row.truth, here),
+                     chosen(depth.high, row.high, here), chosen(depth.ratio, row.ratio, here)};
         tied |= standings.tied & lawful;
         visible |= standings.visible & lawful;
-        const ColumnMask here = (standings.tied | standings.visible) & lawful;
-        depth = {chosen(depth.low, row.low, here), chosen(depth.truth, row.truth, here),
-                 chosen(depth.high, row.high, here), chosen(depth.ratio, row.ratio, here)};
     }
 };
 
@@ -163,8 +176,8 @@ class LayeredPass {
         for (std::size_t renderer = 0; renderer < 2; ++renderer)
             open &= ~above(layers.eps_px(renderer), farthest_);
         const Certain candidate = certain(layers, 0, at, ours, open);
-        const Certain reference = certain(layers, 1, at, theirs, candidate.tied | candidate.visible);
-        const ColumnMask settled = reference.tied | reference.visible;
+        const Certain reference = certain(layers, 1, at, theirs, candidate.any());
+        const ColumnMask settled = reference.any();
         std::uint32_t place = row.first;
         for (ColumnMask rest = row.pixels; rest != 0; rest &= rest - 1, ++place) {
             const auto i = std::size_t(std::countr_zero(rest));

@@ -64,7 +64,7 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
 TriangleOfView::TriangleOfView(const ViewBounds& of_view, const Sight<double>& any, const CornersWorld& p)
     : p_world(p), image(any, p), keeps_to_corners(of_view.keeps_to_corners()) {
     const TriangleExtent extent = of_view.extent_of(p);
-    plane_error = PlaneError(extent.plane_size);
+    plane_error = PlaneError(extent.size.plane);
     bounds = of_view.of(extent);
     if (any.projection != Projection::perspective) return;
     const auto here = image.at(any);

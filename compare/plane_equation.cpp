@@ -40,7 +40,7 @@ ClipPolygon clipped(const ClipPolygon& polygon, const Distance& distance) {
 ClipPolygon corners_before_divide(const Camera& c, const TriangleExtent& extent) {
     ClipPolygon corners;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double depth = extent.depth[i];
+        const double depth = extent.size.depth[i];
         corners.push_back({glm::dot(c.right, extent.v_world[i]) - c.shear.x * depth,
                            glm::dot(c.up, extent.v_world[i]) - c.shear.y * depth, depth});
     }

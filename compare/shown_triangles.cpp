@@ -2,16 +2,15 @@
 
 namespace zproof {
 
-ShownTriangles::ShownTriangles(const Witness& candidate, const Witness& reference)
-    : candidate_(candidate), reference_(reference), slots_(1024) {
+ShownTriangles::ShownTriangles(const Scene& scene, const Witness& candidate, const Witness& reference)
+    : maker_(scene, candidate, reference), slots_(1024), laws_{{law_of_nothing}, {law_of_nothing}} {
     clear();
 }
 
 void ShownTriangles::clear() {
     ++tile_;
     triangles_.assign(1, PrimitiveId::none);
-    candidate_laws_.assign(1, law_of_nothing);
-    reference_laws_.assign(1, law_of_nothing);
+    made_ = 1;
 }
 
 std::uint32_t ShownTriangles::place_of(PrimitiveId triangle) {
@@ -36,11 +35,8 @@ void ShownTriangles::grow() {
 }
 
 void ShownTriangles::make_laws() {
-    for (std::size_t place = candidate_laws_.size(); place < triangles_.size(); ++place) {
-        const TriangleInView triangle = candidate_.triangle_in_view(triangles_[place]);
-        candidate_laws_.push_back(depth_law_of(triangle, candidate_.bounds()));
-        reference_laws_.push_back(depth_law_of(triangle, reference_.bounds()));
-    }
+    maker_.make(std::span(triangles_).subspan(made_), made_, laws_);
+    made_ = triangles_.size();
 }
 
 }  // namespace zproof

@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "compare/witness.h"
+#include "compare/law_maker.h"
 
 namespace zproof {
 
 class ShownTriangles {
   public:
-    ShownTriangles(const Witness& candidate, const Witness& reference);
+    ShownTriangles(const Scene& scene, const Witness& candidate, const Witness& reference);
 
     /// Forgets all, for another tile.
     void clear();
@@ -18,8 +18,7 @@ class ShownTriangles {
     /// Makes the laws of what was shown since.
     void make_laws();
 
-    std::span<const DepthLaw> candidate_laws() const { return candidate_laws_; }
-    std::span<const DepthLaw> reference_laws() const { return reference_laws_; }
+    const LawsOfBoth& laws() const { return laws_; }
 
   private:
     /// Of a table with open addressing; of this tile where its tile is the present one.
@@ -29,11 +28,12 @@ class ShownTriangles {
     };
     void grow();
 
-    const Witness &candidate_, &reference_;
+    LawMaker maker_;
     std::vector<PrimitiveId> triangles_;  ///< by place
     std::vector<Slot> slots_;
     std::uint64_t tile_ = 1;
-    std::vector<DepthLaw> candidate_laws_, reference_laws_;
+    LawsOfBoth laws_;       ///< by place, and what is left of earlier tiles
+    std::size_t made_ = 0;  ///< so many are of this one
 };
 
 }  // namespace zproof

@@ -91,7 +91,7 @@ TriangleFilter TriangleFilters::of(const CornersWorld& p_world) const {
 
 TriangleFilter TriangleFilters::by_functionals(const CornersWorld& p_world) const {
     TriangleFilter filter;
-    const PlaneError plane_error(any_bounds_.extent_of(p_world).plane_size);
+    const PlaneError plane_error(any_bounds_.extent_of(p_world).size.plane);
     if (!plane_error.is_known()) return filter;
     const Corners<double> p{exactly<double>(glm::dvec3(p_world[0])), exactly<double>(glm::dvec3(p_world[1])),
                             exactly<double>(glm::dvec3(p_world[2]))};

@@ -47,20 +47,30 @@ TriangleImage<Number> oriented(TriangleImage<Number> image, int orientation) {
 
 }  // namespace detail
 
+/// The nearness functional before its division: the plane holds the line of sight's origin (perspective) or
+/// direction (parallel) where the divisor is 0.
+template <class Number>
+struct ScaledNearness {
+    Number divisor;
+    Affine<Number> scaled;
+};
+
+template <class Number>
+ScaledNearness<Number> scaled_nearness(const Sight<Number>& sight, const Corners<Number>& p_world) {
+    const Vector3<Number> v0 = p_world[0] - sight.origin;
+    const Vector3<Number> normal = cross((p_world[1] - sight.origin) - v0, (p_world[2] - sight.origin) - v0);
+    if (sight.projection == Projection::perspective)
+        return {dot(v0, normal), detail::perspective_functional(sight, normal)};
+    return {-dot(normal, sight.direction),
+            {-dot(normal, sight.step_x), -dot(normal, sight.step_y), dot(normal, v0)}};
+}
+
 /// The nearness of image_of() and nothing else, in the same bits.
 template <class Number>
 std::optional<Affine<Number>> nearness_of(const Sight<Number>& sight, const Corners<Number>& p_world) {
-    const Vector3<Number> v0 = p_world[0] - sight.origin;
-    const Vector3<Number> normal = cross((p_world[1] - sight.origin) - v0, (p_world[2] - sight.origin) - v0);
-    if (sight.projection == Projection::perspective) {
-        const Number volume = dot(v0, normal);
-        if (sign(volume) == 0) return std::nullopt;
-        return (Number(1) / volume) * detail::perspective_functional(sight, normal);
-    }
-    const Number facing = dot(normal, sight.direction);
-    if (sign(facing) == 0) return std::nullopt;
-    return (Number(-1) / facing) *
-           Affine<Number>{-dot(normal, sight.step_x), -dot(normal, sight.step_y), dot(normal, v0)};
+    const ScaledNearness<Number> plane = scaled_nearness(sight, p_world);
+    if (sign(plane.divisor) == 0) return std::nullopt;
+    return (Number(1) / plane.divisor) * plane.scaled;
 }
 
 /// The image of a triangle, or nothing where its plane holds the line of sight's origin (perspective) or

@@ -29,6 +29,7 @@ class Witness {
     Answer answer_at(int x, int y) const { return {frame_.primitive.at(x, y), frame_.camera_depth.at(x, y)}; }
     const Frame& frame() const { return frame_; }
     const ViewBounds& bounds() const { return bounds_; }
+    const View& view() const { return view_; }
     Projection projection() const { return first_pixel_.projection; }
 
     /// The same for every witness of the view. The id must be a triangle of the scene.

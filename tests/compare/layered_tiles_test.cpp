@@ -93,6 +93,25 @@ TEST(LayeredTiles, AreSettledAsOnePixelAfterTheOther) {
     EXPECT_GT(left, 500u);
 }
 
+TEST(LayeredTiles, LeaveSquaresThatReachBeyondTheSearch) {
+    const Trial walls(Projection::perspective, width, height, {wall(4), wall(4)});
+    Frame ours = walls.candidate, theirs = walls.reference;
+    answer_everywhere(ours, 0, 4);
+    answer_everywhere(theirs, 1, 4);
+    for (const int subpixel_bits : {8, -3}) {
+        const Witness candidate(walls.scene, walls.view,
+                                {ours, RasterPrecision{.subpixel_bits = subpixel_bits}}),
+            reference(walls.scene, walls.view, {theirs, ray_precision()});
+        const auto open = compare_rows(walls.scene, walls.view, candidate, reference, {0, height}).open;
+        Verdict verdict;
+        verdict.classes = Plane<PixelClass>({width, height}, PixelClass::agree);
+        verdict.findings.resize(open.size());
+        const LayeredFindings layered =
+            settle_layers({walls.scene, walls.view, candidate, reference}, open, verdict);
+        EXPECT_EQ(layered.left.size(), subpixel_bits == 8 ? 0 : open.size());
+    }
+}
+
 TEST(LayeredTiles, LeaveWhatIsHidden) {
     Trial trial(Projection::perspective, width, height, {wall(4), wall(8)});
     answer_everywhere(trial.candidate, 1, 8);

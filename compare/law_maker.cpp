@@ -1,0 +1,132 @@
+#include "compare/law_maker.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace zproof {
+
+namespace {
+
+Vector3<Four> in_four(const Vector3<double>& v) {
+    return {everywhere<Four>(v.x), everywhere<Four>(v.y), everywhere<Four>(v.z)};
+}
+
+Sight<Four> in_four(const Sight<double>& sight) {
+    Sight<Four> four;
+    four.projection = sight.projection;
+    four.origin = in_four(sight.origin);
+    four.direction = in_four(sight.direction);
+    four.step_x = in_four(sight.step_x);
+    four.step_y = in_four(sight.step_y);
+    return four;
+}
+
+LawMaker::Lens::Side side_of(const ViewBounds& bounds) {
+    return {bounds.common_terms(), bounds.keeps_to_corners() ? KeepsToCorners::yes : KeepsToCorners::no};
+}
+
+/// Floats, widened without loss.
+Four widened(float a, float b, float c, float d) {
+    using Floats = float __attribute__((vector_size(16)));
+    return __builtin_convertvector((Floats{a, b, c, d}), Four);
+}
+
+/// A triangle to each lane.
+Corners<Four> side_by_side(const std::array<CornersWorld, four_count>& p) {
+    const auto corner = [&](std::size_t i) -> Vector3<Four> {
+        return {widened(p[0][i].x, p[1][i].x, p[2][i].x, p[3][i].x),
+                widened(p[0][i].y, p[1][i].y, p[2][i].y, p[3][i].y),
+                widened(p[0][i].z, p[1][i].z, p[2][i].z, p[3][i].z)};
+    };
+    return {corner(0), corner(1), corner(2)};
+}
+
+PlaneOfLaw<Four> plane_of(const LawMaker::Lens& lens, const TriangleSize<Four>& triangle,
+                          const Corners<Four>& p) {
+    const ScaledNearness<Four> plane = scaled_nearness(lens.first_pixel, p);
+    const Affine<Four> nearness = (1.0 / plane.divisor) * plane.scaled;
+    const auto& depth = triangle.depth;
+    const Four low = smaller(smaller(depth[0], depth[1]), depth[2]);
+    const Four high = larger(larger(depth[0], depth[1]), depth[2]);
+    return {.nearness = nearness,
+            .gradient = absolute(nearness.a) + absolute(nearness.b),
+            .own_error = own_error_of(triangle.plane, nearness, lens.size),
+            .nearest = held_between(low, lens.near_depth, lens.far_depth),
+            .farthest = held_between(high, lens.near_depth, lens.far_depth)};
+}
+
+DepthLawOf<Four> law_of(const LawMaker::Lens::Side& side, const PlaneOfLaw<Four>& plane,
+                        const TriangleSize<Four>& triangle) {
+    const auto* raster = std::get_if<RasterTerms>(&side.terms);
+    return law_of(plane, raster ? raster->of(triangle) : std::get_if<RayTerms>(&side.terms)->of(triangle),
+                  side.keeps);
+}
+
+using LawsOfFour = std::span<DepthLaw, four_count>;
+
+void part(const DepthLawOf<Four>& together, LawsOfFour laws) {
+    constexpr std::size_t fields = sizeof(DepthLaw) / sizeof(double);
+    static_assert(sizeof together == fields * sizeof(Four));
+    const auto all = std::bit_cast<std::array<Four, fields>>(together);
+    for (std::size_t lane = 0; lane < four_count; ++lane) {
+        std::array<double, fields> one;
+        for (std::size_t i = 0; i < fields; ++i) one[i] = all[i][lane];
+        laws[lane] = std::bit_cast<DepthLaw>(one);
+    }
+}
+
+/// Compiled once per instruction set, with everything that it calls. No bit depends on which runs.
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void make_four(
+    const LawMaker::Lens& lens, const std::array<CornersWorld, four_count>& p_world, LawsOfFour candidate,
+    LawsOfFour reference) {
+    const Corners<Four> p = side_by_side(p_world);
+    const TriangleSize<Four> triangle = lens.gauge(p);
+    const PlaneOfLaw<Four> plane = plane_of(lens, triangle, p);
+    part(law_of(lens.candidate, plane, triangle), candidate);
+    part(law_of(lens.reference, plane, triangle), reference);
+}
+
+}  // namespace
+
+LawMaker::LawMaker(const Scene& scene, const Witness& candidate, const Witness& reference)
+    : scene_(scene), candidate_(candidate), reference_(reference) {
+    const View& view = candidate.view();
+    lens_ = {.first_pixel = in_four(Sight<double>(view, 0, 0)),
+             .gauge = candidate.bounds().gauge<Four>(),
+             .size = {view.width, view.height},
+             .near_depth = everywhere<Four>(view.camera.near_depth),
+             .far_depth = everywhere<Four>(view.camera.far_depth),
+             .candidate = side_of(candidate.bounds()),
+             .reference = side_of(reference.bounds())};
+    is_common_ = lens_.candidate.terms.index() != 0 && lens_.reference.terms.index() != 0;
+}
+
+void LawMaker::make(std::span<const PrimitiveId> triangles, std::size_t first_place, LawsOfBoth& laws) const {
+    // whole groups of four; whoever stands in those of the last group that nobody asked for goes again
+    const std::size_t room = first_place + triangles.size() + four_count;
+    if (laws.candidate.size() < room) {
+        laws.candidate.resize(2 * room);
+        laws.reference.resize(2 * room);
+    }
+    if (!is_common_) return make_one_by_one(triangles, first_place, laws);
+    std::array<CornersWorld, four_count> p_world{};
+    for (std::size_t first = 0; first < triangles.size(); first += four_count) {
+        const std::size_t count = std::min(four_count, triangles.size() - first);
+        for (std::size_t i = 0; i < count; ++i)
+            p_world[i] = corners_of(scene_, std::uint32_t(triangles[first + i]));
+        make_four(lens_, p_world, LawsOfFour(laws.candidate.data() + first_place + first, four_count),
+                  LawsOfFour(laws.reference.data() + first_place + first, four_count));
+    }
+}
+
+void LawMaker::make_one_by_one(std::span<const PrimitiveId> triangles, std::size_t first_place,
+                               LawsOfBoth& laws) const {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const TriangleInView triangle = candidate_.triangle_in_view(triangles[i]);
+        laws.candidate[first_place + i] = depth_law_of(triangle, candidate_.bounds());
+        laws.reference[first_place + i] = depth_law_of(triangle, reference_.bounds());
+    }
+}
+
+}  // namespace zproof

@@ -1,0 +1,75 @@
+#include "compare/law_maker.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "random_surroundings.h"
+#include "stage.h"
+
+namespace zproof {
+namespace {
+
+/// The surroundings' scene, and triangles that are seen edge-on, or are points.
+Scene extended(const Surroundings& s) {
+    Scene scene = s.scene;
+    const auto add = [&](const CornersWorld& p) {
+        const auto first = std::uint32_t(scene.vertices.position_world.size());
+        scene.vertices.position_world.insert(scene.vertices.position_world.end(), p.begin(), p.end());
+        scene.triangles.push_back({first, first + 1, first + 2});
+    };
+    const glm::vec3 eye = s.view.camera.eye_world, away = eye - glm::vec3(s.view.camera.back);
+    add({eye, away, away + glm::vec3(s.view.camera.right)});
+    add({away, away, away});
+    return scene;
+}
+
+std::vector<PrimitiveId> all_of(const Scene& scene) {
+    std::vector<PrimitiveId> ids;
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i) ids.push_back(PrimitiveId(i));
+    return ids;
+}
+
+/// Are they the same bits? Two laws that settle nothing may differ.
+void expect_same(const DepthLaw& law, const DepthLaw& expected) {
+    EXPECT_EQ(std::isinf(law.relative), std::isinf(expected.relative));
+    if (std::isinf(law.relative) && std::isinf(expected.relative)) return;
+    EXPECT_EQ(std::memcmp(&law, &expected, sizeof law), 0)
+        << law.own_error << " " << expected.own_error << ", " << law.absolute << " " << expected.absolute;
+}
+
+/// Pairs of renderers: all that have laws in common terms, one way and the other, and one that has not.
+std::vector<std::pair<Precision, Precision>> pairs() {
+    const RasterPrecision ours{.transform = Arithmetic::float64};
+    const RasterPrecision from_eye{
+        .transform = Arithmetic::float64, .origin = Origin::eye, .subpixel_bits = 4};
+    return {{ours, RayPrecision{}}, {RayPrecision{}, from_eye}, {ours, PlaneRayPrecision{}}};
+}
+
+TEST(LawMaker, GivesEachTriangleTheBitsOfItsOwnLaw) {
+    int asked = 0, of_nothing = 0;
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const Scene scene = extended(s);
+        const Frame frame({s.view.width, s.view.height});
+        const auto [ours, theirs] = pairs()[seed % 3];
+        const Witness candidate(scene, s.view, {frame, ours}), reference(scene, s.view, {frame, theirs});
+        LawsOfBoth laws{{law_of_nothing}, {law_of_nothing}};
+        LawMaker(scene, candidate, reference).make(all_of(scene), 1, laws);
+        EXPECT_EQ(laws.candidate[0].relative, law_of_nothing.relative);
+        for (const PrimitiveId id : all_of(scene)) {
+            const std::size_t place = 1 + std::size_t(id);
+            const TriangleInView triangle = candidate.triangle_in_view(id);
+            expect_same(laws.candidate[place], depth_law_of(triangle, candidate.bounds()));
+            expect_same(laws.reference[place], depth_law_of(triangle, reference.bounds()));
+            ++asked, of_nothing += std::isinf(laws.candidate[place].relative);
+        }
+    }
+    EXPECT_GT(asked, 2000);
+    EXPECT_GT(of_nothing, 300) << "among them triangles of which nothing is known";
+    EXPECT_LT(of_nothing, asked / 2);
+}
+
+}  // namespace
+}  // namespace zproof
