@@ -126,17 +126,33 @@ def plot():
     by_triangles = [growth(*t, 1920, 1080) for t in TRIANGLES]
     by_pixels = [growth(708, 707, *p) for p in PIXELS]
     for row in by_triangles + by_pixels:
-        allowed = 3 * row["scene_mib"] + 2 * row["frame_mib"]
+        row["allowed_mib"] = 3 * row["scene_mib"] + 2 * row["frame_mib"]
         print(f"{row['triangles']:9} triangles {row['width']:5} x {row['height']:4}  "
               + "  ".join(f"{s[:-6]} {row[s]:7.3f} s" for s in stages)
-              + f"  {row['mib']:7.0f} MiB (three times the scene, and frames: {allowed:.0f})")
+              + f"  {row['mib']:7.0f} MiB (three times the scene, and frames: {row['allowed_mib']:.0f})")
     for row in by_pixels:
         row["megapixels"] = row["width"] * row["height"] / 1e6
     write_chart(OUT / "time-over-triangles.svg", by_triangles, "triangles", stages, "processor seconds, all threads")
     write_chart(OUT / "time-over-pixels.svg", by_pixels, "megapixels", stages, "processor seconds, all threads")
-    write_chart(OUT / "memory-over-triangles.svg", by_triangles, "triangles", ["mib", "scene_mib"], "MiB")
+    write_chart(OUT / "memory-over-triangles.svg", by_triangles, "triangles", ["mib", "allowed_mib", "scene_mib"], "MiB")
     (OUT / "growth.json").write_text(json.dumps({"triangles": by_triangles, "pixels": by_pixels}, indent=2))
     return 0
+
+
+LABELS = {"mib": "peak", "allowed_mib": "3 scenes, frames", "scene_mib": "scene"}
+
+
+def grouped(number):
+    """12345678 as 12 345 678; what is not whole with a digit behind the point."""
+    return f"{number:,.0f}".replace(",", " ") if number == int(number) else f"{number:.1f}"
+
+
+def label_places(ends):
+    """Heights for labels at the lines' ends: where lines end close together, labels stand below one another."""
+    places, last = {}, -math.inf
+    for name, y in sorted(ends.items(), key=lambda end: end[1]):
+        places[name] = last = max(y, last + 13)
+    return places
 
 
 def write_chart(file, rows, x, series, unit):
@@ -158,17 +174,19 @@ def write_chart(file, rows, x, series, unit):
         parts.append(f'<path d="M{margin} {y:.1f}H{width - margin - 60}" stroke="#ddd"/>'
                      f'<text x="{margin - 6}" y="{y + 4:.1f}" text-anchor="end">{10.0 ** decade:g}</text>')
     for row, px in zip(rows, xs):
-        parts.append(f'<text x="{place(px, low)[0]:.1f}" y="{height - margin + 18}" text-anchor="middle">{row[x]:g}</text>')
+        parts.append(f'<text x="{place(px, low)[0]:.1f}" y="{height - margin + 18}" text-anchor="middle">{grouped(row[x])}</text>')
     parts.append(f'<text x="{width / 2}" y="{height - 12}" text-anchor="middle">{x}</text>'
                  f'<text x="14" y="{margin - 20}">{unit}</text>')
     start = place(left, low)
     end = place(min(right, left + high - low), low + min(right - left, high - low))
     parts.append(f'<path d="M{start[0]:.1f} {start[1]:.1f}L{end[0]:.1f} {end[1]:.1f}" stroke="#999" stroke-dasharray="4"/>')
-    for colour, name in zip(colours, series):
-        points = [place(px, math.log10(max(r[name], 1e-6))) for r, px in zip(rows, xs)]
+    lines = {name: [place(px, math.log10(max(r[name], 1e-6))) for r, px in zip(rows, xs)] for name in series}
+    heights = label_places({name: points[-1][1] for name, points in lines.items()})
+    for colour, (name, points) in zip(colours, lines.items()):
         path = "L".join(f"{a:.1f} {b:.1f}" for a, b in points)
         parts.append(f'<path d="M{path}" fill="none" stroke="{colour}" stroke-width="2"/>'
-                     f'<text x="{points[-1][0] + 6:.1f}" y="{points[-1][1] + 4:.1f}" fill="{colour}">{name.split("_")[0]}</text>')
+                     f'<text x="{points[-1][0] + 6:.1f}" y="{heights[name] + 4:.1f}" fill="{colour}">'
+                     f'{LABELS.get(name, name.split("_")[0])}</text>')
     Path(file).write_text("\n".join(parts) + "\n</svg>\n")
     print(file)
 

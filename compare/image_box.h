@@ -48,16 +48,24 @@ class BoxProjection {
     /// Around the image of one corner; nothing where it lies behind half the near depth or is no place.
     std::optional<Box> operator()(const glm::vec3& p_world) const;
 
+    /// What it is made of, for those who project many corners: a corner at depth z >= least_depth lies at
+    /// (u - left) px_per_u, (top - v) px_per_v, with an error of at most
+    /// px_of_rounding |corner - eye|_1 + 16 u max(|x|, |y|, 65536).
+    struct Terms {
+        Camera camera;
+        bool perspective;
+        double px_per_u, px_per_v;
+        double least_depth;     ///< half the near depth
+        double px_of_rounding;  ///< per unit of a corner's distance from the eye
+    };
+    const Terms& terms() const { return terms_; }
+
   private:
     glm::dvec3 to_camera(const glm::dvec3& from_eye) const;
     void add(Box& box, const glm::dvec3& p_camera) const;
     Box widened(Box box, double size) const;
 
-    Camera camera_;
-    bool perspective_;
-    double px_per_u_, px_per_v_;
-    double least_depth_;     ///< half the near depth
-    double px_of_rounding_;  ///< per unit of a corner's distance from the eye
+    Terms terms_;
 };
 
 }  // namespace zproof

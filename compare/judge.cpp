@@ -157,7 +157,8 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     verdict.reference_defects = count.reference_defects;
     verdict.adjudicated = count.adjudicated;
     verdict.exact = count.exact;
-    std::erase_if(verdict.findings, [](const Finding& f) { return f.verdict == PixelClass::agree; });
+    if (count.classes[std::size_t(PixelClass::agree)] != 0)
+        std::erase_if(verdict.findings, [](const Finding& f) { return f.verdict == PixelClass::agree; });
     return verdict;
 }
 

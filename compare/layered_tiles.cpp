@@ -14,8 +14,14 @@ namespace zproof {
 
 namespace {
 
-/// Open pixels of a tile from which on it is worth the trouble to look at whole rows.
-constexpr std::uint32_t many = 16;
+/// Open pixels of a tile from which on it is worth the trouble to look at whole rows, and of each row that
+/// has any.
+constexpr std::uint32_t many = 16, many_of_row = 4;
+
+bool is_layered(const OpenTiles::Tile& tile) {
+    const auto rows = std::ranges::count_if(tile.rows, [](const OpenTiles::Row& r) { return r.pixels != 0; });
+    return tile.count >= many && tile.count >= many_of_row * std::uint32_t(rows);
+}
 
 /// How far triangles are looked for around a pixel. Squares that are larger are left.
 constexpr double reach_px = 1;
@@ -122,7 +128,7 @@ class LayeredPass {
         AskedBoxes asked(tiles.count());
         for (int row = 0; row < tiles.rows; ++row)
             for (int column = 0; column < tiles.columns; ++column) {
-                if (tiles_.at(column, row).count < many) continue;
+                if (!is_layered(tiles_.at(column, row))) continue;
                 Around box = centres(column, row);
                 box.half_x += reach_px, box.half_y += reach_px;
                 asked.add(tiles.index(column, row), raster_box(box), reach_px);
@@ -152,7 +158,7 @@ class LayeredPass {
         if (tile.count == 0) return;
         Memories& memories = memories_.local();
         std::optional<Layers> layers;
-        if (tile.count >= many)
+        if (is_layered(tile))
             layers.emplace(Layers::Shared{sights_, memories.acquaintance, memories.coplanar},
                            centres(column, row), near.of(tiles_.tiles().index(column, row)), bounds());
         for (std::size_t y = 0; y < tile.rows.size(); ++y) {
@@ -171,8 +177,8 @@ class LayeredPass {
     ColumnMask settle_row(Layers& layers, const RowPlace& at, const OpenTiles::Row& row,
                           ClassCounts& counts) {
         const Shown ours(of_.candidate.frame(), at), theirs(of_.reference.frame(), at);
-        layers.turn_to(at.y);
-        ColumnMask open = row.pixels & ~equal(ours.primitive, theirs.primitive);
+        ColumnMask open = layers.turn_to(at.y, row.pixels & ~equal(ours.primitive, theirs.primitive));
+        if (open == 0) return 0;
         for (std::size_t renderer = 0; renderer < 2; ++renderer)
             open &= ~above(layers.eps_px(renderer), farthest_);
         const Certain candidate = certain(layers, 0, at, ours, open);

@@ -53,7 +53,7 @@ void Layers::sort_out() {
             r.clear |= Set(r.triangles[i]->is_clear_of_planes(layers_[i].known->filter, tile_)) << i;
 }
 
-void Layers::turn_to(int y) {
+void Layers::place(int y) {
     row_ = {left_, y};
     cut_ = 0;
     for (Layer& layer : layers_) {
@@ -62,14 +62,21 @@ void Layers::turn_to(int y) {
         layer.covers = places.covers;
         cut_ |= places.cuts;
     }
+}
+
+ColumnMask Layers::turn_to(int y, ColumnMask pixels) {
+    place(y);
+    const ColumnMask uncut = pixels & ~cut_;
+    if (uncut == 0) return 0;
     sight_.emplace(shared_.sights, row_);
     for (std::size_t i = 0; i < layers_.size(); ++i) {
         Layer& layer = layers_[i];
         layer.row.reset();
-        if ((layer.covers & ~cut_) != 0)
+        if ((layer.covers & uncut) != 0)
             layer.row.emplace(renderers_.front().triangles[i]->of_view.image, *sight_);
     }
     for (Renderer& r : renderers_) turn(r);
+    return uncut;
 }
 
 void Layers::turn(Renderer& renderer) const {

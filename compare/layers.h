@@ -29,8 +29,9 @@ class Layers {
     /// Are there few enough triangles, all of them trusted? If not, nothing may be asked.
     bool are_known() const { return are_known_; }
 
-    /// Turns to another row.
-    void turn_to(int y);
+    /// Turns to another row. Nothing may be asked of it where it gives none of these pixels back: those whose
+    /// squares no edge may cut.
+    ColumnMask turn_to(int y, ColumnMask pixels);
 
     /// Pixels of the row at which an answer is certainly what Standing calls tied or visible, the latter at
     /// the centre.
@@ -70,6 +71,7 @@ class Layers {
         std::vector<std::optional<TriangleRow::Range>> nearness;  ///< of the row, as far as it was asked for
     };
 
+    void place(int y);
     void meet(std::span<const std::uint32_t> near);
     void sort_out();
     void turn(Renderer& renderer) const;

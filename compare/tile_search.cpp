@@ -1,11 +1,13 @@
 #include "compare/tile_search.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
+#include "compare/corner_cells.h"
 #include "compare/neighbourhood.h"
 #include "compare/triangle_filter.h"
 
@@ -13,45 +15,20 @@ namespace zproof {
 
 namespace {
 
-constexpr std::size_t chunk_triangles = 4096;
+/// Triangles that are searched together: long runs share more of their corners, short ones more threads.
+std::size_t chunk_triangles(std::size_t count) { return std::clamp<std::size_t>(count / 64, 4096, 32768); }
 
-/// A box in float32, rounded outwards, far sides negated, so that the box of several is their minimum.
-struct Outset {
-    std::array<float, 4> least;  ///< left, top, -right, -bottom
-
-    static Outset around(const Box& box) {
-        return {{down(box.left), down(box.top), down(-box.right), down(-box.bottom)}};
-    }
-    /// Of what cannot be told; the box of anything with it cannot be told either.
-    static Outset unknown() {
-        constexpr float everywhere = -std::numeric_limits<float>::infinity();
-        return {{everywhere, everywhere, everywhere, everywhere}};
-    }
-    bool is_unknown() const { return std::isinf(least[0]); }
-    static Outset of(const Outset& a, const Outset& b, const Outset& c) {
-        Outset all = a;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const float with_b = b.least[i] < all.least[i] ? b.least[i] : all.least[i];
-            all.least[i] = c.least[i] < with_b ? c.least[i] : with_b;
-        }
-        return all;
-    }
-    Box box() const { return {least[0], least[1], -least[2], -least[3]}; }
-
-  private:
-    /// At or below: rounding to float32 is within 2^-24 of the value.
-    static float down(double value) { return float(value - std::abs(value) * 0x1p-23); }
-};
-
-/// How many tiles before a place, row by row, are asked about: any in a rectangle by four look-ups.
-class AskedTiles {
+/// How many cells before a place, row by row, hold anything that is asked about: any in a rectangle by four
+/// look-ups.
+class AskedCells {
   public:
-    AskedTiles(const Tiles& tiles, const AskedBoxes& asked)
-        : width_(std::size_t(tiles.columns) + 1), sums_(width_ * (std::size_t(tiles.rows) + 1)) {
-        for (int row = 0; row < tiles.rows; ++row)
-            for (int column = 0; column < tiles.columns; ++column)
-                at(column + 1, row + 1) = at(column, row + 1) + at(column + 1, row) - at(column, row) +
-                                          !asked.of(tiles.index(column, row)).empty();
+    AskedCells(const Cells& cells, const Tiles& tiles, const AskedBoxes& asked)
+        : width_(std::size_t(cells.columns) + 1), sums_(width_ * (std::size_t(cells.rows) + 1)) {
+        for (std::size_t tile = 0; tile < tiles.count(); ++tile)
+            for (const Box& box : asked.of(tile)) mark(cells, box);
+        for (int row = 0; row < cells.rows; ++row)
+            for (int column = 0; column < cells.columns; ++column)
+                at(column + 1, row + 1) += at(column, row + 1) + at(column + 1, row) - at(column, row);
     }
     /// Both ends included.
     bool any(int left, int top, int right, int bottom) const {
@@ -59,6 +36,12 @@ class AskedTiles {
     }
 
   private:
+    void mark(const Cells& cells, const Box& box) {
+        const int right = cells.column_of(box.right), bottom = cells.row_of(box.bottom);
+        for (int row = cells.row_of(box.top); row <= bottom; ++row)
+            for (int column = cells.column_of(box.left); column <= right; ++column)
+                at(column + 1, row + 1) = 1;
+    }
     std::uint32_t& at(int column, int row) { return sums_[std::size_t(row) * width_ + std::size_t(column)]; }
     std::uint32_t at(int column, int row) const {
         return sums_[std::size_t(row) * width_ + std::size_t(column)];
@@ -68,11 +51,47 @@ class AskedTiles {
     std::vector<std::uint32_t> sums_;
 };
 
+/// The cells of the corners of a run of triangles, each found once where the run's indices lie close
+/// together, as they do in most meshes, and otherwise once for every triangle. Only the run's are kept: those
+/// of a whole scene would take a quarter of the scene's own memory.
+class RunCorners {
+  public:
+    RunCorners(std::span<const glm::vec3> p_world, const CornerCells& cells,
+               std::span<const glm::uvec3> run) {
+        std::uint32_t first = UINT32_MAX, last = 0;
+        for (const glm::uvec3& t : run) {
+            first = std::min({first, t.x, t.y, t.z});
+            last = std::max({last, t.x, t.y, t.z});
+        }
+        is_shared_ = last - first < 3 * run.size();
+        first_ = first;
+        std::vector<glm::vec3> apart;
+        if (!is_shared_)
+            for (const glm::uvec3& t : run)
+                apart.insert(apart.end(), {p_world[t.x], p_world[t.y], p_world[t.z]});
+        const auto corners = is_shared_ ? p_world.subspan(first, std::size_t{last} - first + 1) : apart;
+        reach_.resize(corners.size());
+        cells.find(corners, reach_);
+    }
+
+    /// Of triangle i of the run, which has these corners.
+    CellReach of(std::size_t i, const glm::uvec3& t) const {
+        const glm::uvec3 at = is_shared_ ? t - first_ : std::uint32_t(3 * i) + glm::uvec3(0, 1, 2);
+        return CellReach::of(reach_[at.x], reach_[at.y], reach_[at.z]);
+    }
+
+  private:
+    bool is_shared_ = false;
+    std::uint32_t first_ = 0;
+    std::vector<CellReach> reach_;
+};
+
 struct Meeting {
     std::uint32_t tile, triangle;
 };
 
-/// Finds the tiles that one triangle meets. Its edges are asked only where its box does not say no.
+/// Finds the tiles that one triangle meets. Its box is asked only where its corners' cells do not say no, and
+/// its edges only where its box does not.
 class TileSearch {
   public:
     TileSearch(const Scene& scene, const View& view, const AskedBoxes& asked)
@@ -80,26 +99,22 @@ class TileSearch {
           asked_(asked),
           reach_px_(asked.reach_px()),
           tiles_(view),
-          asked_tiles_(tiles_, asked),
+          cells_(view),
+          asked_cells_(cells_, tiles_, asked),
           projection_(view),
-          filters_(view),
-          corners_(scene.vertices.position_world.size(), Outset::unknown()) {
-        const auto& p_world = scene.vertices.position_world;
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, p_world.size(), chunk_triangles),
-                          [&](const auto& some) {
-                              for (std::size_t i = some.begin(); i < some.end(); ++i)
-                                  if (const auto box = projection_(p_world[i]))
-                                      corners_[i] = Outset::around(*box);
-                          });
-    }
+          corner_cells_(projection_, cells_),
+          filters_(view) {}
 
-    void search(std::uint32_t triangle, std::vector<Meeting>& found) const {
-        const glm::uvec3 v = scene_.triangles[triangle];
-        const Outset all = Outset::of(corners_[v.x], corners_[v.y], corners_[v.z]);
-        if (!all.is_unknown())
-            search(triangle, all.box(), found);
-        else if (const auto box = projection_(corners_of(scene_, triangle)))
-            search(triangle, *box, found);
+    /// Triangles from first to before end, ascending.
+    void search(std::size_t first, std::size_t end, std::vector<Meeting>& found) const {
+        const std::span run = std::span(scene_.triangles).subspan(first, end - first);
+        const RunCorners corners(scene_.vertices.position_world, corner_cells_, run);
+        for (std::size_t i = 0; i < run.size(); ++i) {
+            const CellReach all = corners.of(i, run[i]);
+            if (!asked_cells_.any(all.left(), all.top(), all.right(), all.bottom())) continue;
+            const auto triangle = std::uint32_t(first + i);
+            if (const auto box = projection_(corners_of(scene_, triangle))) search(triangle, *box, found);
+        }
     }
 
   private:
@@ -109,7 +124,6 @@ class TileSearch {
                   right = clamped(box.right + reach, tiles_.columns);
         const int top = clamped(box.top - reach, tiles_.rows),
                   bottom = clamped(box.bottom + reach, tiles_.rows);
-        if (!asked_tiles_.any(left, top, right, bottom)) return;
         std::optional<TriangleFilter> edges;
         const auto may_meet = [&](const Box& asked) {
             if (!box.meets(asked)) return false;
@@ -132,10 +146,11 @@ class TileSearch {
     const AskedBoxes& asked_;
     double reach_px_;
     Tiles tiles_;
-    AskedTiles asked_tiles_;
+    Cells cells_;
+    AskedCells asked_cells_;
     BoxProjection projection_;
+    CornerCells corner_cells_;
     TriangleFilters filters_;
-    std::vector<Outset> corners_;
 };
 
 }  // namespace
@@ -159,11 +174,11 @@ TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const Ask
     : first_(Tiles(view).count() + 1) {
     const TileSearch tile_search(scene, view, asked);
     const std::size_t count = scene.triangles.size();
-    std::vector<std::vector<Meeting>> chunks((count + chunk_triangles - 1) / chunk_triangles);
+    const std::size_t length = chunk_triangles(count);
+    std::vector<std::vector<Meeting>> chunks((count + length - 1) / length);
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t chunk) {
-        const std::size_t end = std::min(count, (chunk + 1) * chunk_triangles);
-        for (std::size_t t = chunk * chunk_triangles; t < end; ++t)
-            tile_search.search(std::uint32_t(t), chunks[chunk]);
+        const std::size_t first = chunk * length;
+        tile_search.search(first, std::min(count, first + length), chunks[chunk]);
     });
     for (const auto& chunk : chunks)
         for (const Meeting& m : chunk) ++first_[m.tile + 1];

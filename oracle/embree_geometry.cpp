@@ -1,5 +1,7 @@
 #include "oracle/embree_geometry.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -38,6 +40,11 @@ GeometryHandle triangle_geometry(RTCDevice device, const Scene& scene) {
     return geometry;
 }
 
+RTCSceneFlags flags_for(std::size_t triangles) {
+    return triangles < compact_from_triangles ? RTC_SCENE_FLAG_ROBUST
+                                              : RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT;
+}
+
 }  // namespace
 
 DeviceHandle new_device() {
@@ -49,8 +56,10 @@ DeviceHandle new_device() {
 
 SceneHandle share_triangles(RTCDevice device, const Scene& scene) {
     refuse_unacceptable_positions(scene);
+    // A large tree takes memory of its own; what was freed before need not lie idle beside it.
+    if (scene.triangles.size() >= compact_from_triangles) malloc_trim(0);
     SceneHandle shared(rtcNewScene(device));
-    rtcSetSceneFlags(shared.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(shared.get(), flags_for(scene.triangles.size()));
     if (!scene.triangles.empty()) {
         rtcAttachGeometry(shared.get(), triangle_geometry(device, scene).get());
     }

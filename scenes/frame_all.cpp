@@ -1,9 +1,14 @@
 #include "scenes/frame_all.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <numbers>
+#include <span>
 
 #include "scenes/scene_error.h"
 
@@ -11,20 +16,65 @@ namespace zproof {
 namespace {
 
 constexpr double yfov = std::numbers::pi / 4;
-constexpr double margin = 1.05;  ///< air around the bounds
+constexpr double margin = 1.05;                ///< air around the bounds
+constexpr std::size_t worth_a_task = 1 << 12;  ///< triangles
 const glm::dvec3 towards_eye = glm::normalize(glm::dvec3(0.5, 0.35, 1));
 
-/// The eight corners of the bounds of every vertex that a triangle uses.
+/// A vertex and whatever follows it in memory, side by side.
+typedef float Lanes __attribute__((vector_size(16)));
+
+static_assert(sizeof(glm::vec3) + Positions::allocator_type::padding >= sizeof(Lanes));
+
+Lanes lanes_of(const glm::vec3& position) {
+    Lanes lanes;
+    std::memcpy(&lanes, &position, sizeof lanes);
+    return lanes;
+}
+
+Lanes least(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
+Lanes most(const Lanes& a, const Lanes& b) { return a > b ? a : b; }
+
+struct Bounds {
+    Lanes low{INFINITY, INFINITY, INFINITY}, high = -low;
+
+    void join(const Lanes& least_of, const Lanes& most_of) {
+        low = least(low, least_of);
+        high = most(high, most_of);
+    }
+};
+
+/// The bounds of every vertex that one of the triangles uses.
+Bounds bounds_of(const Positions& position, std::span<const glm::uvec3> triangles) {
+    Bounds bounds;
+    for (const glm::uvec3& t : triangles) {
+        const Lanes a = lanes_of(position[t.x]), b = lanes_of(position[t.y]), c = lanes_of(position[t.z]);
+        bounds.join(least(least(a, b), c), most(most(a, b), c));
+    }
+    return bounds;
+}
+
+Bounds bounds_of(const Scene& scene) {
+    const std::span<const glm::uvec3> triangles = scene.triangles;
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, triangles.size(), worth_a_task), Bounds{},
+        [&](const auto& some, Bounds bounds) {
+            const Bounds more =
+                bounds_of(scene.vertices.position_world, triangles.subspan(some.begin(), some.size()));
+            bounds.join(more.low, more.high);
+            return bounds;
+        },
+        [](Bounds bounds, const Bounds& more) {
+            bounds.join(more.low, more.high);
+            return bounds;
+        });
+}
+
+/// The eight corners of the scene's bounds.
 std::array<glm::dvec3, 8> corners_of_bounds(const Scene& scene) {
-    glm::vec3 low = scene.vertices.position_world[scene.triangles.front().x], high = low;
-    for (const glm::uvec3& triangle : scene.triangles)
-        for (int corner = 0; corner < 3; ++corner) {
-            low = glm::min(low, scene.vertices.position_world[triangle[corner]]);
-            high = glm::max(high, scene.vertices.position_world[triangle[corner]]);
-        }
+    const auto [low, high] = bounds_of(scene);
     std::array<glm::dvec3, 8> corners;
     for (unsigned i = 0; i < 8; ++i)
-        corners[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
+        corners[i] = {(i & 1 ? high : low)[0], (i & 2 ? high : low)[1], (i & 4 ? high : low)[2]};
     return corners;
 }
 

@@ -1,10 +1,14 @@
 #include "scenes/gltf_accessor.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "scenes/gltf_limits.h"
+#include "scenes/largest.h"
 #include "scenes/refusal.h"
 
 namespace zproof {
@@ -56,12 +60,6 @@ double component(const Elements& elements, std::size_t i, int c) {
     }
 }
 
-glm::dvec3 vec3_at(const Elements& elements, std::size_t i) {
-    if (elements.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT)
-        return glm::dvec3(load<glm::vec3>(elements.first + i * elements.stride));
-    return {component(elements, i, 0), component(elements, i, 1), component(elements, i, 2)};
-}
-
 std::uint32_t index_at(const Elements& elements, std::size_t i) {
     const unsigned char* from = elements.first + i * elements.stride;
     switch (elements.component_type) {
@@ -79,7 +77,31 @@ namespace {
 template <typename T>
 void read_indices_of(const Elements& elements, std::size_t first, std::span<std::uint32_t> to) {
     const unsigned char* from = elements.first + first * elements.stride;
-    for (std::size_t i = 0; i < to.size(); ++i) to[i] = load<T>(from + i * elements.stride);
+    if (elements.stride == sizeof(T))  // a constant, so that they are read side by side
+        for (std::size_t i = 0; i < to.size(); ++i) to[i] = load<T>(from + i * sizeof(T));
+    else
+        for (std::size_t i = 0; i < to.size(); ++i) to[i] = load<T>(from + i * elements.stride);
+}
+
+/// largest() of many, side by side.
+template <typename T>
+T largest_of_many(const unsigned char* numbers, std::size_t count, T mask = T(-1)) {
+    constexpr std::size_t worth_a_task = 1 << 16;
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, count, worth_a_task), T{0},
+        [=](const auto& some, T most) {
+            return std::max(most, largest(numbers + some.begin() * sizeof(T), some.size(), mask));
+        },
+        [](T a, T b) { return std::max(a, b); });
+}
+
+template <typename T>
+std::uint32_t largest_index_of(const Elements& elements) {
+    if (elements.stride == sizeof(T)) return largest_of_many<T>(elements.first, elements.count);
+    T most = 0;
+    for (std::size_t i = 0; i < elements.count; ++i)
+        most = std::max(most, load<T>(elements.first + i * elements.stride));
+    return most;
 }
 
 }  // namespace
@@ -92,6 +114,17 @@ void read_indices(const Elements& elements, std::size_t first, std::span<std::ui
             return read_indices_of<std::uint16_t>(elements, first, to);
         default:
             return read_indices_of<std::uint32_t>(elements, first, to);
+    }
+}
+
+std::uint32_t largest_index(const Elements& elements) {
+    switch (elements.component_type) {
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return largest_index_of<std::uint8_t>(elements);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return largest_index_of<std::uint16_t>(elements);
+        default:
+            return largest_index_of<std::uint32_t>(elements);
     }
 }
 
@@ -119,7 +152,7 @@ Elements Accessors::packed(int accessor) const {
 
 Elements Accessors::view_of(int buffer_view, std::size_t offset, const Elements& type) const {
     const tinygltf::BufferView& view = model_.gltf.bufferViews[static_cast<std::size_t>(buffer_view)];
-    const Bytes& bytes = model_.gltf.buffers[static_cast<std::size_t>(view.buffer)].data;
+    const std::span<const unsigned char> bytes = model_.buffers[static_cast<std::size_t>(view.buffer)];
     Elements elements = type;
     elements.stride = view.byteStride != 0 ? view.byteStride : element_bytes(type);
     elements.first = bytes.data() + view.byteOffset + offset;
@@ -136,7 +169,7 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
         refuse(
             model_.file, accessor_at(accessor),
             "sparse accessors need more than " + std::to_string(limits::sparse_bytes) + " bytes written out");
-    Bytes& bytes = written_out_.emplace_back(size * base.count);
+    Bytes& bytes = written_out_.emplace_back(size * base.count, 0);
     for (std::size_t i = 0; base.first != nullptr && i < base.count; ++i)
         std::memcpy(bytes.data() + i * size, base.first + i * base.stride, size);
     const Elements indices =
@@ -161,6 +194,9 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
 
 void Accessors::check_finite(int accessor, const Elements& elements) const {
     const auto components = static_cast<std::size_t>(elements.components);
+    if (elements.stride == element_bytes(elements) &&
+        largest_of_many(elements.first, elements.count * components, magnitude_bits) < infinite_bits)
+        return;
     for (std::size_t i = 0; i < elements.count; ++i) {
         bool is_finite = true;
         for (std::size_t c = 0; c < components; ++c)

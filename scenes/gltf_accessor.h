@@ -25,11 +25,35 @@ struct Elements {
 /// Component c of element i as glTF defines it: normalized integers are mapped to [0, 1] or [-1, 1].
 double component(const Elements& elements, std::size_t i, int c);
 
+constexpr int component_type_float = 5126;
+
+inline double float_at(const unsigned char* from) {
+    float value;
+    std::memcpy(&value, from, sizeof value);
+    return double{value};
+}
+
 /// The first three components of element i.
-glm::dvec3 vec3_at(const Elements& elements, std::size_t i);
+inline glm::dvec3 vec3_at(const Elements& elements, std::size_t i) {
+    if (elements.component_type != component_type_float)
+        return {component(elements, i, 0), component(elements, i, 1), component(elements, i, 2)};
+    const unsigned char* from = elements.first + i * elements.stride;
+    return {float_at(from), float_at(from + 4), float_at(from + 8)};
+}
+
+/// The first two components of element i.
+inline glm::dvec2 vec2_at(const Elements& elements, std::size_t i) {
+    if (elements.component_type != component_type_float)
+        return {component(elements, i, 0), component(elements, i, 1)};
+    const unsigned char* from = elements.first + i * elements.stride;
+    return {float_at(from), float_at(from + 4)};
+}
 
 /// Element i of an index accessor.
 std::uint32_t index_at(const Elements& elements, std::size_t i);
+
+/// The largest of all elements of an index accessor.
+std::uint32_t largest_index(const Elements& elements);
 
 /// Elements of an index accessor, from `first` on.
 void read_indices(const Elements& elements, std::size_t first, std::span<std::uint32_t> to);

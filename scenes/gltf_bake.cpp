@@ -1,21 +1,22 @@
 #include "scenes/gltf_bake.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <limits>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
 
+#include "scenes/batch.h"
+#include "scenes/bulk.h"
 #include "scenes/gltf_accessor.h"
 #include "scenes/gltf_corners.h"
 #include "scenes/gltf_limits.h"
+#include "scenes/largest.h"
 #include "scenes/refusal.h"
+#include "scenes/vector_block.h"
 
 namespace zproof {
 namespace {
@@ -26,8 +27,9 @@ constexpr double square_overflows = 1.8e19;
 struct Tally {
     std::uint64_t points_and_lines = 0, without_position = 0, tails = 0, singular = 0, skinned = 0,
                   morphed = 0;
-    std::uint64_t flat = 0, instancing = 0;
-    bool is_huge = false;
+    std::uint64_t instancing = 0;
+    std::atomic<std::uint64_t> flat = 0;
+    std::atomic<bool> is_huge = false, is_unbounded = false;
 };
 
 /// Inverse transpose up to a positive factor, without a division: cofactors, turned round where the
@@ -42,28 +44,34 @@ std::optional<int> attribute(const tinygltf::Primitive& primitive, const std::st
     return found == primitive.attributes.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Calls work(from, to) for ranges that make up [first, end), side by side.
-template <typename Work>
-void in_parallel(std::size_t first, std::size_t end, const Work& work) {
-    constexpr std::size_t worth_a_task = 1 << 14;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(first, end, worth_a_task),
-                      [&](const auto& some) { work(some.begin(), some.end()); });
-}
-
 bool is_unbounded(const glm::vec3& p) {
     return !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z);
 }
 
-/// The largest absolute coordinate; infinite where one is infinite or no number.
-float largest_coordinate(std::span<const glm::vec3> positions) {
-    std::uint32_t largest =
-        0;  // without a sign, the bits of floats rise as they do, and those of NaN are highest
-    for (const glm::vec3& p : positions)
-        for (const float c : {p.x, p.y, p.z})
-            largest = std::max(largest, std::bit_cast<std::uint32_t>(c) & 0x7FFF'FFFFu);
-    const float value = std::bit_cast<float>(largest);
-    return std::isnan(value) ? std::numeric_limits<float>::infinity() : value;
+/// The bits of the largest absolute coordinate.
+std::uint32_t largest_coordinate(std::span<const glm::vec3> positions) {
+    return largest(reinterpret_cast<const unsigned char*>(positions.data()), 3 * positions.size(),
+                   magnitude_bits);
 }
+
+template <typename T, typename Allocator>
+void reserve_bulk(std::vector<T, Allocator>& attribute, std::size_t elements) {
+    if (attribute.capacity() >= elements) return;
+    attribute.reserve(elements);
+    prefer_huge_pages(attribute.data(), attribute.capacity() * sizeof(T));
+}
+
+static_assert(Batch::range_elements <= VectorBlock::capacity);
+
+/// The triangles and vertices that one primitive at one node became.
+struct Placement {
+    int node = 0;
+    std::size_t first_vertex = 0, first_triangle = 0, vertex_count = 0;
+    Corners corners;
+
+    /// The element of the primitive's accessors that its i-th vertex is.
+    std::size_t element(std::size_t i) const { return corners.used().empty() ? i : corners.used()[i]; }
+};
 
 class Baker {
   public:
@@ -79,8 +87,9 @@ class Baker {
                 vertices += std::min(corners, vertex_count(primitive));
                 check_limits(triangles, vertices);
             }
-        scene_.triangles.reserve(triangles);
-        scene_.vertices.position_world.reserve(vertices);
+        reserve_bulk(scene_.triangles, triangles);
+        reserve_bulk(scene_.vertices.position_world, vertices);
+        scene_.vertices.uv.reserve(limits::uv_sets);
     }
 
     void bake(const PlacedNode& placed) {
@@ -95,8 +104,12 @@ class Baker {
             std::ranges::any_of(primitives, [](const auto& each) { return !each.targets.empty(); });
     }
 
-    /// Pads attributes that the last primitives lack, and says what was left out.
+    /// Writes what was made room for, pads attributes that the last primitives lack, and says what was left
+    /// out.
     void finish() {
+        of_vertices_.run();
+        if (tally_.is_unbounded) refuse_unbounded();
+        of_triangles_.run();
         Vertices& vertices = scene_.vertices;
         const std::size_t size = vertices.position_world.size();
         if (!vertices.normal_world.empty()) vertices.normal_world.resize(size, glm::vec3(0));
@@ -141,14 +154,17 @@ class Baker {
         tally_.tails += primitive.mode == TINYGLTF_MODE_TRIANGLES && corner_count(primitive) % 3 != 0;
         if (!position || triangles == 0) return;
         const Elements& positions = accessors_.elements(*position);
-        const Corners corners = unroller_.unroll(primitive, static_cast<std::uint32_t>(positions.count));
-        append_part(placed, index, primitive, corners);
-        const auto base = static_cast<std::uint32_t>(scene_.vertices.position_world.size());
-        append_positions(placed, positions, corners);
-        append_triangles(corners, base);
-        append_normals(placed, primitive, corners);
-        append_uv(primitive, corners);
-        append_color(primitive, corners);
+        Placement& placement = placements_.emplace_back();
+        placement.node = placed.node;
+        placement.corners = unroller_.unroll(primitive, static_cast<std::uint32_t>(positions.count));
+        const std::vector<std::uint32_t>& used = placement.corners.used();
+        placement.vertex_count = used.empty() ? positions.count : used.size();
+        append_part(placed, index, primitive, placement.corners);
+        append_positions(placed, positions, placement);
+        append_triangles(placement);
+        append_normals(placed, primitive, placement);
+        append_uv(primitive, placement);
+        append_color(primitive, placement);
     }
 
     void append_part(const PlacedNode& placed, int index, const tinygltf::Primitive& primitive,
@@ -162,54 +178,83 @@ class Baker {
                                 primitive.material < 0 ? default_material : primitive.material});
     }
 
-    /// Appends what bake(element) gives for each of the elements to bake, in order.
-    template <typename T, typename Allocator, typename Bake>
-    static void append(std::vector<T, Allocator>& attribute, const Elements& elements, const Corners& corners,
-                       const Bake& bake) {
-        const std::vector<std::uint32_t>& used = corners.used();
-        const std::size_t first = attribute.size();
-        attribute.resize(first + element_count(elements, corners));
-        in_parallel(first, attribute.size(), [&](std::size_t from, std::size_t to) {
-            for (std::size_t at = from; at < to; ++at)
-                attribute[at] = bake(used.empty() ? at - first : std::size_t{used[at - first]});
+    /// Makes room for the vertices of the placement. Vertices before it that lack the attribute get
+    /// `otherwise`.
+    template <typename T, typename Allocator>
+    void make_room(std::vector<T, Allocator>& attribute, const Placement& placement,
+                   const T& otherwise) const {
+        reserve_bulk(attribute, scene_.vertices.position_world.capacity());
+        attribute.resize(placement.first_vertex, otherwise);
+        attribute.resize(placement.first_vertex + placement.vertex_count);
+    }
+
+    /// Makes room, and has bake(element) written there for each vertex later.
+    template <typename T, typename Bake>
+    void append(std::vector<T>& attribute, const Placement& placement, const T& otherwise, const Bake& bake) {
+        make_room(attribute, placement, otherwise);
+        of_vertices_.add(placement.vertex_count,
+                         [&attribute, &placement, bake](std::size_t i, std::size_t end) {
+                             for (T* to = &attribute[placement.first_vertex]; i < end; ++i)
+                                 to[i] = bake(placement.element(i));
+                         });
+    }
+
+    /// The vectors of a range of the placement's vertices.
+    static VectorBlock block_of(const Elements& elements, const Placement& placement, std::size_t from,
+                                std::size_t end) {
+        VectorBlock block(end - from);
+        for (std::size_t i = from; i < end; ++i) block.set(i - from, vec3_at(elements, placement.element(i)));
+        return block;
+    }
+
+    void append_positions(const PlacedNode& placed, const Elements& positions, Placement& placement) {
+        placement.first_vertex = scene_.vertices.position_world.size();
+        scene_.vertices.position_world.resize(placement.first_vertex + placement.vertex_count);
+        of_vertices_.add(placement.vertex_count, [&, world_from_node = placed.world_from_node](
+                                                     std::size_t from, std::size_t end) {
+            const std::span baked =
+                std::span(scene_.vertices.position_world).subspan(placement.first_vertex + from, end - from);
+            VectorBlock block = block_of(positions, placement, from, end);
+            block.multiply(glm::dmat3(world_from_node));
+            block.add(glm::dvec3(world_from_node[3]));
+            block.write(baked);
+            tally_magnitude(largest_coordinate(baked));
         });
     }
 
-    void append_positions(const PlacedNode& placed, const Elements& positions, const Corners& corners) {
-        const glm::dmat3 linear(placed.world_from_node);
-        const glm::dvec3 translation(placed.world_from_node[3]);
-        Positions& baked = scene_.vertices.position_world;
-        const std::size_t first = baked.size();
-        append(baked, positions, corners,
-               [&](std::size_t i) { return glm::vec3(linear * vec3_at(positions, i) + translation); });
-        const float largest = largest_coordinate(std::span(baked.data(), baked.size()).subspan(first));
-        tally_.is_huge |= largest > square_overflows;
-        if (std::isfinite(largest)) return;
-        const auto bad =
-            std::find_if(baked.begin() + static_cast<std::ptrdiff_t>(first), baked.end(), is_unbounded);
-        const auto at = static_cast<std::size_t>(bad - baked.begin()) - first;
-        const std::size_t vertex = corners.used().empty() ? at : corners.used()[at];
-        refuse(
-            model_.file, "/nodes/" + std::to_string(placed.node),
-            "vertex " + std::to_string(vertex) + " overflows float32 in world space; scale the scene down");
+    void tally_magnitude(std::uint32_t largest) {
+        if (largest >= infinite_bits)
+            tally_.is_unbounded = true;
+        else if (std::bit_cast<float>(largest) > square_overflows)
+            tally_.is_huge = true;
+    }
+
+    void refuse_unbounded() const {
+        const Positions& baked = scene_.vertices.position_world;
+        const auto bad = static_cast<std::size_t>(std::ranges::find_if(baked, is_unbounded) - baked.begin());
+        const auto placement = std::ranges::find_if(
+            placements_, [&](const Placement& p) { return bad < p.first_vertex + p.vertex_count; });
+        refuse(model_.file, "/nodes/" + std::to_string(placement->node),
+               "vertex " + std::to_string(placement->element(bad - placement->first_vertex)) +
+                   " overflows float32 in world space; scale the scene down");
     }
 
     /// And counts those whose area is 0 as far as double can tell. They stay, since ids count them.
-    void append_triangles(const Corners& corners, std::uint32_t base) {
-        const std::size_t first = scene_.triangles.size();
-        scene_.triangles.resize(first + corners.triangle_count());
-        std::atomic<std::uint64_t> flat = 0;
-        in_parallel(first, scene_.triangles.size(), [&](std::size_t from, std::size_t to) {
-            const std::span baked = std::span(scene_.triangles).subspan(from, to - from);
-            corners.read(static_cast<std::uint32_t>(from - first), baked);
-            std::uint64_t flat_here = 0;
-            for (glm::uvec3& triangle : baked) {
-                triangle += base;
-                flat_here += is_flat(triangle);
-            }
-            flat += flat_here;
-        });
-        tally_.flat += flat;
+    void append_triangles(Placement& placement) {
+        placement.first_triangle = scene_.triangles.size();
+        scene_.triangles.resize(placement.first_triangle + placement.corners.triangle_count());
+        of_triangles_.add(
+            placement.corners.triangle_count(), [&placement, this](std::size_t from, std::size_t end) {
+                const std::span baked =
+                    std::span(scene_.triangles).subspan(placement.first_triangle + from, end - from);
+                placement.corners.read(static_cast<std::uint32_t>(from), baked);
+                std::uint64_t flat = 0;
+                for (glm::uvec3& triangle : baked) {
+                    triangle += static_cast<std::uint32_t>(placement.first_vertex);
+                    flat += is_flat(triangle);
+                }
+                tally_.flat += flat;
+            });
     }
 
     bool is_flat(const glm::uvec3& t) const {
@@ -219,54 +264,43 @@ class Baker {
         return a.y * b.z == a.z * b.y && a.z * b.x == a.x * b.z && a.x * b.y == a.y * b.x;
     }
 
-    /// The first vertex of the primitive that was appended last; the attribute is padded up to it.
-    template <typename T>
-    void pad(std::vector<T>& attribute, std::size_t appended, const T& otherwise) const {
-        attribute.resize(scene_.vertices.position_world.size() - appended, otherwise);
-    }
-
-    static std::size_t element_count(const Elements& elements, const Corners& corners) {
-        return corners.used().empty() ? elements.count : corners.used().size();
-    }
-
     void append_normals(const PlacedNode& placed, const tinygltf::Primitive& primitive,
-                        const Corners& corners) {
+                        const Placement& placement) {
         const std::optional<int> accessor = attribute(primitive, "NORMAL");
         if (!accessor) return;
-        const Elements& elements = accessors_.elements(*accessor);
         const glm::dmat3 world_from_normal = normal_matrix(glm::dmat3(placed.world_from_node));
-        pad(scene_.vertices.normal_world, element_count(elements, corners), glm::vec3(0));
-        append(scene_.vertices.normal_world, elements, corners, [&](std::size_t i) {
-            const glm::dvec3 normal = world_from_normal * vec3_at(elements, i);
-            const double length = glm::length(normal);
-            const bool has_direction = length > 0 && std::isfinite(length);
-            return has_direction ? glm::vec3(normal / length) : glm::vec3(0);
+        const Elements& elements = accessors_.elements(*accessor);
+        make_room(scene_.vertices.normal_world, placement, glm::vec3(0));
+        of_vertices_.add(placement.vertex_count, [=, this, &elements, &placement](std::size_t from,
+                                                                                  std::size_t end) {
+            VectorBlock block = block_of(elements, placement, from, end);
+            block.multiply(world_from_normal);
+            block.normalize();
+            block.write(
+                std::span(scene_.vertices.normal_world).subspan(placement.first_vertex + from, end - from));
         });
     }
 
-    void append_uv(const tinygltf::Primitive& primitive, const Corners& corners) {
+    void append_uv(const tinygltf::Primitive& primitive, const Placement& placement) {
         for (std::size_t set = 0; set < limits::uv_sets; ++set) {
             const std::optional<int> accessor = attribute(primitive, "TEXCOORD_" + std::to_string(set));
             if (!accessor) continue;
-            const Elements& elements = accessors_.elements(*accessor);
             if (scene_.vertices.uv.size() <= set) scene_.vertices.uv.resize(set + 1);
-            std::vector<glm::vec2>& uv = scene_.vertices.uv[set];
-            pad(uv, element_count(elements, corners), glm::vec2(0));
-            append(uv, elements, corners, [&](std::size_t i) {
-                return glm::vec2(glm::dvec2(component(elements, i, 0), component(elements, i, 1)));
-            });
+            append(scene_.vertices.uv[set], placement, glm::vec2(0),
+                   [&elements = accessors_.elements(*accessor)](std::size_t i) {
+                       return glm::vec2(vec2_at(elements, i));
+                   });
         }
     }
 
-    void append_color(const tinygltf::Primitive& primitive, const Corners& corners) {
+    void append_color(const tinygltf::Primitive& primitive, const Placement& placement) {
         const std::optional<int> accessor = attribute(primitive, "COLOR_0");
         if (!accessor) return;
-        const Elements& elements = accessors_.elements(*accessor);
-        pad(scene_.vertices.color, element_count(elements, corners), glm::vec4(1));
-        append(scene_.vertices.color, elements, corners, [&](std::size_t i) {
-            const double alpha = elements.components == 4 ? component(elements, i, 3) : 1;
-            return glm::vec4(glm::dvec4(vec3_at(elements, i), alpha));
-        });
+        append(scene_.vertices.color, placement, glm::vec4(1),
+               [&elements = accessors_.elements(*accessor)](std::size_t i) {
+                   const double alpha = elements.components == 4 ? component(elements, i, 3) : 1;
+                   return glm::vec4(glm::dvec4(vec3_at(elements, i), alpha));
+               });
     }
 
     void note(std::uint64_t count, const std::string& text) const {
@@ -292,6 +326,8 @@ class Baker {
     Scene& scene_;
     Accessors accessors_;
     Unroller unroller_;
+    std::deque<Placement> placements_;  ///< in the order of their vertices and triangles
+    Batch of_vertices_, of_triangles_;  ///< triangles are measured by the vertices
     Tally tally_;
 };
 

@@ -73,11 +73,11 @@ void admit_buffer(Admitted& admitted, const Path& file, const Container& contain
     const std::uint64_t bytes = buffer["byteLength"];
     const std::string place = pointer("buffers", i);
     if (!buffer.contains("uri")) {
-        if (i > 0 || !container.bin_bytes)
+        if (i > 0 || !container.bin)
             refuse(file, place, "has no uri; only the first buffer of a GLB with a BIN chunk may lack it");
-        if (*container.bin_bytes < bytes)
+        if (container.bin->size() < bytes)
             refuse(file, place + "/byteLength",
-                   "the BIN chunk has only " + std::to_string(*container.bin_bytes) + " bytes");
+                   "the BIN chunk has only " + std::to_string(container.bin->size()) + " bytes");
         return;
     }
     const std::string uri = buffer["uri"];

@@ -1,4 +1,4 @@
-/// What glTF JSON says about itself, checked before tinygltf reads it.
+/// What glTF JSON says about itself, checked before anything is read by it.
 #pragma once
 
 #include <filesystem>

@@ -53,13 +53,13 @@ Container open_glb(const std::filesystem::path& file, const Bytes& bytes) {
     const Chunk json = chunk_at(file, bytes, 12);
     if (json.type != chunk_json)
         refuse(file, at_byte(16), "expected a JSON chunk first" + std::string(again));
-    Container glb{{reinterpret_cast<const char*>(bytes.data()) + json.first, json.length}, true, {}};
+    Container glb{{reinterpret_cast<const char*>(bytes.data()) + json.first, json.length}, {}};
     std::size_t at = json.first + json.length;
     for (int number = 1; at < bytes.size(); ++number) {
         const Chunk chunk = chunk_at(file, bytes, at);
         if (chunk.type == chunk_json || (chunk.type == chunk_bin && number > 1))
             refuse(file, at_byte(at), "expected one JSON chunk and at most one BIN chunk, in this order");
-        if (chunk.type == chunk_bin) glb.bin_bytes = chunk.length;
+        if (chunk.type == chunk_bin) glb.bin = std::span(bytes).subspan(chunk.first, chunk.length);
         at = chunk.first + chunk.length;
     }
     return glb;
@@ -74,7 +74,7 @@ Container open_container(const std::filesystem::path& file, const Bytes& bytes) 
         if (!has_magic) refuse(file, at_byte(0), "expected the magic \"glTF\" of a GLB" + std::string(again));
         return open_glb(file, bytes);
     }
-    return {{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, false, {}};
+    return {{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, {}};
 }
 
 }  // namespace zproof

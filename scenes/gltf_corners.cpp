@@ -1,7 +1,6 @@
 #include "scenes/gltf_corners.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
@@ -50,20 +49,12 @@ std::uint32_t Corners::index(std::uint32_t corner) const {
 }
 
 void Unroller::check_indices(int accessor, const Elements& elements, std::uint32_t vertex_count) const {
-    std::array<std::uint32_t, 1024> some;
-    for (std::size_t first = 0; first < elements.count; first += some.size()) {
-        const std::span read = std::span(some).first(std::min(some.size(), elements.count - first));
-        read_indices(elements, first, read);
-        std::uint32_t largest = 0;
-        for (const std::uint32_t index : read) largest = std::max(largest, index);
-        if (largest < vertex_count) continue;
-        const auto bad =
-            std::ranges::find_if(read, [&](std::uint32_t index) { return index >= vertex_count; });
-        refuse(model_.file, "/accessors/" + std::to_string(accessor),
-               "index " + std::to_string(*bad) + " at " +
-                   std::to_string(first + std::size_t(bad - read.begin())) + "; expected indices below " +
-                   std::to_string(vertex_count) + ", the number of vertices");
-    }
+    if (largest_index(elements) < vertex_count) return;
+    std::size_t bad = 0;
+    while (index_at(elements, bad) < vertex_count) ++bad;
+    refuse(model_.file, "/accessors/" + std::to_string(accessor),
+           "index " + std::to_string(index_at(elements, bad)) + " at " + std::to_string(bad) +
+               "; expected indices below " + std::to_string(vertex_count) + ", the number of vertices");
 }
 
 Corners Unroller::unroll(const tinygltf::Primitive& primitive, std::uint32_t vertex_count) {

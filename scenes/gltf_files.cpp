@@ -1,8 +1,15 @@
 #include "scenes/gltf_files.h"
 
+#include <fcntl.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cctype>
-#include <fstream>
+#include <cerrno>
+#include <span>
 
 #include "scenes/gltf_limits.h"
 #include "scenes/refusal.h"
@@ -50,26 +57,46 @@ std::string quoted(const std::string& path) {
     return text;
 }
 
-/// tinygltf 2.7's own decoding (it also turns '+' into a blank): the name under which it asks for a file.
-std::string name_in_tinygltf(const std::string& uri) {
-    std::string name;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        if (uri[i] == '%' && uri.size() > i + 2) {
-            name += static_cast<char>(std::max(hex_digit(uri[i + 1]), 0) << 4 |
-                                      std::max(hex_digit(uri[i + 2]), 0));
-            i += 2;
-        } else {
-            name += uri[i] == '+' ? ' ' : uri[i];
-        }
+/// A file that is open for reading, by several threads.
+class OpenFile {
+  public:
+    explicit OpenFile(const fs::path& file) : descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC)) {}
+    ~OpenFile() {
+        if (is_open()) close(descriptor_);
     }
-    return name;
-}
+    OpenFile(const OpenFile&) = delete;
+    OpenFile& operator=(const OpenFile&) = delete;
 
+    bool is_open() const { return descriptor_ >= 0; }
+
+    /// Fills the span with what the file has from byte `at` on; false where that is less.
+    bool read(std::size_t at, std::span<unsigned char> to) const {
+        while (!to.empty()) {
+            const ssize_t bytes = pread(descriptor_, to.data(), to.size(), static_cast<off_t>(at));
+            if (bytes < 0 && errno == EINTR) continue;
+            if (bytes <= 0) return false;
+            at += static_cast<std::size_t>(bytes);
+            to = to.subspan(static_cast<std::size_t>(bytes));
+        }
+        return true;
+    }
+
+  private:
+    int descriptor_;
+};
+
+/// The first bytes of a file, on all threads: most of the time goes by in fetching memory for them.
 Bytes read_first(const fs::path& file, std::uint64_t bytes) {
-    Bytes content(bytes);
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(reinterpret_cast<char*>(content.data()), static_cast<std::streamsize>(bytes));
-    if (!stream) refuse(file, "file", "cannot be read to its end; check its permissions");
+    constexpr std::size_t worth_a_task = std::size_t{1} << 20;
+    const OpenFile source(file);
+    std::atomic<bool> is_whole = source.is_open();
+    Bytes content(is_whole ? bytes : 0);
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, content.size(), worth_a_task), [&](const auto& some) {
+            if (!source.read(some.begin(), std::span(content).subspan(some.begin(), some.size())))
+                is_whole = false;
+        });
+    if (!is_whole) refuse(file, "file", "cannot be read to its end; check its permissions");
     return content;
 }
 
@@ -127,7 +154,7 @@ void Admitted::admit(const std::string& place, const std::string& uri, Entry ent
     if (total_bytes_ > limits::total_bytes)
         refuse(scene_file_, place,
                "too large: at most " + std::to_string(limits::total_bytes) + " bytes in all");
-    const auto [known, is_new] = files_.try_emplace(name_in_tinygltf(uri), entry);
+    const auto [known, is_new] = files_.try_emplace(percent_decoded(uri), entry);
     if (!is_new && (known->second.bytes != entry.bytes || known->second.file != entry.file))
         refuse(scene_file_, place, "the same file is named twice with different lengths; name it once");
 }
@@ -147,8 +174,8 @@ void Admitted::admit_image(const std::string& place, const std::string& uri) {
     admit(place, uri, {file, size_of(file)});
 }
 
-Bytes Admitted::read(const std::string& name) const {
-    const Entry& entry = files_.at(name);
+Bytes Admitted::read(const std::string& uri) const {
+    const Entry& entry = files_.at(percent_decoded(uri));
     return read_first(entry.file, entry.bytes);
 }
 

@@ -5,11 +5,12 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <vector>
+
+#include "scenes/bulk.h"
 
 namespace zproof {
 
-using Bytes = std::vector<unsigned char>;
+using Bytes = Bulk<unsigned char>;
 
 /// Reads a regular file of at most limit bytes. Throws SceneError for anything else.
 Bytes read_file(const std::filesystem::path& file, std::uint64_t limit);
@@ -23,7 +24,7 @@ std::filesystem::path beneath_folder_of(const std::filesystem::path& from, const
 /// A URI without its %XX escapes.
 std::string percent_decoded(const std::string& uri);
 
-/// The external files that one scene may open, admitted before the parser runs; the parser can open no other.
+/// The external files that one scene may open, admitted before anything is read.
 class Admitted {
   public:
     explicit Admitted(std::filesystem::path scene_file) : scene_file_(std::move(scene_file)) {}
@@ -33,9 +34,8 @@ class Admitted {
     /// Admits an image's whole file. Throws SceneError where it is missing.
     void admit_image(const std::string& place, const std::string& uri);
 
-    bool contains(const std::string& name) const { return files_.contains(name); }
-    /// The bytes of an admitted file, by the name under which tinygltf asks for it.
-    Bytes read(const std::string& name) const;
+    /// The bytes of an admitted file.
+    Bytes read(const std::string& uri) const;
 
   private:
     struct Entry {

@@ -1,131 +1,65 @@
 #include "scenes/gltf_model.h"
 
-#include <set>
-#include <stdexcept>
-
 #include "scenes/gltf_check.h"
-#include "scenes/gltf_image.h"
+#include "scenes/gltf_images.h"
 #include "scenes/gltf_limits.h"
 #include "scenes/gltf_schema.h"
+#include "scenes/gltf_structure.h"
 #include "scenes/json_text.h"
-#include "scenes/refusal.h"
 
 namespace zproof {
 namespace {
 
+using nlohmann::json;
 using Path = std::filesystem::path;
 
-/// What the callbacks of tinygltf see.
-struct Reading {
-    const Path& file;
-    const Admitted& admitted;
-    const std::set<int>& in_use;
-    std::map<int, Image> images;
-    std::vector<std::string> notes;
-    std::uint64_t texels = 0;
-    /// Which image was refused, and why; exceptions may not cross the library's frames.
-    std::string refused_image, refusal;
-};
-
-bool is_admitted(const std::string& name, void* reading) {
-    return static_cast<Reading*>(reading)->admitted.contains(name);
+const Bytes& keep(GltfModel& model, Bytes bytes) {
+    return *model.bytes.emplace_back(std::make_unique<const Bytes>(std::move(bytes)));
 }
 
-std::string unexpanded(const std::string& name, void*) { return name; }
-
-bool read_admitted(std::vector<unsigned char>* bytes, std::string*, const std::string& name, void* reading) {
-    *bytes = static_cast<Reading*>(reading)->admitted.read(name);
-    return true;
+Bytes decoded(const std::string& data_uri) {
+    std::vector<unsigned char> bytes;
+    std::string type;
+    tinygltf::DecodeDataURI(&bytes, type, data_uri, 0, false);
+    return {bytes.begin(), bytes.end()};
 }
 
-bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
-    return false;
+/// The bytes of a buffer, which were found to be there when its file was admitted.
+std::span<const unsigned char> buffer_of(const json& buffer, const Container& container,
+                                         const Admitted& admitted, GltfModel& model) {
+    const auto uri = buffer.find("uri");
+    if (uri == buffer.end()) return *container.bin;
+    const std::string& place = uri->get_ref<const std::string&>();
+    return keep(model, tinygltf::IsDataURI(place) ? decoded(place) : admitted.read(place));
 }
 
-std::string image_place(int index) { return "/images/" + std::to_string(index); }
-
-void note_type(Reading& reading, const tinygltf::Image& image, int index, ImageExtent::Format format) {
-    const std::string found = format == ImageExtent::Format::png ? "image/png" : "image/jpeg";
-    if (!image.mimeType.empty() && image.mimeType != found)
-        reading.notes.push_back(
-            on_one_line(image_place(index) + ": declared " + image.mimeType + ", is " + found));
+void add_notes(std::vector<std::string> notes, GltfModel& model) {
+    for (std::string& note : notes) model.notes.push_back(std::move(note));
 }
 
-void take_image(Reading& reading, const tinygltf::Image& image, int index,
-                std::span<const unsigned char> bytes) {
-    const std::string fault = image_fault(bytes);
-    if (!fault.empty()) throw std::runtime_error(fault);
-    const auto [format, width, height] = image_extent(bytes);
-    reading.texels += width * height;
-    if (reading.texels > limits::all_texels)
-        throw std::runtime_error("too many texels: at most " + std::to_string(limits::all_texels) +
-                                 " in all images");
-    note_type(reading, image, index, format);
-    Image decoded = decode_image(bytes);
-    decoded.name = image.name;
-    reading.images.emplace(index, std::move(decoded));
-}
-
-bool load_image(tinygltf::Image* image, const int index, std::string*, std::string*, int, int,
-                const unsigned char* bytes, int size, void* state) {
-    Reading& reading = *static_cast<Reading*>(state);
-    if (!reading.in_use.contains(index)) return true;
-    try {
-        take_image(reading, *image, index, {bytes, static_cast<std::size_t>(size)});
-    } catch (const std::exception& error) {
-        reading.refused_image = image_place(index);
-        reading.refusal = error.what();
-    }
-    return reading.refusal.empty();
-}
-
-/// Runs tinygltf on what was checked. It trusts indices and sizes, so nothing unchecked may reach it.
-tinygltf::Model parse(Reading& reading, const Container& container, const Bytes& bytes) {
-    tinygltf::TinyGLTF parser;
-    parser.SetFsCallbacks({is_admitted, unexpanded, read_admitted, write_nothing, &reading});
-    parser.SetImageLoader(load_image, &reading);
-    tinygltf::Model model;
-    std::string error, warning;
-    const auto size = static_cast<unsigned>(bytes.size());
-    bool is_read = false;
-    try {
-        is_read = container.is_glb
-                      ? parser.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(), size)
-                      : parser.LoadASCIIFromString(&model, &error, &warning, container.json.data(), size, "");
-    } catch (const std::exception& thrown) {
-        error = thrown.what();
-    }
-    if (!reading.refusal.empty()) refuse(reading.file, reading.refused_image, reading.refusal);
-    if (!is_read) refuse(reading.file, "glTF", "cannot be read: " + error);
-    return model;
-}
-
-void note_unread_images(GltfModel& model, const std::set<int>& in_use) {
-    const std::size_t unread = model.gltf.images.size() - in_use.size();
-    if (unread > 0)
-        model.notes.push_back("images not read, since no base colour texture uses them: " +
-                              std::to_string(unread));
+/// Throws SceneError for anything that may not be relied on from here on.
+void check(const json& gltf, GltfModel& model) {
+    check_schema(model.file, gltf);
+    add_notes(check_extensions(model.file, gltf), model);
+    add_notes(check_nodes(model.file, gltf), model);
+    check_ranges(model.file, gltf);
+    check_cameras(model.file, gltf);
 }
 
 }  // namespace
 
 GltfModel read_gltf(const Path& file) {
-    const Bytes bytes = read_file(file, limits::file_bytes);
+    GltfModel model;
+    model.file = file;
+    const Bytes& bytes = keep(model, read_file(file, limits::file_bytes));
     const Container container = open_container(file, bytes);
-    const nlohmann::json gltf = parse_json(file, container.json);
-    GltfModel model{file, {}, {}, {}};
-    check_schema(file, gltf);
-    model.notes = check_extensions(file, gltf);
-    for (std::string& note : check_nodes(file, gltf)) model.notes.push_back(std::move(note));
-    check_ranges(file, gltf);
-    check_cameras(file, gltf);
-    const std::set<int> in_use = images_in_use(gltf);
+    const json gltf = parse_json(file, container.json);
+    check(gltf, model);
     const Admitted admitted = admit_files(file, gltf, container);
-    Reading reading{file, admitted, in_use, {}, {}, 0, {}, {}};
-    model.gltf = parse(reading, container, bytes);
-    model.images = std::move(reading.images);
-    model.notes.insert(model.notes.end(), reading.notes.begin(), reading.notes.end());
-    note_unread_images(model, in_use);
+    model.gltf = structure_of(gltf);
+    for (const json& buffer : list_of(gltf, "buffers"))
+        model.buffers.push_back(buffer_of(buffer, container, admitted, model).first(buffer["byteLength"]));
+    read_images(gltf, admitted, model);
     return model;
 }
 

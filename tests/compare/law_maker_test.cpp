@@ -48,7 +48,7 @@ std::vector<std::pair<Precision, Precision>> pairs() {
 
 TEST(LawMaker, GivesEachTriangleTheBitsOfItsOwnLaw) {
     int asked = 0, of_nothing = 0;
-    for (std::uint32_t seed = 0; seed < 450; ++seed) {
+    for (std::uint32_t seed = 0; seed < 600; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
         const Scene scene = extended(s);

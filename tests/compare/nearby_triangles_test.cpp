@@ -63,6 +63,28 @@ TEST(NearbyTriangles, EdgeOnTrianglesAreFound) {
     }
 }
 
+/// The same triangles, their vertices `apart` places from each other.
+Scene spread(const Scene& scene, std::uint32_t apart) {
+    Scene spread = scene;
+    Positions& positions = spread.vertices.position_world;
+    positions.assign(apart * positions.size(), glm::vec3(0));
+    for (std::size_t i = 0; i < scene.vertices.position_world.size(); ++i)
+        positions[apart * i] = scene.vertices.position_world[i];
+    for (glm::uvec3& triangle : spread.triangles) triangle *= apart;
+    return spread;
+}
+
+TEST(NearbyTriangles, AreTheSameHoweverFarApartTheirIndicesAre) {
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        const Surroundings s = random_surroundings(seed);
+        std::vector<Site> sites{{s.x, s.y, 0x1p-9, {}}, {1, 1, 0, {}}}, far_apart = sites;
+        find_nearby_triangles(s.scene, s.view, sites);
+        find_nearby_triangles(spread(s.scene, 100), s.view, far_apart);
+        for (std::size_t i = 0; i < sites.size(); ++i)
+            EXPECT_EQ(sites[i].triangles, far_apart[i].triangles) << "seed " << seed;
+    }
+}
+
 TEST(NearbyTriangles, ManyChunksComeInOrder) {
     const View view = pixel_view(Projection::parallel, 4, 4);
     const Scene scene = scene_of(view, std::vector<Triangle>(10'000, wall(4)));

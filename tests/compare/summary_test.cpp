@@ -53,9 +53,10 @@ class OnePixel {
         Layers layers({sights, acquaintance, coplanar}, {double(x_), double(y_), tile_px, tile_px}, all_,
                       renderers);
         if (!layers.are_known()) return std::nullopt;
-        layers.turn_to(y_);
         const auto column = std::size_t(tile_px);
-        const auto [tied, visible] = layers.standings(0, std::uint32_t(answer), ColumnMask{1} << column);
+        const ColumnMask uncut = layers.turn_to(y_, ColumnMask{1} << column);
+        if (uncut == 0) return std::nullopt;
+        const auto [tied, visible] = layers.standings(0, std::uint32_t(answer), uncut);
         const double eps_px = layers.eps_px(0)[column];
         if ((tied | visible) == 0 || eps_px > 2 * own_eps_px(answer)) return std::nullopt;
         return Ruled{{tied != 0 ? Standing::tied : Standing::visible, false}, eps_px, std::nullopt};

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <limits>
 
+#include "oracle/embree_geometry.h"
 #include "oracle/oracle_error.h"
 #include "oracle/primary_ray.h"
 #include "pictures.h"
@@ -172,9 +173,9 @@ TEST(Embree, NoRaySlipsThroughAnEdgeThatTwoTrianglesShare) {
 
 /// 15 000 triangles of which each is there three times, exactly: the order in Embree's leaves decides who is
 /// seen.
-Scene crowded_ties() {
+Scene crowded_ties(int triangles = 5'000) {
     Dice dice(7);
-    const Scene once = random_soup(dice, Camera{}, 5'000);
+    const Scene once = random_soup(dice, Camera{}, triangles);
     const Positions& corners = once.vertices.position_world;
     Corners thrice;
     for (int copy = 0; copy < 3; ++copy) thrice.insert(thrice.end(), corners.begin(), corners.end());
@@ -197,6 +198,37 @@ TEST(Embree, SameBitsForAnyNumberOfThreadsEvenInExactTies) {
     for (const int threads : {2, 3, 8}) {
         EXPECT_TRUE(same_bits(alone, on_threads(threads, scene, view))) << threads << " threads";
     }
+}
+
+TEST(Embree, SameBitsForAnyNumberOfThreadsInACompactTree) {
+    const Scene scene = crowded_ties(int(compact_from_triangles) / 3 + 1);
+    View view{.name = "ties", .camera = {}, .width = 101, .height = 67};
+    view.camera.near_depth = 2;
+    EXPECT_TRUE(same_bits(on_threads(1, scene, view), on_threads(3, scene, view)));
+}
+
+RTCSceneFlags flags_of_a_scene_of(std::size_t triangles) {
+    Scene scene = scene_of(wall(3));
+    scene.triangles.resize(triangles, scene.triangles.front());
+    const DeviceHandle device = new_device();
+    return rtcGetSceneFlags(share_triangles(device.get(), scene).get());
+}
+
+TEST(Embree, LargeScenesGetACompactTreeAndEverySceneARobustOne) {
+    EXPECT_EQ(flags_of_a_scene_of(compact_from_triangles - 1), RTC_SCENE_FLAG_ROBUST);
+    EXPECT_EQ(flags_of_a_scene_of(compact_from_triangles), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT);
+}
+
+TEST(Embree, ACompactTreeFindsWhatAnotherFinds) {
+    const View view{.name = "soup", .camera = {}, .width = 301, .height = 203};
+    Dice dice(11);
+    const Scene scene = random_soup(dice, view.camera, 5'000);
+    Scene large = scene;
+    const auto behind = std::uint32_t(large.vertices.position_world.size());
+    for (const glm::vec3& corner : {glm::vec3{0, 0, 9}, {1, 0, 9}, {0, 1, 9}})
+        large.vertices.position_world.push_back(corner);
+    large.triangles.resize(compact_from_triangles, {behind, behind + 1, behind + 2});
+    EXPECT_TRUE(same_bits(Embree(scene).trace(view), Embree(large).trace(view)));
 }
 
 TEST(Embree, OneBuildServesManyViews) {

@@ -288,6 +288,36 @@ TEST(Gltf, RotatesTextureCoordinatesAsTheSampleModelAsks) {
     EXPECT_NEAR(tip.y, 0.5 + 0.2778174593052023, 1e-9);
 }
 
+/// A triangle whose file uses images of these names, one material each.
+WrittenGltf with_images(const std::vector<std::string>& names) {
+    WrittenGltf gltf;
+    gltf.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        gltf.json["images"].push_back({{"uri", names[i]}});
+        gltf.json["textures"].push_back({{"source", i}});
+        gltf.json["materials"].push_back({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", i}}}}}});
+    }
+    return gltf;
+}
+
+TEST(Gltf, RefusesAnImageInUseWhoseFileIsEmpty) {
+    const TestFolder folder;
+    folder.write("empty.png", "");
+    const std::string refusal = refusal_of(with_images({"empty.png"}).write(folder));
+    EXPECT_NE(refusal.find("/images/0: expected a PNG or JPEG image"), std::string::npos) << refusal;
+}
+
+TEST(Gltf, NamesTheFirstOfSeveralBrokenImages) {
+    const TestFolder folder;
+    std::string cut(33, '\0');  // a PNG's signature and header, 1 x 1, and no data
+    cut.replace(0, 8, "\x89PNG\r\n\x1A\n");
+    cut[19] = cut[23] = 1;
+    folder.write("cut.png", cut);
+    folder.write("no.png", "no image");
+    const std::string refusal = refusal_of(with_images({"cut.png", "cut.png", "no.png"}).write(folder));
+    EXPECT_NE(refusal.find("/images/0: the image's data is broken"), std::string::npos) << refusal;
+}
+
 TEST(Gltf, NotesSkinsMorphTargetsAndAnimations) {
     const Loaded loaded =
         load_gltf(std::filesystem::path(ZPROOF_SHARED) / "models/AnimationPointer/24_animation_pointer.gltf");
@@ -382,6 +412,17 @@ TEST(Gltf, RefusesCoordinatesThatOverflowFloat) {
     gltf.add_vec3({0, 0, 0, 1e20f, 0, 0, 0, 1, 0});
     gltf.json["nodes"][0]["scale"] = {1e20, 1, 1};
     EXPECT_NE(refusal_of(gltf.write(folder)).find("overflows float32"), std::string::npos);
+}
+
+TEST(Gltf, NamesTheFirstVertexThatOverflowsAmongManyParts) {
+    const TestFolder folder;
+    WrittenGltf gltf;
+    gltf.add_vec3(five_points);
+    gltf.json["nodes"] = {
+        {{"mesh", 0}}, {{"mesh", 0}, {"scale", {1e39, 1, 1}}}, {{"mesh", 0}, {"scale", {1, 1e39, 1}}}};
+    gltf.json["scenes"][0]["nodes"] = {0, 1, 2};
+    EXPECT_NE(refusal_of(gltf.write(folder)).find("/nodes/1: vertex 1 overflows"), std::string::npos)
+        << refusal_of(gltf.write(folder));
 }
 
 TEST(Gltf, RefusesInstancesBeyondTheLimitBeforeAllocatingThem) {

@@ -1,0 +1,40 @@
+/// Arrays of many elements.
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace zproof {
+
+/// Asks the system for huge pages where the memory has room for some; nothing is lost where it refuses. A
+/// page of 2 MiB takes about as long to come by as a dozen of the 512 that it stands for.
+void prefer_huge_pages(void* memory, std::size_t bytes) noexcept;
+
+/// Memory for `bytes` bytes, in huge pages where that is 2 MiB or more. Throws std::bad_alloc.
+void* allocate_bulk(std::size_t bytes);
+void free_bulk(void* memory) noexcept;
+
+/// Unlike with std::allocator, elements that nobody gives a value to stay unwritten, where their type allows
+/// that: resize() clears nothing that is about to be written.
+template <class T>
+struct BulkAllocator {
+    using value_type = T;
+
+    BulkAllocator() = default;
+    template <class U>
+    constexpr BulkAllocator(const BulkAllocator<U>&) noexcept {}
+
+    T* allocate(std::size_t count) { return static_cast<T*>(allocate_bulk(count * sizeof(T))); }
+    void deallocate(T* values, std::size_t) noexcept { free_bulk(values); }
+    template <class U>
+    void construct(U* value) noexcept {
+        ::new (static_cast<void*>(value)) U;
+    }
+    bool operator==(const BulkAllocator&) const = default;
+};
+
+template <class T>
+using Bulk = std::vector<T, BulkAllocator<T>>;
+
+}  // namespace zproof

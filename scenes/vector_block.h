@@ -1,0 +1,37 @@
+/// A thousand vectors at a time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <span>
+
+namespace zproof {
+
+/// Vectors that are transformed side by side, each with the bits that GLM gives it alone.
+class VectorBlock {
+  public:
+    static constexpr std::size_t capacity = 1024;
+
+    /// As many vectors, at most `capacity`; they have no value yet.
+    explicit VectorBlock(std::size_t size) : size_(size) {}
+
+    void set(std::size_t i, const glm::dvec3& vector) {
+        x_[i] = vector.x;
+        y_[i] = vector.y;
+        z_[i] = vector.z;
+    }
+
+    void multiply(const glm::dmat3& matrix);
+    void add(const glm::dvec3& vector);
+    /// Divides each by its length; those without a direction (length 0, infinite or no number) become 0.
+    void normalize();
+    /// All of them, each rounded once.
+    void write(std::span<glm::vec3> to) const;
+
+  private:
+    std::size_t size_;
+    std::array<double, capacity> x_, y_, z_;
+};
+
+}  // namespace zproof
