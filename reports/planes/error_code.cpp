@@ -32,7 +32,7 @@ constexpr std::uint32_t least_fraction(double least) {
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] void fill_codes(const float* errors, std::size_t count,
-                                                                      char* codes) {
+                                                                     char* codes) {
     for (std::size_t i = 0; i < count; ++i) codes[i] = char(code_of(errors[i]));
 }
 
