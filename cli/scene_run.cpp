@@ -82,7 +82,7 @@ std::optional<ViewResult> run_view(const Trial& trial) {
 
     desk.progress.begin_stage("judge " + view.name);
     const Testimony ours{candidate, court.candidate.precision}, theirs{reference, court.reference.precision};
-    const Verdict verdict = judge(scene, view, ours, theirs);
+    auto [verdict, errors, rulings] = judge_in_full(scene, view, ours, theirs);
     ViewResult result = to_view_result(docket, verdict, desk.gate);
     result.diagnosis = diagnose(scene, view, ours, theirs, verdict);
     times.judge = watch.lap();
@@ -96,7 +96,8 @@ std::optional<ViewResult> run_view(const Trial& trial) {
     times.witnesses = watch.lap();
 
     desk.progress.begin_stage("write " + view.name);
-    write_viewer_evidence(desk.run_folder / result.folder, {docket, ours, theirs, verdict, statements});
+    write_viewer_evidence(desk.run_folder / result.folder,
+                          {docket, ours, theirs, verdict, std::move(errors), rulings, statements});
     times.write += watch.lap();
     result.times = times;
     return result;

@@ -1,12 +1,13 @@
 #include "cli/viewer_evidence.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
+#include <unordered_map>
 
 #include "cli/arguments.h"
-#include "compare/error_map.h"
 #include "compare/illustration.h"
 #include "frame/exr.h"
 #include "reports/planes/view_planes.h"
@@ -28,13 +29,14 @@ std::vector<planes::Story> stories_of(const JudgedView& judged) {
     const auto& [scene, view] = std::tie(judged.docket.scene, judged.docket.view);
     const std::vector<PixelPlace> places = telling_pixels(
         judged.verdict, defect_count(judged.verdict) > 0 ? most_stories_of_failed : most_stories_of_proven);
-    std::vector<PixelStory> told = explain(scene, view, judged.candidate, judged.reference, places);
-    auto images = images_around(scene, view, places, drawn_around_px, most_images);
-    std::vector<planes::Story> stories;
-    for (std::size_t i = 0; i < told.size(); ++i) {
-        std::string text = in_words(scene, told[i]);
-        stories.push_back({std::move(told[i]), std::move(text), std::move(images[i])});
-    }
+    std::vector<IllustratedStory> told = illustrate(scene, view, judged.candidate, judged.reference,
+                                                    {places, drawn_around_px, most_images, judged.rulings});
+    std::vector<planes::Story> stories(told.size());
+    tbb::parallel_for(std::size_t(0), told.size(), [&](std::size_t i) {
+        auto& [story, images] = told[i];
+        std::string text = in_words(scene, story);
+        stories[i] = {std::move(story), std::move(text), std::move(images)};
+    });
     return stories;
 }
 
@@ -53,6 +55,52 @@ planes::ViewFacts facts_of(const Docket& docket) {
             .perspective = perspective};
 }
 
+/// Severest class first, then the largest error over its bound, then in raster order.
+bool is_worse(const Finding* a, const Finding* b) {
+    const auto error = [](const Finding* f) {
+        return std::isnan(f->error_over_bound) ? -1 : f->error_over_bound;
+    };
+    if (a->verdict != b->verdict) return a->verdict > b->verdict;
+    if (error(a) != error(b)) return error(a) > error(b);
+    return a < b;
+}
+
+/// Of every class and pair of triangles, whichever says which, the worst finding; the worst of them first.
+std::vector<const Finding*> worst_of_each_pair(const std::vector<Finding>& findings) {
+    const auto hashed = [](const Finding* f) {
+        const auto [low, high] = std::minmax(f->candidate.primitive, f->reference.primitive);
+        const std::uint64_t pair = std::uint64_t(low) << 32 | std::uint64_t(high);
+        return std::size_t((pair ^ std::uint64_t(f->verdict) << 28) * 0x9E37'79B9'7F4A'7C15u >> 16);
+    };
+    const auto alike = [](const Finding* a, const Finding* b) {
+        return a->verdict == b->verdict && std::minmax(a->candidate.primitive, a->reference.primitive) ==
+                                               std::minmax(b->candidate.primitive, b->reference.primitive);
+    };
+    std::unordered_map<const Finding*, const Finding*, decltype(hashed), decltype(alike)> worst(16, hashed,
+                                                                                                alike);
+    for (const Finding& f : findings) {
+        const auto [found, is_new] = worst.try_emplace(&f, &f);
+        if (!is_new && is_worse(&f, found->second)) found->second = &f;
+    }
+    std::vector<const Finding*> sorted;
+    for (const auto& [any, one] : worst) sorted.push_back(one);
+    std::ranges::sort(sorted, is_worse);
+    return sorted;
+}
+
+/// The worst of those that are not among `told`.
+std::vector<const Finding*> worst_but(const std::vector<const Finding*>& told,
+                                      const std::vector<Finding>& findings, std::size_t most) {
+    const std::set<const Finding*> seen(told.begin(), told.end());
+    std::vector<const Finding*> rest;
+    for (const Finding& f : findings)
+        if (!seen.contains(&f)) rest.push_back(&f);
+    const std::size_t count = std::min(most, rest.size());
+    std::ranges::partial_sort(rest, rest.begin() + std::ptrdiff_t(count), is_worse);
+    rest.resize(count);
+    return rest;
+}
+
 Picture colours_in(const std::filesystem::path& file) {
     return std::filesystem::exists(file) ? read_picture_exr(file) : Picture{};
 }
@@ -60,36 +108,28 @@ Picture colours_in(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<PixelPlace> telling_pixels(const Verdict& verdict, std::size_t most) {
-    std::vector<const Finding*> worst_first;
-    for (const Finding& finding : verdict.findings) worst_first.push_back(&finding);
-    const auto severity = [](const Finding* f) {
-        return std::pair{f->verdict, std::isnan(f->error_over_bound) ? -1 : f->error_over_bound};
-    };
-    std::ranges::stable_sort(worst_first, std::greater<>{}, severity);
-    std::set<std::tuple<PixelClass, PrimitiveId, PrimitiveId>> seen;
-    std::vector<const Finding*> told, rest;
-    for (const Finding* f : worst_first) {
-        const auto [low, high] = std::minmax(f->candidate.primitive, f->reference.primitive);
-        (seen.insert({f->verdict, low, high}).second ? told : rest).push_back(f);
+    std::vector<const Finding*> told = worst_of_each_pair(verdict.findings);
+    if (told.size() < most) {
+        const std::vector<const Finding*> rest = worst_but(told, verdict.findings, most - told.size());
+        told.insert(told.end(), rest.begin(), rest.end());
     }
-    told.insert(told.end(), rest.begin(), rest.end());
-    if (told.size() > most) told.resize(most);
+    told.resize(std::min(told.size(), most));
     std::ranges::sort(told, {}, [](const Finding* f) { return std::pair{f->y, f->x}; });
     std::vector<PixelPlace> places;
     for (const Finding* finding : told) places.push_back({finding->x, finding->y});
     return places;
 }
 
-void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView& judged) {
-    const auto& [docket, candidate, reference, verdict, statements] = judged;
+void write_viewer_evidence(const std::filesystem::path& folder, JudgedView judged) {
+    auto& [docket, candidate, reference, verdict, errors, rulings, statements] = judged;
     planes::ViewPlanes shown{
         .facts = facts_of(docket),
         .candidate = {name_of(docket.parties.candidate), candidate.frame, colours_in(folder / "colour.exr")},
         .reference = {name_of(docket.parties.reference), reference.frame, {}},
         .witnesses = {},
         .verdict = verdict,
-        .candidate_error = error_over_bound(docket.scene, docket.view, candidate),
-        .reference_error = error_over_bound(docket.scene, docket.view, reference),
+        .candidate_error = std::move(errors.candidate),
+        .reference_error = std::move(errors.reference),
         .ranges = ranges_of(docket.scene),
         .stories = stories_of(judged)};
     for (const Statement& statement : statements)

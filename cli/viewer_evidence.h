@@ -6,6 +6,7 @@
 
 #include "cli/witness_hearing.h"
 #include "compare/explain.h"
+#include "compare/judge_in_full.h"
 
 namespace zproof {
 
@@ -14,12 +15,14 @@ struct JudgedView {
     const Docket& docket;
     const Testimony &candidate, &reference;
     const Verdict& verdict;
+    ErrorMaps errors;
+    const std::vector<RuledPlace>& rulings;  ///< see JudgedInFull
     const std::vector<Statement>& statements;
 };
 
 /// Writes planes.zvp into the view's folder, with the stories of its most telling pixels; colours are read
 /// from the pictures that lie there. Throws ReportError where it cannot be written.
-void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView& judged);
+void write_viewer_evidence(const std::filesystem::path& folder, JudgedView judged);
 
 /// The pixels whose stories are told: of every pair of triangles that some class arises between the worst
 /// one, severest class first, then the worst of all, `most` in all; in raster order.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "compare/error_scribe.h"
 #include "compare/shown_triangles.h"
 
 namespace zproof {
@@ -56,6 +57,12 @@ class Comparison {
           shown_(scene, candidate, reference),
           look_(scene, candidate, reference) {}
 
+    /// Has the depth errors of what is compared from now on written down.
+    void keep_errors(ErrorMaps& errors) {
+        scribes_.emplace(Scribes{{candidate_, triangle_count_, errors.candidate},
+                                 {reference_, triangle_count_, errors.reference}});
+    }
+
     /// Compares the pixels of a tile; `rows` are the findings of its rows.
     void compare(const Tile& tile, std::span<Findings> rows) {
         shown_.clear();
@@ -70,6 +77,11 @@ class Comparison {
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
             hold(strip);
+            if (scribes_) {
+                const auto width = std::size_t(tile.right - tile.left);
+                scribes_->candidate.write(strip.candidate, strip.x, y, width);
+                scribes_->reference.write(strip.reference, strip.x, y, width);
+            }
             settle(strip, rows[std::size_t(y - tile.top)]);
         }
     }
@@ -158,8 +170,13 @@ class Comparison {
         return is_settled(pixel);
     }
 
+    struct Scribes {
+        ErrorScribe candidate, reference;
+    };
+
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
+    std::optional<Scribes> scribes_;
     ShownTriangles shown_;
     std::array<Strip, tile_height> strips_;
     Count candidate_count_, reference_count_;
@@ -232,9 +249,11 @@ void add(Tally& sum, const Tally& part) {
 }
 
 Findings compare_rows(const Scene& scene, const View& view, const Witness& candidate,
-                      const Witness& reference, int top, int bottom) {
+                      const Witness& reference, const Rows& asked) {
+    const auto [top, bottom, errors] = asked;
     Findings found;
     Comparison comparison(scene, candidate, reference);
+    if (errors) comparison.keep_errors(*errors);
     std::vector<Findings> rows(std::size_t(bottom - top));
     for (int tile_top = top; tile_top < bottom; tile_top += tile_height)
         for (int left = 0; left < view.width; left += tile_width) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "compare/error_map.h"
 #include "compare/memory.h"
 #include "compare/pixel_place.h"
 #include "compare/witness.h"
@@ -54,8 +55,13 @@ struct Findings {
     Tally tally;                   ///< of the depths at pixels where both name the same triangle
 };
 
-/// Compares rows [top, bottom).
+/// Rows [top, bottom).
+struct Rows {
+    int top, bottom;
+    ErrorMaps* errors = nullptr;  ///< where there are some, what these rows of them hold is written
+};
+
 Findings compare_rows(const Scene& scene, const View& view, const Witness& candidate,
-                      const Witness& reference, int top, int bottom);
+                      const Witness& reference, const Rows& rows);
 
 }  // namespace zproof

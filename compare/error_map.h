@@ -10,4 +10,9 @@ namespace zproof {
 /// surrounding tbb::task_arena. The frame must have the view's size (std::invalid_argument otherwise).
 Plane<float> error_over_bound(const Scene& scene, const View& view, const Testimony& testimony);
 
+/// The same of both renderers.
+struct ErrorMaps {
+    Plane<float> candidate, reference;
+};
+
 }  // namespace zproof

@@ -1,5 +1,7 @@
 #include "compare/explain.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,12 +9,16 @@
 
 #include "compare/adjudication.h"
 #include "compare/nearby_triangles.h"
+#include "compare/storyteller.h"
 
 namespace zproof {
 
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Remembered at one pixel.
+constexpr std::size_t coplanar_pairs = 64;
 
 std::array<double, 3> edge_distances(const Sight<double>& sight, const CornersWorld& p_world) {
     const auto image = image_of(sight, corners<double>(p_world));
@@ -24,11 +30,12 @@ std::array<double, 3> edge_distances(const Sight<double>& sight, const CornersWo
     return distance;
 }
 
-std::vector<Candidate> candidates_in(const View& view, const Witness& witness, const Neighbourhood& around) {
+std::vector<Candidate> candidates_in(const View& view, const Witness& witness, const Neighbourhood& around,
+                                     CoplanarMemory& memory) {
     const Sight<double> sight(view, around.x, around.y);
     std::vector<Candidate> candidates;
     for (const Neighbour& n : around.neighbours) {
-        const Decision decision = decide(around, PrimitiveId(n.triangle));
+        const Decision decision = decide(around, PrimitiveId(n.triangle), memory);
         if (decision.standing == Standing::outside) continue;
         const TriangleDepth depth =
             depth_of(TriangleInView(view, witness.bounds(), n.p_world), witness.bounds());
@@ -60,13 +67,12 @@ void require_inside(const View& view, const PixelPlace& place) {
         throw std::out_of_range("explain: the pixel lies outside the view");
 }
 
-/// All that comes within each pixel's eps of its centre.
-std::vector<Site> sites_of(const Scene& scene, const View& view, const std::vector<PixelStory>& stories) {
-    std::vector<Site> sites;
-    for (const PixelStory& story : stories)
-        sites.push_back({story.finding.x, story.finding.y, story.finding.eps_px, {}});
-    find_nearby_triangles(scene, view, sites);
-    return sites;
+const RuledPlace* found_among(std::span<const RuledPlace> known, const PixelPlace& place) {
+    const auto found =
+        std::ranges::lower_bound(known, std::pair{place.y, place.x}, {}, [](const RuledPlace& r) {
+            return std::pair{r.y, r.x};
+        });
+    return found != known.end() && found->x == place.x && found->y == place.y ? &*found : nullptr;
 }
 
 }  // namespace
@@ -79,29 +85,66 @@ PixelStory explain(const Scene& scene, const View& view, const Testimony& candid
 
 std::vector<PixelStory> explain(const Scene& scene, const View& view, const Testimony& candidate,
                                 const Testimony& reference, std::span<const PixelPlace> places) {
-    const Witness ours(scene, view, candidate), theirs(scene, view, reference);
+    const Storyteller teller(scene, view, candidate, reference);
+    std::vector<PixelStory> stories = teller.begin(places);
+    std::vector<Site> sites;
+    for (const PixelStory& story : stories) sites.push_back(site_of(story));
+    find_nearby_triangles(scene, view, sites);
+    tbb::parallel_for(std::size_t(0), stories.size(),
+                      [&](std::size_t i) { teller.finish(stories[i], sites[i]); });
+    return stories;
+}
+
+std::vector<Ruling> Storyteller::rulings_on(std::span<const PixelPlace> places,
+                                            std::span<const RuledPlace> known) const {
+    std::vector<Ruling> rulings(places.size());
+    std::vector<PixelPlace> unknown;
+    std::vector<std::size_t> number;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (const RuledPlace* ruled = found_among(known, places[i])) {
+            rulings[i] = {{ruled->candidate, ruled->candidate_eps_px, {}},
+                          {ruled->reference, ruled->reference_eps_px, {}}};
+        } else {
+            unknown.push_back(places[i]);
+            number.push_back(i);
+        }
+    }
+    if (unknown.empty()) return rulings;
+    const Rulings ruled = rule_on(scene_, view_, candidate_, reference_, unknown);
+    for (std::size_t i = 0; i < unknown.size(); ++i) rulings[number[i]] = ruled[i];
+    return rulings;
+}
+
+std::vector<PixelStory> Storyteller::begin(std::span<const PixelPlace> places,
+                                           std::span<const RuledPlace> known) const {
     std::vector<OpenPixel> open;
-    PixelLook look(scene, ours, theirs);
+    PixelLook look(scene_, candidate_, reference_);
     for (const PixelPlace& place : places) {
-        require_inside(view, place);
+        require_inside(view_, place);
         open.push_back(look.at(place.x, place.y));
     }
-    const Rulings rulings = rule_on(scene, view, ours, theirs, places);
+    const std::vector<Ruling> rulings = rulings_on(places, known);
     std::vector<PixelStory> stories;
     for (std::size_t i = 0; i < open.size(); ++i) {
         stories.push_back(told_so_far(open[i], rulings[i]));
         Finding& f = stories[i].finding;
         if (!stories[i].ids_differ && !open[i].candidate_invalid)
-            f.eps_px = own_eps_px(scene, view, ours.bounds(), f.x, f.y, f.candidate.primitive);
-    }
-    const std::vector<Site> sites = sites_of(scene, view, stories);
-    for (std::size_t i = 0; i < stories.size(); ++i) {
-        Neighbourhood around = neighbourhood_of(scene, view, ours.bounds(), sites[i], sites[i].reach_px);
-        around.eps_px = sites[i].reach_px;
-        stories[i].candidates = candidates_in(view, ours, around);
-        stories[i].background = decide(around, PrimitiveId::none);
+            f.eps_px = own_eps_px(scene_, view_, candidate_.bounds(), f.x, f.y, f.candidate.primitive);
     }
     return stories;
+}
+
+void Storyteller::finish(PixelStory& story, const Site& site) const {
+    Neighbourhood around = neighbourhood_of(scene_, view_, candidate_.bounds(), site, site.reach_px);
+    around.eps_px = site.reach_px;
+    CoplanarMemory memory(coplanar_pairs);
+    story.candidates = candidates_in(view_, candidate_, around, memory);
+    story.background = decide(around, PrimitiveId::none, memory);
+}
+
+Site site_of(const PixelStory& story, double reach_px) {
+    const Finding& f = story.finding;
+    return {f.x, f.y, std::max(f.eps_px, reach_px), {}};
 }
 
 }  // namespace zproof

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/explain.h"
+#include "compare/judge_in_full.h"
 #include "math/affine.h"
 
 namespace zproof {
@@ -21,5 +22,23 @@ struct NearbyImage {
 std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const View& view,
                                                     std::span<const PixelPlace> places, double reach_px,
                                                     std::size_t most);
+
+/// A story, and what is drawn beside it.
+struct IllustratedStory {
+    PixelStory story;
+    std::vector<NearbyImage> images;
+};
+
+/// What is told and drawn; see images_around().
+struct IllustratedPlaces {
+    std::span<const PixelPlace> places;
+    double reach_px = 0;
+    std::size_t most = 0;
+    std::span<const RuledPlace> known{};  ///< rulings that need not be made again, in raster order
+};
+
+/// explain() and images_around() together: the scene is searched once for both.
+std::vector<IllustratedStory> illustrate(const Scene& scene, const View& view, const Testimony& candidate,
+                                         const Testimony& reference, const IllustratedPlaces& places);
 
 }  // namespace zproof

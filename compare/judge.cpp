@@ -8,21 +8,29 @@
 #include <stdexcept>
 
 #include "compare/adjudication.h"
+#include "compare/judge_in_full.h"
 #include "compare/layered_tiles.h"
 
 namespace zproof {
 
 namespace {
 
+/// What comes of judging; all of it only where somebody wants that.
+struct Kept {
+    Verdict& verdict;
+    JudgedInFull* full;
+};
+
 /// Every open pixel of the frame in raster order; depths are counted into the verdict.
 std::vector<PixelPlace> first_pass(const Scene& scene, const View& view, const Witness& candidate,
-                                   const Witness& reference, Verdict& verdict) {
+                                   const Witness& reference, const Kept& kept) {
     constexpr int band_rows = 16;
     std::vector<Findings> bands(static_cast<std::size_t>((view.height + band_rows - 1) / band_rows));
     tbb::parallel_for(0, int(bands.size()), [&](int band) {
         const int top = band * band_rows;
-        bands[std::size_t(band)] =
-            compare_rows(scene, view, candidate, reference, top, std::min(top + band_rows, view.height));
+        bands[std::size_t(band)] = compare_rows(
+            scene, view, candidate, reference,
+            {top, std::min(top + band_rows, view.height), kept.full ? &kept.full->errors : nullptr});
     });
     Tally sum;
     std::vector<PixelPlace> open;
@@ -33,8 +41,8 @@ std::vector<PixelPlace> first_pass(const Scene& scene, const View& view, const W
         add(sum, band.tally);
         open.insert(open.end(), band.open.begin(), band.open.end());
     }
-    verdict.candidate_depth = sum.candidate;
-    verdict.reference_depth = sum.reference;
+    kept.verdict.candidate_depth = sum.candidate;
+    kept.verdict.reference_depth = sum.reference;
     return open;
 }
 
@@ -114,21 +122,32 @@ class Record {
     const Rulings& rulings_;
 };
 
-}  // namespace
+std::vector<RuledPlace> placed(std::span<const PixelPlace> places, const Rulings& rulings) {
+    std::vector<RuledPlace> ruled;
+    ruled.reserve(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto [ours, theirs] = rulings[i];
+        ruled.push_back(
+            {places[i].x, places[i].y, ours.decision, theirs.decision, ours.eps_px, theirs.eps_px});
+    }
+    return ruled;
+}
 
-Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference) {
+Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference,
+              JudgedInFull* full) {
     const Resolution size{view.width, view.height};
     if (candidate.frame.size() != size || reference.frame.size() != size)
         throw std::invalid_argument("judge: both frames must have the view's size");
     Verdict verdict;
     verdict.classes = Plane<PixelClass>(size, PixelClass::agree);
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
-    const std::vector<PixelPlace> open = first_pass(scene, view, ours, theirs, verdict);
+    const std::vector<PixelPlace> open = first_pass(scene, view, ours, theirs, {verdict, full});
     verdict.findings.resize(open.size());
     const Comparands comparands{scene, view, ours, theirs};
     const LayeredFindings layered = settle_layers(comparands, open, verdict);
     const std::vector<PixelPlace> rest = places(open, layered.left);
     const Rulings rulings = rule_on(scene, view, ours, theirs, rest);
+    if (full) full->rulings = placed(rest, rulings);
     Count count = Record(comparands, rest, rulings).write(layered.left, verdict);
     count.add(layered.counts);
     verdict.counts = count.classes;
@@ -141,6 +160,20 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     if (count.classes[std::size_t(PixelClass::agree)] != 0)
         std::erase_if(verdict.findings, [](const Finding& f) { return f.verdict == PixelClass::agree; });
     return verdict;
+}
+
+}  // namespace
+
+Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference) {
+    return judge(scene, view, candidate, reference, nullptr);
+}
+
+JudgedInFull judge_in_full(const Scene& scene, const View& view, const Testimony& candidate,
+                           const Testimony& reference) {
+    const Resolution size{view.width, view.height};
+    JudgedInFull judged{{}, {Plane<float>::unwritten(size), Plane<float>::unwritten(size)}, {}};
+    judged.verdict = judge(scene, view, candidate, reference, &judged);
+    return judged;
 }
 
 std::uint64_t defect_count(const Verdict& verdict) {

@@ -74,8 +74,8 @@ std::string Deflater::deflated(std::string_view bytes) {
 
 std::string deflated(std::string_view bytes) { return Deflater{}.deflated(bytes); }
 
-std::uint32_t crc32_of(std::string_view bytes) {
-    return crc32_gzip_refl(0, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+std::uint32_t crc32_of(std::string_view bytes, std::uint32_t of_before) {
+    return crc32_gzip_refl(of_before, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
 }  // namespace zproof

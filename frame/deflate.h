@@ -29,8 +29,8 @@ class Deflater {
 /// One buffer.
 std::string deflated(std::string_view bytes);
 
-/// CRC-32 of zlib and PNG (ISO 3309).
-std::uint32_t crc32_of(std::string_view bytes);
+/// CRC-32 of zlib and PNG (ISO 3309); of two pieces, where that of the first is known.
+std::uint32_t crc32_of(std::string_view bytes, std::uint32_t of_before = 0);
 
 /// The bytes that values occupy in memory.
 template <class T>

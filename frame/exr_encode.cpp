@@ -37,17 +37,14 @@ void gather(Resolution size, std::span<const ExrChannel> channels, int row, char
 }
 
 /// Even bytes, then odd ones; and of those each less the one before it, plus 128 (but for the first).
-void predict(std::string_view raw, std::string& sorted_bytes, std::string& missed_bytes) {
-    assert(raw.size() % 2 == 0 && sorted_bytes.size() == raw.size() && missed_bytes.size() == raw.size());
-    const std::size_t half = raw.size() / 2;
-    // Bare pointers: a char written through the strings might be their own pointer, for all the compiler
-    // knows.
-    const char* from = raw.data();
-    char *sorted = sorted_bytes.data(), *missed = missed_bytes.data();
-    for (std::size_t i = 0; i < half; ++i) sorted[i] = from[2 * i];
-    for (std::size_t i = 0; i < half; ++i) sorted[half + i] = from[2 * i + 1];
-    missed[0] = sorted[0];
-    for (std::size_t i = 1; i < 2 * half; ++i) missed[i] = static_cast<char>(sorted[i] - sorted[i - 1] + 128);
+[[gnu::target_clones("default", "avx2", "avx512f")]] void predict(const char* raw, std::size_t size,
+                                                                  char* missed) {
+    const std::size_t half = size / 2;
+    missed[0] = raw[0];
+    for (std::size_t i = 1; i < half; ++i) missed[i] = static_cast<char>(raw[2 * i] - raw[2 * i - 2] + 128);
+    missed[half] = static_cast<char>(raw[1] - raw[size - 2] + 128);
+    for (std::size_t i = 1; i < half; ++i)
+        missed[half + i] = static_cast<char>(raw[2 * i + 1] - raw[2 * i - 1] + 128);
 }
 
 /// Makes blocks, one after another, in memory of its own.
@@ -57,17 +54,17 @@ class BlockMaker {
     std::string block(Resolution size, std::span<const ExrChannel> channels, int first_row) {
         const auto rows = static_cast<std::size_t>(std::min(rows_in_block, size.height - first_row));
         const std::size_t row_bytes = 4 * channels.size() * static_cast<std::size_t>(size.width);
-        for (std::string* buffer : {&raw_, &sorted_, &missed_}) buffer->resize(rows * row_bytes);
+        for (std::string* buffer : {&raw_, &missed_}) buffer->resize(rows * row_bytes);
         for (std::size_t row = 0; row < rows; ++row)
             gather(size, channels, first_row + static_cast<int>(row), raw_.data() + row * row_bytes);
-        predict(raw_, sorted_, missed_);
+        predict(raw_.data(), raw_.size(), missed_.data());
         std::string packed = deflater_.deflated(missed_);
         return packed.size() < raw_.size() ? packed : raw_;
     }
 
   private:
     Deflater deflater_;
-    std::string raw_, sorted_, missed_;
+    std::string raw_, missed_;
 };
 
 /// OpenEXR's own writer, into memory.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -23,18 +24,24 @@ std::string big_endian(std::uint32_t value) {
 }
 
 /// Length, type, content, and the CRC of type and content.
-std::string chunk(std::string_view type, std::string_view content) {
-    const std::string typed = std::string(type).append(content);
-    return big_endian(static_cast<std::uint32_t>(content.size())) + typed + big_endian(crc32_of(typed));
+void add_chunk(std::string& png, std::string_view type, std::string_view content) {
+    png += big_endian(static_cast<std::uint32_t>(content.size()));
+    png.append(type).append(content);
+    png += big_endian(crc32_of(content, crc32_of(type)));
 }
 
 /// Rows of `stride` bytes, each behind the number of its filter.
-std::string filtered(std::string_view pixels, std::size_t stride, PngRows how) {
-    const std::size_t height = pixels.size() / stride;
-    std::string rows((stride + 1) * height, '\0');
+struct FilteredRows {
+    std::unique_ptr<char[]> bytes;
+    std::size_t size;
+};
+
+FilteredRows filtered(std::string_view pixels, std::size_t stride, PngRows how) {
+    const std::size_t height = pixels.size() / stride, size = (stride + 1) * height;
+    FilteredRows rows{std::make_unique_for_overwrite<char[]>(size), size};
     for (std::size_t y = 0; y < height; ++y) {
         const char* from = pixels.data() + y * stride;
-        char* to = rows.data() + y * (stride + 1);
+        char* to = rows.bytes.get() + y * (stride + 1);
         const bool has_upper = y > 0 && how == PngRows::less_the_upper;
         *to++ = has_upper ? filter_up : filter_none;
         for (std::size_t i = 0; has_upper && i < stride; ++i)
@@ -44,11 +51,11 @@ std::string filtered(std::string_view pixels, std::size_t stride, PngRows how) {
     return rows;
 }
 
-/// Colour type: 2 for RGB, 3 for indices into `palette` (its PLTE chunk, else empty).
+/// Colour type: 2 for RGB, 3 for indices into `palette` (else empty).
 struct Layout {
     Resolution size;
     char colour_type = 2;
-    std::string palette;
+    std::string_view palette;
     PngRows rows = PngRows::as_they_are;
 };
 
@@ -58,9 +65,14 @@ std::string png_of(const Layout& layout, std::string_view pixels, const std::str
     const std::string header = big_endian(static_cast<std::uint32_t>(width)) +
                                big_endian(static_cast<std::uint32_t>(height)) + '\x08' + layout.colour_type +
                                std::string(3, '\0');  // 8 bits; deflate, adaptive filters, no interlace
-    const std::string rows = filtered(pixels, pixels.size() / static_cast<std::size_t>(height), layout.rows);
-    return "\x89PNG\r\n\x1A\n" + chunk("IHDR", header) + chunk("sRGB", std::string(1, '\0')) +
-           layout.palette + chunk("IDAT", deflated(rows)) + chunk("IEND", "");
+    const FilteredRows rows = filtered(pixels, pixels.size() / static_cast<std::size_t>(height), layout.rows);
+    std::string png = "\x89PNG\r\n\x1A\n";
+    add_chunk(png, "IHDR", header);
+    add_chunk(png, "sRGB", std::string(1, '\0'));
+    if (!layout.palette.empty()) add_chunk(png, "PLTE", layout.palette);
+    add_chunk(png, "IDAT", deflated({rows.bytes.get(), rows.size}));
+    add_chunk(png, "IEND", "");
+    return png;
 }
 
 std::string png_of(const Plane<Rgb8>& picture, PngRows rows, const std::string& place) {
@@ -80,8 +92,7 @@ void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture, Pn
 void write_png(const std::filesystem::path& file, const Plane<std::uint8_t>& indices,
                std::span<const Rgb8> colours) {
     assert(!colours.empty() && colours.size() <= 256);
-    const Layout layout{
-        .size = indices.size(), .colour_type = 3, .palette = chunk("PLTE", bytes_in(colours))};
+    const Layout layout{.size = indices.size(), .colour_type = 3, .palette = bytes_in(colours)};
     write_whole_file(file, png_of(layout, bytes_in(indices.pixels()), file.string()));
 }
 

@@ -14,15 +14,6 @@ enum class PeerFilter {
     anisotropic,  ///< several places along the footprint's longer axis
 };
 
-/// OpenImageIO's TextureSystem, with a mip chain made by its own make_texture (box) from the decoded float32
-/// texels, bilinear interpolation and the conservative filter. It is given, in float32, the texture
-/// coordinates and steps that each pixel of the frame sees. Throws OracleError in its words.
-Picture openimageio_filtered(const Scene& scene, const View& view, const Frame& frame, PeerFilter filter,
-                             const FilterSettings& settings);
-/// What is declared for it: float32 throughout.
-FilterPrecision openimageio_filter_precision();
-std::string openimageio_version();
-
 /// OpenGL's samplers: textures of float32 texels, its own glGenerateMipmap, GL_LINEAR_MIPMAP_LINEAR,
 /// GL_TEXTURE_MAX_ANISOTROPY. Each pixel is given, in float32, the texture coordinates that it sees; steps
 /// are handed over likewise (`analytic`, by textureGrad) or found by the driver (`quad_differences`). Throws

@@ -41,12 +41,12 @@ const std::map<std::string, Names> may_include{
 /// print.
 const std::map<std::string, Names> spoken_to_in{
     {"embree3/", {"oracle"}},    {"EGL/", {"oracle"}},
-    {"GL/", {"oracle"}},         {"OpenImageIO/", {"frame", "oracle"}},
+    {"GL/", {"oracle"}},         {"OpenImageIO/", {"oracle"}},
     {"tiny_gltf.h", {"scenes"}}, {"nlohmann/", {"frame", "scenes", "reports"}},
     {"CLI/", {"cli"}},           {"openssl/", {"math"}},
     {"toml++/", {"cli"}},        {"Eigen/", {"study"}},
     {"iostream", {"cli"}},       {"cstdio", {}},
-    {"isa-l/", {"frame"}},
+    {"isa-l/", {"frame"}},       {"OpenEXR/", {"frame"}},
 };
 
 constexpr std::size_t longest_line = 110, longest_file = 600, comfortable_header = 150;

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cassert>
 #include <cstring>
+#include <memory>
 
 #include "frame/deflate.h"
 #include "reports/report_error.h"
@@ -21,18 +22,34 @@ const Bytef* zlib_bytes(std::string_view bytes) { return reinterpret_cast<const 
 std::uint32_t folded(std::uint32_t difference) { return (difference << 1) ^ (0u - (difference >> 31)); }
 std::uint32_t unfolded(std::uint32_t folded) { return (folded >> 1) ^ (0u - (folded & 1)); }
 
+/// Memory that is written before it is read.
+template <class T>
+std::span<T> unwritten(std::unique_ptr<T[]>& memory, std::size_t count) {
+    memory = std::make_unique_for_overwrite<T[]>(count);
+    return {memory.get(), count};
+}
+
+/// The lowest byte of every number once it is shifted.
+[[gnu::target_clones("default", "avx2", "avx512f")]] void take_bytes(const std::uint32_t* values,
+                                                                      std::size_t count, int shift,
+                                                                      char* to) {
+    for (std::size_t i = 0; i < count; ++i) to[i] = char(values[i] >> shift);
+}
+void take_bytes(const std::uint64_t* values, std::size_t count, int shift, char* to) {
+    for (std::size_t i = 0; i < count; ++i) to[i] = char(values[i] >> shift);
+}
+
 /// Byte k of every number, for k = 0, 1, ... until the rest is zero.
 template <class T>
-std::string byte_planes(std::span<const T> values) {
+std::string deflated_byte_planes(std::span<const T> values) {
     T any = 0;
     for (const T value : values) any |= value;
     const std::size_t count = (std::size_t(std::bit_width(any)) + 7) / 8;
-    std::string bytes(count * values.size(), '\0');
-    for (std::size_t k = 0; k < count; ++k) {
-        char* plane = bytes.data() + k * values.size();
-        for (std::size_t i = 0; i < values.size(); ++i) plane[i] = char(values[i] >> (8 * k));
-    }
-    return bytes;
+    std::unique_ptr<char[]> memory;
+    const std::span<char> bytes = unwritten(memory, count * values.size());
+    for (std::size_t k = 0; k < count; ++k)
+        take_bytes(values.data(), values.size(), int(8 * k), bytes.data() + k * values.size());
+    return deflated({bytes.data(), bytes.size()});
 }
 
 template <class T>
@@ -70,16 +87,17 @@ void miss_planar(Words upper, Words row, std::span<std::uint32_t> missed) {
 
 std::string encode(Words values, std::size_t width, Prediction prediction) {
     assert(width > 0 && values.size() % width == 0);
-    std::vector<std::uint32_t> missed(values.size());
+    std::unique_ptr<std::uint32_t[]> memory;
+    const std::span<std::uint32_t> missed = unwritten(memory, values.size());
     for (std::size_t at = 0; at < values.size(); at += width) {
         const auto row = values.part(at, width);
-        const auto to = std::span(missed).subspan(at, width);
+        const auto to = missed.subspan(at, width);
         if (prediction == Prediction::left || at == 0)
             miss_left(row, to);
         else
             miss_planar(values.part(at - width, width), row, to);
     }
-    return deflated(byte_planes(std::span<const std::uint32_t>(missed)));
+    return deflated_byte_planes<std::uint32_t>(missed);
 }
 
 std::vector<std::uint32_t> decode(std::string_view bytes, std::size_t count, std::size_t width,
@@ -92,9 +110,10 @@ std::vector<std::uint32_t> decode(std::string_view bytes, std::size_t count, std
 
 std::string encode(Words values, Words guess) {
     assert(values.size() == guess.size());
-    std::vector<std::uint32_t> missed(values.size());
+    std::unique_ptr<std::uint32_t[]> memory;
+    const std::span<std::uint32_t> missed = unwritten(memory, values.size());
     for (std::size_t i = 0; i < values.size(); ++i) missed[i] = folded(values[i] - guess[i]);
-    return deflated(byte_planes(std::span<const std::uint32_t>(missed)));
+    return deflated_byte_planes<std::uint32_t>(missed);
 }
 
 std::vector<std::uint32_t> decode(std::string_view bytes, std::span<const std::uint32_t> guess) {
@@ -134,7 +153,7 @@ std::size_t missed_by(Words values, Words guess) {
 std::string encode(std::span<const double> values) {
     std::vector<std::uint64_t> bits;
     for (const double value : values) bits.push_back(std::bit_cast<std::uint64_t>(value));
-    return deflated(byte_planes(std::span<const std::uint64_t>(bits)));
+    return deflated_byte_planes<std::uint64_t>(bits);
 }
 
 std::vector<double> decode_doubles(std::string_view bytes, std::size_t count) {

@@ -3,16 +3,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <fstream>
 #include <functional>
-#include <limits>
 
 #include "frame/deflate.h"
 #include "reports/pictures.h"
 #include "reports/planes/coding.h"
+#include "reports/planes/error_code.h"
 #include "reports/planes/stories.h"
 
 namespace zproof::planes {
@@ -39,21 +37,18 @@ Block beside(const std::string& name, Words values, Words candidate, const std::
     return block;
 }
 
-Block bytes_block(const std::string& name, const std::string& bytes) {
+Block bytes_block(const std::string& name, std::string_view bytes) {
     return {name, plane_facts("bytes", bytes), deflated(bytes)};
 }
 
 Block class_block(const Plane<PixelClass>& classes) {
-    std::string bytes(classes.pixels().size(), '\0');
-    std::ranges::transform(classes.pixels(), bytes.begin(), [](PixelClass c) { return char(c); });
-    return bytes_block("class", bytes);
+    static_assert(sizeof(PixelClass) == 1);
+    return bytes_block("class",
+                       {reinterpret_cast<const char*>(classes.pixels().data()), classes.pixels().size()});
 }
 
 Block error_block(const std::string& name, const Plane<float>& errors) {
-    std::string bytes(errors.pixels().size(), '\0');
-    std::ranges::transform(errors.pixels(), bytes.begin(),
-                           [](float error) { return char(error_code(error)); });
-    return bytes_block(name, bytes);
+    return bytes_block(name, error_codes(errors.pixels()));
 }
 
 Block json_block(const std::string& name, const nlohmann::json& content) {
@@ -161,28 +156,7 @@ std::vector<Block> made(const std::vector<Recipe>& recipes) {
     return blocks;
 }
 
-constexpr int fraction_bits = std::numeric_limits<float>::digits - 1;
-
-/// The fraction bits of the least float in [1, 2) that is not below `least`.
-constexpr std::uint32_t least_fraction(double least) {
-    const double exact = (least - 1) * (1 << fraction_bits);
-    const auto whole = std::uint32_t(exact);
-    return whole + (double(whole) < exact);
-}
-
 }  // namespace
-
-std::uint8_t error_code(float ratio) {
-    if (std::isnan(ratio)) return 0;
-    if (std::isinf(ratio)) return 255;
-    const auto bits = std::bit_cast<std::uint32_t>(std::abs(ratio));
-    const int octave = int(bits >> fraction_bits) - 127;  // 0 and what is denormal is far below 2^-50
-    const std::uint32_t fraction = bits % (1u << fraction_bits);
-    constexpr std::array quarters{least_fraction(1.189207115002721), least_fraction(1.4142135623730951),
-                                  least_fraction(1.681792830507429)};
-    const int part = (fraction >= quarters[0]) + (fraction >= quarters[1]) + (fraction >= quarters[2]);
-    return std::uint8_t(1 + std::clamp(4 * octave + part + 200, 0, 254));
-}
 
 Container container_of(const ViewPlanes& v) {
     const auto width = std::size_t(v.candidate.frame.size().width);

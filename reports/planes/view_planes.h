@@ -63,8 +63,4 @@ Container container_of(const ViewPlanes& planes);
 /// container_of() as folder/planes.zvp. Throws ReportError where it cannot be written.
 void write_view_planes(const std::filesystem::path& folder, const ViewPlanes& planes);
 
-/// error / bound as one byte: 0 for NaN, else 1 + what lies between 0 and 254 of the quarter octaves from
-/// 2^-50 up; so 201 is [1, 2^(1/4)), and no code holds ratios of both sides of 1.
-std::uint8_t error_code(float error_over_bound);
-
 }  // namespace zproof::planes

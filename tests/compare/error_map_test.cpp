@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <stdexcept>
 
@@ -32,6 +33,31 @@ TEST(ErrorMap, IsWhatTheJudgeHoldsAgainstTheBoundAtEveryPixel) {
         EXPECT_GT(map.at(3, 2), 0);
         EXPECT_GT(map.at(4, 2), 1);
         EXPECT_EQ(map.at(5, 2), 0) << "its own triangle's depth";
+    }
+}
+
+std::vector<std::uint32_t> bits_of(const Plane<float>& map) {
+    std::vector<std::uint32_t> bits;
+    for (const float value : map.pixels()) bits.push_back(std::bit_cast<std::uint32_t>(value));
+    return bits;
+}
+
+TEST(ErrorMap, OfTheJudgeIsTheSameBitForBit) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        Trial t(projection, 131, 37, {wall(4), wall(8), {{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
+        for (int y = 0; y < 37; ++y)
+            for (int x = 0; x < 131; ++x) {
+                const int which = (x / 3 + y) % 7;
+                const float off = 1 + float(x - 60) * float(y) * 1e-9f;
+                answer(t.candidate, x, y, which, which == 5 ? NAN : (which == 1 ? 8.0f : 4.0f) * off);
+                answer(t.reference, x, y, which == 3 ? 0 : which, 4.0f * off);
+                if (which == 6) answer_background(t.candidate, x, y);
+            }
+        const Testimony ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
+        const auto [verdict, errors, rulings] = judge_in_full(t.scene, t.view, ours, theirs);
+        EXPECT_EQ(bits_of(errors.candidate), bits_of(error_over_bound(t.scene, t.view, ours)));
+        EXPECT_EQ(bits_of(errors.reference), bits_of(error_over_bound(t.scene, t.view, theirs)));
+        EXPECT_EQ(verdict.counts, judge(t.scene, t.view, ours, theirs).counts);
     }
 }
 
@@ -80,6 +106,28 @@ TEST(Explain, ManyPixelsAtOnceAreWhatEachIsByItself) {
     for (std::size_t i = 0; i < 4; ++i)
         EXPECT_EQ(in_words(t.scene, stories[i]),
                   in_words(t.scene, explain(t.scene, t.view, ours, theirs, places[i].x, places[i].y)));
+}
+
+TEST(Explain, WhatTheJudgeRuledIsToldAsIfItWereRuledOnAgain) {
+    Trial t = before_walls(Projection::perspective);
+    answer(t.candidate, 2, 2, 1, 8);
+    answer_background(t.candidate, 4, 4);
+    answer_background(t.reference, 5, 4);
+    const Testimony ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
+    JudgedInFull judged = judge_in_full(t.scene, t.view, ours, theirs);
+    ASSERT_EQ(judged.rulings.size(), 3u);
+    const PixelPlace places[] = {{5, 4}, {2, 2}, {0, 0}, {4, 4}};
+    const auto told = [&](std::span<const RuledPlace> known) {
+        std::vector<std::string> texts;
+        for (const auto& [story, images] : illustrate(t.scene, t.view, ours, theirs, {places, 1, 9, known})) {
+            texts.push_back(in_words(t.scene, story) + std::to_string(int(story.reference.standing)) +
+                            std::to_string(story.reference_eps_px) + std::to_string(images.size()));
+        }
+        return texts;
+    };
+    EXPECT_EQ(told(judged.rulings), told({}));
+    judged.rulings[2].reference.standing = Standing::hidden;
+    EXPECT_NE(told(judged.rulings), told({})) << "they are taken at their word";
 }
 
 TEST(Explain, AnIdThatDoesNotExistInBothFramesHasAStoryToo) {

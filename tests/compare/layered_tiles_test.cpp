@@ -65,7 +65,7 @@ TEST(LayeredTiles, AreSettledAsOnePixelAfterTheOther) {
         const Case c(dice);
         const Witness ours(c.scene, c.view, {c.candidate, raster_precision()}),
             theirs(c.scene, c.view, {c.reference, ray_precision()});
-        const std::vector<PixelPlace> open = compare_rows(c.scene, c.view, ours, theirs, 0, height).open;
+        const std::vector<PixelPlace> open = compare_rows(c.scene, c.view, ours, theirs, {0, height}).open;
         Verdict verdict;
         verdict.classes = Plane<PixelClass>({width, height}, PixelClass::agree);
         verdict.findings.resize(open.size());
@@ -102,7 +102,7 @@ TEST(LayeredTiles, LeaveSquaresThatReachBeyondTheSearch) {
         const Witness candidate(walls.scene, walls.view,
                                 {ours, RasterPrecision{.subpixel_bits = subpixel_bits}}),
             reference(walls.scene, walls.view, {theirs, ray_precision()});
-        const auto open = compare_rows(walls.scene, walls.view, candidate, reference, 0, height).open;
+        const auto open = compare_rows(walls.scene, walls.view, candidate, reference, {0, height}).open;
         Verdict verdict;
         verdict.classes = Plane<PixelClass>({width, height}, PixelClass::agree);
         verdict.findings.resize(open.size());

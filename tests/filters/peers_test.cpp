@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "cli/selftest/filter_fault.h"
-#include "oracle/filter_peers.h"
+#include "oracle/peers/openimageio_filter.h"
 
 namespace zproof::selftest {
 namespace {

@@ -1,5 +1,6 @@
 #include "frame/exr.h"
 
+#include <OpenImageIO/deepdata.h>
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <tbb/task_arena.h>
@@ -146,6 +147,90 @@ TEST_F(Exr, ReadsAStrangersFileWithMoreChannels) {
     EXPECT_EQ(read_exr(file("more.exr")).primitive.at(3, 2), PrimitiveId{0});
 }
 
+/// What another program makes of the ids and depths of a frame.
+void write_as_stranger(const std::filesystem::path& file, const Frame& frame, OIIO::ImageSpec spec) {
+    spec.width = spec.full_width = frame.size().width;
+    spec.height = spec.full_height = frame.size().height;
+    spec.nchannels = 2;
+    spec.channelnames = {"id", "Z"};
+    spec.channelformats = {OIIO::TypeUInt32, OIIO::TypeFloat};
+    std::vector<std::uint32_t> pixels;
+    for (std::size_t i = 0; i < frame.size().pixel_count(); ++i) {
+        pixels.push_back(std::uint32_t(frame.primitive.pixels()[i]));
+        pixels.push_back(std::bit_cast<std::uint32_t>(frame.camera_depth.pixels()[i]));
+    }
+    const auto output = OIIO::ImageOutput::create("openexr");
+    ASSERT_TRUE(output->open(file.string(), spec)) << output->geterror();
+    ASSERT_TRUE(output->write_image(OIIO::TypeUnknown, pixels.data())) << output->geterror();
+    ASSERT_TRUE(output->close()) << output->geterror();
+}
+
+/// A frame of several blocks and tiles in either direction, the last ones narrower.
+Frame wide_frame() {
+    Frame frame({151, 83});
+    for (std::size_t i = 0; i < frame.size().pixel_count(); ++i) {
+        frame.primitive.pixels()[i] = PrimitiveId{hard_ids[i / 5 % 12]};
+        frame.camera_depth.pixels()[i] = std::bit_cast<float>(hard_depth_bits[i * i / 7 % 12]);
+    }
+    return frame;
+}
+
+TEST_F(Exr, ReadsEveryLosslessCompressionOfAStrangerInRowsAndInTiles) {
+    const Frame frame = wide_frame();
+    for (const char* compression : {"none", "rle", "zips", "zip", "piz"})
+        for (const int tile : {0, 32}) {
+            SCOPED_TRACE(std::string(compression) + ", tiles of " + std::to_string(tile));
+            OIIO::ImageSpec spec(1, 1, 2, OIIO::TypeFloat);
+            spec.attribute("compression", compression);
+            spec.tile_width = tile, spec.tile_height = tile / 2;
+            write_as_stranger(file("stranger.exr"), frame, spec);
+            const Frame back = read_exr(file("stranger.exr"));
+            EXPECT_EQ(numbers(back.primitive), numbers(frame.primitive));
+            EXPECT_EQ(bits(back.camera_depth), bits(frame.camera_depth));
+        }
+}
+
+TEST_F(Exr, ReadsAPictureWhoseWindowsDoNotBeginAtZero) {
+    const Frame frame = wide_frame();
+    OIIO::ImageSpec spec(1, 1, 2, OIIO::TypeFloat);
+    spec.x = spec.full_x = -7, spec.y = spec.full_y = 100;
+    write_as_stranger(file("moved.exr"), frame, spec);
+    EXPECT_EQ(numbers(read_exr(file("moved.exr")).primitive), numbers(frame.primitive));
+}
+
+TEST_F(Exr, ReadsPicturesOfAStranger) {
+    Picture picture({151, 83});
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i)
+        picture.pixels()[i] = {float(i), 1 / float(i + 1), -float(i)};
+    OIIO::ImageSpec spec(151, 83, 3, OIIO::TypeFloat);
+    spec.tile_width = spec.tile_height = 64;
+    const auto output = OIIO::ImageOutput::create("openexr");
+    ASSERT_TRUE(output->open(file("picture.exr").string(), spec)) << output->geterror();
+    ASSERT_TRUE(output->write_image(OIIO::TypeFloat, picture.pixels().data())) << output->geterror();
+    ASSERT_TRUE(output->close()) << output->geterror();
+    EXPECT_TRUE(std::ranges::equal(read_picture_exr(file("picture.exr")).pixels(), picture.pixels()));
+}
+
+TEST_F(Exr, DeepSamplesAreRefused) {
+    OIIO::ImageSpec spec(4, 3, 2, OIIO::TypeFloat);
+    spec.deep = true;
+    spec.channelnames = {"id", "Z"};
+    spec.channelformats = {OIIO::TypeUInt32, OIIO::TypeFloat};
+    const auto output = OIIO::ImageOutput::create("openexr");
+    ASSERT_TRUE(output->open(file("deep.exr").string(), spec)) << output->geterror();
+    const OIIO::DeepData samples(spec);
+    ASSERT_TRUE(output->write_deep_image(samples)) << output->geterror();
+    ASSERT_TRUE(output->close()) << output->geterror();
+    EXPECT_THAT(refusal_to_read(file("deep.exr")), AllOf(HasSubstr("deep.exr"), HasSubstr("deep samples")));
+}
+
+TEST_F(Exr, NothingIsPrintedAboutAFileThatIsRefused) {
+    std::ofstream(file("lies.exr")) << "this is no OpenEXR file, whatever its name says";
+    testing::internal::CaptureStderr();
+    refusal_to_read(file("lies.exr"));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_F(Exr, MissingFileIsNamed) {
     EXPECT_THAT(refusal_to_read(file("nowhere.exr")),
                 AllOf(HasSubstr("nowhere.exr"), HasSubstr("no such file")));
@@ -163,7 +248,9 @@ TEST_F(Exr, TruncatedFileIsRefused) {
         depth = static_cast<float>(noise = noise * 1664525u + 1013904223u);
     write_exr(file("cut.exr"), frame);
     std::filesystem::resize_file(file("cut.exr"), std::filesystem::file_size(file("cut.exr")) / 2);
-    EXPECT_THAT(refusal_to_read(file("cut.exr")), HasSubstr("cut.exr"));
+    EXPECT_THAT(
+        refusal_to_read(file("cut.exr")),
+        AllOf(HasSubstr("cut.exr"), HasSubstr("channel 'id' cannot be read"), HasSubstr("pixel (0, ")));
 }
 
 TEST_F(Exr, MissingChannelIsNamedTogetherWithThoseThatAreThere) {

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <limits>
 #include <set>
 #include <tuple>
 
 #include "reports/class_style.h"
+#include "reports/depth_colours.h"
 
 namespace zproof {
 
@@ -103,6 +106,58 @@ TEST(Pictures, IdsHaveColoursOfTheirOwnAndBackgroundIsDark) {
         const Rgb8 c = picture.at(x, 0);
         ASSERT_GT(int(std::max({c.r, c.g, c.b})), 140) << x;
     }
+}
+
+TEST(DepthColours, AreThoseOfTheFormulaAtEveryStepAndBetween) {
+    for (const auto& [near, far] :
+         {std::pair{1.0f, 100.0f}, {0.1f, 1e7f}, {5.0f, 5.00001f}, {1e-40f, 3e38f}}) {
+        const auto low = std::bit_cast<std::uint32_t>(near), high = std::bit_cast<std::uint32_t>(far);
+        const DepthColours colours({low, high});
+        const std::uint32_t stride = std::max(1u, (high - low) / 300'000);
+        for (std::uint32_t bits = low; bits <= high; bits += stride) {
+            const auto depth = std::bit_cast<float>(bits);
+            ASSERT_EQ(colours(depth), colours.by_formula(depth)) << depth << " of " << near << " to " << far;
+            Rgb8 pixel;
+            colours.colour({&depth, 1}, {&pixel, 1});
+            ASSERT_EQ(pixel, colours(depth)) << depth << " of " << near << " to " << far;
+        }
+    }
+}
+
+TEST(DepthColours, RangeIsThatOfFinitePositiveDepths) {
+    Plane<float> depths({100, 3}, -4.0f);
+    for (int x = 0; x < 5; ++x)
+        depths.at(20 * x, x % 3) =
+            std::array{3.0f, std::numeric_limits<float>::infinity(), 0.0f,
+                       std::numeric_limits<float>::quiet_NaN(), 1e-40f}[std::size_t(x)];
+    EXPECT_EQ(range_of(depths).nearest, std::bit_cast<std::uint32_t>(1e-40f));
+    EXPECT_EQ(range_of(depths).farthest, std::bit_cast<std::uint32_t>(3.0f));
+    EXPECT_EQ(range_of(Plane<float>({9, 9}, background_depth)).farthest, 0u);
+}
+
+/// As a picture of ids had them before they were worked out side by side.
+Rgb8 colour_of_id(std::uint32_t id) {
+    std::uint32_t h = id + 1;
+    h = (h ^ (h >> 16)) * 0x85EB'CA6Bu;
+    h = (h ^ (h >> 13)) * 0xC2B2'AE35u;
+    h = h ^ (h >> 16);
+    const double hue = (h & 0xFFFF) / 65536.0, saturation = 0.35 + 0.3 * double(h >> 16 & 0xFF) / 255,
+                 value = 0.6 + 0.38 * double(h >> 24) / 255;
+    const auto one = [&](double shift) {
+        const double turned = shift + 6 * hue, k = turned - (turned < 6 ? 0.0 : 6.0);
+        const double light = value * (1 - saturation * std::clamp(std::min(k, 4 - k), 0.0, 1.0));
+        return std::uint8_t(255 * std::clamp(light, 0.0, 1.0) + 0.5);
+    };
+    return {one(5), one(3), one(1)};
+}
+
+TEST(Pictures, IdsAreColouredSideBySideAsOneByOne) {
+    Plane<PrimitiveId> ids({1037, 301});
+    for (std::size_t i = 0; i < ids.pixels().size(); ++i)
+        ids.pixels()[i] = PrimitiveId(std::uint32_t(i % 3 ? i * 2654435761u : i));
+    const Plane<Rgb8> picture = picture_of_ids(ids);
+    for (std::size_t i = 0; i < ids.pixels().size(); ++i)
+        ASSERT_EQ(picture.pixels()[i], colour_of_id(std::uint32_t(ids.pixels()[i]))) << i;
 }
 
 TEST(Pictures, DepthsAreLogarithmicAndWhatIsNoDepthIsMagenta) {

@@ -9,6 +9,7 @@
 
 #include "frame/deflate.h"
 #include "reports/planes/coding.h"
+#include "reports/planes/error_code.h"
 #include "tests/reports/sample.h"
 
 namespace zproof::planes {
@@ -126,6 +127,8 @@ TEST(ErrorCode, NeverPutsBothSidesOfTheBoundIntoOneCode) {
     EXPECT_EQ(error_code(2), 205);
     EXPECT_EQ(error_code(0.5f), 197);
     EXPECT_EQ(error_code(1e-30f), 1);
+    EXPECT_EQ(error_code(INFINITY), 255);
+    EXPECT_EQ(error_code(1e30f), 255);
     EXPECT_EQ(error_code(1e30f), 255);
     EXPECT_EQ(error_code(INFINITY), 255);
     int last = 0;

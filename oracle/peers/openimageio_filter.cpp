@@ -1,9 +1,10 @@
+#include "oracle/peers/openimageio_filter.h"
+
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/texture.h>
 
 #include <memory>
 
-#include "oracle/filter_peers.h"
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
 

@@ -1,0 +1,29 @@
+/// What the first pass works out of depths in passing, written down.
+#pragma once
+
+#include "compare/error_map.h"
+#include "compare/memory.h"
+#include "compare/witness.h"
+
+namespace zproof {
+
+/// Writes one renderer's error_over_bound(), strip by strip. One thread at a time.
+class ErrorScribe {
+  public:
+    /// Pixels beyond the first `triangle_count` ids ask nothing. `map` has the view's size.
+    ErrorScribe(const Witness& witness, std::size_t triangle_count, Plane<float>& map);
+
+    /// The first `width` pixels of a strip whose ratios are held, from pixel (x, y) on.
+    void write(const Strip::Side& side, int x, int y, std::size_t width);
+
+  private:
+    /// By itself: double precision does not hold the depth lawful for certain.
+    float error_at(PrimitiveId primitive, int x, int y);
+
+    const Witness& witness_;
+    std::uint32_t triangle_count_;
+    Plane<float>& map_;
+    Memory<std::uint32_t, TriangleDepth> triangles_;
+};
+
+}  // namespace zproof
