@@ -47,8 +47,8 @@ std::vector<ReportedFinding> stories(const Docket& docket, const RendererChoice&
 }
 
 /// Puts the findings to the waivers: counts, uses, and the findings as they rank.
-std::vector<Ranked> hold_to_waivers(const Docket& docket, const std::vector<Finding>& findings,
-                                    const Gate& gate, ViewResult& result) {
+std::vector<Ranked> hold_to_waivers(const Docket& docket, std::span<const Finding> findings, const Gate& gate,
+                                    ViewResult& result) {
     WaiverCoverage coverage = cover(gate.waivers,
                                     {.scene = docket.source.name,
                                      .view = docket.view.name,

@@ -66,7 +66,7 @@ bool is_worse(const Finding* a, const Finding* b) {
 }
 
 /// Of every class and pair of triangles, whichever says which, the worst finding; the worst of them first.
-std::vector<const Finding*> worst_of_each_pair(const std::vector<Finding>& findings) {
+std::vector<const Finding*> worst_of_each_pair(std::span<const Finding> findings) {
     const auto hashed = [](const Finding* f) {
         const auto [low, high] = std::minmax(f->candidate.primitive, f->reference.primitive);
         const std::uint64_t pair = std::uint64_t(low) << 32 | std::uint64_t(high);
@@ -90,7 +90,7 @@ std::vector<const Finding*> worst_of_each_pair(const std::vector<Finding>& findi
 
 /// The worst of those that are not among `told`.
 std::vector<const Finding*> worst_but(const std::vector<const Finding*>& told,
-                                      const std::vector<Finding>& findings, std::size_t most) {
+                                      std::span<const Finding> findings, std::size_t most) {
     const std::set<const Finding*> seen(told.begin(), told.end());
     std::vector<const Finding*> rest;
     for (const Finding& f : findings)

@@ -6,7 +6,7 @@
 
 #include "compare/pixel_class.h"
 #include "frame/frame.h"
-#include "scenes/bulk.h"
+#include "math/bulk.h"
 
 namespace zproof {
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "scenes/batch.h"
-#include "scenes/bulk.h"
+#include "math/bulk.h"
 #include "scenes/gltf_accessor.h"
 #include "scenes/gltf_corners.h"
 #include "scenes/gltf_limits.h"

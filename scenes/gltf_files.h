@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "scenes/bulk.h"
+#include "math/bulk.h"
 
 namespace zproof {
 

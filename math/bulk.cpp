@@ -1,4 +1,4 @@
-#include "scenes/bulk.h"
+#include "math/bulk.h"
 
 #include <sys/mman.h>
 
