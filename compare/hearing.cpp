@@ -18,6 +18,9 @@ namespace {
 /// In own eps. Few squares grow beyond it, and a triangle that is found and meets no square changes nothing.
 constexpr double first_reach = 2;
 
+/// Triangles are looked for at least that far, so that squares which grow a little need no other search.
+constexpr double least_search_px = 1.0 / 16;
+
 /// The triangles of the latest answers: neighbouring pixels give the same.
 class LatestTriangles {
   public:
@@ -70,11 +73,13 @@ class Hearing::Session {
   private:
     const Plea& plea(std::size_t place) const { return hearing_.pleas_[docket_.plea[place]]; }
 
+    double searched_px(std::size_t place) const { return std::max(docket_.reach_px[place], least_search_px); }
+
     AskedBoxes asked_boxes() const {
         AskedBoxes boxes(docket_.first.size() - 1);
         tbb::parallel_for(std::size_t(0), docket_.first.size() - 1, [&](std::size_t tile) {
             for (std::size_t i = docket_.first[tile]; i < docket_.first[tile + 1]; ++i) {
-                const double reach = docket_.reach_px[i];
+                const double reach = searched_px(i);
                 boxes.add(tile, square_around(plea(i).x, plea(i).y, reach), reach);
             }
         });
@@ -106,19 +111,30 @@ class Hearing::Session {
             const Plea& p = plea(i);
             if (summary && !(latest && latest->x == p.x && latest->y == p.y)) summary->look_at(p.x, p.y);
             latest = &p;
-            const Plaint plaint{p.bounds, p.answer, docket_.own_eps_px[i], docket_.reach_px[i], asked_};
-            if (const auto ruled = summary ? summary->rule(plaint) : std::nullopt)
-                rulings[p.number] = *ruled;
-            else if (!summary || (lacking[i] = summary->lacking_reach_px(plaint)) == 0)
-                lacking[i] = try_to_hear(i, near_.of(tile), memories, rulings[p.number]);
+            Plaint plaint{p.bounds, p.answer, docket_.own_eps_px[i], docket_.reach_px[i], asked_};
+            const auto hear_at_reach = [&] {
+                if (const auto ruled = summary ? summary->rule(plaint) : std::nullopt) {
+                    rulings[p.number] = *ruled;
+                    return 0.0;
+                }
+                const double reach = summary ? summary->lacking_reach_px(plaint) : 0;
+                return reach != 0
+                           ? reach
+                           : try_to_hear(i, plaint.reach_px, near_.of(tile), memories, rulings[p.number]);
+            };
+            lacking[i] = hear_at_reach();
+            while (lacking[i] != 0 && lacking[i] <= searched_px(i)) {
+                plaint.reach_px = lacking[i];
+                lacking[i] = hear_at_reach();
+            }
         }
     }
 
     /// Decides the plea, or returns the reach that it needs.
-    double try_to_hear(std::size_t place, std::span<const std::uint32_t> near, Memories& memories,
-                       Ruled& ruled) const {
+    double try_to_hear(std::size_t place, double reach_px, std::span<const std::uint32_t> near,
+                       Memories& memories, Ruled& ruled) const {
         const Plea& p = plea(place);
-        Site site{p.x, p.y, docket_.reach_px[place], {}};
+        Site site{p.x, p.y, reach_px, {}};
         for (const std::uint32_t t : near)
             if (memories.acquaintance.of(t).filter.is_near(p.x, p.y, site.reach_px))
                 site.triangles.push_back(t);

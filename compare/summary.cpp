@@ -90,9 +90,11 @@ double Summary::eps_px(const Renderer& renderer, const Plaint& plaint) {
     for (const std::size_t i : covering_) eps = std::max(eps, renderer.triangles[i]->of_view.eps_px(sight_));
     const auto count_in = [&](std::size_t i) {
         const TriangleOfView& triangle = renderer.triangles[i]->of_view;
+        const double its_eps = triangle.eps_px(sight_);
+        if (its_eps <= eps) return;
         const auto image = triangle.image.at(sight_);
         if (image && comes_within(*image, plaint.own_eps_px) && filter(i).is_near(x_, y_, plaint.reach_px))
-            eps = std::max(eps, triangle.eps_px(sight_));
+            eps = its_eps;
     };
     std::ranges::for_each(cutting_, count_in);
     std::ranges::for_each(untrusted_, count_in);
