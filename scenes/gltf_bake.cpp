@@ -9,8 +9,8 @@
 #include <span>
 #include <string>
 
-#include "scenes/batch.h"
 #include "math/bulk.h"
+#include "scenes/batch.h"
 #include "scenes/gltf_accessor.h"
 #include "scenes/gltf_corners.h"
 #include "scenes/gltf_limits.h"

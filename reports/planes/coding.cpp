@@ -31,8 +31,7 @@ std::span<T> unwritten(std::unique_ptr<T[]>& memory, std::size_t count) {
 
 /// The lowest byte of every number once it is shifted.
 [[gnu::target_clones("default", "avx2", "avx512f")]] void take_bytes(const std::uint32_t* values,
-                                                                      std::size_t count, int shift,
-                                                                      char* to) {
+                                                                     std::size_t count, int shift, char* to) {
     for (std::size_t i = 0; i < count; ++i) to[i] = char(values[i] >> shift);
 }
 void take_bytes(const std::uint64_t* values, std::size_t count, int shift, char* to) {
