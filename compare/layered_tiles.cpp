@@ -99,6 +99,7 @@ class LayeredPass {
         tbb::parallel_for(0, tiles_.tiles().rows, [&](int row) {
             for (int column = 0; column < tiles_.tiles().columns; ++column)
                 settle_tile(column, row, near, bands[std::size_t(row)]);
+            std::ranges::sort(bands[std::size_t(row)].left);
         });
         return sum_of(bands);
     }

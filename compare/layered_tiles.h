@@ -11,7 +11,7 @@ namespace zproof {
 
 /// What came of it.
 struct LayeredFindings {
-    std::vector<std::uint32_t> left;  ///< places among the open pixels: still open
+    std::vector<std::uint32_t> left;  ///< places among the open pixels, ascending: still open
     ClassCounts counts{};             ///< of the others
 };
 

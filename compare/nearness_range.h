@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compare/bounds.h"
+#include "compare/four.h"
 
 namespace zproof {
 
@@ -21,23 +22,14 @@ struct PlaneHere {
     double error;               ///< of our own nearness; `unlimited` where the plane is not known
 };
 
-namespace detail {
-
-inline double kept(double value, double low, double high) {
-    const double raised = value < low ? low : value;
-    return high < raised ? high : raised;
-}
-
-}  // namespace detail
-
 /// From the plane's slope over eps, kept to the corners' nearness where the renderer keeps to them.
 inline NearnessRange on_plane(const PlaneHere& plane, const LocalBounds& bounds, const NearnessRange& corners,
                               bool keeps_to_corners) {
     const double shift =
         bounds.depth_eps_px * (plane.gradient + plane.error) + plane.error + bounds.nearness_error;
     const double low = plane.nearness - shift, high = plane.nearness + shift;
-    const double least = detail::kept(low, corners.least, corners.greatest);
-    const double greatest = detail::kept(high, least, corners.greatest);
+    const double least = held_between(low, corners.least, corners.greatest);
+    const double greatest = held_between(high, least, corners.greatest);
     return {keeps_to_corners ? least : low, keeps_to_corners ? greatest : high};
 }
 

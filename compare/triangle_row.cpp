@@ -65,7 +65,7 @@ struct PlaneOfView {
 
 /// BoundsOnPlane::at for depth, without branches.
 [[gnu::always_inline]] inline LocalBounds depth_bounds(const DepthLaw& law, double nearness) {
-    const double here = detail::kept(nearness, law.least, law.highest);
+    const double here = held_between(nearness, law.least, law.highest);
     const double reach = (law.base + law.per * here) * law.amplification;
     const double varying = law.depth_factor + law.plane_offset / here;
     const double sum = law.plane_offset > 0 ? varying : law.depth_factor, relative = sum / (1 - sum);

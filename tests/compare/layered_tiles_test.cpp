@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "compare/adjudication.h"
@@ -74,6 +75,7 @@ TEST(LayeredTiles, AreSettledAsOnePixelAfterTheOther) {
         PixelLook look(c.scene, ours, theirs);
         const std::set<std::uint32_t> still_open(layered.left.begin(), layered.left.end());
         ASSERT_EQ(still_open.size(), layered.left.size());
+        ASSERT_TRUE(std::ranges::is_sorted(layered.left));
         left += still_open.size();
         ClassCounts counts{};
         for (std::uint32_t i = 0; i < open.size(); ++i) {
