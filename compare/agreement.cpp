@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "compare/error_scribe.h"
+#include "compare/presort.h"
 #include "compare/shown_triangles.h"
 
 namespace zproof {
@@ -16,6 +17,9 @@ constexpr int tile_width = Strip::width, tile_height = 16;
 
 /// Few triangles are ever asked about outside of the laws of a tile.
 constexpr std::size_t remembered_triangles = 64;
+
+/// Of a tile: more than that, and few pixels share a law.
+constexpr std::size_t many_triangles = 128;
 
 /// Pixels [left, right) x [top, bottom).
 struct Tile {
@@ -55,6 +59,7 @@ class Comparison {
           candidate_(candidate),
           reference_(reference),
           shown_(scene, candidate, reference),
+          presort_(candidate.projection()),
           look_(scene, candidate, reference) {}
 
     /// Has the depth errors of what is compared from now on written down.
@@ -66,6 +71,7 @@ class Comparison {
     /// Compares the pixels of a tile; `rows` are the findings of its rows.
     void compare(const Tile& tile, std::span<Findings> rows) {
         shown_.clear();
+        presort_.clear();
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
             strip.x = tile.left, strip.y = y;
@@ -76,6 +82,7 @@ class Comparison {
         shown_.make_laws();
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
+            presort(strip);
             hold(strip);
             if (scribes_) {
                 const auto width = std::size_t(tile.right - tile.left);
@@ -141,6 +148,17 @@ class Comparison {
         }
     }
 
+    /// Maps of errors want every ratio.
+    void presort(Strip& strip) {
+        const auto known = [](const Largest& largest) {
+            return float(std::ranges::max(largest) * 20 * (1 - 0x1p-20));
+        };
+        strip.sorted = 0;
+        if (!scribes_ && shown_.count() <= many_triangles)
+            presort_.sort(shown_.laws(), {known(candidate_count_.largest), known(reference_count_.largest)},
+                          strip);
+    }
+
     void hold(Strip& strip) const {
         const bool perspective = candidate_.projection() == Projection::perspective;
         (perspective ? hold_perspective : hold_parallel)(shown_.laws(), strip);
@@ -178,6 +196,7 @@ class Comparison {
     const Witness &candidate_, &reference_;
     std::optional<Scribes> scribes_;
     ShownTriangles shown_;
+    Presort presort_;
     std::array<Strip, tile_height> strips_;
     Count candidate_count_, reference_count_;
     PixelLook look_;

@@ -173,6 +173,7 @@ template <class Projected>
 void hold_strip(const LawsOfBoth& laws, Strip& strip) {
     LatestLaw candidate(laws.candidate), reference(laws.reference);
     for (std::size_t first = 0; first < Strip::width; first += four_count) {
+        if ((strip.sorted >> first / Strip::chunk & 1) != 0) continue;
         const std::uint32_t *ours = &strip.candidate.law[first], *theirs = &strip.reference.law[first];
         candidate.turn_to(ours);
         reference.turn_to(theirs);
@@ -242,7 +243,8 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
     constexpr float none = std::numeric_limits<float>::infinity();
     Strip::Side &ours = strip.candidate, &theirs = strip.reference;
     Largest most = candidate, most_of_theirs = reference;
-    for (std::size_t first = 0; first < Strip::width; first += together)
+    for (std::size_t first = 0; first < Strip::width; first += together) {
+        if ((strip.sorted >> first / Strip::chunk & 1) != 0) continue;
         for (std::size_t lane = 0; lane < together; ++lane) {
             const std::size_t i = first + lane;
             const double a = ours.ratio[i], b = theirs.ratio[i];
@@ -256,6 +258,7 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
             most[lane] = is_counted & (a > most[lane]) ? a : most[lane];
             most_of_theirs[lane] = is_counted & (b > most_of_theirs[lane]) ? b : most_of_theirs[lane];
         }
+    }
     candidate = most;
     reference = most_of_theirs;
 }

@@ -1,0 +1,47 @@
+/// The bins that depths' errors over their bounds fall into, in single precision where that is certain: the
+/// way of most pixels (docs/truth.md, "Estimates").
+#pragma once
+
+#include "compare/depth_law.h"
+#include "compare/tile_row.h"
+
+namespace zproof {
+
+/// One triangle, as both renderers have it. A place along the depth axis, `w`, is nearness for perspectives
+/// and depth for parallel projections; it is affine in the image.
+struct DepthEstimate {
+    /// What one renderer's law says, folded together and rounded.
+    struct Bound {
+        float shift_base, shift_per, most_shift, nearness_error;
+        float beyond;  ///< how far past its corners' depths a renderer may go: 0, or very far
+        float factor, plane_offset, absolute;
+        float unsure;  ///< what a ratio times 20 may be off by
+        float top;     ///< below it, with `unsure` added, the depth is lawful for certain
+    };
+
+    double w_per_x, w_per_y, w_offset;
+    double least, most;  ///< of w: the corners', widened by what rounding does to them
+    Bound candidate, reference;
+    bool is_usable = false;
+};
+
+/// Not usable where single precision says too little.
+DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection);
+
+/// Sixteen pixels that show one triangle in both frames.
+struct EstimatedRow {
+    TileRowOf<std::int32_t> candidate_bin, reference_bin;  ///< as BoundHistogram has them
+    ColumnMask certain = 0;  ///< where both depths are lawful and these are their bins; elsewhere they mean nothing
+};
+
+/// Largest ratios, times 20, that need no closer look.
+struct KnownLargest {
+    float candidate = 0, reference = 0;
+};
+
+/// Sorts the pixels from `row` on. Certain are only those that exceed neither of the largest.
+void estimate(const DepthEstimate& triangle, Projection projection, const RowPlace& row,
+              const float* candidate_depth, const float* reference_depth, const KnownLargest& largest,
+              EstimatedRow& estimated);
+
+}  // namespace zproof
