@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <optional>
 
@@ -68,8 +69,8 @@ class Comparison {
                                  {reference_, triangle_count_, errors.reference}});
     }
 
-    /// Compares the pixels of a tile; `rows` are the findings of its rows.
-    void compare(const Tile& tile, std::span<Findings> rows) {
+    /// Compares the pixels of a tile.
+    void compare(const Tile& tile, OpenTiles& open) {
         shown_.clear();
         presort_.clear();
         for (int y = tile.top; y < tile.bottom; ++y) {
@@ -89,14 +90,15 @@ class Comparison {
                 scribes_->candidate.write(strip.candidate, strip.x, y, width);
                 scribes_->reference.write(strip.reference, strip.x, y, width);
             }
-            settle(strip, rows[std::size_t(y - tile.top)]);
+            settle(strip, open);
         }
     }
 
-    /// Adds what was counted at pixels that double precision settled.
-    void add_to(Tally& tally) const {
-        candidate_count_.add_to(tally.candidate);
-        reference_count_.add_to(tally.reference);
+    Tally tally() const {
+        Tally all = one_by_one_;
+        candidate_count_.add_to(all.candidate);
+        reference_count_.add_to(all.reference);
+        return all;
     }
 
   private:
@@ -164,26 +166,34 @@ class Comparison {
         (perspective ? hold_perspective : hold_parallel)(shown_.laws(), strip);
     }
 
-    void settle(Strip& strip, Findings& found) {
+    void settle(Strip& strip, OpenTiles& open) {
         sort_out(strip, candidate_count_.largest, reference_count_.largest);
         candidate_count_.add(strip.candidate.bin);
         reference_count_.add(strip.reference.bin);
-        if (std::ranges::count(strip.is_open, 0u) == Strip::width) return;
-        for (std::size_t i = 0; i < Strip::width; ++i) {
-            if (!strip.is_open[i]) continue;
-            const PixelPlace place{strip.x + int(i), strip.y};
-            const bool differ = strip.candidate.primitive[i] != strip.reference.primitive[i];
-            if (differ || !settles(place, strip.reference.ratio[i], found.tally)) found.open.push_back(place);
+        for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
+            if (strip.open[chunk] == 0) continue;
+            const ColumnMask left = still_open(strip, chunk);
+            if (left != 0) open.open(strip.x / int(Strip::chunk) + int(chunk), strip.y, left);
         }
     }
 
-    /// Of a pixel at which both name the same triangle, or none.
-    bool settles(const PixelPlace& place, double known_reference_ratio, Tally& tally) {
+    ColumnMask still_open(const Strip& strip, std::size_t chunk) {
+        ColumnMask open = strip.open[chunk];
+        for (ColumnMask rest = open; rest != 0; rest &= rest - 1) {
+            const std::size_t i = chunk * Strip::chunk + std::size_t(std::countr_zero(rest));
+            const bool differ = strip.candidate.primitive[i] != strip.reference.primitive[i];
+            if (!differ && settles({strip.x + int(i), strip.y}, strip.reference.ratio[i])) open &= ~(rest & -rest);
+        }
+        return open;
+    }
+
+    /// A pixel at which both name the same triangle, or none.
+    bool settles(const PixelPlace& place, double known_reference_ratio) {
         const OpenPixel pixel = look_.at(place.x, place.y, known_reference_ratio);
         const bool is_bare = pixel.finding.candidate.primitive == PrimitiveId::none;
         if (!is_bare && !pixel.candidate_invalid && !pixel.reference_invalid) {
-            count(tally.candidate, pixel.finding.error_over_bound);
-            count(tally.reference, pixel.reference_error_over_bound);
+            count(one_by_one_.candidate, pixel.finding.error_over_bound);
+            count(one_by_one_.reference, pixel.reference_error_over_bound);
         }
         return is_settled(pixel);
     }
@@ -199,6 +209,7 @@ class Comparison {
     Presort presort_;
     std::array<Strip, tile_height> strips_;
     Count candidate_count_, reference_count_;
+    Tally one_by_one_;
     PixelLook look_;
 };
 
@@ -267,25 +278,16 @@ void add(Tally& sum, const Tally& part) {
     add_record(sum.reference, part.reference);
 }
 
-Findings compare_rows(const Scene& scene, const View& view, const Witness& candidate,
-                      const Witness& reference, const Rows& asked) {
-    const auto [top, bottom, errors] = asked;
-    Findings found;
+Tally compare_rows(const Scene& scene, const Witness& candidate, const Witness& reference, const Rows& rows,
+                   OpenTiles& open) {
     Comparison comparison(scene, candidate, reference);
-    if (errors) comparison.keep_errors(*errors);
-    std::vector<Findings> rows(std::size_t(bottom - top));
-    for (int tile_top = top; tile_top < bottom; tile_top += tile_height)
-        for (int left = 0; left < view.width; left += tile_width) {
-            const Tile tile{left, tile_top, std::min(left + tile_width, view.width),
-                            std::min(tile_top + tile_height, bottom)};
-            comparison.compare(tile, std::span(rows).subspan(std::size_t(tile_top - top)));
-        }
-    for (const Findings& row : rows) {
-        add(found.tally, row.tally);
-        found.open.insert(found.open.end(), row.open.begin(), row.open.end());
-    }
-    comparison.add_to(found.tally);
-    return found;
+    if (rows.errors) comparison.keep_errors(*rows.errors);
+    const int width = candidate.view().width;
+    for (int top = rows.top; top < rows.bottom; top += tile_height)
+        for (int left = 0; left < width; left += tile_width)
+            comparison.compare(
+                {left, top, std::min(left + tile_width, width), std::min(top + tile_height, rows.bottom)}, open);
+    return comparison.tally();
 }
 
 }  // namespace zproof

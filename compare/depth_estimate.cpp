@@ -83,13 +83,12 @@ struct Parallel {
     }
 };
 
-/// The bins of one renderer's depths; where they are not certain, slack falls below 0.
+/// The bins of one renderer's depths, and where they are certain.
 template <class Projected>
 [[gnu::always_inline]] inline void sort_side(const DepthEstimate::Bound bound, const Spots& spots,
-                                             const TileRowOf<float>& depth, float largest,
-                                             TileRowOf<std::int32_t>& bin, TileRowOf<float>& slack) {
+                                             const float* depth, float largest, EstimatedRow::Side& side) {
     const float limit = std::min(bound.top, largest);
-    TileRowOf<float> errors;
+    TileRowOf<float> errors, slack;
     for (std::size_t i = 0; i < tile_columns; ++i)
         errors[i] = float(Projected::error(double(depth[i]), spots.w[i]));
     for (std::size_t i = 0; i < tile_columns; ++i) {
@@ -104,30 +103,25 @@ template <class Projected>
             Projected::scaled(bins * std::abs(error), moved) / Projected::room(bound, w, moved, std::abs(moves));
         const float low = ratio - bound.unsure, high = ratio + bound.unsure;
         const auto whole = std::int32_t(high < bins ? high : bins);
-        bin[i] = whole;
+        side.bin[i] = whole;
         const float above = (low > 0 ? low : 0) - float(whole);
+        const float within = spots.to_least[i] < spots.to_most[i] ? spots.to_least[i] : spots.to_most[i];
         const float here = high < limit ? above : -1;
-        slack[i] = here < slack[i] ? here : slack[i];
+        slack[i] = here < within ? here : within;
     }
+    std::uint32_t certain = 0;
+    for (std::size_t i = 0; i < tile_columns; ++i) certain |= std::uint32_t(slack[i] >= 0) << i;
+    side.certain = certain;
 }
 
 template <class Projected>
-[[gnu::always_inline]] inline ColumnMask sort_row(const DepthEstimate& t, const RowPlace& row,
-                                                  const std::array<const float*, 2>& depths,
-                                                  const KnownLargest& largest, EstimatedRow& estimated) {
+[[gnu::always_inline]] inline void sort_row(const DepthEstimate& t, const RowPlace& row,
+                                            const std::array<const float*, 2>& depths,
+                                            const KnownLargest& largest, EstimatedRow& estimated) {
     Spots spots;
     set_spots(t, row, spots);
-    TileRowOf<float> slack;
-    for (std::size_t i = 0; i < tile_columns; ++i)
-        slack[i] = spots.to_least[i] < spots.to_most[i] ? spots.to_least[i] : spots.to_most[i];
-    TileRowOf<float> ours, theirs;
-    std::copy_n(depths[0], tile_columns, ours.begin());
-    std::copy_n(depths[1], tile_columns, theirs.begin());
-    sort_side<Projected>(t.candidate, spots, ours, largest.candidate, estimated.candidate_bin, slack);
-    sort_side<Projected>(t.reference, spots, theirs, largest.reference, estimated.reference_bin, slack);
-    std::uint32_t mask = 0;
-    for (std::size_t i = 0; i < tile_columns; ++i) mask |= std::uint32_t(slack[i] >= 0) << i;
-    return mask;
+    sort_side<Projected>(t.candidate, spots, depths[0], largest.candidate, estimated.candidate);
+    sort_side<Projected>(t.reference, spots, depths[1], largest.reference, estimated.reference);
 }
 
 }  // namespace
@@ -154,11 +148,9 @@ DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, 
     const DepthEstimate& triangle, Projection projection, const RowPlace& row, const float* candidate_depth,
     const float* reference_depth, const KnownLargest& largest, EstimatedRow& estimated) {
     if (projection == Projection::perspective)
-        estimated.certain =
-            sort_row<Perspective>(triangle, row, {candidate_depth, reference_depth}, largest, estimated);
+        sort_row<Perspective>(triangle, row, {candidate_depth, reference_depth}, largest, estimated);
     else
-        estimated.certain =
-            sort_row<Parallel>(triangle, row, {candidate_depth, reference_depth}, largest, estimated);
+        sort_row<Parallel>(triangle, row, {candidate_depth, reference_depth}, largest, estimated);
 }
 
 }  // namespace zproof

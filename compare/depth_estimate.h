@@ -28,10 +28,13 @@ struct DepthEstimate {
 /// Not usable where single precision says too little.
 DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection);
 
-/// Sixteen pixels that show one triangle in both frames.
+/// Sixteen pixels, as if both frames showed the triangle there.
 struct EstimatedRow {
-    TileRowOf<std::int32_t> candidate_bin, reference_bin;  ///< as BoundHistogram has them
-    ColumnMask certain = 0;  ///< where both depths are lawful and these are their bins; elsewhere they mean nothing
+    struct Side {
+        TileRowOf<std::int32_t> bin;  ///< of the error over the bound, as BoundHistogram has it
+        ColumnMask certain = 0;  ///< where the depth is lawful and that is its bin; elsewhere it means nothing
+    };
+    Side candidate, reference;
 };
 
 /// Largest ratios, times 20, that need no closer look.

@@ -66,7 +66,7 @@ struct Strip {
     int x = 0, y = 0;  ///< of the first
     Side candidate, reference;
     std::uint32_t sorted = 0;  ///< bit k: what becomes of the pixels from k * chunk on is known already
-    Values<std::uint32_t> is_open;  ///< to be looked at by itself: neither settled nor bare in both frames
+    std::array<ColumnMask, width / chunk> open;  ///< to be looked at by themselves: neither settled nor bare in both
 };
 
 /// Fills in the ratios, where the pixels are not sorted yet: the same bits as TriangleDepth::at followed by error_over_bound, or `unsettled` where
@@ -84,7 +84,7 @@ DepthRow depths_in_row(const DepthLaw& law, Projection projection, const RowPlac
 /// The largest ratios that were counted, side by side.
 using Largest = std::array<double, 8>;
 
-/// Fills in bins and is_open, where the pixels are not sorted yet, and raises the largest.
+/// Fills in bins and what is open, where the pixels are not sorted yet, and raises the largest.
 void sort_out(Strip& strip, Largest& candidate, Largest& reference);
 
 }  // namespace zproof

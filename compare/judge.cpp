@@ -5,6 +5,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "compare/adjudication.h"
@@ -21,35 +22,24 @@ struct Kept {
     JudgedInFull* full;
 };
 
-/// Every open pixel of the frame in raster order; depths are counted into the verdict.
-std::vector<PixelPlace> first_pass(const Scene& scene, const View& view, const Witness& candidate,
-                                   const Witness& reference, const Kept& kept) {
-    constexpr int band_rows = 16;
-    std::vector<Findings> bands(static_cast<std::size_t>((view.height + band_rows - 1) / band_rows));
-    tbb::parallel_for(0, int(bands.size()), [&](int band) {
-        const int top = band * band_rows;
-        bands[std::size_t(band)] = compare_rows(
-            scene, view, candidate, reference,
-            {top, std::min(top + band_rows, view.height), kept.full ? &kept.full->errors : nullptr});
+/// The pixels that stay open; depths are counted into the verdict.
+OpenTiles first_pass(const Comparands& of, const Kept& kept) {
+    OpenTiles open(of.view);
+    const int rows = open.tiles().rows;
+    std::vector<Tally> tallies(static_cast<std::size_t>(rows));
+    tbb::parallel_for(0, rows, [&](int row) {
+        const int top = row * Tiles::side_px;
+        tallies[std::size_t(row)] =
+            compare_rows(of.scene, of.candidate, of.reference,
+                         {top, std::min(top + Tiles::side_px, of.view.height),
+                          kept.full ? &kept.full->errors : nullptr},
+                         open);
     });
     Tally sum;
-    std::vector<PixelPlace> open;
-    std::size_t open_count = 0;
-    for (const Findings& band : bands) open_count += band.open.size();
-    open.reserve(open_count);
-    for (const Findings& band : bands) {
-        add(sum, band.tally);
-        open.insert(open.end(), band.open.begin(), band.open.end());
-    }
+    for (const Tally& tally : tallies) add(sum, tally);
     kept.verdict.candidate_depth = sum.candidate;
     kept.verdict.reference_depth = sum.reference;
     return open;
-}
-
-std::vector<PixelPlace> places(std::span<const PixelPlace> open, std::span<const std::uint32_t> some) {
-    std::vector<PixelPlace> found(some.size());
-    std::ranges::transform(some, found.begin(), [&](std::uint32_t i) { return open[i]; });
-    return found;
 }
 
 bool reference_is_wrong(const OpenPixel& open, const Ruling& ruling) {
@@ -141,24 +131,31 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     Verdict verdict;
     verdict.classes = Plane<PixelClass>(size, PixelClass::agree);
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
-    const std::vector<PixelPlace> open = first_pass(scene, view, ours, theirs, {verdict, full});
-    verdict.findings.resize(open.size());
     const Comparands comparands{scene, view, ours, theirs};
-    const LayeredFindings layered = settle_layers(comparands, open, verdict);
-    const std::vector<PixelPlace> rest = places(open, layered.left);
-    const Rulings rulings = rule_on(scene, view, ours, theirs, rest);
-    if (full) full->rulings = placed(rest, rulings);
-    Count count = Record(comparands, rest, rulings).write(layered.left, verdict);
+    OpenTiles open = first_pass(comparands, {verdict, full});
+    const std::size_t open_count = open.number();
+    if (full) verdict.findings.resize(open_count);
+    LayeredFindings layered = settle_layers(comparands, open, verdict.classes, verdict.findings);
+    if (!full) {
+        verdict.findings.resize(layered.left.size());
+        std::iota(layered.places.begin(), layered.places.end(), 0);
+    }
+    const Rulings rulings = rule_on(scene, view, ours, theirs, layered.left);
+    if (full) full->rulings = placed(layered.left, rulings);
+    Count count = Record(comparands, layered.left, rulings).write(layered.places, verdict);
     count.add(layered.counts);
     verdict.counts = count.classes;
-    verdict.counts[std::size_t(PixelClass::agree)] += size.pixel_count() - open.size();
+    verdict.counts[std::size_t(PixelClass::agree)] += size.pixel_count() - open_count;
     verdict.candidate_edges = count.edges.candidate;
     verdict.reference_edges = count.edges.reference;
     verdict.reference_defects = count.reference_defects;
     verdict.adjudicated = count.adjudicated;
     verdict.exact = count.exact;
-    if (count.classes[std::size_t(PixelClass::agree)] != 0)
-        std::erase_if(verdict.findings, [](const Finding& f) { return f.verdict == PixelClass::agree; });
+    const bool all_differ = count.classes[std::size_t(PixelClass::agree)] == 0;
+    if (!full || !all_differ)
+        std::erase_if(verdict.findings, [&](const Finding& f) {
+            return full ? f.verdict == PixelClass::agree : passes(f.verdict);
+        });
     return verdict;
 }
 

@@ -89,10 +89,10 @@ bool Presort::sort_one_law(const LawsOfBoth& laws, const KnownLargest& largest, 
     EstimatedRow row;
     estimate(triangle, projection_, {strip.x + int(first), strip.y}, &strip.candidate.camera_depth[first],
              &strip.reference.camera_depth[first], largest, row);
-    if (row.certain != all_columns) return false;
-    std::ranges::copy(row.candidate_bin, &strip.candidate.bin[first]);
-    std::ranges::copy(row.reference_bin, &strip.reference.bin[first]);
-    std::fill_n(&strip.is_open[first], Strip::chunk, 0);
+    if ((row.candidate.certain & row.reference.certain) != all_columns) return false;
+    std::ranges::copy(row.candidate.bin, &strip.candidate.bin[first]);
+    std::ranges::copy(row.reference.bin, &strip.reference.bin[first]);
+    strip.open[first / Strip::chunk] = 0;
     return true;
 }
 
@@ -115,13 +115,13 @@ bool Presort::sort_some_laws(const LawsOfBoth& laws, const KnownLargest& largest
         EstimatedRow row;
         estimate(triangle, projection_, {strip.x + int(first), strip.y}, &strip.candidate.camera_depth[first],
                  &strip.reference.camera_depth[first], largest, row);
-        if ((pixels & ~row.certain) != 0) return false;
-        take(row.candidate_bin, pixels, our_bin);
-        take(row.reference_bin, pixels, their_bin);
+        if ((pixels & ~(row.candidate.certain & row.reference.certain)) != 0) return false;
+        take(row.candidate.bin, pixels, our_bin);
+        take(row.reference.bin, pixels, their_bin);
     }
     std::ranges::copy(our_bin, &strip.candidate.bin[first]);
     std::ranges::copy(their_bin, &strip.reference.bin[first]);
-    for (std::size_t i = 0; i < Strip::chunk; ++i) strip.is_open[first + i] = ~same >> i & 1;
+    strip.open[first / Strip::chunk] = ~same & all_columns;
     return true;
 }
 

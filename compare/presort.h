@@ -14,7 +14,7 @@ class Presort {
 
     /// Forgets the laws of a tile.
     void clear() { ++tile_; }
-    /// Fills in bins and is_open of whole chunks of the strip, and marks them as sorted. The laws are those of
+    /// Fills in bins and what is open of whole chunks of the strip, and marks them as sorted. The laws are those of
     /// the tile; certain are only ratios that exceed neither of the largest.
     void sort(const LawsOfBoth& laws, const KnownLargest& largest, Strip& strip);
 
