@@ -173,7 +173,7 @@ class Comparison {
         for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
             if (strip.open[chunk] == 0) continue;
             const ColumnMask left = still_open(strip, chunk);
-            if (left != 0) open.open(strip.x / int(Strip::chunk) + int(chunk), strip.y, left);
+            if (left != 0) open.open(strip.x / int(Strip::chunk) + int(chunk), strip.y, left, strip.lawful[chunk]);
         }
     }
 

@@ -12,8 +12,9 @@ namespace {
 
 constexpr double u = unit_roundoff_float64, v = unit_roundoff_float32;
 
-/// Corners' places are widened by that share, for 1 / (1 / depth) need not be depth.
-constexpr double widening = 8 * u;
+/// By what share places are let beyond their corners': 1 / (1 / depth) need not be depth, and nearness is
+/// rounded.
+constexpr double widening = 128 * u;
 
 /// Bins are that many to a ratio of 1.
 constexpr float bins = 20;
@@ -26,13 +27,14 @@ DepthEstimate::Bound bound_of(const DepthLaw& law, const DepthEstimate& plane, P
     const bool perspective = projection == Projection::perspective;
     const double reach = law.amplification * law.gradient;
     const double most_shift = law.most * law.gradient;
-    // the largest sum of relative errors, compounded: what its change along the triangle comes to
+    // relative errors add up to factor + offset / w and are then compounded; how much that varies
     const double largest_sum = law.depth_factor + law.plane_offset / plane.least;
+    const double variation = law.plane_offset / plane.least - law.plane_offset / plane.most;
     const double factor = perspective ? law.depth_factor / (1 - largest_sum) : law.relative;
-    const double unsure = bins * (32 * v + 2 * largest_sum) + 120 * widening / factor;
+    const double unsure = bins * (32 * v + 2 * variation) + 120 * widening / factor;
     const double own_error = perspective ? 2 * law.own_error / plane.least : law.own_error / plane.least;
     const double margin = 2 * (own_error + 8 * u) / factor;
-    const bool is_usable = largest_sum < 0x1p-10 && factor >= 0x1p-30 && unsure < 0.125 && margin < 0.25 &&
+    const bool is_usable = largest_sum < 0.5 && factor >= 0x1p-30 && unsure < 0.125 && margin < 0.25 &&
                            (perspective || (law.plane_offset == 0 && law.per == 0)) && law.absolute < largest_number &&
                            law.per * reach < largest_number && law.base * reach < largest_number &&
                            most_shift + law.nearness_error <= plane.least / 2;
@@ -87,8 +89,7 @@ struct Parallel {
 template <class Projected>
 [[gnu::always_inline]] inline void sort_side(const DepthEstimate::Bound bound, const Spots& spots,
                                              const float* depth, float largest, EstimatedRow::Side& side) {
-    const float limit = std::min(bound.top, largest);
-    TileRowOf<float> errors, slack;
+    TileRowOf<float> errors, slack, highs;
     for (std::size_t i = 0; i < tile_columns; ++i)
         errors[i] = float(Projected::error(double(depth[i]), spots.w[i]));
     for (std::size_t i = 0; i < tile_columns; ++i) {
@@ -106,12 +107,17 @@ template <class Projected>
         side.bin[i] = whole;
         const float above = (low > 0 ? low : 0) - float(whole);
         const float within = spots.to_least[i] < spots.to_most[i] ? spots.to_least[i] : spots.to_most[i];
-        const float here = high < limit ? above : -1;
+        const float here = high < bound.top ? above : -1;
+        highs[i] = high;
         slack[i] = here < within ? here : within;
     }
-    std::uint32_t certain = 0;
-    for (std::size_t i = 0; i < tile_columns; ++i) certain |= std::uint32_t(slack[i] >= 0) << i;
+    std::uint32_t certain = 0, exceeds = 0;
+    for (std::size_t i = 0; i < tile_columns; ++i) {
+        certain |= std::uint32_t(slack[i] >= 0) << i;
+        exceeds |= std::uint32_t(!(highs[i] <= largest)) << i;
+    }
     side.certain = certain;
+    side.may_exceed = exceeds;
 }
 
 template <class Projected>
@@ -134,8 +140,9 @@ DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, 
     t.w_per_y = sign * candidate.nearness_per_y;
     t.w_offset = sign * candidate.nearness_offset;
     const double nearest = 1 / candidate.highest, farthest = 1 / candidate.least;
-    t.least = (perspective ? candidate.least : nearest) * (1 - widening);
-    t.most = (perspective ? candidate.highest : farthest) * (1 + widening);
+    t.least = perspective ? candidate.least : nearest;
+    t.most = perspective ? candidate.highest : farthest;
+    t.least *= 1 - widening, t.most *= 1 + widening;
     if (!(t.least >= smallest && t.most <= largest_number)) return t;
     t.candidate = bound_of(candidate, t, projection);
     t.reference = bound_of(reference, t, projection);

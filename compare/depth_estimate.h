@@ -20,7 +20,7 @@ struct DepthEstimate {
     };
 
     double w_per_x, w_per_y, w_offset;
-    double least, most;  ///< of w: the corners', widened by what rounding does to them
+    double least, most;  ///< of w: the corners', widened
     Bound candidate, reference;
     bool is_usable = false;
 };
@@ -32,17 +32,18 @@ DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, 
 struct EstimatedRow {
     struct Side {
         TileRowOf<std::int32_t> bin;  ///< of the error over the bound, as BoundHistogram has it
-        ColumnMask certain = 0;  ///< where the depth is lawful and that is its bin; elsewhere it means nothing
+        ColumnMask certain = 0;     ///< where the depth is lawful and that is its bin
+        ColumnMask may_exceed = 0;  ///< where it may be more than the largest
     };
     Side candidate, reference;
 };
 
-/// Largest ratios, times 20, that need no closer look.
+/// The largest ratios so far, times 20, rounded down.
 struct KnownLargest {
     float candidate = 0, reference = 0;
 };
 
-/// Sorts the pixels from `row` on. Certain are only those that exceed neither of the largest.
+/// Of the pixels from `row` on.
 void estimate(const DepthEstimate& triangle, Projection projection, const RowPlace& row,
               const float* candidate_depth, const float* reference_depth, const KnownLargest& largest,
               EstimatedRow& estimated);

@@ -209,6 +209,19 @@ DepthRow hold_row(const DepthLaw& law, const RowPlace& row, const TileRowOf<floa
     return all;
 }
 
+template <class Projected>
+ColumnMask hits_in_row(const DepthLaw& law, const RowPlace& row, const float* camera_depth) {
+    Law four;
+    put_side_by_side({&law, &law, &law, &law}, four);
+    ColumnMask hits = 0;
+    for (std::size_t i = 0; i < tile_columns; i += four_count) {
+        const Spot spot = spot_of<Projected>(four, from_on(row.left + int(i)), row.y);
+        const auto is_hit = within_corners(four, spot.depth) == four_at(camera_depth + i);
+        for (std::size_t lane = 0; lane < four_count; ++lane) hits |= ColumnMask(is_hit[lane] & 1) << (i + lane);
+    }
+    return hits;
+}
+
 constexpr std::size_t together = 8;
 static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == together);
 
@@ -238,6 +251,14 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
                                                  : hold_row<Parallel>(law, row, camera_depth);
 }
 
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] ColumnMask exact_hits(const DepthLaw& law,
+                                                                              Projection projection,
+                                                                              const RowPlace& row,
+                                                                              const float* camera_depth) {
+    return projection == Projection::perspective ? hits_in_row<Perspective>(law, row, camera_depth)
+                                                 : hits_in_row<Parallel>(law, row, camera_depth);
+}
+
 [[gnu::target_clones("default", "avx2", "avx512f")]] void sort_out(Strip& strip, Largest& candidate,
                                                                    Largest& reference) {
     constexpr float none = std::numeric_limits<float>::infinity();
@@ -245,7 +266,7 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
     Largest most = candidate, most_of_theirs = reference;
     for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
         if ((strip.sorted >> chunk & 1) != 0) continue;
-        TileRowOf<std::uint32_t> is_open;
+        TileRowOf<std::uint32_t> is_open, is_lawful;
         for (std::size_t first = 0; first < Strip::chunk; first += together)
             for (std::size_t lane = 0; lane < together; ++lane) {
                 const std::size_t i = chunk * Strip::chunk + first + lane;
@@ -257,12 +278,17 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
                 ours.bin[i] = is_counted ? bin_of(a) : Strip::uncounted;
                 theirs.bin[i] = is_counted ? bin_of(b) : Strip::uncounted;
                 is_open[first + lane] = !(is_counted | is_bare);
+                is_lawful[first + lane] = (a >= 0) & (b >= 0);
                 most[lane] = is_counted & (a > most[lane]) ? a : most[lane];
                 most_of_theirs[lane] = is_counted & (b > most_of_theirs[lane]) ? b : most_of_theirs[lane];
             }
-        std::uint32_t open = 0;
-        for (std::size_t i = 0; i < Strip::chunk; ++i) open |= is_open[i] << i;
+        std::uint32_t open = 0, lawful = 0;
+        for (std::size_t i = 0; i < Strip::chunk; ++i) {
+            open |= is_open[i] << i;
+            lawful |= (is_open[i] & is_lawful[i]) << i;
+        }
         strip.open[chunk] = open;
+        strip.lawful[chunk] = lawful;
     }
     candidate = most;
     reference = most_of_theirs;

@@ -66,7 +66,9 @@ struct Strip {
     int x = 0, y = 0;  ///< of the first
     Side candidate, reference;
     std::uint32_t sorted = 0;  ///< bit k: what becomes of the pixels from k * chunk on is known already
-    std::array<ColumnMask, width / chunk> open;  ///< to be looked at by themselves: neither settled nor bare in both
+    /// Of each chunk: to be looked at by themselves, neither settled nor bare in both.
+    std::array<ColumnMask, width / chunk> open;
+    std::array<ColumnMask, width / chunk> lawful;  ///< of those: both depths are so for certain
 };
 
 /// Fills in the ratios, where the pixels are not sorted yet: the same bits as TriangleDepth::at followed by error_over_bound, or `unsettled` where
@@ -80,6 +82,10 @@ struct DepthRow {
 };
 DepthRow depths_in_row(const DepthLaw& law, Projection projection, const RowPlace& row,
                        const TileRowOf<float>& camera_depth);
+
+/// Where depths are true to the last bit.
+ColumnMask exact_hits(const DepthLaw& law, Projection projection, const RowPlace& row,
+                      const float* camera_depth);
 
 /// The largest ratios that were counted, side by side.
 using Largest = std::array<double, 8>;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
-#include "compare/depth_estimate.h"
 #include "compare/layers.h"
 
 namespace zproof {
@@ -29,13 +29,9 @@ bool is_layered(const OpenTiles& open, int column, int row) {
 /// How far triangles are looked for around a pixel. Squares that are larger are left.
 constexpr double reach_px = 1;
 
-/// No ratio is too large to be estimated.
-constexpr KnownLargest any_ratio{20, 20};
-
 /// What both renderers may say of a triangle's depth.
 struct LawOfBoth {
     DepthLaw candidate, reference;
-    DepthEstimate estimate;
 };
 
 /// What one thread remembers.
@@ -95,7 +91,9 @@ class LayeredPass {
 
     LayeredFindings settle() {
         const Tiles& tiles = open_.tiles();
-        const TrianglesByTile near(of_.scene, of_.view, asked_boxes());
+        const AskedBoxes asked = asked_boxes();
+        if (asked.reach_px() == 0) return all_left();
+        const TrianglesByTile near(of_.scene, of_.view, asked);
         std::vector<LayeredFindings> bands(std::size_t(tiles.rows));
         tbb::parallel_for(0, tiles.rows, [&](int row) {
             Band band;
@@ -109,6 +107,14 @@ class LayeredPass {
   private:
     using Bounds = std::array<const ViewBounds*, 2>;
     Bounds bounds() const { return {&of_.candidate.bounds(), &of_.reference.bounds()}; }
+
+    LayeredFindings all_left() const {
+        LayeredFindings all;
+        all.left = open_.places();
+        all.places.resize(all.left.size());
+        std::iota(all.places.begin(), all.places.end(), std::uint32_t(0));
+        return all;
+    }
 
     /// A row of tiles.
     struct Band {
@@ -202,7 +208,7 @@ class LayeredPass {
         if (open == 0) return 0;
         const Standings candidate = standings(layers, 0, ours, open);
         const Standings reference = standings(layers, 1, theirs, candidate.tied | candidate.visible);
-        const ColumnMask settled = lawful(at, ours, theirs, reference.tied | reference.visible);
+        const ColumnMask settled = lawful(at, row, ours, theirs, reference.tied | reference.visible);
         const ColumnMask tied = settled & (candidate.tied | reference.tied);
         write(class_of(Standing::tied, Standing::visible), at, tied, counts);
         write(class_of(Standing::visible, Standing::visible), at, settled & ~tied, counts);
@@ -220,26 +226,16 @@ class LayeredPass {
         return all;
     }
 
-    /// Where the depths of both are lawful for certain.
-    ColumnMask lawful(const RowPlace& at, const Shown& ours, const Shown& theirs, ColumnMask pixels) {
-        ColumnMask lawful_ours = 0, lawful_theirs = 0;
-        const auto ask = [&](PrimitiveId triangle, ColumnMask) {
-            const LawOfBoth& law = law_of(triangle);
-            if (!law.estimate.is_usable) return;
-            EstimatedRow row;
-            estimate(law.estimate, of_.candidate.projection(), at, ours.camera_depth.data(),
-                     theirs.camera_depth.data(), any_ratio, row);
-            lawful_ours |= row.candidate.certain & equal(ours.primitive, triangle);
-            lawful_theirs |= row.reference.certain & equal(theirs.primitive, triangle);
-        };
-        for_each_shown(ours.primitive, pixels, ask);
-        for_each_shown(theirs.primitive, pixels & ~lawful_theirs, ask);
-        lawful_ours |= lawful_by_laws(&LawOfBoth::candidate, at, ours, pixels & ~lawful_ours);
-        lawful_theirs |= lawful_by_laws(&LawOfBoth::reference, at, theirs, pixels & lawful_ours & ~lawful_theirs);
-        return pixels & lawful_ours & lawful_theirs;
+    /// Where the depths of both are lawful for certain; the first pass knows most.
+    ColumnMask lawful(const RowPlace& at, const OpenTiles::Row& row, const Shown& ours, const Shown& theirs,
+                      ColumnMask pixels) {
+        ColumnMask unknown = pixels & ~row.lawful;
+        unknown &= lawful_by_laws(&LawOfBoth::candidate, at, ours, unknown);
+        unknown &= lawful_by_laws(&LawOfBoth::reference, at, theirs, unknown);
+        return pixels & (row.lawful | unknown);
     }
 
-    /// One renderer's, where an estimate does not say.
+    /// One renderer's.
     ColumnMask lawful_by_laws(DepthLaw LawOfBoth::*law, const RowPlace& at, const Shown& shown,
                               ColumnMask pixels) {
         ColumnMask lawful = 0;
@@ -283,10 +279,8 @@ class LayeredPass {
     const LawOfBoth& law_of(PrimitiveId primitive) {
         return memories_.local().laws(std::uint32_t(primitive), [&] {
             const TriangleInView triangle = of_.candidate.triangle_in_view(primitive);
-            const DepthLaw candidate = depth_law_of(triangle, of_.candidate.bounds()),
-                           reference = depth_law_of(triangle, of_.reference.bounds());
-            return LawOfBoth{candidate, reference,
-                             estimate_of(candidate, reference, of_.candidate.projection())};
+            return LawOfBoth{depth_law_of(triangle, of_.candidate.bounds()),
+                             depth_law_of(triangle, of_.reference.bounds())};
         });
     }
 

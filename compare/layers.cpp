@@ -74,7 +74,7 @@ ColumnMask Layers::turn_to(int y, ColumnMask pixels) {
         r.unclear = 0;
         for (std::size_t i = 0; i < layers_.size(); ++i)
             if ((r.clear >> i & 1) == 0) r.unclear |= layers_[i].covers;
-        r.nearness.assign(layers_.size(), std::nullopt);
+        r.known = 0;
     }
     return asked_;
 }
@@ -125,9 +125,11 @@ auto Layers::relations_of(std::size_t layer) -> const Relations& {
 }
 
 const TriangleRow::Range& Layers::nearness(Renderer& renderer, std::size_t layer) {
-    std::optional<TriangleRow::Range>& known = renderer.nearness[layer];
-    if (!known) known = row_of(layer).nearness_range(renderer.triangles[layer]->of_view);
-    return *known;
+    renderer.nearness.resize(layers_.size());
+    if ((renderer.known >> layer & 1) == 0)
+        renderer.nearness[layer] = row_of(layer).nearness_range(renderer.triangles[layer]->of_view);
+    renderer.known |= Set{1} << layer;
+    return renderer.nearness[layer];
 }
 
 ColumnMask Layers::ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back) {

@@ -69,7 +69,8 @@ class Layers {
         std::vector<const BoundedTriangle*> triangles;  ///< of layers_, in order
         Set clear = 0;                                  ///< of near and far, all over the tile
         ColumnMask unclear = 0;                         ///< of the row: covered by one that is not clear
-        std::vector<std::optional<TriangleRow::Range>> nearness;  ///< of the row, as far as it was asked for
+        std::vector<TriangleRow::Range> nearness;  ///< of the row
+        Set known = 0;                             ///< whose nearness was asked for
     };
 
     void place(int y);

@@ -4,8 +4,10 @@
 
 namespace zproof {
 
-void OpenTiles::open(int column, int y, ColumnMask pixels) {
-    row_[index(column, y)].pixels |= pixels;
+void OpenTiles::open(int column, int y, ColumnMask pixels, ColumnMask lawful) {
+    Row& row = row_[index(column, y)];
+    row.pixels |= pixels;
+    row.lawful |= lawful & pixels;
     count_[tiles_.index(column, y / Tiles::side_px)] += std::uint32_t(std::popcount(pixels));
 }
 

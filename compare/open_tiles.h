@@ -16,6 +16,7 @@ class OpenTiles {
     /// The pixels of one row of a tile: bit i of `pixels` is column i.
     struct Row {
         ColumnMask pixels = 0;
+        ColumnMask lawful = 0;    ///< of those: both depths are so for certain
         std::uint32_t first = 0;  ///< place of its first pixel among all that are open; the others follow it
     };
 
@@ -25,9 +26,9 @@ class OpenTiles {
           row_(tiles_.count() * Tiles::side_px),
           count_(tiles_.count()) {}
 
-    /// Opens sixteen pixels of a row from tile `column` on, where `pixels` says so. Several threads may open
-    /// pixels of different rows of tiles. Places are known after number().
-    void open(int column, int y, ColumnMask pixels);
+    /// Opens pixels of a row of a tile; `lawful` as Row has it. Several threads may open pixels of different rows
+    /// of tiles. Places are known after number().
+    void open(int column, int y, ColumnMask pixels, ColumnMask lawful);
     /// Numbers all open pixels in raster order; how many they are.
     std::size_t number();
 

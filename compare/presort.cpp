@@ -49,12 +49,6 @@ struct Agreement {
     return mask;
 }
 
-/// Pixels of a chunk that show one triangle in both frames.
-struct Share {
-    std::uint32_t law;
-    ColumnMask pixels;
-};
-
 [[gnu::target_clones("default", "avx2", "avx512f")]] void take(const TileRowOf<std::int32_t>& some,
                                                                ColumnMask pixels,
                                                                TileRowOf<std::int32_t>& all) {
@@ -69,8 +63,8 @@ void Presort::sort(const LawsOfBoth& laws, const KnownLargest& largest, Strip& s
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
         const bool one = is_one_law(&strip.candidate.law[first], &strip.reference.law[first]);
         const bool is_sorted = one && strip.candidate.law[first] != 0
-                                   ? sort_one_law(laws, largest, first, strip)
-                                   : sort_some_laws(laws, largest, first, strip);
+                                   ? sort_one_law({laws, largest, strip, first}, strip)
+                                   : sort_some_laws({laws, largest, strip, first}, strip);
         strip.sorted |= std::uint32_t(is_sorted) << first / Strip::chunk;
     }
 }
@@ -82,46 +76,75 @@ const DepthEstimate& Presort::estimate_by(const LawsOfBoth& laws, std::uint32_t 
     return known.estimate;
 }
 
-bool Presort::sort_one_law(const LawsOfBoth& laws, const KnownLargest& largest, std::size_t first,
-                           Strip& strip) {
-    const DepthEstimate& triangle = estimate_by(laws, strip.candidate.law[first]);
-    if (!triangle.is_usable) return false;
+/// Of pixels at which both frames show the triangle. A ratio of 0 exceeds none.
+bool Presort::are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask pixels, const Source& source) const {
+    if ((pixels & ~(row.candidate.certain & row.reference.certain)) != 0) return false;
+    const Strip& strip = source.strip;
+    const RowPlace place{strip.x + int(source.first), strip.y};
+    const auto exceeds = [&](const EstimatedRow::Side& side, const DepthLaw& depth_law, const Strip::Side& shown) {
+        const ColumnMask asked = pixels & side.may_exceed;
+        return asked != 0 &&
+               (asked & ~exact_hits(depth_law, projection_, place, &shown.camera_depth[source.first])) != 0;
+    };
+    return !exceeds(row.candidate, source.laws.candidate[law], strip.candidate) &&
+           !exceeds(row.reference, source.laws.reference[law], strip.reference);
+}
+
+/// Nothing is certain where a law cannot be estimated.
+EstimatedRow Presort::estimated(std::uint32_t law, const Source& source) {
     EstimatedRow row;
-    estimate(triangle, projection_, {strip.x + int(first), strip.y}, &strip.candidate.camera_depth[first],
-             &strip.reference.camera_depth[first], largest, row);
-    if ((row.candidate.certain & row.reference.certain) != all_columns) return false;
-    std::ranges::copy(row.candidate.bin, &strip.candidate.bin[first]);
-    std::ranges::copy(row.reference.bin, &strip.reference.bin[first]);
-    strip.open[first / Strip::chunk] = 0;
+    const DepthEstimate& triangle = estimate_by(source.laws, law);
+    const Strip& strip = source.strip;
+    if (triangle.is_usable)
+        estimate(triangle, projection_, {strip.x + int(source.first), strip.y},
+                 &strip.candidate.camera_depth[source.first], &strip.reference.camera_depth[source.first],
+                 source.largest, row);
+    return row;
+}
+
+bool Presort::sort_one_law(const Source& source, Strip& strip) {
+    const std::uint32_t law = strip.candidate.law[source.first];
+    const EstimatedRow row = estimated(law, source);
+    if (!are_known(row, law, all_columns, source)) return false;
+    std::ranges::copy(row.candidate.bin, &strip.candidate.bin[source.first]);
+    std::ranges::copy(row.reference.bin, &strip.reference.bin[source.first]);
+    strip.open[source.first / Strip::chunk] = 0;
+    strip.lawful[source.first / Strip::chunk] = 0;
     return true;
 }
 
-bool Presort::sort_some_laws(const LawsOfBoth& laws, const KnownLargest& largest, std::size_t first,
-                             Strip& strip) {
+bool Presort::sort_some_laws(const Source& source, Strip& strip) {
+    const std::size_t first = source.first;
     const auto [same, bare] = agreement(strip, first);
+    const std::uint32_t *ours = &strip.candidate.law[first], *theirs = &strip.reference.law[first];
+    const ColumnMask nothing = equal_laws(ours, 0);
+    if ((nothing & same & ~bare) != 0) return false;
     std::array<Share, most_laws> shares;
     std::size_t count = 0;
-    for (ColumnMask rest = same & ~bare; rest != 0; ++count) {
-        const std::uint32_t law = strip.candidate.law[first + std::size_t(std::countr_zero(rest))];
-        if (law == 0 || count == most_laws) return false;
-        shares[count] = {law, rest & equal_laws(&strip.candidate.law[first], law)};
-        rest &= ~shares[count].pixels;
+    ColumnMask rest = ~nothing & all_columns, rest_of_theirs = ~equal_laws(theirs, 0) & all_columns;
+    for (; (rest | rest_of_theirs) != 0; ++count) {
+        if (count == most_laws) return false;
+        const std::uint32_t law = rest != 0 ? ours[std::countr_zero(rest)] : theirs[std::countr_zero(rest_of_theirs)];
+        shares[count] = {law, equal_laws(ours, law), equal_laws(theirs, law)};
+        rest &= ~shares[count].candidate;
+        rest_of_theirs &= ~shares[count].reference;
     }
     TileRowOf<std::int32_t> our_bin, their_bin;
     our_bin.fill(Strip::uncounted), their_bin.fill(Strip::uncounted);
-    for (const auto& [law, pixels] : std::span(shares).first(count)) {
-        const DepthEstimate& triangle = estimate_by(laws, law);
-        if (!triangle.is_usable) return false;
-        EstimatedRow row;
-        estimate(triangle, projection_, {strip.x + int(first), strip.y}, &strip.candidate.camera_depth[first],
-                 &strip.reference.camera_depth[first], largest, row);
-        if ((pixels & ~(row.candidate.certain & row.reference.certain)) != 0) return false;
-        take(row.candidate.bin, pixels, our_bin);
-        take(row.reference.bin, pixels, their_bin);
+    ColumnMask lawful = 0, lawful_of_theirs = 0;
+    for (const Share& share : std::span(shares).first(count)) {
+        const EstimatedRow row = estimated(share.law, source);
+        const ColumnMask agreed = share.candidate & same;
+        if (!are_known(row, share.law, agreed, source)) return false;
+        take(row.candidate.bin, agreed, our_bin);
+        take(row.reference.bin, agreed, their_bin);
+        lawful |= share.candidate & row.candidate.certain;
+        lawful_of_theirs |= share.reference & row.reference.certain;
     }
     std::ranges::copy(our_bin, &strip.candidate.bin[first]);
     std::ranges::copy(their_bin, &strip.reference.bin[first]);
     strip.open[first / Strip::chunk] = ~same & all_columns;
+    strip.lawful[first / Strip::chunk] = lawful & lawful_of_theirs & ~same;
     return true;
 }
 

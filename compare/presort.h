@@ -23,9 +23,23 @@ class Presort {
         std::uint64_t tile = 0;
         DepthEstimate estimate;
     };
+    /// Pixels of a chunk that show one triangle, in either frame.
+    struct Share {
+        std::uint32_t law;
+        ColumnMask candidate, reference;
+    };
+    /// What a chunk is sorted by.
+    struct Source {
+        const LawsOfBoth& laws;
+        const KnownLargest& largest;
+        const Strip& strip;
+        std::size_t first;  ///< of the chunk's pixels in the strip
+    };
     const DepthEstimate& estimate_by(const LawsOfBoth& laws, std::uint32_t law);
-    bool sort_one_law(const LawsOfBoth& laws, const KnownLargest& largest, std::size_t first, Strip& strip);
-    bool sort_some_laws(const LawsOfBoth& laws, const KnownLargest& largest, std::size_t first, Strip& strip);
+    EstimatedRow estimated(std::uint32_t law, const Source& source);
+    bool are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask pixels, const Source& source) const;
+    bool sort_one_law(const Source& source, Strip& strip);
+    bool sort_some_laws(const Source& source, Strip& strip);
 
     Projection projection_;
     std::uint64_t tile_ = 1;
