@@ -19,8 +19,8 @@ constexpr int tile_width = Strip::width, tile_height = 16;
 /// Few triangles are ever asked about outside of the laws of a tile.
 constexpr std::size_t remembered_triangles = 64;
 
-/// Of a tile: more than that, and few pixels share a law.
-constexpr std::size_t many_triangles = 128;
+/// Of a tile: more than that, and few pixels share a law; or few squares are free of edges.
+constexpr std::size_t many_laws = 128, crowd = 32;
 
 /// Pixels [left, right) x [top, bottom).
 struct Tile {
@@ -55,10 +55,12 @@ void fetch_ahead(std::span<const T> row, std::size_t first) {
 /// A look at both witnesses, tile by tile.
 class Comparison {
   public:
-    Comparison(const Scene& scene, const Witness& candidate, const Witness& reference)
+    Comparison(const Scene& scene, const Witness& candidate, const Witness& reference,
+               LargestSoFar& largest)
         : triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
+          largest_(largest),
           shown_(scene, candidate, reference),
           presort_(candidate.projection()),
           look_(scene, candidate, reference) {}
@@ -92,6 +94,10 @@ class Comparison {
             }
             settle(strip, open);
         }
+        if (shown_.count() > crowd)
+            for (int x = tile.left; x < tile.right; x += Tiles::side_px) open.set_crowded(x, tile.top);
+        tell(candidate_count_.largest, largest_.candidate);
+        tell(reference_count_.largest, largest_.reference);
     }
 
     Tally tally() const {
@@ -152,13 +158,26 @@ class Comparison {
 
     /// Maps of errors want every ratio.
     void presort(Strip& strip) {
-        const auto known = [](const Largest& largest) {
-            return float(std::ranges::max(largest) * 20 * (1 - 0x1p-20));
-        };
         strip.sorted = 0;
-        if (!scribes_ && shown_.count() <= many_triangles)
-            presort_.sort(shown_.laws(), {known(candidate_count_.largest), known(reference_count_.largest)},
-                          strip);
+        if (scribes_ || shown_.count() > many_laws) return;
+        Presort::Largest largest{known(candidate_count_.largest, largest_.candidate),
+                                 known(reference_count_.largest, largest_.reference)};
+        presort_.sort(shown_.laws(), largest, strip);
+        raise(candidate_count_.largest, largest.candidate);
+        raise(reference_count_.largest, largest.reference);
+    }
+
+    /// The largest ratio, here or anywhere.
+    static double known(const Largest& here, const std::atomic<double>& anywhere) {
+        return std::max(std::ranges::max(here), anywhere.load(std::memory_order_relaxed));
+    }
+    static void raise(Largest& here, double largest) { here[0] = std::max(here[0], largest); }
+
+    /// Two threads may overwrite each other's; then less is known.
+    static void tell(const Largest& here, std::atomic<double>& anywhere) {
+        const double largest = std::ranges::max(here);
+        if (largest > anywhere.load(std::memory_order_relaxed))
+            anywhere.store(largest, std::memory_order_relaxed);
     }
 
     void hold(Strip& strip) const {
@@ -204,6 +223,7 @@ class Comparison {
 
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
+    LargestSoFar& largest_;
     std::optional<Scribes> scribes_;
     ShownTriangles shown_;
     Presort presort_;
@@ -280,7 +300,7 @@ void add(Tally& sum, const Tally& part) {
 
 Tally compare_rows(const Scene& scene, const Witness& candidate, const Witness& reference, const Rows& rows,
                    OpenTiles& open) {
-    Comparison comparison(scene, candidate, reference);
+    Comparison comparison(scene, candidate, reference, rows.largest);
     if (rows.errors) comparison.keep_errors(*rows.errors);
     const int width = candidate.view().width;
     for (int top = rows.top; top < rows.bottom; top += tile_height)

@@ -1,6 +1,8 @@
 /// The first pass: pixels at which the two frames plainly agree are settled at once, the rest is left open.
 #pragma once
 
+#include <atomic>
+
 #include "compare/error_map.h"
 #include "compare/memory.h"
 #include "compare/open_tiles.h"
@@ -47,9 +49,15 @@ class PixelLook {
     Memory<std::uint32_t, DepthOfBoth> triangles_;
 };
 
+/// The largest ratios that any part of the image has shown so far. Only what work is saved depends on it.
+struct LargestSoFar {
+    std::atomic<double> candidate = 0, reference = 0;
+};
+
 /// Rows [top, bottom) of a view; top is the first of a row of tiles.
 struct Rows {
     int top, bottom;
+    LargestSoFar& largest;
     ErrorMaps* errors = nullptr;  ///< where there are some, what these rows of them hold is written
 };
 

@@ -209,19 +209,6 @@ DepthRow hold_row(const DepthLaw& law, const RowPlace& row, const TileRowOf<floa
     return all;
 }
 
-template <class Projected>
-ColumnMask hits_in_row(const DepthLaw& law, const RowPlace& row, const float* camera_depth) {
-    Law four;
-    put_side_by_side({&law, &law, &law, &law}, four);
-    ColumnMask hits = 0;
-    for (std::size_t i = 0; i < tile_columns; i += four_count) {
-        const Spot spot = spot_of<Projected>(four, from_on(row.left + int(i)), row.y);
-        const auto is_hit = within_corners(four, spot.depth) == four_at(camera_depth + i);
-        for (std::size_t lane = 0; lane < four_count; ++lane) hits |= ColumnMask(is_hit[lane] & 1) << (i + lane);
-    }
-    return hits;
-}
-
 constexpr std::size_t together = 8;
 static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == together);
 
@@ -249,14 +236,6 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
     const DepthLaw& law, Projection projection, const RowPlace& row, const TileRowOf<float>& camera_depth) {
     return projection == Projection::perspective ? hold_row<Perspective>(law, row, camera_depth)
                                                  : hold_row<Parallel>(law, row, camera_depth);
-}
-
-[[gnu::flatten, gnu::target_clones("default", "avx2")]] ColumnMask exact_hits(const DepthLaw& law,
-                                                                              Projection projection,
-                                                                              const RowPlace& row,
-                                                                              const float* camera_depth) {
-    return projection == Projection::perspective ? hits_in_row<Perspective>(law, row, camera_depth)
-                                                 : hits_in_row<Parallel>(law, row, camera_depth);
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] void sort_out(Strip& strip, Largest& candidate,

@@ -83,10 +83,6 @@ struct DepthRow {
 DepthRow depths_in_row(const DepthLaw& law, Projection projection, const RowPlace& row,
                        const TileRowOf<float>& camera_depth);
 
-/// Where depths are true to the last bit.
-ColumnMask exact_hits(const DepthLaw& law, Projection projection, const RowPlace& row,
-                      const float* camera_depth);
-
 /// The largest ratios that were counted, side by side.
 using Largest = std::array<double, 8>;
 

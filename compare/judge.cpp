@@ -25,13 +25,14 @@ struct Kept {
 /// The pixels that stay open; depths are counted into the verdict.
 OpenTiles first_pass(const Comparands& of, const Kept& kept) {
     OpenTiles open(of.view);
+    LargestSoFar largest;
     const int rows = open.tiles().rows;
     std::vector<Tally> tallies(static_cast<std::size_t>(rows));
     tbb::parallel_for(0, rows, [&](int row) {
         const int top = row * Tiles::side_px;
         tallies[std::size_t(row)] =
             compare_rows(of.scene, of.candidate, of.reference,
-                         {top, std::min(top + Tiles::side_px, of.view.height),
+                         {top, std::min(top + Tiles::side_px, of.view.height), largest,
                           kept.full ? &kept.full->errors : nullptr},
                          open);
     });

@@ -41,7 +41,7 @@ void Layers::sort_out() {
         if (place == TriangleFilter::Place::misses && filter.is_trusted) continue;
         are_known_ = are_known_ && filter.is_trusted;
         layers_[kept] = layers_[i];
-        layers_[kept].covers_tile = place == TriangleFilter::Place::covers;
+        layers_[kept].cutting = place == TriangleFilter::Place::covers ? 0 : filter.edges_within(tile_);
         for (Renderer& r : renderers_) r.triangles[kept] = r.triangles[i];
         ++kept;
     }
@@ -57,8 +57,8 @@ void Layers::place(int y) {
     row_ = {left_, y};
     cut_ = 0;
     for (Layer& layer : layers_) {
-        const PlaceMasks places = layer.covers_tile ? PlaceMasks{all_columns, 0}
-                                                    : places_in_row(layer.known->filter, row_, widest_px_);
+        const PlaceMasks places =
+            places_in_row(layer.known->filter, layer.cutting, row_, widest_px_);
         layer.covers = places.covers;
         cut_ |= places.cuts;
     }
@@ -110,9 +110,11 @@ auto Layers::relations_of(std::size_t layer) -> const Relations& {
         if (i == layer) continue;
         const KnownTriangle& other = *layers_[i].known;
         const int order = order_in(tile_, other.filter, one.known->filter);
-        const auto are_coplanar = [&] {
-            const std::uint64_t pair = std::uint64_t{layers_[i].triangle} << 32 | one.triangle;
-            return shared_.coplanar(pair, [&] { return coplanar(other.p_world, one.known->p_world); });
+        const auto are_coplanar = [&] {  // asked one way round: of triangles that are seen it is the same
+            const auto [a, b] = std::minmax(i, layer);
+            const std::uint64_t pair = std::uint64_t{layers_[a].triangle} << 32 | layers_[b].triangle;
+            return shared_.coplanar(
+                pair, [&] { return coplanar(layers_[a].known->p_world, layers_[b].known->p_world); });
         };
         if (order < 0)
             one.others->behind |= Set{1} << i;

@@ -59,7 +59,7 @@ class Layers {
     struct Layer {
         std::uint32_t triangle;
         const KnownTriangle* known;
-        bool covers_tile = false;
+        std::uint32_t cutting = 0;  ///< bit k: edge k may pass somewhere in the tile
         std::optional<Relations> others{};
         ColumnMask covers = 0;             ///< of the row
         std::optional<TriangleRow> row{};  ///< as far as it was asked for

@@ -56,15 +56,19 @@ struct Agreement {
         all[i] = (pixels & std::uint32_t{1} << i) != 0 ? some[i] : all[i];
 }
 
+/// Rounded down.
+float times_20(double ratio) { return float(ratio * 20 * (1 - 0x1p-20)); }
+
 }  // namespace
 
-void Presort::sort(const LawsOfBoth& laws, const KnownLargest& largest, Strip& strip) {
+void Presort::sort(const LawsOfBoth& laws, Largest& largest, Strip& strip) {
     known_.resize(std::max(known_.size(), laws.candidate.size()));
+    const KnownLargest known{times_20(largest.candidate), times_20(largest.reference)};
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
         const bool one = is_one_law(&strip.candidate.law[first], &strip.reference.law[first]);
-        const bool is_sorted = one && strip.candidate.law[first] != 0
-                                   ? sort_one_law({laws, largest, strip, first}, strip)
-                                   : sort_some_laws({laws, largest, strip, first}, strip);
+        const Source source{laws, known, largest, strip, first};
+        const bool is_sorted = one && strip.candidate.law[first] != 0 ? sort_one_law(source, strip)
+                                                                      : sort_some_laws(source, strip);
         strip.sorted |= std::uint32_t(is_sorted) << first / Strip::chunk;
     }
 }
@@ -76,18 +80,26 @@ const DepthEstimate& Presort::estimate_by(const LawsOfBoth& laws, std::uint32_t 
     return known.estimate;
 }
 
-/// Of pixels at which both frames show the triangle. A ratio of 0 exceeds none.
-bool Presort::are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask pixels, const Source& source) const {
+/// Of pixels at which both frames show the triangle. What may exceed the largest ratio is worked out in full.
+bool Presort::are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask pixels,
+                        const Source& source) const {
     if ((pixels & ~(row.candidate.certain & row.reference.certain)) != 0) return false;
     const Strip& strip = source.strip;
-    const RowPlace place{strip.x + int(source.first), strip.y};
-    const auto exceeds = [&](const EstimatedRow::Side& side, const DepthLaw& depth_law, const Strip::Side& shown) {
+    const auto raise = [&](const EstimatedRow::Side& side, const DepthLaw& depth_law, const Strip::Side& shown,
+                           double& largest) {
         const ColumnMask asked = pixels & side.may_exceed;
-        return asked != 0 &&
-               (asked & ~exact_hits(depth_law, projection_, place, &shown.camera_depth[source.first])) != 0;
+        if (asked == 0) return true;
+        TileRowOf<float> depth;
+        std::copy_n(&shown.camera_depth[source.first], tile_columns, depth.begin());
+        const TileRow ratio =
+            depths_in_row(depth_law, projection_, {strip.x + int(source.first), strip.y}, depth).ratio;
+        if ((asked & ~at_least_zero(ratio)) != 0) return false;
+        for (ColumnMask rest = asked; rest != 0; rest &= rest - 1)
+            largest = std::max(largest, ratio[std::size_t(std::countr_zero(rest))]);
+        return true;
     };
-    return !exceeds(row.candidate, source.laws.candidate[law], strip.candidate) &&
-           !exceeds(row.reference, source.laws.reference[law], strip.reference);
+    return raise(row.candidate, source.laws.candidate[law], strip.candidate, source.largest.candidate) &&
+           raise(row.reference, source.laws.reference[law], strip.reference, source.largest.reference);
 }
 
 /// Nothing is certain where a law cannot be estimated.
@@ -98,7 +110,7 @@ EstimatedRow Presort::estimated(std::uint32_t law, const Source& source) {
     if (triangle.is_usable)
         estimate(triangle, projection_, {strip.x + int(source.first), strip.y},
                  &strip.candidate.camera_depth[source.first], &strip.reference.camera_depth[source.first],
-                 source.largest, row);
+                 source.known, row);
     return row;
 }
 

@@ -14,9 +14,14 @@ class Presort {
 
     /// Forgets the laws of a tile.
     void clear() { ++tile_; }
-    /// Fills in bins and what is open of whole chunks of the strip, and marks them as sorted. The laws are those of
-    /// the tile; certain are only ratios that exceed neither of the largest.
-    void sort(const LawsOfBoth& laws, const KnownLargest& largest, Strip& strip);
+    /// The largest ratio of each renderer.
+    struct Largest {
+        double candidate = 0, reference = 0;
+    };
+
+    /// Fills in bins and what is open of whole chunks of the strip, and marks them as sorted; raises the largest.
+    /// The laws are those of the tile.
+    void sort(const LawsOfBoth& laws, Largest& largest, Strip& strip);
 
   private:
     struct Known {
@@ -31,7 +36,8 @@ class Presort {
     /// What a chunk is sorted by.
     struct Source {
         const LawsOfBoth& laws;
-        const KnownLargest& largest;
+        const KnownLargest& known;
+        Largest& largest;
         const Strip& strip;
         std::size_t first;  ///< of the chunk's pixels in the strip
     };
