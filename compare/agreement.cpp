@@ -19,8 +19,8 @@ constexpr int tile_width = Strip::width, tile_height = 16;
 /// Few triangles are ever asked about outside of the laws of a tile.
 constexpr std::size_t remembered_triangles = 64;
 
-/// Of a tile: more than that, and few pixels share a law; or few squares are free of edges.
-constexpr std::size_t many_laws = 128, crowd = 32;
+/// Of a tile: more than that, and few pixels share a law.
+constexpr std::size_t many_laws = 128;
 
 /// Pixels [left, right) x [top, bottom).
 struct Tile {
@@ -94,8 +94,6 @@ class Comparison {
             }
             settle(strip, open);
         }
-        if (shown_.count() > crowd)
-            for (int x = tile.left; x < tile.right; x += Tiles::side_px) open.set_crowded(x, tile.top);
         tell(candidate_count_.largest, largest_.candidate);
         tell(reference_count_.largest, largest_.reference);
     }

@@ -54,7 +54,8 @@ struct Count {
     Tally edges;
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
 
-    void add(const OpenPixel& open, const Ruling& ruling, const Finding& finding) {
+    void add(const OpenPixel& open, const Ruling& ruling) {
+        const Finding& finding = open.finding;
         ++classes[std::size_t(finding.verdict)];
         reference_defects += reference_is_wrong(open, ruling);
         adjudicated += finding.candidate.primitive != finding.reference.primitive;
@@ -80,37 +81,55 @@ Count operator+(Count a, const Count& b) {
     return a;
 }
 
-/// The findings of open pixels and their ruling.
+/// What a verdict has the evidence of.
+enum class Listed { failing, differing };
+
+/// The findings of pixels that were ruled on.
 class Record {
   public:
-    Record(const Comparands& of, std::span<const PixelPlace> open, const Rulings& rulings)
-        : of_(of), open_(open), rulings_(rulings) {}
+    Record(const Comparands& of, const OpenTiles& open, Listed listed)
+        : of_(of), open_(open), listed_(listed) {}
 
-    /// Writes findings and classes of the verdict, whose size is set; each finding to the place given.
-    Count write(std::span<const std::uint32_t> places, Verdict& verdict) const {
+    /// Writes classes of the verdict, whose size is set, and findings, each to its place; of those that are not
+    /// listed the class only.
+    Count write(const LayeredFindings& ruled, const Rulings& rulings, Verdict& verdict) const {
         using Pixels = tbb::blocked_range<std::size_t>;
         const auto write_some = [&](const Pixels& some, Count sum) {
             PixelLook look(of_.scene, of_.candidate, of_.reference);
             for (std::size_t i = some.begin(); i < some.end(); ++i) {
-                const OpenPixel open = look.at(open_[i].x, open_[i].y);
-                const Ruling ruling = rulings_[i];
-                Finding& finding = verdict.findings[places[i]];
-                finding = open.finding;
-                finding.verdict = class_of(open, ruling);
-                finding.eps_px = ruling.candidate.eps_px;
-                verdict.classes.at(finding.x, finding.y) = finding.verdict;
-                sum.add(open, ruling, finding);
+                const PixelPlace at = ruled.left[i];
+                const Ruling ruling = rulings[i];
+                OpenPixel pixel = seen(at, look);
+                const PixelClass word = class_of(pixel, ruling);
+                if (listed_ == Listed::failing && !passes(word)) pixel = look.at(at.x, at.y);
+                pixel.finding.verdict = word;
+                pixel.finding.eps_px = ruling.candidate.eps_px;
+                verdict.findings[ruled.places[i]] = pixel.finding;
+                verdict.classes.at(at.x, at.y) = word;
+                sum.add(pixel, ruling);
             }
             return sum;
         };
-        return tbb::parallel_reduce(Pixels(0, open_.size(), 1024), Count{}, write_some,
+        return tbb::parallel_reduce(Pixels(0, ruled.left.size(), 1024), Count{}, write_some,
                                     [](const Count& a, const Count& b) { return a + b; });
     }
 
   private:
+    /// Without the evidence where that is known to be lawful, and not listed.
+    OpenPixel seen(const PixelPlace& at, PixelLook& look) const {
+        if (listed_ == Listed::differing || !open_.is_lawful(at)) return look.at(at.x, at.y);
+        OpenPixel pixel;
+        pixel.finding = {.x = at.x,
+                         .y = at.y,
+                         .candidate = of_.candidate.answer_at(at.x, at.y),
+                         .reference = of_.reference.answer_at(at.x, at.y),
+                         .candidate_depth = {}};
+        return pixel;
+    }
+
     const Comparands& of_;
-    std::span<const PixelPlace> open_;
-    const Rulings& rulings_;
+    const OpenTiles& open_;
+    Listed listed_;
 };
 
 std::vector<RuledPlace> placed(std::span<const PixelPlace> places, const Rulings& rulings) {
@@ -143,7 +162,8 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     }
     const Rulings rulings = rule_on(scene, view, ours, theirs, layered.left);
     if (full) full->rulings = placed(layered.left, rulings);
-    Count count = Record(comparands, layered.left, rulings).write(layered.places, verdict);
+    Count count = Record(comparands, open, full ? Listed::differing : Listed::failing)
+                      .write(layered, rulings, verdict);
     count.add(layered.counts);
     verdict.counts = count.classes;
     verdict.counts[std::size_t(PixelClass::agree)] += size.pixel_count() - open_count;

@@ -20,7 +20,7 @@ constexpr std::uint32_t many = 16, many_of_row = 4;
 
 bool is_layered(const OpenTiles& open, int column, int row) {
     const std::uint32_t count = open.count(column, row);
-    if (count < many || open.is_crowded(column, row)) return false;
+    if (count < many) return false;
     std::uint32_t rows = 0;
     for (int y = 0; y < Tiles::side_px; ++y) rows += open.row(column, row * Tiles::side_px + y).pixels != 0;
     return count >= many_of_row * rows;

@@ -24,22 +24,23 @@ class OpenTiles {
         : tiles_(view),
           height_(view.height),
           row_(tiles_.count() * Tiles::side_px),
-          count_(tiles_.count()),
-          is_crowded_(tiles_.count()) {}
+          count_(tiles_.count()) {}
 
     /// Opens pixels of a row of a tile; `lawful` as Row has it. Several threads may open pixels of different rows
     /// of tiles. Places are known after number().
     void open(int column, int y, ColumnMask pixels, ColumnMask lawful);
-    /// Many triangles show in the tile of this pixel and beside it.
-    void set_crowded(int x, int y) { is_crowded_[tiles_.of(x, y)] = 1; }
     /// Numbers all open pixels in raster order; how many they are.
     std::size_t number();
 
     const Tiles& tiles() const { return tiles_; }
     const Row& row(int column, int y) const { return row_[index(column, y)]; }
+    /// Are both depths of an open pixel lawful for certain?
+    bool is_lawful(const PixelPlace& pixel) const {
+        const int column = pixel.x / Tiles::side_px;
+        return (row(column, pixel.y).lawful >> (pixel.x - column * Tiles::side_px) & 1) != 0;
+    }
     /// Open pixels of a tile.
     std::uint32_t count(int column, int tile_row) const { return count_[tiles_.index(column, tile_row)]; }
-    bool is_crowded(int column, int tile_row) const { return is_crowded_[tiles_.index(column, tile_row)] != 0; }
     /// All open pixels in raster order.
     std::vector<PixelPlace> places() const;
 
@@ -51,8 +52,7 @@ class OpenTiles {
     Tiles tiles_;
     int height_;
     std::vector<Row> row_;
-    std::vector<std::uint32_t> count_;       ///< by tile
-    std::vector<std::uint8_t> is_crowded_;  ///< by tile
+    std::vector<std::uint32_t> count_;  ///< by tile
 };
 
 }  // namespace zproof
