@@ -56,8 +56,7 @@ class Acquaintance {
         auto& bounded = bounded_[&bounds];
         const auto found = bounded.find(triangle);
         if (found != bounded.end()) return found->second;
-        return bounded.try_emplace(triangle, bounds, any_, view_.camera, of(triangle))
-            .first->second;
+        return bounded.try_emplace(triangle, bounds, any_, view_.camera, of(triangle)).first->second;
     }
 
   private:

@@ -55,8 +55,7 @@ void fetch_ahead(std::span<const T> row, std::size_t first) {
 /// A look at both witnesses, tile by tile.
 class Comparison {
   public:
-    Comparison(const Scene& scene, const Witness& candidate, const Witness& reference,
-               LargestSoFar& largest)
+    Comparison(const Scene& scene, const Witness& candidate, const Witness& reference, LargestSoFar& largest)
         : triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
@@ -190,7 +189,8 @@ class Comparison {
         for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
             if (strip.open[chunk] == 0) continue;
             const ColumnMask left = still_open(strip, chunk);
-            if (left != 0) open.open(strip.x / int(Strip::chunk) + int(chunk), strip.y, left, strip.lawful[chunk]);
+            if (left != 0)
+                open.open(strip.x / int(Strip::chunk) + int(chunk), strip.y, left, strip.lawful[chunk]);
         }
     }
 
@@ -199,7 +199,8 @@ class Comparison {
         for (ColumnMask rest = open; rest != 0; rest &= rest - 1) {
             const std::size_t i = chunk * Strip::chunk + std::size_t(std::countr_zero(rest));
             const bool differ = strip.candidate.primitive[i] != strip.reference.primitive[i];
-            if (!differ && settles({strip.x + int(i), strip.y}, strip.reference.ratio[i])) open &= ~(rest & -rest);
+            if (!differ && settles({strip.x + int(i), strip.y}, strip.reference.ratio[i]))
+                open &= ~(rest & -rest);
         }
         return open;
     }
@@ -304,7 +305,8 @@ Tally compare_rows(const Scene& scene, const Witness& candidate, const Witness& 
     for (int top = rows.top; top < rows.bottom; top += tile_height)
         for (int left = 0; left < width; left += tile_width)
             comparison.compare(
-                {left, top, std::min(left + tile_width, width), std::min(top + tile_height, rows.bottom)}, open);
+                {left, top, std::min(left + tile_width, width), std::min(top + tile_height, rows.bottom)},
+                open);
     return comparison.tally();
 }
 

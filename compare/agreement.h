@@ -61,7 +61,8 @@ struct Rows {
     ErrorMaps* errors = nullptr;  ///< where there are some, what these rows of them hold is written
 };
 
-/// Opens the pixels that are not settled. What the depths were held against where both name the same triangle.
+/// Opens the pixels that are not settled. What the depths were held against where both name the same
+/// triangle.
 Tally compare_rows(const Scene& scene, const Witness& candidate, const Witness& reference, const Rows& rows,
                    OpenTiles& open);
 

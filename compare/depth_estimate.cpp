@@ -110,8 +110,8 @@ template <class Projected>
         const float up = shift < to_most ? shift : to_most, down = -(shift < to_least ? shift : to_least);
         const float moves = Projected::is_towards_most(error) ? up : down;
         const float moved = w + moves;
-        const float ratio =
-            Projected::scaled(bins * std::abs(error), moved) / Projected::room(bound, w, moved, std::abs(moves));
+        const float ratio = Projected::scaled(bins * std::abs(error), moved) /
+                            Projected::room(bound, w, moved, std::abs(moves));
         const float low = ratio - bound.unsure, high = ratio + bound.unsure;
         const auto whole = std::int32_t(high < bins ? high : bins);
         side.bin[i] = whole;

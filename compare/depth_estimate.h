@@ -32,8 +32,8 @@ DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, 
 struct EstimatedRow {
     struct Side {
         TileRowOf<std::int32_t> bin;  ///< of the error over the bound, as BoundHistogram has it
-        ColumnMask certain = 0;     ///< where the depth is lawful and that is its bin
-        ColumnMask may_exceed = 0;  ///< where it may be more than the largest
+        ColumnMask certain = 0;       ///< where the depth is lawful and that is its bin
+        ColumnMask may_exceed = 0;    ///< where it may be more than the largest
     };
     Side candidate, reference;
 };

@@ -71,8 +71,8 @@ struct Strip {
     std::array<ColumnMask, width / chunk> lawful;  ///< of those: both depths are so for certain
 };
 
-/// Fills in the ratios, where the pixels are not sorted yet: the same bits as TriangleDepth::at followed by error_over_bound, or `unsettled` where
-/// double precision does not hold the depth lawful for certain.
+/// Fills in the ratios, where the pixels are not sorted yet: the same bits as TriangleDepth::at followed by
+/// error_over_bound, or `unsettled` where double precision does not hold the depth lawful for certain.
 void hold_perspective(const LawsOfBoth& laws, Strip& strip);
 void hold_parallel(const LawsOfBoth& laws, Strip& strip);
 

@@ -30,11 +30,10 @@ OpenTiles first_pass(const Comparands& of, const Kept& kept) {
     std::vector<Tally> tallies(static_cast<std::size_t>(rows));
     tbb::parallel_for(0, rows, [&](int row) {
         const int top = row * Tiles::side_px;
-        tallies[std::size_t(row)] =
-            compare_rows(of.scene, of.candidate, of.reference,
-                         {top, std::min(top + Tiles::side_px, of.view.height), largest,
-                          kept.full ? &kept.full->errors : nullptr},
-                         open);
+        tallies[std::size_t(row)] = compare_rows(of.scene, of.candidate, of.reference,
+                                                 {top, std::min(top + Tiles::side_px, of.view.height),
+                                                  largest, kept.full ? &kept.full->errors : nullptr},
+                                                 open);
     });
     Tally sum;
     for (const Tally& tally : tallies) add(sum, tally);
@@ -90,8 +89,8 @@ class Record {
     Record(const Comparands& of, const OpenTiles& open, Listed listed)
         : of_(of), open_(open), listed_(listed) {}
 
-    /// Writes classes of the verdict, whose size is set, and findings, each to its place; of those that are not
-    /// listed the class only.
+    /// Writes classes of the verdict, whose size is set, and findings, each to its place; of those that are
+    /// not listed the class only.
     Count write(const LayeredFindings& ruled, const Rulings& rulings, Verdict& verdict) const {
         using Pixels = tbb::blocked_range<std::size_t>;
         const auto write_some = [&](const Pixels& some, Count sum) {
@@ -162,8 +161,8 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     }
     const Rulings rulings = rule_on(scene, view, ours, theirs, layered.left);
     if (full) full->rulings = placed(layered.left, rulings);
-    Count count = Record(comparands, open, full ? Listed::differing : Listed::failing)
-                      .write(layered, rulings, verdict);
+    Count count =
+        Record(comparands, open, full ? Listed::differing : Listed::failing).write(layered, rulings, verdict);
     count.add(layered.counts);
     verdict.counts = count.classes;
     verdict.counts[std::size_t(PixelClass::agree)] += size.pixel_count() - open_count;

@@ -97,8 +97,7 @@ class LayeredPass {
         std::vector<LayeredFindings> bands(std::size_t(tiles.rows));
         tbb::parallel_for(0, tiles.rows, [&](int row) {
             Band band;
-            for (int column = 0; column < tiles.columns; ++column)
-                settle_tile(column, row, near, band);
+            for (int column = 0; column < tiles.columns; ++column) settle_tile(column, row, near, band);
             bands[std::size_t(row)] = in_raster_order(band);
         });
         return sum_of(bands);
@@ -203,8 +202,7 @@ class LayeredPass {
     ColumnMask settle_row(Layers& layers, const RowPlace& at, const OpenTiles::Row& row,
                           ClassCounts& counts) {
         const Shown ours(of_.candidate.frame(), at), theirs(of_.reference.frame(), at);
-        const ColumnMask open =
-            layers.turn_to(at.y, row.pixels & ~equal(ours.primitive, theirs.primitive));
+        const ColumnMask open = layers.turn_to(at.y, row.pixels & ~equal(ours.primitive, theirs.primitive));
         if (open == 0) return 0;
         const Standings candidate = standings(layers, 0, ours, open);
         const Standings reference = standings(layers, 1, theirs, candidate.tied | candidate.visible);
@@ -252,8 +250,8 @@ class LayeredPass {
               const Shown& ours, const Shown& theirs) {
         const TileRow eps_px = layers.eps_px(0);
         for_each_shown(ours.primitive, settled, [&](PrimitiveId triangle, ColumnMask here) {
-            const DepthRow depth = depths_in_row(law_of(triangle).candidate, of_.candidate.projection(), at,
-                                                 ours.camera_depth);
+            const DepthRow depth =
+                depths_in_row(law_of(triangle).candidate, of_.candidate.projection(), at, ours.camera_depth);
             for (; here != 0; here &= here - 1) {
                 const auto i = std::size_t(std::countr_zero(here));
                 const ColumnMask before = row.pixels & ((here & -here) - 1);

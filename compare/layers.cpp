@@ -57,8 +57,7 @@ void Layers::place(int y) {
     row_ = {left_, y};
     cut_ = 0;
     for (Layer& layer : layers_) {
-        const PlaceMasks places =
-            places_in_row(layer.known->filter, layer.cutting, row_, widest_px_);
+        const PlaceMasks places = places_in_row(layer.known->filter, layer.cutting, row_, widest_px_);
         layer.covers = places.covers;
         cut_ |= places.cuts;
     }

@@ -69,8 +69,8 @@ class Layers {
         std::vector<const BoundedTriangle*> triangles;  ///< of layers_, in order
         Set clear = 0;                                  ///< of near and far, all over the tile
         ColumnMask unclear = 0;                         ///< of the row: covered by one that is not clear
-        std::vector<TriangleRow::Range> nearness;  ///< of the row
-        Set known = 0;                             ///< whose nearness was asked for
+        std::vector<TriangleRow::Range> nearness;       ///< of the row
+        Set known = 0;                                  ///< whose nearness was asked for
     };
 
     void place(int y);
@@ -90,8 +90,8 @@ class Layers {
     std::vector<Layer> layers_;
     std::vector<Renderer> renderers_;
     RowPlace row_;
-    ColumnMask cut_ = 0;    ///< of the row: pixels whose square some edge may cut
-    ColumnMask asked_ = 0;  ///< of the row
+    ColumnMask cut_ = 0;             ///< of the row: pixels whose square some edge may cut
+    ColumnMask asked_ = 0;           ///< of the row
     std::optional<SightRow> sight_;  ///< of the row, once it was asked for
 };
 

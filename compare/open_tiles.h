@@ -21,13 +21,10 @@ class OpenTiles {
     };
 
     explicit OpenTiles(const View& view)
-        : tiles_(view),
-          height_(view.height),
-          row_(tiles_.count() * Tiles::side_px),
-          count_(tiles_.count()) {}
+        : tiles_(view), height_(view.height), row_(tiles_.count() * Tiles::side_px), count_(tiles_.count()) {}
 
-    /// Opens pixels of a row of a tile; `lawful` as Row has it. Several threads may open pixels of different rows
-    /// of tiles. Places are known after number().
+    /// Opens pixels of a row of a tile; `lawful` as Row has it. Several threads may open pixels of different
+    /// rows of tiles. Places are known after number().
     void open(int column, int y, ColumnMask pixels, ColumnMask lawful);
     /// Numbers all open pixels in raster order; how many they are.
     std::size_t number();

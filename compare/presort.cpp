@@ -17,8 +17,7 @@ constexpr std::size_t most_laws = 4;
 [[gnu::target_clones("default", "avx2", "avx512f")]] bool is_one_law(const std::uint32_t* ours,
                                                                      const std::uint32_t* theirs) {
     std::uint32_t difference = 0;
-    for (std::size_t i = 0; i < Strip::chunk; ++i)
-        difference |= (ours[i] ^ ours[0]) | (theirs[i] ^ ours[0]);
+    for (std::size_t i = 0; i < Strip::chunk; ++i) difference |= (ours[i] ^ ours[0]) | (theirs[i] ^ ours[0]);
     return difference == 0;
 }
 
@@ -85,21 +84,20 @@ bool Presort::are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask p
                         const Source& source) const {
     if ((pixels & ~(row.candidate.certain & row.reference.certain)) != 0) return false;
     const Strip& strip = source.strip;
-    const auto raise = [&](const EstimatedRow::Side& side, const DepthLaw& depth_law, const Strip::Side& shown,
-                           double& largest) {
-        const ColumnMask asked = pixels & side.may_exceed;
-        if (asked == 0) return true;
+    const auto raise = [&](const EstimatedRow::Side& side, const DepthLaw& depth_law,
+                           const Strip::Side& shown, double& largest) {
+        ColumnMask asked = pixels & side.may_exceed;
+        if (asked == 0) return;
         TileRowOf<float> depth;
         std::copy_n(&shown.camera_depth[source.first], tile_columns, depth.begin());
         const TileRow ratio =
             depths_in_row(depth_law, projection_, {strip.x + int(source.first), strip.y}, depth).ratio;
-        if ((asked & ~at_least_zero(ratio)) != 0) return false;
-        for (ColumnMask rest = asked; rest != 0; rest &= rest - 1)
-            largest = std::max(largest, ratio[std::size_t(std::countr_zero(rest))]);
-        return true;
+        for (; asked != 0; asked &= asked - 1)
+            largest = std::max(largest, ratio[std::size_t(std::countr_zero(asked))]);
     };
-    return raise(row.candidate, source.laws.candidate[law], strip.candidate, source.largest.candidate) &&
-           raise(row.reference, source.laws.reference[law], strip.reference, source.largest.reference);
+    raise(row.candidate, source.laws.candidate[law], strip.candidate, source.largest.candidate);
+    raise(row.reference, source.laws.reference[law], strip.reference, source.largest.reference);
+    return true;
 }
 
 /// Nothing is certain where a law cannot be estimated.
@@ -136,7 +134,8 @@ bool Presort::sort_some_laws(const Source& source, Strip& strip) {
     ColumnMask rest = ~nothing & all_columns, rest_of_theirs = ~equal_laws(theirs, 0) & all_columns;
     for (; (rest | rest_of_theirs) != 0; ++count) {
         if (count == most_laws) return false;
-        const std::uint32_t law = rest != 0 ? ours[std::countr_zero(rest)] : theirs[std::countr_zero(rest_of_theirs)];
+        const std::uint32_t law =
+            rest != 0 ? ours[std::countr_zero(rest)] : theirs[std::countr_zero(rest_of_theirs)];
         shares[count] = {law, equal_laws(ours, law), equal_laws(theirs, law)};
         rest &= ~shares[count].candidate;
         rest_of_theirs &= ~shares[count].reference;

@@ -19,8 +19,8 @@ class Presort {
         double candidate = 0, reference = 0;
     };
 
-    /// Fills in bins and what is open of whole chunks of the strip, and marks them as sorted; raises the largest.
-    /// The laws are those of the tile.
+    /// Fills in bins and what is open of whole chunks of the strip, and marks them as sorted; raises the
+    /// largest. The laws are those of the tile.
     void sort(const LawsOfBoth& laws, Largest& largest, Strip& strip);
 
   private:

@@ -59,7 +59,8 @@ struct TriangleFilter {
     std::uint32_t edges_within(const Around& at) const {
         std::uint32_t edges = 0;
         for (std::size_t k = 0; k < edge.size(); ++k) {
-            const double reach = at.half_x * std::abs(edge[k].a) + at.half_y * std::abs(edge[k].b) + edge_error;
+            const double reach =
+                at.half_x * std::abs(edge[k].a) + at.half_y * std::abs(edge[k].b) + edge_error;
             edges |= std::uint32_t(!(edge[k].at(at.x, at.y) - reach > 0)) << k;
         }
         return edges;
@@ -102,7 +103,7 @@ class TriangleFilters {
 
     BoxProjection boxes_;
     ViewBounds any_bounds_;
-    Sight<double> sight_;    ///< of pixel (0, 0)
+    Sight<double> sight_;  ///< of pixel (0, 0)
     double width_, height_;
     bool perspective_;
     double origin_size_, direction_size_;  ///< largest sums of absolute terms in the image

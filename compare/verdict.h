@@ -45,7 +45,8 @@ struct BoundRecord {
 struct Verdict {
     Plane<PixelClass> classes;
     ClassCounts counts{};
-    /// In raster order: from judge() the pixels that fail the gate, from judge_in_full() all that do not `agree`.
+    /// In raster order: from judge() the pixels that fail the gate, from judge_in_full() all that do not
+    /// `agree`.
     Bulk<Finding> findings;
     BoundRecord candidate_depth, reference_depth;  ///< where both answers name the same triangle
     /// Displacement over eps, where the two differ and an answer is lawful by its place but not right at the

@@ -17,8 +17,12 @@ std::int32_t bin_of(double ratio) { return std::int32_t(std::min(ratio * 20, 20.
 
 /// A depth near the ends of a bin, or at random within twice the bound, or none at all.
 float some_depth(Dice& dice, const DepthBound& bound) {
-    constexpr float none[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                              -1, 0, std::numeric_limits<float>::max(), 1e-40f};
+    constexpr float none[] = {std::numeric_limits<float>::quiet_NaN(),
+                              std::numeric_limits<float>::infinity(),
+                              -1,
+                              0,
+                              std::numeric_limits<float>::max(),
+                              1e-40f};
     if (dice.below(20) == 0) return none[dice.below(6)];
     const bool nearer = dice.below(2) != 0;
     const double share = dice.below(2) ? dice.below(22) / 20.0 : dice.between(0, 2);
@@ -34,7 +38,8 @@ struct Side {
     TileRowOf<float> z;
 
     Side(Dice& dice, const View& view, const Precision& precision, const CornersWorld& p, const RowPlace& at)
-        : law(depth_law_of(TriangleInView(view, ViewBounds(view, precision), p), ViewBounds(view, precision))),
+        : law(depth_law_of(TriangleInView(view, ViewBounds(view, precision), p),
+                           ViewBounds(view, precision))),
           depth(depth_of(TriangleInView(view, ViewBounds(view, precision), p), ViewBounds(view, precision))) {
         for (std::size_t i = 0; i < tile_columns; ++i)
             z[i] = some_depth(dice, depth.at(at.left + int(i), at.y));
@@ -67,12 +72,13 @@ TEST(DepthEstimate, IsCertainOnlyOfTheRightBin) {
         const Surroundings s = random_surroundings(seed);
         Dice dice(seed);
         const Precision precisions[] = {RasterPrecision{}, RayPrecision{}, PlaneRayPrecision{},
-                                        RasterPrecision{.subpixel_bits = 4, .depth_roundings = 5}};
+                                        RasterPrecision{.subpixel_bits = 4, .depth_roundings = 5},
+                                        RasterPrecision{.depth_buffer = DepthBuffer::reversed_z}};
         const Projection projection = s.view.camera.projection;
         for (const Neighbour& n : s.around.neighbours) {
             const RowPlace at{0, s.y};
-            const Side candidate(dice, s.view, precisions[dice.below(4)], n.p_world, at),
-                reference(dice, s.view, precisions[dice.below(4)], n.p_world, at);
+            const Side candidate(dice, s.view, precisions[dice.below(5)], n.p_world, at),
+                reference(dice, s.view, precisions[dice.below(5)], n.p_world, at);
             const DepthEstimate estimate = estimate_of(candidate.law, reference.law, projection);
             ++asked, usable += estimate.is_usable;
             if (!estimate.is_usable) continue;
