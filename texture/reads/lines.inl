@@ -8,12 +8,12 @@ struct Batch {
         alignas(64) std::int64_t offset[4][lanes];
         alignas(64) double weight[4][lanes];
 
-        /// Where a lane has none (its `read` is 0), it reads the chain's first texel, which is 0, and weighs
-        /// it by 0: no sum of products is -0 before, so that adds nothing.
+        /// Where a lane has none (its `read` is 0), it reads the chain's first texel, which is 0, whatever it
+        /// weighs. No sum of products is -0 before, so that adds nothing.
         void set(const Taps& taps, Bits read) {
             for (int tap = 0; tap < 4; ++tap) {
                 store(offset[tap], taps.offset[tap] & read);
-                store(weight[tap], lanes_of(bits(taps.weight[tap]) & read));
+                store(weight[tap], taps.weight[tap]);
             }
         }
         /// The texels are asked of memory.

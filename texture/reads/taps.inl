@@ -22,13 +22,14 @@ struct Axis {
     Axis operator*(double power_of_two) const { return {power_of_two * size, per_size / power_of_two}; }
 };
 
-/// What is left of a whole number of at most 2^52 + 1 when whole sizes are taken away: [0, size). Two
-/// roundings shift the quotient by less than 2^-52 of itself, at most 1 / size + 2^-52, and not at all where
-/// the size is 1: it is rounded down to the true whole number or a neighbour of it. All else is exact.
+/// What is left of a whole number, at most 2^52 in size, when whole sizes are taken away: [0, size).
+/// The quotient is exact where size is a power of two. Else let 2^-p < 1 / size < 2^(1 - p). Then per_size is
+/// within 2^(-p - 53) of 1 / size, which the index makes 2^(-p - 1) at most; the product is below 2^(53 - p),
+/// and rounding it adds 2^(-p - 1) at most: together less than 1 / size. So the quotient k + r / size, r <
+/// size, comes out below k + 1 and above k - 1, and is rounded down to k or k - 1. All else is exact.
 Lanes remainder(Lanes index, const Axis& axis) {
     const Lanes rest = index - whole_below(index * axis.per_size) * axis.size;
-    const Lanes from_0 = rest < 0 ? rest + axis.size : rest;
-    return from_0 < axis.size ? from_0 : from_0 - axis.size;
+    return rest < axis.size ? rest : rest - axis.size;
 }
 
 /// The texel that stands at a column or row.
