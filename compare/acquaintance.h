@@ -13,13 +13,14 @@ namespace zproof {
 /// A triangle as every renderer of a view has it.
 struct KnownTriangle {
     CornersWorld p_world;
+    TriangleExtent extent;
     TriangleFilter filter;
 };
 
 /// A triangle as one renderer's bounds see it.
 struct BoundedTriangle {
     BoundedTriangle(const ViewBounds& bounds, const Sight<double>& any, const Camera& camera,
-                    const CornersWorld& p_world);
+                    const KnownTriangle& triangle);
 
     /// Does it keep between near and far, each moved inwards by its slack, all over the box, certainly?
     bool is_clear_of_planes(const TriangleFilter& filter, const Around& box) const;
@@ -44,8 +45,10 @@ class Acquaintance {
     const KnownTriangle& of(std::uint32_t triangle) {
         const auto [place, is_new] = known_.try_emplace(triangle);
         if (is_new) {
-            place->second.p_world = corners_of(scene_, triangle);
-            place->second.filter = filters_.of(place->second.p_world);
+            KnownTriangle& known = place->second;
+            known.p_world = corners_of(scene_, triangle);
+            known.extent = filters_.extent_of(known.p_world);
+            known.filter = filters_.of(known.p_world, known.extent);
         }
         return place->second;
     }
@@ -53,7 +56,7 @@ class Acquaintance {
         auto& bounded = bounded_[&bounds];
         const auto found = bounded.find(triangle);
         if (found != bounded.end()) return found->second;
-        return bounded.try_emplace(triangle, bounds, any_, view_.camera, corners_of(scene_, triangle))
+        return bounded.try_emplace(triangle, bounds, any_, view_.camera, of(triangle))
             .first->second;
     }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <optional>
 
 #include "compare/error_scribe.h"
+#include "compare/presort.h"
 #include "compare/shown_triangles.h"
 
 namespace zproof {
@@ -16,6 +18,9 @@ constexpr int tile_width = Strip::width, tile_height = 16;
 
 /// Few triangles are ever asked about outside of the laws of a tile.
 constexpr std::size_t remembered_triangles = 64;
+
+/// Of a tile: more than that, and few pixels share a law.
+constexpr std::size_t many_laws = 128;
 
 /// Pixels [left, right) x [top, bottom).
 struct Tile {
@@ -50,11 +55,14 @@ void fetch_ahead(std::span<const T> row, std::size_t first) {
 /// A look at both witnesses, tile by tile.
 class Comparison {
   public:
-    Comparison(const Scene& scene, const Witness& candidate, const Witness& reference)
+    Comparison(const Scene& scene, const Witness& candidate, const Witness& reference,
+               LargestSoFar& largest)
         : triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
+          largest_(largest),
           shown_(scene, candidate, reference),
+          presort_(candidate.projection()),
           look_(scene, candidate, reference) {}
 
     /// Has the depth errors of what is compared from now on written down.
@@ -63,9 +71,10 @@ class Comparison {
                                  {reference_, triangle_count_, errors.reference}});
     }
 
-    /// Compares the pixels of a tile; `rows` are the findings of its rows.
-    void compare(const Tile& tile, std::span<Findings> rows) {
+    /// Compares the pixels of a tile.
+    void compare(const Tile& tile, OpenTiles& open) {
         shown_.clear();
+        presort_.clear();
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
             strip.x = tile.left, strip.y = y;
@@ -76,20 +85,24 @@ class Comparison {
         shown_.make_laws();
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
+            presort(strip);
             hold(strip);
             if (scribes_) {
                 const auto width = std::size_t(tile.right - tile.left);
                 scribes_->candidate.write(strip.candidate, strip.x, y, width);
                 scribes_->reference.write(strip.reference, strip.x, y, width);
             }
-            settle(strip, rows[std::size_t(y - tile.top)]);
+            settle(strip, open);
         }
+        tell(candidate_count_.largest, largest_.candidate);
+        tell(reference_count_.largest, largest_.reference);
     }
 
-    /// Adds what was counted at pixels that double precision settled.
-    void add_to(Tally& tally) const {
-        candidate_count_.add_to(tally.candidate);
-        reference_count_.add_to(tally.reference);
+    Tally tally() const {
+        Tally all = one_by_one_;
+        candidate_count_.add_to(all.candidate);
+        reference_count_.add_to(all.reference);
+        return all;
     }
 
   private:
@@ -141,31 +154,63 @@ class Comparison {
         }
     }
 
+    /// Maps of errors want every ratio.
+    void presort(Strip& strip) {
+        strip.sorted = 0;
+        if (scribes_ || shown_.count() > many_laws) return;
+        Presort::Largest largest{known(candidate_count_.largest, largest_.candidate),
+                                 known(reference_count_.largest, largest_.reference)};
+        presort_.sort(shown_.laws(), largest, strip);
+        raise(candidate_count_.largest, largest.candidate);
+        raise(reference_count_.largest, largest.reference);
+    }
+
+    /// The largest ratio, here or anywhere.
+    static double known(const Largest& here, const std::atomic<double>& anywhere) {
+        return std::max(std::ranges::max(here), anywhere.load(std::memory_order_relaxed));
+    }
+    static void raise(Largest& here, double largest) { here[0] = std::max(here[0], largest); }
+
+    /// Two threads may overwrite each other's; then less is known.
+    static void tell(const Largest& here, std::atomic<double>& anywhere) {
+        const double largest = std::ranges::max(here);
+        if (largest > anywhere.load(std::memory_order_relaxed))
+            anywhere.store(largest, std::memory_order_relaxed);
+    }
+
     void hold(Strip& strip) const {
         const bool perspective = candidate_.projection() == Projection::perspective;
         (perspective ? hold_perspective : hold_parallel)(shown_.laws(), strip);
     }
 
-    void settle(Strip& strip, Findings& found) {
+    void settle(Strip& strip, OpenTiles& open) {
         sort_out(strip, candidate_count_.largest, reference_count_.largest);
         candidate_count_.add(strip.candidate.bin);
         reference_count_.add(strip.reference.bin);
-        if (std::ranges::count(strip.is_open, 0u) == Strip::width) return;
-        for (std::size_t i = 0; i < Strip::width; ++i) {
-            if (!strip.is_open[i]) continue;
-            const PixelPlace place{strip.x + int(i), strip.y};
-            const bool differ = strip.candidate.primitive[i] != strip.reference.primitive[i];
-            if (differ || !settles(place, strip.reference.ratio[i], found.tally)) found.open.push_back(place);
+        for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
+            if (strip.open[chunk] == 0) continue;
+            const ColumnMask left = still_open(strip, chunk);
+            if (left != 0) open.open(strip.x / int(Strip::chunk) + int(chunk), strip.y, left, strip.lawful[chunk]);
         }
     }
 
-    /// Of a pixel at which both name the same triangle, or none.
-    bool settles(const PixelPlace& place, double known_reference_ratio, Tally& tally) {
+    ColumnMask still_open(const Strip& strip, std::size_t chunk) {
+        ColumnMask open = strip.open[chunk];
+        for (ColumnMask rest = open; rest != 0; rest &= rest - 1) {
+            const std::size_t i = chunk * Strip::chunk + std::size_t(std::countr_zero(rest));
+            const bool differ = strip.candidate.primitive[i] != strip.reference.primitive[i];
+            if (!differ && settles({strip.x + int(i), strip.y}, strip.reference.ratio[i])) open &= ~(rest & -rest);
+        }
+        return open;
+    }
+
+    /// A pixel at which both name the same triangle, or none.
+    bool settles(const PixelPlace& place, double known_reference_ratio) {
         const OpenPixel pixel = look_.at(place.x, place.y, known_reference_ratio);
         const bool is_bare = pixel.finding.candidate.primitive == PrimitiveId::none;
         if (!is_bare && !pixel.candidate_invalid && !pixel.reference_invalid) {
-            count(tally.candidate, pixel.finding.error_over_bound);
-            count(tally.reference, pixel.reference_error_over_bound);
+            count(one_by_one_.candidate, pixel.finding.error_over_bound);
+            count(one_by_one_.reference, pixel.reference_error_over_bound);
         }
         return is_settled(pixel);
     }
@@ -176,10 +221,13 @@ class Comparison {
 
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
+    LargestSoFar& largest_;
     std::optional<Scribes> scribes_;
     ShownTriangles shown_;
+    Presort presort_;
     std::array<Strip, tile_height> strips_;
     Count candidate_count_, reference_count_;
+    Tally one_by_one_;
     PixelLook look_;
 };
 
@@ -248,25 +296,16 @@ void add(Tally& sum, const Tally& part) {
     add_record(sum.reference, part.reference);
 }
 
-Findings compare_rows(const Scene& scene, const View& view, const Witness& candidate,
-                      const Witness& reference, const Rows& asked) {
-    const auto [top, bottom, errors] = asked;
-    Findings found;
-    Comparison comparison(scene, candidate, reference);
-    if (errors) comparison.keep_errors(*errors);
-    std::vector<Findings> rows(std::size_t(bottom - top));
-    for (int tile_top = top; tile_top < bottom; tile_top += tile_height)
-        for (int left = 0; left < view.width; left += tile_width) {
-            const Tile tile{left, tile_top, std::min(left + tile_width, view.width),
-                            std::min(tile_top + tile_height, bottom)};
-            comparison.compare(tile, std::span(rows).subspan(std::size_t(tile_top - top)));
-        }
-    for (const Findings& row : rows) {
-        add(found.tally, row.tally);
-        found.open.insert(found.open.end(), row.open.begin(), row.open.end());
-    }
-    comparison.add_to(found.tally);
-    return found;
+Tally compare_rows(const Scene& scene, const Witness& candidate, const Witness& reference, const Rows& rows,
+                   OpenTiles& open) {
+    Comparison comparison(scene, candidate, reference, rows.largest);
+    if (rows.errors) comparison.keep_errors(*rows.errors);
+    const int width = candidate.view().width;
+    for (int top = rows.top; top < rows.bottom; top += tile_height)
+        for (int left = 0; left < width; left += tile_width)
+            comparison.compare(
+                {left, top, std::min(left + tile_width, width), std::min(top + tile_height, rows.bottom)}, open);
+    return comparison.tally();
 }
 
 }  // namespace zproof

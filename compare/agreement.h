@@ -1,11 +1,11 @@
 /// The first pass: pixels at which the two frames plainly agree are settled at once, the rest is left open.
 #pragma once
 
-#include <vector>
+#include <atomic>
 
 #include "compare/error_map.h"
 #include "compare/memory.h"
-#include "compare/pixel_place.h"
+#include "compare/open_tiles.h"
 #include "compare/witness.h"
 
 namespace zproof {
@@ -49,19 +49,20 @@ class PixelLook {
     Memory<std::uint32_t, DepthOfBoth> triangles_;
 };
 
-/// What a part of the image holds.
-struct Findings {
-    std::vector<PixelPlace> open;  ///< not settled, in raster order
-    Tally tally;                   ///< of the depths at pixels where both name the same triangle
+/// The largest ratios that any part of the image has shown so far. Only what work is saved depends on it.
+struct LargestSoFar {
+    std::atomic<double> candidate = 0, reference = 0;
 };
 
-/// Rows [top, bottom).
+/// Rows [top, bottom) of a view; top is the first of a row of tiles.
 struct Rows {
     int top, bottom;
+    LargestSoFar& largest;
     ErrorMaps* errors = nullptr;  ///< where there are some, what these rows of them hold is written
 };
 
-Findings compare_rows(const Scene& scene, const View& view, const Witness& candidate,
-                      const Witness& reference, const Rows& rows);
+/// Opens the pixels that are not settled. What the depths were held against where both name the same triangle.
+Tally compare_rows(const Scene& scene, const Witness& candidate, const Witness& reference, const Rows& rows,
+                   OpenTiles& open);
 
 }  // namespace zproof

@@ -173,6 +173,7 @@ template <class Projected>
 void hold_strip(const LawsOfBoth& laws, Strip& strip) {
     LatestLaw candidate(laws.candidate), reference(laws.reference);
     for (std::size_t first = 0; first < Strip::width; first += four_count) {
+        if ((strip.sorted >> first / Strip::chunk & 1) != 0) continue;
         const std::uint32_t *ours = &strip.candidate.law[first], *theirs = &strip.reference.law[first];
         candidate.turn_to(ours);
         reference.turn_to(theirs);
@@ -242,20 +243,32 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
     constexpr float none = std::numeric_limits<float>::infinity();
     Strip::Side &ours = strip.candidate, &theirs = strip.reference;
     Largest most = candidate, most_of_theirs = reference;
-    for (std::size_t first = 0; first < Strip::width; first += together)
-        for (std::size_t lane = 0; lane < together; ++lane) {
-            const std::size_t i = first + lane;
-            const double a = ours.ratio[i], b = theirs.ratio[i];
-            const bool agree = ours.primitive[i] == theirs.primitive[i];
-            const bool is_counted = agree & (a >= 0) & (b >= 0);
-            const bool is_bare = agree & (ours.primitive[i] == PrimitiveId::none) &
-                                 (ours.camera_depth[i] == none) & (theirs.camera_depth[i] == none);
-            ours.bin[i] = is_counted ? bin_of(a) : Strip::uncounted;
-            theirs.bin[i] = is_counted ? bin_of(b) : Strip::uncounted;
-            strip.is_open[i] = !(is_counted | is_bare);
-            most[lane] = is_counted & (a > most[lane]) ? a : most[lane];
-            most_of_theirs[lane] = is_counted & (b > most_of_theirs[lane]) ? b : most_of_theirs[lane];
+    for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
+        if ((strip.sorted >> chunk & 1) != 0) continue;
+        TileRowOf<std::uint32_t> is_open, is_lawful;
+        for (std::size_t first = 0; first < Strip::chunk; first += together)
+            for (std::size_t lane = 0; lane < together; ++lane) {
+                const std::size_t i = chunk * Strip::chunk + first + lane;
+                const double a = ours.ratio[i], b = theirs.ratio[i];
+                const bool agree = ours.primitive[i] == theirs.primitive[i];
+                const bool is_counted = agree & (a >= 0) & (b >= 0);
+                const bool is_bare = agree & (ours.primitive[i] == PrimitiveId::none) &
+                                     (ours.camera_depth[i] == none) & (theirs.camera_depth[i] == none);
+                ours.bin[i] = is_counted ? bin_of(a) : Strip::uncounted;
+                theirs.bin[i] = is_counted ? bin_of(b) : Strip::uncounted;
+                is_open[first + lane] = !(is_counted | is_bare);
+                is_lawful[first + lane] = (a >= 0) & (b >= 0);
+                most[lane] = is_counted & (a > most[lane]) ? a : most[lane];
+                most_of_theirs[lane] = is_counted & (b > most_of_theirs[lane]) ? b : most_of_theirs[lane];
+            }
+        std::uint32_t open = 0, lawful = 0;
+        for (std::size_t i = 0; i < Strip::chunk; ++i) {
+            open |= is_open[i] << i;
+            lawful |= (is_open[i] & is_lawful[i]) << i;
         }
+        strip.open[chunk] = open;
+        strip.lawful[chunk] = lawful;
+    }
     candidate = most;
     reference = most_of_theirs;
 }

@@ -61,13 +61,17 @@ struct Strip {
             bin;  ///< of the ratio, as BoundHistogram has it; `uncounted` where not both are settled
     };
     static constexpr std::int32_t uncounted = 21;
+    static constexpr std::size_t chunk = tile_columns;  ///< pixels that are sorted out together
 
     int x = 0, y = 0;  ///< of the first
     Side candidate, reference;
-    Values<std::uint32_t> is_open;  ///< to be looked at by itself: neither settled nor bare in both frames
+    std::uint32_t sorted = 0;  ///< bit k: what becomes of the pixels from k * chunk on is known already
+    /// Of each chunk: to be looked at by themselves, neither settled nor bare in both.
+    std::array<ColumnMask, width / chunk> open;
+    std::array<ColumnMask, width / chunk> lawful;  ///< of those: both depths are so for certain
 };
 
-/// Fills in the ratios: the same bits as TriangleDepth::at followed by error_over_bound, or `unsettled` where
+/// Fills in the ratios, where the pixels are not sorted yet: the same bits as TriangleDepth::at followed by error_over_bound, or `unsettled` where
 /// double precision does not hold the depth lawful for certain.
 void hold_perspective(const LawsOfBoth& laws, Strip& strip);
 void hold_parallel(const LawsOfBoth& laws, Strip& strip);
@@ -82,7 +86,7 @@ DepthRow depths_in_row(const DepthLaw& law, Projection projection, const RowPlac
 /// The largest ratios that were counted, side by side.
 using Largest = std::array<double, 8>;
 
-/// Fills in bins and is_open, and raises the largest.
+/// Fills in bins and what is open, where the pixels are not sorted yet, and raises the largest.
 void sort_out(Strip& strip, Largest& candidate, Largest& reference);
 
 }  // namespace zproof

@@ -5,6 +5,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "compare/adjudication.h"
@@ -21,35 +22,25 @@ struct Kept {
     JudgedInFull* full;
 };
 
-/// Every open pixel of the frame in raster order; depths are counted into the verdict.
-std::vector<PixelPlace> first_pass(const Scene& scene, const View& view, const Witness& candidate,
-                                   const Witness& reference, const Kept& kept) {
-    constexpr int band_rows = 16;
-    std::vector<Findings> bands(static_cast<std::size_t>((view.height + band_rows - 1) / band_rows));
-    tbb::parallel_for(0, int(bands.size()), [&](int band) {
-        const int top = band * band_rows;
-        bands[std::size_t(band)] = compare_rows(
-            scene, view, candidate, reference,
-            {top, std::min(top + band_rows, view.height), kept.full ? &kept.full->errors : nullptr});
+/// The pixels that stay open; depths are counted into the verdict.
+OpenTiles first_pass(const Comparands& of, const Kept& kept) {
+    OpenTiles open(of.view);
+    LargestSoFar largest;
+    const int rows = open.tiles().rows;
+    std::vector<Tally> tallies(static_cast<std::size_t>(rows));
+    tbb::parallel_for(0, rows, [&](int row) {
+        const int top = row * Tiles::side_px;
+        tallies[std::size_t(row)] =
+            compare_rows(of.scene, of.candidate, of.reference,
+                         {top, std::min(top + Tiles::side_px, of.view.height), largest,
+                          kept.full ? &kept.full->errors : nullptr},
+                         open);
     });
     Tally sum;
-    std::vector<PixelPlace> open;
-    std::size_t open_count = 0;
-    for (const Findings& band : bands) open_count += band.open.size();
-    open.reserve(open_count);
-    for (const Findings& band : bands) {
-        add(sum, band.tally);
-        open.insert(open.end(), band.open.begin(), band.open.end());
-    }
+    for (const Tally& tally : tallies) add(sum, tally);
     kept.verdict.candidate_depth = sum.candidate;
     kept.verdict.reference_depth = sum.reference;
     return open;
-}
-
-std::vector<PixelPlace> places(std::span<const PixelPlace> open, std::span<const std::uint32_t> some) {
-    std::vector<PixelPlace> found(some.size());
-    std::ranges::transform(some, found.begin(), [&](std::uint32_t i) { return open[i]; });
-    return found;
 }
 
 bool reference_is_wrong(const OpenPixel& open, const Ruling& ruling) {
@@ -63,7 +54,8 @@ struct Count {
     Tally edges;
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
 
-    void add(const OpenPixel& open, const Ruling& ruling, const Finding& finding) {
+    void add(const OpenPixel& open, const Ruling& ruling) {
+        const Finding& finding = open.finding;
         ++classes[std::size_t(finding.verdict)];
         reference_defects += reference_is_wrong(open, ruling);
         adjudicated += finding.candidate.primitive != finding.reference.primitive;
@@ -89,37 +81,55 @@ Count operator+(Count a, const Count& b) {
     return a;
 }
 
-/// The findings of open pixels and their ruling.
+/// What a verdict has the evidence of.
+enum class Listed { failing, differing };
+
+/// The findings of pixels that were ruled on.
 class Record {
   public:
-    Record(const Comparands& of, std::span<const PixelPlace> open, const Rulings& rulings)
-        : of_(of), open_(open), rulings_(rulings) {}
+    Record(const Comparands& of, const OpenTiles& open, Listed listed)
+        : of_(of), open_(open), listed_(listed) {}
 
-    /// Writes findings and classes of the verdict, whose size is set; each finding to the place given.
-    Count write(std::span<const std::uint32_t> places, Verdict& verdict) const {
+    /// Writes classes of the verdict, whose size is set, and findings, each to its place; of those that are not
+    /// listed the class only.
+    Count write(const LayeredFindings& ruled, const Rulings& rulings, Verdict& verdict) const {
         using Pixels = tbb::blocked_range<std::size_t>;
         const auto write_some = [&](const Pixels& some, Count sum) {
             PixelLook look(of_.scene, of_.candidate, of_.reference);
             for (std::size_t i = some.begin(); i < some.end(); ++i) {
-                const OpenPixel open = look.at(open_[i].x, open_[i].y);
-                const Ruling ruling = rulings_[i];
-                Finding& finding = verdict.findings[places[i]];
-                finding = open.finding;
-                finding.verdict = class_of(open, ruling);
-                finding.eps_px = ruling.candidate.eps_px;
-                verdict.classes.at(finding.x, finding.y) = finding.verdict;
-                sum.add(open, ruling, finding);
+                const PixelPlace at = ruled.left[i];
+                const Ruling ruling = rulings[i];
+                OpenPixel pixel = seen(at, look);
+                const PixelClass word = class_of(pixel, ruling);
+                if (listed_ == Listed::failing && !passes(word)) pixel = look.at(at.x, at.y);
+                pixel.finding.verdict = word;
+                pixel.finding.eps_px = ruling.candidate.eps_px;
+                verdict.findings[ruled.places[i]] = pixel.finding;
+                verdict.classes.at(at.x, at.y) = word;
+                sum.add(pixel, ruling);
             }
             return sum;
         };
-        return tbb::parallel_reduce(Pixels(0, open_.size(), 1024), Count{}, write_some,
+        return tbb::parallel_reduce(Pixels(0, ruled.left.size(), 1024), Count{}, write_some,
                                     [](const Count& a, const Count& b) { return a + b; });
     }
 
   private:
+    /// Without the evidence where that is known to be lawful, and not listed.
+    OpenPixel seen(const PixelPlace& at, PixelLook& look) const {
+        if (listed_ == Listed::differing || !open_.is_lawful(at)) return look.at(at.x, at.y);
+        OpenPixel pixel;
+        pixel.finding = {.x = at.x,
+                         .y = at.y,
+                         .candidate = of_.candidate.answer_at(at.x, at.y),
+                         .reference = of_.reference.answer_at(at.x, at.y),
+                         .candidate_depth = {}};
+        return pixel;
+    }
+
     const Comparands& of_;
-    std::span<const PixelPlace> open_;
-    const Rulings& rulings_;
+    const OpenTiles& open_;
+    Listed listed_;
 };
 
 std::vector<RuledPlace> placed(std::span<const PixelPlace> places, const Rulings& rulings) {
@@ -141,24 +151,32 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     Verdict verdict;
     verdict.classes = Plane<PixelClass>(size, PixelClass::agree);
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
-    const std::vector<PixelPlace> open = first_pass(scene, view, ours, theirs, {verdict, full});
-    verdict.findings.resize(open.size());
     const Comparands comparands{scene, view, ours, theirs};
-    const LayeredFindings layered = settle_layers(comparands, open, verdict);
-    const std::vector<PixelPlace> rest = places(open, layered.left);
-    const Rulings rulings = rule_on(scene, view, ours, theirs, rest);
-    if (full) full->rulings = placed(rest, rulings);
-    Count count = Record(comparands, rest, rulings).write(layered.left, verdict);
+    OpenTiles open = first_pass(comparands, {verdict, full});
+    const std::size_t open_count = open.number();
+    if (full) verdict.findings.resize(open_count);
+    LayeredFindings layered = settle_layers(comparands, open, verdict.classes, verdict.findings);
+    if (!full) {
+        verdict.findings.resize(layered.left.size());
+        std::iota(layered.places.begin(), layered.places.end(), 0);
+    }
+    const Rulings rulings = rule_on(scene, view, ours, theirs, layered.left);
+    if (full) full->rulings = placed(layered.left, rulings);
+    Count count = Record(comparands, open, full ? Listed::differing : Listed::failing)
+                      .write(layered, rulings, verdict);
     count.add(layered.counts);
     verdict.counts = count.classes;
-    verdict.counts[std::size_t(PixelClass::agree)] += size.pixel_count() - open.size();
+    verdict.counts[std::size_t(PixelClass::agree)] += size.pixel_count() - open_count;
     verdict.candidate_edges = count.edges.candidate;
     verdict.reference_edges = count.edges.reference;
     verdict.reference_defects = count.reference_defects;
     verdict.adjudicated = count.adjudicated;
     verdict.exact = count.exact;
-    if (count.classes[std::size_t(PixelClass::agree)] != 0)
-        std::erase_if(verdict.findings, [](const Finding& f) { return f.verdict == PixelClass::agree; });
+    const bool all_differ = count.classes[std::size_t(PixelClass::agree)] == 0;
+    if (!full || !all_differ)
+        std::erase_if(verdict.findings, [&](const Finding& f) {
+            return full ? f.verdict == PixelClass::agree : passes(f.verdict);
+        });
     return verdict;
 }
 

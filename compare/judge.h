@@ -16,7 +16,8 @@ struct Testimony {
 };
 
 /// Judges every pixel on the threads of the surrounding tbb::task_arena; the result does not depend on their
-/// number. Both frames must have the view's size (std::invalid_argument otherwise).
+/// number. Findings are those that fail the gate; judge_in_full() (compare/judge_in_full.h) has all, and costs
+/// more. Both frames must have the view's size (std::invalid_argument otherwise).
 Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference);
 
 }  // namespace zproof

@@ -16,12 +16,13 @@ struct RuledPlace {
 };
 
 struct JudgedInFull {
-    Verdict verdict;
+    Verdict verdict;  ///< with every finding
     ErrorMaps errors;
     std::vector<RuledPlace> rulings;  ///< of every finding that was ruled on by itself; in raster order
 };
 
-/// judge(); what error_over_bound() says of either frame, bit for bit; and the rulings.
+/// judge(), with the findings of all pixels that do not `agree`; what error_over_bound() says of either frame,
+/// bit for bit; and the rulings.
 JudgedInFull judge_in_full(const Scene& scene, const View& view, const Testimony& candidate,
                            const Testimony& reference);
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "compare/layers.h"
-#include "compare/open_tiles.h"
 
 namespace zproof {
 
@@ -18,14 +18,18 @@ namespace {
 /// has any.
 constexpr std::uint32_t many = 16, many_of_row = 4;
 
-bool is_layered(const OpenTiles::Tile& tile) {
-    const auto rows = std::ranges::count_if(tile.rows, [](const OpenTiles::Row& r) { return r.pixels != 0; });
-    return tile.count >= many && tile.count >= many_of_row * std::uint32_t(rows);
+bool is_layered(const OpenTiles& open, int column, int row) {
+    const std::uint32_t count = open.count(column, row);
+    if (count < many) return false;
+    std::uint32_t rows = 0;
+    for (int y = 0; y < Tiles::side_px; ++y) rows += open.row(column, row * Tiles::side_px + y).pixels != 0;
+    return count >= many_of_row * rows;
 }
 
 /// How far triangles are looked for around a pixel. Squares that are larger are left.
 constexpr double reach_px = 1;
 
+/// What both renderers may say of a triangle's depth.
 struct LawOfBoth {
     DepthLaw candidate, reference;
 };
@@ -63,43 +67,39 @@ struct Shown {
     }
 };
 
-/// What is certain of one renderer's answers along a row.
-struct Certain {
-    ColumnMask tied = 0, visible = 0;  ///< with a lawful depth
-    DepthRow depth;                    ///< there; elsewhere unwritten
+/// Along a row: pixels at which one renderer's, or both's, answers are tied, and visible.
+using Standings = Layers::Standings;
 
-    ColumnMask any() const { return tied | visible; }
-    void add(const Layers::Standings& standings, const DepthRow& row) {
-        const ColumnMask lawful = at_least_zero(row.ratio),
-                         here = (standings.tied | standings.visible) & lawful;
-        if (any() == 0)
-            depth = row;
-        else
-            depth = {chosen(depth.low, row.low, here), chosen(depth.truth, row.truth, here),
-                     chosen(depth.high, row.high, here), chosen(depth.ratio, row.ratio, here)};
-        tied |= standings.tied & lawful;
-        visible |= standings.visible & lawful;
+/// Answers of triangles that the pixels of a row show, one triangle after the other.
+template <class Visit>
+void for_each_shown(const TileRowOf<PrimitiveId>& shown, ColumnMask pixels, const Visit& visit) {
+    while (pixels != 0) {
+        const PrimitiveId triangle = shown[std::size_t(std::countr_zero(pixels))];
+        const ColumnMask here = pixels & equal(shown, triangle);
+        pixels &= ~here;
+        visit(triangle, here);
     }
-};
+}
 
 class LayeredPass {
   public:
-    LayeredPass(const Comparands& of, std::span<const PixelPlace> open, Verdict& verdict)
-        : of_(of), open_(open), verdict_(verdict), sights_(of.view), tiles_(of.view, open), memories_([&] {
+    LayeredPass(const Comparands& of, const OpenTiles& open, Plane<PixelClass>& classes,
+                std::span<Finding> findings)
+        : of_(of), open_(open), classes_(classes), findings_(findings), sights_(of.view), memories_([&] {
               return Memories(of);
-          }) {
-        farthest_.fill(reach_px);
-    }
+          }) {}
 
     LayeredFindings settle() {
+        const Tiles& tiles = open_.tiles();
         const AskedBoxes asked = asked_boxes();
         if (asked.reach_px() == 0) return all_left();
         const TrianglesByTile near(of_.scene, of_.view, asked);
-        std::vector<LayeredFindings> bands(std::size_t(tiles_.tiles().rows));
-        tbb::parallel_for(0, tiles_.tiles().rows, [&](int row) {
-            for (int column = 0; column < tiles_.tiles().columns; ++column)
-                settle_tile(column, row, near, bands[std::size_t(row)]);
-            std::ranges::sort(bands[std::size_t(row)].left);
+        std::vector<LayeredFindings> bands(std::size_t(tiles.rows));
+        tbb::parallel_for(0, tiles.rows, [&](int row) {
+            Band band;
+            for (int column = 0; column < tiles.columns; ++column)
+                settle_tile(column, row, near, band);
+            bands[std::size_t(row)] = in_raster_order(band);
         });
         return sum_of(bands);
     }
@@ -110,14 +110,36 @@ class LayeredPass {
 
     LayeredFindings all_left() const {
         LayeredFindings all;
-        all.left.resize(open_.size());
-        for (std::size_t i = 0; i < open_.size(); ++i) all.left[i] = std::uint32_t(i);
+        all.left = open_.places();
+        all.places.resize(all.left.size());
+        std::iota(all.places.begin(), all.places.end(), std::uint32_t(0));
         return all;
+    }
+
+    /// A row of tiles.
+    struct Band {
+        struct Left {
+            PixelPlace at;
+            std::uint32_t place;
+        };
+        std::vector<Left> left;
+        ClassCounts counts{};
+    };
+    static LayeredFindings in_raster_order(Band& band) {
+        std::ranges::sort(band.left, {}, &Band::Left::place);
+        LayeredFindings found;
+        for (const Band::Left& pixel : band.left) {
+            found.left.push_back(pixel.at);
+            found.places.push_back(pixel.place);
+        }
+        found.counts = band.counts;
+        return found;
     }
     static LayeredFindings sum_of(const std::vector<LayeredFindings>& bands) {
         LayeredFindings sum;
         for (const LayeredFindings& band : bands) {
             sum.left.insert(sum.left.end(), band.left.begin(), band.left.end());
+            sum.places.insert(sum.places.end(), band.places.begin(), band.places.end());
             for (std::size_t c = 0; c < band.counts.size(); ++c) sum.counts[c] += band.counts[c];
         }
         return sum;
@@ -125,11 +147,11 @@ class LayeredPass {
 
     /// Of tiles that are worth it.
     AskedBoxes asked_boxes() const {
-        const Tiles& tiles = tiles_.tiles();
+        const Tiles& tiles = open_.tiles();
         AskedBoxes asked(tiles.count());
         for (int row = 0; row < tiles.rows; ++row)
             for (int column = 0; column < tiles.columns; ++column) {
-                if (!is_layered(tiles_.at(column, row))) continue;
+                if (!is_layered(open_, column, row)) continue;
                 Around box = centres(column, row);
                 box.half_x += reach_px, box.half_y += reach_px;
                 asked.add(tiles.index(column, row), raster_box(box), reach_px);
@@ -137,40 +159,43 @@ class LayeredPass {
         return asked;
     }
 
-    RowPlace row_of(int column, int row, std::size_t y) const {
-        return {column * Tiles::side_px, row * Tiles::side_px + int(y)};
+    static RowPlace row_of(int column, int row, int y) {
+        return {column * Tiles::side_px, row * Tiles::side_px + y};
+    }
+    const OpenTiles::Row& pixels_of(const RowPlace& at) const {
+        return open_.row(at.left / Tiles::side_px, at.y);
     }
 
     /// Of a tile's open pixels.
     Around centres(int column, int row) const {
         ColumnMask any = 0;
         Box box;
-        const OpenTiles::Tile& tile = tiles_.at(column, row);
-        for (std::size_t y = 0; y < tile.rows.size(); ++y) {
-            any |= tile.rows[y].pixels;
-            if (tile.rows[y].pixels != 0) box.add(column * Tiles::side_px, row_of(column, row, y).y);
+        for (int y = 0; y < Tiles::side_px; ++y) {
+            const RowPlace at = row_of(column, row, y);
+            any |= pixels_of(at).pixels;
+            if (pixels_of(at).pixels != 0) box.add(at.left, at.y);
         }
         box.add(column * Tiles::side_px + int(std::bit_width(any)) - 1, box.top);
         return {box.middle_x(), box.middle_y(), 0.5 * (box.right - box.left), 0.5 * (box.bottom - box.top)};
     }
 
-    void settle_tile(int column, int row, const TrianglesByTile& near, LayeredFindings& found) {
-        const OpenTiles::Tile& tile = tiles_.at(column, row);
-        if (tile.count == 0) return;
+    void settle_tile(int column, int row, const TrianglesByTile& near, Band& band) {
+        if (open_.count(column, row) == 0) return;
         Memories& memories = memories_.local();
         std::optional<Layers> layers;
-        if (is_layered(tile))
+        if (is_layered(open_, column, row))
             layers.emplace(Layers::Shared{sights_, memories.acquaintance, memories.coplanar},
-                           centres(column, row), near.of(tiles_.tiles().index(column, row)), bounds());
-        for (std::size_t y = 0; y < tile.rows.size(); ++y) {
-            const OpenTiles::Row& pixels = tile.rows[y];
+                           centres(column, row), near.of(open_.tiles().index(column, row)), bounds());
+        const bool may_ask = layers && layers->are_known() && layers->widest_px() <= reach_px;
+        for (int y = 0; y < Tiles::side_px; ++y) {
+            const RowPlace at = row_of(column, row, y);
+            const OpenTiles::Row& pixels = pixels_of(at);
             if (pixels.pixels == 0) continue;
-            ColumnMask settled = 0;
-            if (layers && layers->are_known())
-                settled = settle_row(*layers, row_of(column, row, y), pixels, found.counts);
+            const ColumnMask settled = may_ask ? settle_row(*layers, at, pixels, band.counts) : 0;
             std::uint32_t place = pixels.first;
             for (ColumnMask rest = pixels.pixels; rest != 0; rest &= rest - 1, ++place)
-                if ((settled & -rest & rest) == 0) found.left.push_back(place);
+                if ((settled & -rest & rest) == 0)
+                    band.left.push_back({{at.left + std::countr_zero(rest), at.y}, place});
         }
     }
 
@@ -178,49 +203,77 @@ class LayeredPass {
     ColumnMask settle_row(Layers& layers, const RowPlace& at, const OpenTiles::Row& row,
                           ClassCounts& counts) {
         const Shown ours(of_.candidate.frame(), at), theirs(of_.reference.frame(), at);
-        ColumnMask open = layers.turn_to(at.y, row.pixels & ~equal(ours.primitive, theirs.primitive));
+        const ColumnMask open =
+            layers.turn_to(at.y, row.pixels & ~equal(ours.primitive, theirs.primitive));
         if (open == 0) return 0;
-        for (std::size_t renderer = 0; renderer < 2; ++renderer)
-            open &= ~above(layers.eps_px(renderer), farthest_);
-        const Certain candidate = certain(layers, 0, at, ours, open);
-        const Certain reference = certain(layers, 1, at, theirs, candidate.any());
-        const ColumnMask settled = reference.any();
-        std::uint32_t place = row.first;
-        for (ColumnMask rest = row.pixels; rest != 0; rest &= rest - 1, ++place) {
-            const auto i = std::size_t(std::countr_zero(rest));
-            if ((settled >> i & 1) == 0) continue;
-            const bool is_tied = ((candidate.tied | reference.tied) >> i & 1) != 0;
-            const PixelClass verdict =
-                class_of(is_tied ? Standing::tied : Standing::visible, Standing::visible);
-            ++counts[std::size_t(verdict)];
-            verdict_.classes.at(at.left + int(i), at.y) = verdict;
-            verdict_.findings[place] = {.x = at.left + int(i),
-                                        .y = at.y,
-                                        .verdict = verdict,
-                                        .candidate = {ours.primitive[i], ours.camera_depth[i]},
-                                        .reference = {theirs.primitive[i], theirs.camera_depth[i]},
-                                        .eps_px = layers.eps_px(0)[i],
-                                        .candidate_depth = {candidate.depth.low[i], candidate.depth.truth[i],
-                                                            candidate.depth.high[i]},
-                                        .error_over_bound = candidate.depth.ratio[i]};
-        }
+        const Standings candidate = standings(layers, 0, ours, open);
+        const Standings reference = standings(layers, 1, theirs, candidate.tied | candidate.visible);
+        const ColumnMask settled = lawful(at, row, ours, theirs, reference.tied | reference.visible);
+        const ColumnMask tied = settled & (candidate.tied | reference.tied);
+        write(class_of(Standing::tied, Standing::visible), at, tied, counts);
+        write(class_of(Standing::visible, Standing::visible), at, settled & ~tied, counts);
+        if (!findings_.empty() && settled != 0) list(layers, at, row, settled, ours, theirs);
         return settled;
     }
 
-    Certain certain(Layers& layers, std::size_t renderer, const RowPlace& at, const Shown& shown,
-                    ColumnMask open) {
-        Certain all;
-        for (ColumnMask rest = open; rest != 0;) {
-            const PrimitiveId one = shown.primitive[std::size_t(std::countr_zero(rest))];
-            const ColumnMask pixels = rest & equal(shown.primitive, one);
-            rest &= ~pixels;
-            const auto standings = layers.standings(renderer, std::uint32_t(one), pixels);
-            if ((standings.tied | standings.visible) == 0) continue;
-            const LawOfBoth& law = law_of(one);
-            all.add(standings, depths_in_row(renderer == 0 ? law.candidate : law.reference,
-                                             of_.candidate.projection(), at, shown.camera_depth));
-        }
+    static Standings standings(Layers& layers, std::size_t renderer, const Shown& shown, ColumnMask pixels) {
+        Standings all;
+        for_each_shown(shown.primitive, pixels, [&](PrimitiveId triangle, ColumnMask here) {
+            const Standings some = layers.standings(renderer, std::uint32_t(triangle), here);
+            all.tied |= some.tied;
+            all.visible |= some.visible;
+        });
         return all;
+    }
+
+    /// Where the depths of both are lawful for certain; the first pass knows most.
+    ColumnMask lawful(const RowPlace& at, const OpenTiles::Row& row, const Shown& ours, const Shown& theirs,
+                      ColumnMask pixels) {
+        ColumnMask unknown = pixels & ~row.lawful;
+        unknown &= lawful_by_laws(&LawOfBoth::candidate, at, ours, unknown);
+        unknown &= lawful_by_laws(&LawOfBoth::reference, at, theirs, unknown);
+        return pixels & (row.lawful | unknown);
+    }
+
+    /// One renderer's.
+    ColumnMask lawful_by_laws(DepthLaw LawOfBoth::*law, const RowPlace& at, const Shown& shown,
+                              ColumnMask pixels) {
+        ColumnMask lawful = 0;
+        for_each_shown(shown.primitive, pixels, [&](PrimitiveId triangle, ColumnMask here) {
+            const DepthRow depth =
+                depths_in_row(law_of(triangle).*law, of_.candidate.projection(), at, shown.camera_depth);
+            lawful |= here & at_least_zero(depth.ratio);
+        });
+        return lawful;
+    }
+
+    /// Lists the findings of pixels that are settled.
+    void list(Layers& layers, const RowPlace& at, const OpenTiles::Row& row, ColumnMask settled,
+              const Shown& ours, const Shown& theirs) {
+        const TileRow eps_px = layers.eps_px(0);
+        for_each_shown(ours.primitive, settled, [&](PrimitiveId triangle, ColumnMask here) {
+            const DepthRow depth = depths_in_row(law_of(triangle).candidate, of_.candidate.projection(), at,
+                                                 ours.camera_depth);
+            for (; here != 0; here &= here - 1) {
+                const auto i = std::size_t(std::countr_zero(here));
+                const ColumnMask before = row.pixels & ((here & -here) - 1);
+                findings_[row.first + std::uint32_t(std::popcount(before))] = {
+                    .x = at.left + int(i),
+                    .y = at.y,
+                    .verdict = classes_.at(at.left + int(i), at.y),
+                    .candidate = {triangle, ours.camera_depth[i]},
+                    .reference = {theirs.primitive[i], theirs.camera_depth[i]},
+                    .eps_px = eps_px[i],
+                    .candidate_depth = {depth.low[i], depth.truth[i], depth.high[i]},
+                    .error_over_bound = depth.ratio[i]};
+            }
+        });
+    }
+
+    void write(PixelClass verdict, const RowPlace& at, ColumnMask pixels, ClassCounts& counts) {
+        counts[std::size_t(verdict)] += std::uint64_t(std::popcount(pixels));
+        const std::span<PixelClass> row = classes_.row(at.y).subspan(std::size_t(at.left));
+        for (; pixels != 0; pixels &= pixels - 1) row[std::size_t(std::countr_zero(pixels))] = verdict;
     }
 
     const LawOfBoth& law_of(PrimitiveId primitive) {
@@ -232,18 +285,18 @@ class LayeredPass {
     }
 
     const Comparands& of_;
-    std::span<const PixelPlace> open_;
-    Verdict& verdict_;
+    const OpenTiles& open_;
+    Plane<PixelClass>& classes_;
+    std::span<Finding> findings_;
     Sights<double> sights_;
-    OpenTiles tiles_;
     tbb::enumerable_thread_specific<Memories> memories_;
-    TileRow farthest_;  ///< reach_px
 };
 
 }  // namespace
 
-LayeredFindings settle_layers(const Comparands& of, std::span<const PixelPlace> open, Verdict& verdict) {
-    return LayeredPass(of, open, verdict).settle();
+LayeredFindings settle_layers(const Comparands& of, const OpenTiles& open, Plane<PixelClass>& classes,
+                              std::span<Finding> findings) {
+    return LayeredPass(of, open, classes, findings).settle();
 }
 
 }  // namespace zproof

@@ -11,8 +11,9 @@ namespace zproof {
 
 /// What came of it.
 struct LayeredFindings {
-    std::vector<std::uint32_t> left;  ///< places among the open pixels, ascending: still open
-    ClassCounts counts{};             ///< of the others
+    std::vector<PixelPlace> left;       ///< still open, in raster order
+    std::vector<std::uint32_t> places;  ///< theirs among all that were open
+    ClassCounts counts{};               ///< of the others
 };
 
 /// What is compared.
@@ -22,9 +23,10 @@ struct Comparands {
     const Witness &candidate, &reference;
 };
 
-/// Writes findings and classes of the open pixels that it can decide: what the admissible set says, in the
-/// same bits. `open` is in raster order, and verdict.findings has a place for each; verdict.classes has the
-/// view's size. Runs on all threads.
-LayeredFindings settle_layers(const Comparands& of, std::span<const PixelPlace> open, Verdict& verdict);
+/// Decides those of the open pixels that it can, as the admissible set does, and writes their classes; and
+/// their findings, in the same bits, where there is a place for each open pixel; `findings` may be empty.
+/// `classes` has the view's size, `open` is numbered. Runs on all threads.
+LayeredFindings settle_layers(const Comparands& of, const OpenTiles& open, Plane<PixelClass>& classes,
+                              std::span<Finding> findings);
 
 }  // namespace zproof

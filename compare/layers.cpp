@@ -41,7 +41,7 @@ void Layers::sort_out() {
         if (place == TriangleFilter::Place::misses && filter.is_trusted) continue;
         are_known_ = are_known_ && filter.is_trusted;
         layers_[kept] = layers_[i];
-        layers_[kept].covers_tile = place == TriangleFilter::Place::covers;
+        layers_[kept].cutting = place == TriangleFilter::Place::covers ? 0 : filter.edges_within(tile_);
         for (Renderer& r : renderers_) r.triangles[kept] = r.triangles[i];
         ++kept;
     }
@@ -57,8 +57,8 @@ void Layers::place(int y) {
     row_ = {left_, y};
     cut_ = 0;
     for (Layer& layer : layers_) {
-        const PlaceMasks places = layer.covers_tile ? PlaceMasks{all_columns, 0}
-                                                    : places_in_row(layer.known->filter, row_, widest_px_);
+        const PlaceMasks places =
+            places_in_row(layer.known->filter, layer.cutting, row_, widest_px_);
         layer.covers = places.covers;
         cut_ |= places.cuts;
     }
@@ -66,30 +66,34 @@ void Layers::place(int y) {
 
 ColumnMask Layers::turn_to(int y, ColumnMask pixels) {
     place(y);
-    const ColumnMask uncut = pixels & ~cut_;
-    if (uncut == 0) return 0;
-    sight_.emplace(shared_.sights, row_);
-    for (std::size_t i = 0; i < layers_.size(); ++i) {
-        Layer& layer = layers_[i];
-        layer.row.reset();
-        if ((layer.covers & uncut) != 0)
-            layer.row.emplace(renderers_.front().triangles[i]->of_view.image, *sight_);
+    asked_ = pixels & ~cut_;
+    if (asked_ == 0) return 0;
+    sight_.reset();
+    for (Layer& layer : layers_) layer.row.reset();
+    for (Renderer& r : renderers_) {
+        r.unclear = 0;
+        for (std::size_t i = 0; i < layers_.size(); ++i)
+            if ((r.clear >> i & 1) == 0) r.unclear |= layers_[i].covers;
+        r.known = 0;
     }
-    for (Renderer& r : renderers_) turn(r);
-    return uncut;
+    return asked_;
 }
 
-void Layers::turn(Renderer& renderer) const {
-    renderer.eps_px.fill(0);
-    renderer.unclear = 0;
-    renderer.nearness.assign(layers_.size(), std::nullopt);
+const TriangleRow& Layers::row_of(std::size_t layer) {
+    std::optional<TriangleRow>& row = layers_[layer].row;
+    if (!sight_) sight_.emplace(shared_.sights, row_);
+    if (!row) row.emplace(renderers_.front().triangles[layer]->of_view.image, *sight_);
+    return *row;
+}
+
+TileRow Layers::eps_px(std::size_t renderer) {
+    TileRow eps_px{};
     for (std::size_t i = 0; i < layers_.size(); ++i) {
-        const Layer& layer = layers_[i];
-        if (!layer.row) continue;
-        if ((renderer.clear >> i & 1) == 0) renderer.unclear |= layer.covers;
-        renderer.eps_px =
-            raised(renderer.eps_px, layer.row->eps_px(renderer.triangles[i]->of_view), layer.covers);
+        if ((layers_[i].covers & asked_) == 0) continue;
+        const TileRow of_layer = row_of(i).eps_px(renderers_[renderer].triangles[i]->of_view);
+        eps_px = raised(eps_px, of_layer, layers_[i].covers);
     }
+    return eps_px;
 }
 
 std::optional<std::size_t> Layers::index_of(std::uint32_t triangle) const {
@@ -106,9 +110,11 @@ auto Layers::relations_of(std::size_t layer) -> const Relations& {
         if (i == layer) continue;
         const KnownTriangle& other = *layers_[i].known;
         const int order = order_in(tile_, other.filter, one.known->filter);
-        const auto are_coplanar = [&] {
-            const std::uint64_t pair = std::uint64_t{layers_[i].triangle} << 32 | one.triangle;
-            return shared_.coplanar(pair, [&] { return coplanar(other.p_world, one.known->p_world); });
+        const auto are_coplanar = [&] {  // asked one way round: of triangles that are seen it is the same
+            const auto [a, b] = std::minmax(i, layer);
+            const std::uint64_t pair = std::uint64_t{layers_[a].triangle} << 32 | layers_[b].triangle;
+            return shared_.coplanar(
+                pair, [&] { return coplanar(layers_[a].known->p_world, layers_[b].known->p_world); });
         };
         if (order < 0)
             one.others->behind |= Set{1} << i;
@@ -120,13 +126,15 @@ auto Layers::relations_of(std::size_t layer) -> const Relations& {
     return *one.others;
 }
 
-const TriangleRow::Range& Layers::nearness(Renderer& renderer, std::size_t layer) const {
-    std::optional<TriangleRow::Range>& known = renderer.nearness[layer];
-    if (!known) known = layers_[layer].row->nearness_range(renderer.triangles[layer]->of_view);
-    return *known;
+const TriangleRow::Range& Layers::nearness(Renderer& renderer, std::size_t layer) {
+    renderer.nearness.resize(layers_.size());
+    if ((renderer.known >> layer & 1) == 0)
+        renderer.nearness[layer] = row_of(layer).nearness_range(renderer.triangles[layer]->of_view);
+    renderer.known |= Set{1} << layer;
+    return renderer.nearness[layer];
 }
 
-ColumnMask Layers::ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back) const {
+ColumnMask Layers::ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back) {
     return above(nearness(renderer, front).least, nearness(renderer, back).greatest);
 }
 

@@ -28,6 +28,8 @@ class Layers {
 
     /// Are there few enough triangles, all of them trusted? If not, nothing may be asked.
     bool are_known() const { return are_known_; }
+    /// No square in the tile has a larger half-side.
+    double widest_px() const { return widest_px_; }
 
     /// Turns to another row. Nothing may be asked of it where it gives none of these pixels back: those whose
     /// squares no edge may cut.
@@ -41,7 +43,7 @@ class Layers {
     /// Of the pixels at which the renderer shows that triangle.
     Standings standings(std::size_t renderer, std::uint32_t triangle, ColumnMask pixels);
     /// The half-side of the square, where an answer's standing is certain.
-    const TileRow& eps_px(std::size_t renderer) const { return renderers_[renderer].eps_px; }
+    TileRow eps_px(std::size_t renderer);
 
   private:
     using Set = std::uint64_t;  ///< bit k is layers_[k]
@@ -57,28 +59,28 @@ class Layers {
     struct Layer {
         std::uint32_t triangle;
         const KnownTriangle* known;
-        bool covers_tile = false;
+        std::uint32_t cutting = 0;  ///< bit k: edge k may pass somewhere in the tile
         std::optional<Relations> others{};
         ColumnMask covers = 0;             ///< of the row
-        std::optional<TriangleRow> row{};  ///< where it covers any pixel that no edge may cut
+        std::optional<TriangleRow> row{};  ///< as far as it was asked for
     };
     struct Renderer {
         const ViewBounds* bounds;
         std::vector<const BoundedTriangle*> triangles;  ///< of layers_, in order
         Set clear = 0;                                  ///< of near and far, all over the tile
-        TileRow eps_px{};                               ///< of the row
         ColumnMask unclear = 0;                         ///< of the row: covered by one that is not clear
-        std::vector<std::optional<TriangleRow::Range>> nearness;  ///< of the row, as far as it was asked for
+        std::vector<TriangleRow::Range> nearness;  ///< of the row
+        Set known = 0;                             ///< whose nearness was asked for
     };
 
     void place(int y);
     void meet(std::span<const std::uint32_t> near);
     void sort_out();
-    void turn(Renderer& renderer) const;
+    const TriangleRow& row_of(std::size_t layer);
     const Relations& relations_of(std::size_t layer);
     std::optional<std::size_t> index_of(std::uint32_t triangle) const;
-    const TriangleRow::Range& nearness(Renderer& renderer, std::size_t layer) const;
-    ColumnMask ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back) const;
+    const TriangleRow::Range& nearness(Renderer& renderer, std::size_t layer);
+    ColumnMask ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back);
 
     Shared shared_;
     Around tile_;
@@ -88,8 +90,9 @@ class Layers {
     std::vector<Layer> layers_;
     std::vector<Renderer> renderers_;
     RowPlace row_;
-    ColumnMask cut_ = 0;  ///< of the row: pixels whose square some edge may cut
-    std::optional<SightRow> sight_;
+    ColumnMask cut_ = 0;    ///< of the row: pixels whose square some edge may cut
+    ColumnMask asked_ = 0;  ///< of the row
+    std::optional<SightRow> sight_;  ///< of the row, once it was asked for
 };
 
 }  // namespace zproof

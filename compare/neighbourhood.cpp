@@ -61,9 +61,9 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
     return {p[index.x], p[index.y], p[index.z]};
 }
 
-TriangleOfView::TriangleOfView(const ViewBounds& of_view, const Sight<double>& any, const CornersWorld& p)
+TriangleOfView::TriangleOfView(const ViewBounds& of_view, const Sight<double>& any, const CornersWorld& p,
+                               const TriangleExtent& extent)
     : p_world(p), image(any, p), keeps_to_corners(of_view.keeps_to_corners()) {
-    const TriangleExtent extent = of_view.extent_of(p);
     plane_error = PlaneError(extent.size.plane);
     bounds = of_view.of(extent);
     if (any.projection != Projection::perspective) return;

@@ -51,7 +51,10 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);
 /// What one triangle brings to every pixel of a view.
 struct TriangleOfView {
     /// `any` is the sight of any pixel of the view.
-    TriangleOfView(const ViewBounds& bounds, const Sight<double>& any, const CornersWorld& p_world);
+    TriangleOfView(const ViewBounds& of_view, const Sight<double>& any, const CornersWorld& p)
+        : TriangleOfView(of_view, any, p, of_view.extent_of(p)) {}
+    TriangleOfView(const ViewBounds& of_view, const Sight<double>& any, const CornersWorld& p,
+                   const TriangleExtent& extent);
 
     /// The renderer's bounds at a place of the triangle's plane; `gradient` as TriangleBounds::at has it.
     LocalBounds bounds_at(double nearness, double gradient) const {

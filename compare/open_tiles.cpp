@@ -1,27 +1,32 @@
 #include "compare/open_tiles.h"
 
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
+#include <bit>
 
 namespace zproof {
 
-OpenTiles::OpenTiles(const View& view, std::span<const PixelPlace> open)
-    : tiles_(view), tile_(tiles_.count()) {
-    const auto first_of = [&](int row) {
-        return std::size_t(std::ranges::lower_bound(open, row * Tiles::side_px, {}, &PixelPlace::y) -
-                           open.begin());
-    };
-    tbb::parallel_for(0, tiles_.rows, [&](int tile_row) {
-        const std::size_t end = first_of(tile_row + 1);
-        for (std::size_t i = first_of(tile_row); i < end; ++i) {
-            Tile& tile = tile_[tiles_.of(open[i].x, open[i].y)];
-            Row& row = tile.rows[std::size_t(open[i].y % Tiles::side_px)];
-            if (row.pixels == 0) row.first = std::uint32_t(i);
-            row.pixels |= ColumnMask{1} << (open[i].x % Tiles::side_px);
-            ++tile.count;
-        }
-    });
+void OpenTiles::open(int column, int y, ColumnMask pixels, ColumnMask lawful) {
+    Row& row = row_[index(column, y)];
+    row.pixels |= pixels;
+    row.lawful |= lawful & pixels;
+    count_[tiles_.index(column, y / Tiles::side_px)] += std::uint32_t(std::popcount(pixels));
+}
+
+std::size_t OpenTiles::number() {
+    std::uint32_t count = 0;
+    for (Row& row : row_) {
+        row.first = count;
+        count += std::uint32_t(std::popcount(row.pixels));
+    }
+    return count;
+}
+
+std::vector<PixelPlace> OpenTiles::places() const {
+    std::vector<PixelPlace> all;
+    for (int y = 0; y < height_; ++y)
+        for (int column = 0; column < tiles_.columns; ++column)
+            for (ColumnMask rest = row(column, y).pixels; rest != 0; rest &= rest - 1)
+                all.push_back({column * Tiles::side_px + std::countr_zero(rest), y});
+    return all;
 }
 
 }  // namespace zproof

@@ -18,6 +18,8 @@ class ShownTriangles {
     /// Makes the laws of what was shown since.
     void make_laws();
 
+    /// So many were shown.
+    std::size_t count() const { return triangles_.size() - 1; }
     const LawsOfBoth& laws() const { return laws_; }
 
   private:

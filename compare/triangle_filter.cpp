@@ -75,8 +75,8 @@ double TriangleFilters::corner_size(const CornersWorld& p_world) const {
     return size;
 }
 
-TriangleFilter TriangleFilters::of(const CornersWorld& p_world) const {
-    TriangleFilter filter = by_functionals(p_world);
+TriangleFilter TriangleFilters::of(const CornersWorld& p_world, const TriangleExtent& extent) const {
+    TriangleFilter filter = by_functionals(p_world, PlaneError(extent.size.plane));
     if (const auto box = boxes_(p_world)) filter.box = *box;
     if (filter.is_trusted) return filter;
     filter.corner.emplace();
@@ -89,9 +89,9 @@ TriangleFilter TriangleFilters::of(const CornersWorld& p_world) const {
     return filter;
 }
 
-TriangleFilter TriangleFilters::by_functionals(const CornersWorld& p_world) const {
+TriangleFilter TriangleFilters::by_functionals(const CornersWorld& p_world,
+                                               const PlaneError& plane_error) const {
     TriangleFilter filter;
-    const PlaneError plane_error(any_bounds_.extent_of(p_world).size.plane);
     if (!plane_error.is_known()) return filter;
     const Corners<double> p{exactly<double>(glm::dvec3(p_world[0])), exactly<double>(glm::dvec3(p_world[1])),
                             exactly<double>(glm::dvec3(p_world[2]))};

@@ -55,6 +55,15 @@ struct TriangleFilter {
         }
         return covers ? Place::covers : Place::unknown;
     }
+    /// Bit k: the box is not inside edge k for certain. For filters that are trusted.
+    std::uint32_t edges_within(const Around& at) const {
+        std::uint32_t edges = 0;
+        for (std::size_t k = 0; k < edge.size(); ++k) {
+            const double reach = at.half_x * std::abs(edge[k].a) + at.half_y * std::abs(edge[k].b) + edge_error;
+            edges |= std::uint32_t(!(edge[k].at(at.x, at.y) - reach > 0)) << k;
+        }
+        return edges;
+    }
     bool misses(const Around& at) const { return place_of(at) == Place::misses; }
     /// May it come within reach_px of the pixel's centre, in x and in y?
     bool is_near(int x, int y, double reach_px) const {
@@ -82,14 +91,17 @@ class TriangleFilters {
   public:
     explicit TriangleFilters(const View& view);
 
-    TriangleFilter of(const CornersWorld& p_world) const;
+    TriangleFilter of(const CornersWorld& p_world) const { return of(p_world, extent_of(p_world)); }
+    TriangleFilter of(const CornersWorld& p_world, const TriangleExtent& extent) const;
+    /// The same for every renderer of the view.
+    TriangleExtent extent_of(const CornersWorld& p_world) const { return any_bounds_.extent_of(p_world); }
 
   private:
-    TriangleFilter by_functionals(const CornersWorld& p_world) const;
+    TriangleFilter by_functionals(const CornersWorld& p_world, const PlaneError& plane_error) const;
     double corner_size(const CornersWorld& p_world) const;
 
     BoxProjection boxes_;
-    ViewBounds any_bounds_;  ///< for a triangle's extent, which no precision enters
+    ViewBounds any_bounds_;
     Sight<double> sight_;    ///< of pixel (0, 0)
     double width_, height_;
     bool perspective_;

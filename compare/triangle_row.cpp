@@ -1,6 +1,7 @@
 #include "compare/triangle_row.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "compare/nearness_range.h"
@@ -114,9 +115,11 @@ TileRow SightRow::nearness(const KeptPlane& plane) const {
     return nearness;
 }
 
-PlaceMasks places_in_row(const TriangleFilter& filter, const RowPlace& row, double half_side_px) {
+PlaceMasks places_in_row(const TriangleFilter& filter, std::uint32_t edges, const RowPlace& row,
+                         double half_side_px) {
     ColumnMask covers = all_columns, misses = 0;
-    for (const Affine<double>& e : filter.edge) {
+    for (; edges != 0; edges &= edges - 1) {
+        const Affine<double>& e = filter.edge[std::size_t(std::countr_zero(edges))];
         const Signs inside = signs(e, row, reach(e, half_side_px) + filter.edge_error);
         covers &= inside.above;
         misses |= inside.below;

@@ -26,8 +26,10 @@ struct PlaceMasks {
     ColumnMask covers = 0, cuts = 0;  ///< cuts: neither covers nor misses for certain
 };
 
-/// TriangleFilter::place_of the squares of that half-side. For filters that are trusted.
-PlaceMasks places_in_row(const TriangleFilter& filter, const RowPlace& row, double half_side_px);
+/// TriangleFilter::place_of the squares of that half-side, as far as some of the edges say: bit k is edge k,
+/// and every square lies inside the others. For filters that are trusted.
+PlaceMasks places_in_row(const TriangleFilter& filter, std::uint32_t edges, const RowPlace& row,
+                         double half_side_px);
 
 struct OrderMasks {
     ColumnMask ahead = 0, behind = 0;  ///< of `front`, all over the square, for certain

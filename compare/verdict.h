@@ -38,12 +38,15 @@ using BoundHistogram = std::array<std::uint64_t, 21>;
 struct BoundRecord {
     double max_error_over_bound = 0;
     BoundHistogram histogram{};
+
+    bool operator==(const BoundRecord&) const = default;
 };
 
 struct Verdict {
     Plane<PixelClass> classes;
     ClassCounts counts{};
-    Bulk<Finding> findings;                        ///< every pixel that is not `agree`, in raster order
+    /// In raster order: from judge() the pixels that fail the gate, from judge_in_full() all that do not `agree`.
+    Bulk<Finding> findings;
     BoundRecord candidate_depth, reference_depth;  ///< where both answers name the same triangle
     /// Displacement over eps, where the two differ and an answer is lawful by its place but not right at the
     /// centre (compare/displacement.h).

@@ -42,6 +42,14 @@ struct Case {
     }
 };
 
+OpenTiles opened(const Scene& scene, const View& view, const Witness& ours, const Witness& theirs) {
+    OpenTiles open(view);
+    LargestSoFar largest;
+    compare_rows(scene, ours, theirs, {0, height, largest}, open);
+    open.number();
+    return open;
+}
+
 void expect_same(const Finding& a, const Finding& b) {
     EXPECT_EQ(a.x, b.x);
     EXPECT_EQ(a.y, b.y);
@@ -66,16 +74,21 @@ TEST(LayeredTiles, AreSettledAsOnePixelAfterTheOther) {
         const Case c(dice);
         const Witness ours(c.scene, c.view, {c.candidate, raster_precision()}),
             theirs(c.scene, c.view, {c.reference, ray_precision()});
-        const std::vector<PixelPlace> open = compare_rows(c.scene, c.view, ours, theirs, {0, height}).open;
-        Verdict verdict;
-        verdict.classes = Plane<PixelClass>({width, height}, PixelClass::agree);
-        verdict.findings.resize(open.size());
-        const LayeredFindings layered = settle_layers({c.scene, c.view, ours, theirs}, open, verdict);
+        const OpenTiles tiles = opened(c.scene, c.view, ours, theirs);
+        const std::vector<PixelPlace> open = tiles.places();
+        Plane<PixelClass> classes({width, height}, PixelClass::agree), alone = classes;
+        std::vector<Finding> findings(open.size());
+        const Comparands comparands{c.scene, c.view, ours, theirs};
+        const LayeredFindings layered = settle_layers(comparands, tiles, classes, findings);
+        const LayeredFindings unlisted = settle_layers(comparands, tiles, alone, {});
+        EXPECT_EQ(unlisted.places, layered.places);
+        EXPECT_EQ(unlisted.counts, layered.counts);
+        EXPECT_TRUE(std::ranges::equal(alone.pixels(), classes.pixels()));
         const Rulings rulings = rule_on(c.scene, c.view, ours, theirs, open);
         PixelLook look(c.scene, ours, theirs);
-        const std::set<std::uint32_t> still_open(layered.left.begin(), layered.left.end());
+        const std::set<std::uint32_t> still_open(layered.places.begin(), layered.places.end());
         ASSERT_EQ(still_open.size(), layered.left.size());
-        ASSERT_TRUE(std::ranges::is_sorted(layered.left));
+        ASSERT_TRUE(std::ranges::is_sorted(layered.places));
         left += still_open.size();
         ClassCounts counts{};
         for (std::uint32_t i = 0; i < open.size(); ++i) {
@@ -84,8 +97,8 @@ TEST(LayeredTiles, AreSettledAsOnePixelAfterTheOther) {
             pixel.finding.verdict = class_of(pixel, rulings[i]);
             pixel.finding.eps_px = rulings[i].candidate.eps_px;
             ++counts[std::size_t(pixel.finding.verdict)];
-            expect_same(verdict.findings[i], pixel.finding);
-            EXPECT_EQ(verdict.classes.at(open[i].x, open[i].y), pixel.finding.verdict);
+            expect_same(findings[i], pixel.finding);
+            EXPECT_EQ(classes.at(open[i].x, open[i].y), pixel.finding.verdict);
             if (testing::Test::HasFailure()) return;
         }
         EXPECT_EQ(counts, layered.counts);
@@ -104,13 +117,11 @@ TEST(LayeredTiles, LeaveSquaresThatReachBeyondTheSearch) {
         const Witness candidate(walls.scene, walls.view,
                                 {ours, RasterPrecision{.subpixel_bits = subpixel_bits}}),
             reference(walls.scene, walls.view, {theirs, ray_precision()});
-        const auto open = compare_rows(walls.scene, walls.view, candidate, reference, {0, height}).open;
-        Verdict verdict;
-        verdict.classes = Plane<PixelClass>({width, height}, PixelClass::agree);
-        verdict.findings.resize(open.size());
+        const OpenTiles open = opened(walls.scene, walls.view, candidate, reference);
+        Plane<PixelClass> classes({width, height}, PixelClass::agree);
         const LayeredFindings layered =
-            settle_layers({walls.scene, walls.view, candidate, reference}, open, verdict);
-        EXPECT_EQ(layered.left.size(), subpixel_bits == 8 ? 0 : open.size());
+            settle_layers({walls.scene, walls.view, candidate, reference}, open, classes, {});
+        EXPECT_EQ(layered.left.size(), subpixel_bits == 8 ? 0 : open.places().size());
     }
 }
 

@@ -61,7 +61,11 @@ TEST(TriangleRow, PlacesSquaresAsOneAtATime) {
     int covering = 0, cutting = 0, missing = 0;
     for_each_row([&](const auto&, const auto&, const TriangleFilter& filter, const RowPlace& at) {
         constexpr double half_px = 1.0 / 64;
-        const PlaceMasks places = places_in_row(filter, at, half_px);
+        const Around tile{at.left + 7.5, double(at.y), 7.5 + half_px, half_px};
+        const PlaceMasks places = places_in_row(filter, filter.edges_within(tile), at, half_px);
+        const PlaceMasks by_all = places_in_row(filter, 0b111, at, half_px);
+        ASSERT_EQ(by_all.covers, places.covers);
+        ASSERT_EQ(by_all.cuts, places.cuts);
         for (std::size_t i = 0; i < tile_columns; ++i) {
             const auto place = filter.place_of({double(at.left + int(i)), double(at.y), half_px, half_px});
             ASSERT_EQ((places.covers >> i & 1) != 0, place == TriangleFilter::Place::covers);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "compare/judge_in_full.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
 #include "scenes/suite.h"
@@ -28,7 +29,7 @@ bool same_finding(const Finding& a, const Finding& b) {
 
 struct Outcome {
     Frame candidate, reference;
-    Verdict verdict;
+    Verdict verdict, in_full;
 };
 
 Outcome run_on(int threads, const Loaded& loaded) {
@@ -39,10 +40,24 @@ Outcome run_on(int threads, const Loaded& loaded) {
         const oracle::Embree embree(loaded.scene);
         run.candidate = rasterizer::render(loaded.scene, view);
         run.reference = embree.trace(view);
-        run.verdict = judge(loaded.scene, view, {run.candidate, rasterizer::precision()},
-                            {run.reference, oracle::embree_precision()});
+        const Testimony ours{run.candidate, rasterizer::precision()},
+            theirs{run.reference, oracle::embree_precision()};
+        run.verdict = judge(loaded.scene, view, ours, theirs);
+        run.in_full = judge_in_full(loaded.scene, view, ours, theirs).verdict;
     });
     return run;
+}
+
+void expect_same_counts(const Verdict& one, const Verdict& other) {
+    EXPECT_EQ(one.counts, other.counts);
+    EXPECT_EQ(one.candidate_depth, other.candidate_depth);
+    EXPECT_EQ(one.reference_depth, other.reference_depth);
+    EXPECT_EQ(one.candidate_edges, other.candidate_edges);
+    EXPECT_EQ(one.reference_edges, other.reference_edges);
+    EXPECT_EQ(one.reference_defects, other.reference_defects);
+    EXPECT_EQ(one.adjudicated, other.adjudicated);
+    EXPECT_EQ(one.exact, other.exact);
+    EXPECT_TRUE(std::ranges::equal(one.classes.pixels(), other.classes.pixels()));
 }
 
 class Determinism : public testing::TestWithParam<std::string> {};
@@ -55,17 +70,24 @@ TEST_P(Determinism, FramesAndVerdictsDoNotDependOnThreadsOrRuns) {
         const Outcome other = run_on(threads, loaded);
         EXPECT_TRUE(same_bits(one.candidate, other.candidate));
         EXPECT_TRUE(same_bits(one.reference, other.reference));
-        EXPECT_EQ(one.verdict.counts, other.verdict.counts);
-        EXPECT_EQ(one.verdict.candidate_depth.histogram, other.verdict.candidate_depth.histogram);
-        EXPECT_EQ(one.verdict.candidate_depth.max_error_over_bound,
-                  other.verdict.candidate_depth.max_error_over_bound);
-        EXPECT_EQ(one.verdict.candidate_edges.histogram, other.verdict.candidate_edges.histogram);
-        EXPECT_TRUE(std::ranges::equal(one.verdict.findings, other.verdict.findings, same_finding));
+        expect_same_counts(one.verdict, other.verdict);
+        expect_same_counts(one.in_full, other.in_full);
+        EXPECT_TRUE(std::ranges::equal(one.in_full.findings, other.in_full.findings, same_finding));
     }
 }
 
+TEST_P(Determinism, AVerdictIsTheSameInFull) {
+    const Outcome run = run_on(2, generate_suite_scene(GetParam(), 640, 360));
+    expect_same_counts(run.verdict, run.in_full);
+    std::vector<Finding> failing;
+    std::ranges::copy_if(run.in_full.findings, std::back_inserter(failing),
+                         [](const Finding& f) { return !passes(f.verdict); });
+    EXPECT_TRUE(std::ranges::equal(run.verdict.findings, failing, same_finding));
+}
+
 INSTANTIATE_TEST_SUITE_P(Suite, Determinism,
-                         testing::Values("deep_overdraw", "interpenetrating", "near_plane", "room"),
+                         testing::Values("coplanar", "deep_overdraw", "interpenetrating", "near_plane",
+                                         "orthographic", "room", "shared_edges"),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace

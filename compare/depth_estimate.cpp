@@ -1,0 +1,163 @@
+#include "compare/depth_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "math/rounding.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr double u = unit_roundoff_float64, v = unit_roundoff_float32;
+
+/// By what share places are let beyond their corners': 1 / (1 / depth) need not be depth, and nearness is
+/// rounded.
+constexpr double widening = 128 * u;
+
+/// Bins are that many to a ratio of 1.
+constexpr float bins = 20;
+
+/// Numbers far from where single precision ends, so that no sum or product of a few of them leaves it.
+constexpr double smallest = 0x1p-30, largest_number = 0x1p30;
+
+/// The folded law, and what the derivation in docs/truth.md asks of it.
+DepthEstimate::Bound bound_of(const DepthLaw& law, const DepthEstimate& plane, Projection projection) {
+    const bool perspective = projection == Projection::perspective;
+    const double reach = law.amplification * law.gradient;
+    const double most_shift = law.most * law.gradient;
+    // relative errors add up to factor + offset / w and are then compounded; how much that varies
+    const double largest_sum = law.depth_factor + law.plane_offset / plane.least;
+    const double variation = law.plane_offset / plane.least - law.plane_offset / plane.most;
+    const double factor = perspective ? law.depth_factor / (1 - largest_sum) : law.relative;
+    const double unsure = bins * (32 * v + 2 * variation) + 120 * widening / factor;
+    const double own_error = perspective ? 2 * law.own_error / plane.least : law.own_error / plane.least;
+    const double margin = 2 * (own_error + 8 * u) / factor;
+    const bool is_usable = largest_sum < 0.5 && factor >= 0x1p-30 && unsure < 0.125 && margin < 0.25 &&
+                           (perspective || (law.plane_offset == 0 && law.per == 0)) && law.absolute < largest_number &&
+                           law.per * reach < largest_number && law.base * reach < largest_number &&
+                           most_shift + law.nearness_error <= plane.least / 2;
+    return {.shift_base = float(law.base * reach),
+            .shift_per = float(law.per * reach),
+            .most_shift = float(most_shift),
+            .nearness_error = float(law.nearness_error),
+            .beyond = std::isinf(law.farthest) ? float(largest_number) : 0.0f,
+            .factor = float(factor),
+            .plane_offset = float(law.plane_offset / (1 - largest_sum)),
+            .absolute = float(law.absolute),
+            .unsure = float(unsure),
+            .top = is_usable ? float(bins * (1 - margin) - unsure) : -1.0f};
+}
+
+/// Where pixels lie between their triangle's corners.
+struct Spots {
+    TileRow w;
+    TileRowOf<float> w_float, to_least, to_most;
+};
+
+[[gnu::always_inline]] inline void set_spots(const DepthEstimate& t, const RowPlace& row, Spots& spots) {
+    const double along_column = t.w_per_y * row.y;
+    for (std::size_t i = 0; i < tile_columns; ++i) {
+        const double w = t.w_per_x * double(row.left + int(i)) + along_column + t.w_offset;
+        spots.w[i] = w;
+        spots.w_float[i] = float(w);
+        spots.to_least[i] = float(w - t.least);
+        spots.to_most[i] = float(t.most - w);
+    }
+}
+
+/// How far a depth is off, and by how much it may be, both over the same.
+struct Perspective {
+    static double error(double z, double nearness) { return z * nearness - 1; }
+    static bool is_towards_most(float error) { return error < 0; }
+    static float scaled(float error, float moved) { return error * moved; }
+    static float room(const DepthEstimate::Bound& b, float nearness, float moved, float shift) {
+        return shift + (b.factor * nearness + b.plane_offset) + b.absolute * nearness * moved;
+    }
+};
+struct Parallel {
+    static double error(double z, double depth) { return z - depth; }
+    static bool is_towards_most(float error) { return error > 0; }
+    static float scaled(float error, float) { return error; }
+    static float room(const DepthEstimate::Bound& b, float, float moved, float shift) {
+        return shift + b.factor * moved + b.absolute;
+    }
+};
+
+/// The bins of one renderer's depths, and where they are certain.
+template <class Projected>
+[[gnu::always_inline]] inline void sort_side(const DepthEstimate::Bound bound, const Spots& spots,
+                                             const float* depth, float largest, EstimatedRow::Side& side) {
+    TileRowOf<float> errors, slack, highs;
+    for (std::size_t i = 0; i < tile_columns; ++i)
+        errors[i] = float(Projected::error(double(depth[i]), spots.w[i]));
+    for (std::size_t i = 0; i < tile_columns; ++i) {
+        const float w = spots.w_float[i], error = errors[i];
+        const float varying = bound.shift_base + bound.shift_per * w;
+        const float shift = (varying < bound.most_shift ? varying : bound.most_shift) + bound.nearness_error;
+        const float to_most = spots.to_most[i] + bound.beyond, to_least = spots.to_least[i] + bound.beyond;
+        const float up = shift < to_most ? shift : to_most, down = -(shift < to_least ? shift : to_least);
+        const float moves = Projected::is_towards_most(error) ? up : down;
+        const float moved = w + moves;
+        const float ratio =
+            Projected::scaled(bins * std::abs(error), moved) / Projected::room(bound, w, moved, std::abs(moves));
+        const float low = ratio - bound.unsure, high = ratio + bound.unsure;
+        const auto whole = std::int32_t(high < bins ? high : bins);
+        side.bin[i] = whole;
+        const float above = (low > 0 ? low : 0) - float(whole);
+        const float within = spots.to_least[i] < spots.to_most[i] ? spots.to_least[i] : spots.to_most[i];
+        const float here = high < bound.top ? above : -1;
+        highs[i] = high;
+        slack[i] = here < within ? here : within;
+    }
+    std::uint32_t certain = 0, exceeds = 0;
+    for (std::size_t i = 0; i < tile_columns; ++i) {
+        certain |= std::uint32_t(slack[i] >= 0) << i;
+        exceeds |= std::uint32_t(!(highs[i] <= largest)) << i;
+    }
+    side.certain = certain;
+    side.may_exceed = exceeds;
+}
+
+template <class Projected>
+[[gnu::always_inline]] inline void sort_row(const DepthEstimate& t, const RowPlace& row,
+                                            const std::array<const float*, 2>& depths,
+                                            const KnownLargest& largest, EstimatedRow& estimated) {
+    Spots spots;
+    set_spots(t, row, spots);
+    sort_side<Projected>(t.candidate, spots, depths[0], largest.candidate, estimated.candidate);
+    sort_side<Projected>(t.reference, spots, depths[1], largest.reference, estimated.reference);
+}
+
+}  // namespace
+
+DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection) {
+    DepthEstimate t{};
+    const bool perspective = projection == Projection::perspective;
+    const double sign = perspective ? 1 : -1;
+    t.w_per_x = sign * candidate.nearness_per_x;
+    t.w_per_y = sign * candidate.nearness_per_y;
+    t.w_offset = sign * candidate.nearness_offset;
+    const double nearest = 1 / candidate.highest, farthest = 1 / candidate.least;
+    t.least = perspective ? candidate.least : nearest;
+    t.most = perspective ? candidate.highest : farthest;
+    t.least *= 1 - widening, t.most *= 1 + widening;
+    if (!(t.least >= smallest && t.most <= largest_number)) return t;
+    t.candidate = bound_of(candidate, t, projection);
+    t.reference = bound_of(reference, t, projection);
+    t.is_usable = t.candidate.top > 0 && t.reference.top > 0;
+    return t;
+}
+
+/// Compiled once per instruction set. No verdict depends on which runs: what is certain is so in any.
+[[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] void estimate(
+    const DepthEstimate& triangle, Projection projection, const RowPlace& row, const float* candidate_depth,
+    const float* reference_depth, const KnownLargest& largest, EstimatedRow& estimated) {
+    if (projection == Projection::perspective)
+        sort_row<Perspective>(triangle, row, {candidate_depth, reference_depth}, largest, estimated);
+    else
+        sort_row<Parallel>(triangle, row, {candidate_depth, reference_depth}, largest, estimated);
+}
+
+}  // namespace zproof

@@ -1,0 +1,55 @@
+/// The first look at a strip: pixels whose ids and depths plainly agree are sorted into bins by estimates.
+#pragma once
+
+#include <vector>
+
+#include "compare/depth_estimate.h"
+
+namespace zproof {
+
+/// One thread at a time.
+class Presort {
+  public:
+    explicit Presort(Projection projection) : projection_(projection) {}
+
+    /// Forgets the laws of a tile.
+    void clear() { ++tile_; }
+    /// The largest ratio of each renderer.
+    struct Largest {
+        double candidate = 0, reference = 0;
+    };
+
+    /// Fills in bins and what is open of whole chunks of the strip, and marks them as sorted; raises the largest.
+    /// The laws are those of the tile.
+    void sort(const LawsOfBoth& laws, Largest& largest, Strip& strip);
+
+  private:
+    struct Known {
+        std::uint64_t tile = 0;
+        DepthEstimate estimate;
+    };
+    /// Pixels of a chunk that show one triangle, in either frame.
+    struct Share {
+        std::uint32_t law;
+        ColumnMask candidate, reference;
+    };
+    /// What a chunk is sorted by.
+    struct Source {
+        const LawsOfBoth& laws;
+        const KnownLargest& known;
+        Largest& largest;
+        const Strip& strip;
+        std::size_t first;  ///< of the chunk's pixels in the strip
+    };
+    const DepthEstimate& estimate_by(const LawsOfBoth& laws, std::uint32_t law);
+    EstimatedRow estimated(std::uint32_t law, const Source& source);
+    bool are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask pixels, const Source& source) const;
+    bool sort_one_law(const Source& source, Strip& strip);
+    bool sort_some_laws(const Source& source, Strip& strip);
+
+    Projection projection_;
+    std::uint64_t tile_ = 1;
+    std::vector<Known> known_;  ///< by law; of this tile where its tile is the present one
+};
+
+}  // namespace zproof

@@ -1,0 +1,95 @@
+/// What single precision calls certain must be what double precision finds.
+#include "compare/depth_estimate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "compare/depth_bound.h"
+#include "random_surroundings.h"
+
+namespace zproof {
+namespace {
+
+/// As BoundHistogram has it.
+std::int32_t bin_of(double ratio) { return std::int32_t(std::min(ratio * 20, 20.0)); }
+
+/// A depth near the ends of a bin, or at random within twice the bound, or none at all.
+float some_depth(Dice& dice, const DepthBound& bound) {
+    constexpr float none[] = {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                              -1, 0, std::numeric_limits<float>::max(), 1e-40f};
+    if (dice.below(20) == 0) return none[dice.below(6)];
+    const bool nearer = dice.below(2) != 0;
+    const double share = dice.below(2) ? dice.below(22) / 20.0 : dice.between(0, 2);
+    const double end = nearer ? bound.low : bound.high;
+    const auto depth = float(bound.truth + share * (end - bound.truth));
+    const int step = dice.below(3);
+    return step == 0 ? depth : std::nextafter(depth, step == 1 ? 0.0f : 1e30f);
+}
+
+struct Side {
+    DepthLaw law;
+    TriangleDepth depth;
+    TileRowOf<float> z;
+
+    Side(Dice& dice, const View& view, const Precision& precision, const CornersWorld& p, const RowPlace& at)
+        : law(depth_law_of(TriangleInView(view, ViewBounds(view, precision), p), ViewBounds(view, precision))),
+          depth(depth_of(TriangleInView(view, ViewBounds(view, precision), p), ViewBounds(view, precision))) {
+        for (std::size_t i = 0; i < tile_columns; ++i)
+            z[i] = some_depth(dice, depth.at(at.left + int(i), at.y));
+    }
+};
+
+struct Tried {
+    int certain = 0, lawful = 0;
+};
+
+/// Counts what is certain, all of which must be so.
+void try_side(const EstimatedRow::Side& estimated, const Side& side, Projection projection,
+              const RowPlace& at, double largest, Tried& tried) {
+    const DepthRow exact = depths_in_row(side.law, projection, at, side.z);
+    for (std::size_t i = 0; i < tile_columns; ++i) {
+        tried.lawful += exact.ratio[i] >= 0;
+        if ((estimated.certain >> i & 1) == 0) continue;
+        ++tried.certain;
+        ASSERT_GE(exact.ratio[i], 0) << side.z[i];
+        ASSERT_EQ(estimated.bin[i], bin_of(exact.ratio[i])) << side.z[i] << " " << exact.ratio[i];
+        ASSERT_TRUE((estimated.may_exceed >> i & 1) != 0 || exact.ratio[i] <= largest) << side.z[i];
+    }
+}
+
+TEST(DepthEstimate, IsCertainOnlyOfTheRightBin) {
+    Tried ours, theirs;
+    int usable = 0, asked = 0;
+    for (std::uint32_t seed = 0; seed < 4000; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        Dice dice(seed);
+        const Precision precisions[] = {RasterPrecision{}, RayPrecision{}, PlaneRayPrecision{},
+                                        RasterPrecision{.subpixel_bits = 4, .depth_roundings = 5}};
+        const Projection projection = s.view.camera.projection;
+        for (const Neighbour& n : s.around.neighbours) {
+            const RowPlace at{0, s.y};
+            const Side candidate(dice, s.view, precisions[dice.below(4)], n.p_world, at),
+                reference(dice, s.view, precisions[dice.below(4)], n.p_world, at);
+            const DepthEstimate estimate = estimate_of(candidate.law, reference.law, projection);
+            ++asked, usable += estimate.is_usable;
+            if (!estimate.is_usable) continue;
+            const double largest = dice.between(0, 1);
+            const auto known = float(20 * largest * (1 - 0x1p-20));
+            EstimatedRow row;
+            zproof::estimate(estimate, projection, at, candidate.z.data(), reference.z.data(), {known, known},
+                             row);
+            try_side(row.candidate, candidate, projection, at, largest, ours);
+            try_side(row.reference, reference, projection, at, largest, theirs);
+            if (HasFatalFailure()) return;
+        }
+    }
+    EXPECT_GT(usable, asked / 4);
+    EXPECT_GT(ours.certain, ours.lawful / 4);
+    EXPECT_GT(theirs.certain, theirs.lawful / 4);
+}
+
+}  // namespace
+}  // namespace zproof
