@@ -20,9 +20,16 @@ constexpr double widening = 128 * u;
 constexpr float bins = 20;
 
 /// Numbers far from where single precision ends, so that no sum or product of a few of them leaves it.
-constexpr double smallest = 0x1p-30, largest_number = 0x1p30;
+constexpr double smallest = 0x1p-30, largest = 0x1p30;
 
-/// The folded law, and what the derivation in docs/truth.md asks of it.
+/// Can a place be that near that no depth is left?
+bool may_reach_zero(const DepthLaw& law, const DepthEstimate& plane, Projection projection) {
+    const double per_depth =
+        projection == Projection::perspective ? 2 * plane.most : 4 / plane.least;  // at the nearest place
+    return !(law.absolute * per_depth < 0.5);
+}
+
+/// The folded law, and whether it is what the derivation in docs/truth.md asks for.
 DepthEstimate::Bound bound_of(const DepthLaw& law, const DepthEstimate& plane, Projection projection) {
     const bool perspective = projection == Projection::perspective;
     const double reach = law.amplification * law.gradient;
@@ -31,18 +38,20 @@ DepthEstimate::Bound bound_of(const DepthLaw& law, const DepthEstimate& plane, P
     const double largest_sum = law.depth_factor + law.plane_offset / plane.least;
     const double variation = law.plane_offset / plane.least - law.plane_offset / plane.most;
     const double factor = perspective ? law.depth_factor / (1 - largest_sum) : law.relative;
-    const double unsure = bins * (32 * v + 2 * variation) + 120 * widening / factor;
-    const double own_error = perspective ? 2 * law.own_error / plane.least : law.own_error / plane.least;
-    const double margin = 2 * (own_error + 8 * u) / factor;
-    const bool is_usable = largest_sum < 0.5 && factor >= 0x1p-30 && unsure < 0.125 && margin < 0.25 &&
-                           (perspective || (law.plane_offset == 0 && law.per == 0)) && law.absolute < largest_number &&
-                           law.per * reach < largest_number && law.base * reach < largest_number &&
-                           most_shift + law.nearness_error <= plane.least / 2;
+    const double unsure = bins * (32 * v + 2 * variation) + 160 * widening / factor;
+    const double own_error = (perspective ? 2 : 1) * law.own_error / plane.least;
+    const double margin = 3 * (own_error + 10 * u) / factor;
+    const bool is_common = perspective || (law.plane_offset == 0 && law.per == 0);
+    const bool is_moderate = largest_sum < 0.5 && factor >= smallest && factor < 0.25 &&
+                             law.per * reach < largest && law.base * reach < largest &&
+                             most_shift + law.nearness_error <= plane.least / 2;
+    const bool is_usable = is_common && is_moderate && unsure < 0.125 && margin < 0.25 &&
+                           !may_reach_zero(law, plane, projection);
     return {.shift_base = float(law.base * reach),
             .shift_per = float(law.per * reach),
             .most_shift = float(most_shift),
             .nearness_error = float(law.nearness_error),
-            .beyond = std::isinf(law.farthest) ? float(largest_number) : 0.0f,
+            .beyond = std::isinf(law.farthest) ? float(largest) : 0.0f,
             .factor = float(factor),
             .plane_offset = float(law.plane_offset / (1 - largest_sum)),
             .absolute = float(law.absolute),
@@ -88,7 +97,8 @@ struct Parallel {
 /// The bins of one renderer's depths, and where they are certain.
 template <class Projected>
 [[gnu::always_inline]] inline void sort_side(const DepthEstimate::Bound bound, const Spots& spots,
-                                             const float* depth, float largest, EstimatedRow::Side& side) {
+                                             const float* depth, float known_largest,
+                                             EstimatedRow::Side& side) {
     TileRowOf<float> errors, slack, highs;
     for (std::size_t i = 0; i < tile_columns; ++i)
         errors[i] = float(Projected::error(double(depth[i]), spots.w[i]));
@@ -114,7 +124,7 @@ template <class Projected>
     std::uint32_t certain = 0, exceeds = 0;
     for (std::size_t i = 0; i < tile_columns; ++i) {
         certain |= std::uint32_t(slack[i] >= 0) << i;
-        exceeds |= std::uint32_t(!(highs[i] <= largest)) << i;
+        exceeds |= std::uint32_t(!(highs[i] <= known_largest)) << i;
     }
     side.certain = certain;
     side.may_exceed = exceeds;
@@ -123,11 +133,11 @@ template <class Projected>
 template <class Projected>
 [[gnu::always_inline]] inline void sort_row(const DepthEstimate& t, const RowPlace& row,
                                             const std::array<const float*, 2>& depths,
-                                            const KnownLargest& largest, EstimatedRow& estimated) {
+                                            const KnownLargest& known, EstimatedRow& estimated) {
     Spots spots;
     set_spots(t, row, spots);
-    sort_side<Projected>(t.candidate, spots, depths[0], largest.candidate, estimated.candidate);
-    sort_side<Projected>(t.reference, spots, depths[1], largest.reference, estimated.reference);
+    sort_side<Projected>(t.candidate, spots, depths[0], known.candidate, estimated.candidate);
+    sort_side<Projected>(t.reference, spots, depths[1], known.reference, estimated.reference);
 }
 
 }  // namespace
@@ -143,7 +153,7 @@ DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, 
     t.least = perspective ? candidate.least : nearest;
     t.most = perspective ? candidate.highest : farthest;
     t.least *= 1 - widening, t.most *= 1 + widening;
-    if (!(t.least >= smallest && t.most <= largest_number)) return t;
+    if (!(t.least >= smallest && t.most <= largest)) return t;
     t.candidate = bound_of(candidate, t, projection);
     t.reference = bound_of(reference, t, projection);
     t.is_usable = t.candidate.top > 0 && t.reference.top > 0;
@@ -153,11 +163,11 @@ DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, 
 /// Compiled once per instruction set. No verdict depends on which runs: what is certain is so in any.
 [[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] void estimate(
     const DepthEstimate& triangle, Projection projection, const RowPlace& row, const float* candidate_depth,
-    const float* reference_depth, const KnownLargest& largest, EstimatedRow& estimated) {
+    const float* reference_depth, const KnownLargest& known, EstimatedRow& estimated) {
     if (projection == Projection::perspective)
-        sort_row<Perspective>(triangle, row, {candidate_depth, reference_depth}, largest, estimated);
+        sort_row<Perspective>(triangle, row, {candidate_depth, reference_depth}, known, estimated);
     else
-        sort_row<Parallel>(triangle, row, {candidate_depth, reference_depth}, largest, estimated);
+        sort_row<Parallel>(triangle, row, {candidate_depth, reference_depth}, known, estimated);
 }
 
 }  // namespace zproof

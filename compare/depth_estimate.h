@@ -45,7 +45,7 @@ struct KnownLargest {
 
 /// Of the pixels from `row` on.
 void estimate(const DepthEstimate& triangle, Projection projection, const RowPlace& row,
-              const float* candidate_depth, const float* reference_depth, const KnownLargest& largest,
+              const float* candidate_depth, const float* reference_depth, const KnownLargest& known,
               EstimatedRow& estimated);
 
 }  // namespace zproof

@@ -91,5 +91,43 @@ TEST(DepthEstimate, IsCertainOnlyOfTheRightBin) {
     EXPECT_GT(theirs.certain, theirs.lawful / 4);
 }
 
+/// A wall at depth 4 whose depth may be off by `absolute`, seen along an axis.
+DepthLaw wall_law(double absolute, Projection projection) {
+    DepthLaw law{};
+    law.nearness_offset = projection == Projection::perspective ? 0.25 : -4;
+    law.least = law.highest = 0.25;
+    law.amplification = 1;
+    law.depth_factor = law.relative = 0x1p-23;
+    law.absolute = absolute;
+    law.nearest = law.farthest = 4;
+    return law;
+}
+
+TEST(DepthEstimate, LeavesBoundsThatReachBehindTheViewer) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        const DepthLaw near = wall_law(0x1p-20, projection), far = wall_law(8, projection);
+        EXPECT_TRUE(estimate_of(near, near, projection).is_usable);
+        EXPECT_FALSE(estimate_of(near, far, projection).is_usable);
+        EXPECT_FALSE(estimate_of(far, near, projection).is_usable);
+    }
+}
+
+TEST(DepthEstimate, KnowsTheBinsOfAWall) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        const DepthLaw law = wall_law(0x1p-20, projection);
+        TileRowOf<float> z;
+        for (std::size_t i = 0; i < tile_columns; ++i) z[i] = 4 + float(i) * 0x1p-22f;
+        EstimatedRow row;
+        estimate(estimate_of(law, law, projection), projection, {0, 0}, z.data(), z.data(), {20, 20}, row);
+        const DepthRow exact = depths_in_row(law, projection, {0, 0}, z);
+        ColumnMask lawful = 0;
+        for (std::size_t i = 0; i < tile_columns; ++i)
+            lawful |= ColumnMask(exact.ratio[i] >= 0 && exact.ratio[i] < 0.99) << i;
+        EXPECT_GT(lawful, 0u);
+        EXPECT_EQ(row.candidate.certain & lawful, lawful);
+        EXPECT_EQ(row.candidate.may_exceed & lawful, 0u);
+    }
+}
+
 }  // namespace
 }  // namespace zproof
