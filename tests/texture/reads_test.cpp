@@ -24,19 +24,21 @@ std::array<std::uint64_t, 4> bits(const glm::dvec4& c) {
             std::bit_cast<std::uint64_t>(c.z), std::bit_cast<std::uint64_t>(c.w)};
 }
 
-/// Images of any size, as the kernels know them and as they are.
-struct Images {
+std::vector<LinearImage> images_of_any_size() {
     std::vector<LinearImage> images;
-    std::vector<std::vector<reads::Tile>> tiles;
-    std::vector<reads::Level> levels;
+    for (const glm::ivec2 size : {glm::ivec2{300, 40}, {64, 128}, {37, 21}, {1, 16}, {17, 1}, {1, 1}})
+        images.push_back(random_image(size.x, size.y, std::uint32_t(size.x)));
+    images.push_back(constant_image(5, 5, glm::vec4{std::numeric_limits<float>::quiet_NaN()}));
+    return images;
+}
 
-    Images() {
-        for (const glm::ivec2 size : {glm::ivec2{300, 40}, {64, 128}, {37, 21}, {1, 16}, {17, 1}, {1, 1}}) {
-            images.push_back(random_image(size.x, size.y, std::uint32_t(size.x)));
-            tiles.push_back(reads::tiles_of(images.back()));
-            levels.push_back({tiles.back()[0].texels, double(size.x), double(size.y)});
-        }
-    }
+/// All but the last, whose texels are no numbers: that one is there to be left alone.
+int read_images(const std::vector<LinearImage>& images) { return int(images.size()) - 1; }
+
+/// Images as they are and as the kernels know them.
+struct Images {
+    std::vector<LinearImage> images = images_of_any_size();
+    reads::TiledImages tiles{images};
 };
 
 /// One bilinear read.
@@ -87,7 +89,7 @@ double place(Dice& dice, int size) {
 std::vector<Read> random_reads(const Images& chain, int count, Dice& dice) {
     std::vector<Read> some;
     for (int i = 0; i < count; ++i) {
-        const int level = int(dice.between(0, double(chain.images.size())));
+        const int level = int(dice.between(0, read_images(chain.images)));
         const LinearImage& image = chain.images[std::size_t(level)];
         some.push_back({level, {place(dice, image.width), place(dice, image.height)}, dice.between(-1, 1)});
     }
@@ -128,11 +130,77 @@ TEST_P(EveryReadKernel, SumsTheReadsOfEachLookupTapByTap) {
             block.sum[block.lookups] = &sums[std::size_t(block.lookups)].x;
             block.begin[++block.lookups] = block.count;
         }
-        const reads::Chain where{chain.levels.data(), wrap.u, wrap.v};
+        const reads::Chain where = chain.tiles.chain(wrap);
         GetParam().find_taps(where, block);
         GetParam().add_up(where, block);
         for (std::size_t i = 0; i < lookups.size(); ++i)
             ASSERT_EQ(bits(sums[i]), bits(tap_by_tap(chain, wrap, lookups[i]))) << "lookup " << i;
+    }
+}
+
+/// A lookup of Lines.
+struct Line {
+    glm::dvec2 middle{0}, whole{0};
+    int taps = 1, finer = 0, coarser = 0;
+    double share = 0;
+};
+
+/// Of neighbours, three in four read the same levels, as they mostly do.
+std::vector<Line> random_lines(const Images& chain, int count, Dice& dice) {
+    const int images = read_images(chain.images);
+    std::vector<Line> some;
+    Line line;
+    for (int i = 0; i < count; ++i) {
+        if (i % 8 == 0 || dice.uniform() < 0.25) line.finer = int(dice.between(0, images));
+        const LinearImage& image = chain.images[0];
+        line.middle = {place(dice, image.width), place(dice, image.height)};
+        line.whole = {dice.between(-50, 50), dice.uniform() < 0.1 ? place(dice, 10) : dice.between(-50, 50)};
+        line.taps = int(dice.between(1, dice.uniform() < 0.5 ? 4 : 64));
+        line.share = dice.uniform() < 0.3 ? 0 : dice.uniform();
+        line.coarser = line.share > 0 ? (line.finer + 1) % images : images;
+        some.push_back(line);
+    }
+    return some;
+}
+
+glm::dvec4 tap_by_tap(const Images& chain, const Addressing& wrap, const reads::Places& places,
+                      const Line& line) {
+    const auto size = [&](int i) {
+        return glm::dvec2{chain.images[std::size_t(i)].width, chain.images[std::size_t(i)].height};
+    };
+    std::vector<Read> all;
+    for (int i = 0; i < line.taps; ++i) {
+        const double along = (i + places.first) / (line.taps + places.more) - 0.5, weight = 1.0 / line.taps;
+        const glm::dvec2 at = line.middle + along * line.whole;
+        all.push_back({line.finer, at * (size(line.finer) / size(0)), weight * (1 - line.share)});
+        if (line.share > 0)
+            all.push_back({line.coarser, at * (size(line.coarser) / size(0)), weight * line.share});
+    }
+    return tap_by_tap(chain, wrap, all);
+}
+
+TEST_P(EveryReadKernel, SumsTheLinesOfEachLookupTapByTap) {
+    const Images chain;
+    for (std::uint32_t seed = 0; seed < 180; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice{seed};
+        const Addressing wrap{every_wrap[seed % 3], every_wrap[seed / 3 % 3]};
+        const std::vector<Line> some =
+            random_lines(chain, int(dice.between(0, reads::Lines::most + 1)), dice);
+        std::vector<glm::dvec4> sums(some.size(), glm::dvec4{0});
+        reads::Lines lines;
+        lines.places = seed % 2 == 0 ? reads::Places{} : reads::Places{1, 1};
+        for (const Line& line : some) {
+            const int i = lines.count++;
+            lines.x[i] = line.middle.x, lines.y[i] = line.middle.y;
+            lines.across[i] = line.whole.x, lines.down[i] = line.whole.y;
+            lines.taps[i] = line.taps, lines.share[i] = line.share;
+            lines.finer[i] = line.finer, lines.coarser[i] = line.coarser;
+            lines.sum[i] = &sums[std::size_t(i)].x;
+        }
+        GetParam().add_lines(chain.tiles.chain(wrap), lines);
+        for (std::size_t i = 0; i < some.size(); ++i)
+            ASSERT_EQ(bits(sums[i]), bits(tap_by_tap(chain, wrap, lines.places, some[i]))) << "lookup " << i;
     }
 }
 

@@ -14,11 +14,7 @@ struct Line {
     double width = 0;  ///< texels that each tap covers: its LOD is the log2
 };
 
-/// Where the i-th of n taps lies along the line, -1/2 to 1/2; i from 0.
-using Placement = double (*)(int i, int n);
-
-double literal_places(int i, int n) { return (i + 1.0) / (n + 1) - 0.5; }
-double midpoints(int i, int n) { return (i + 0.5) / n - 0.5; }
+constexpr reads::Places literal_places{.first = 1, .more = 1}, midpoints{.first = 0.5, .more = 0};
 
 int whole_taps(double ratio, double most) {
     return std::isfinite(ratio) ? std::max(1, int(std::ceil(std::min(ratio, most)))) : int(most);
@@ -42,13 +38,13 @@ Line ellipse_axis(const Footprint& f, int max_anisotropy) {
     return {axes.major * axes.major_direction, whole_taps(ratio, max_anisotropy), minor};
 }
 
-template <Line (*line_of)(const Footprint&, int), Placement place>
+template <Line (*line_of)(const Footprint&, int), const reads::Places& on_line>
 struct Taps {
-    void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
+    static constexpr reads::Places places = on_line;
+
+    LineOfTaps line(const MipReads& mips, const Footprint& footprint) const {
         const Line line = line_of(footprint, mips.options.max_anisotropy);
-        const double lod = mips.in_chain(std::log2(line.width));
-        for (int i = 0; i < line.taps; ++i)
-            mips.trilinear(lod, footprint.centre + place(i, line.taps) * line.whole, 1.0 / line.taps, read);
+        return {line.whole, line.taps, mips.in_chain(std::log2(line.width))};
     }
 };
 

@@ -19,10 +19,13 @@ struct NearestLevel {
     }
 };
 
+/// One tap, in the middle.
 template <LodRule lod>
 struct Trilinear {
-    void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
-        mips.trilinear(mips.in_chain(lod(footprint)), footprint.centre, 1, read);
+    static constexpr reads::Places places{};
+
+    LineOfTaps line(const MipReads& mips, const Footprint& footprint) const {
+        return {.lod = mips.in_chain(lod(footprint))};
     }
 };
 

@@ -2,10 +2,10 @@
 /// the widest vectors that the machine has.
 ///
 /// kernel_scalar.cpp, kernel_avx2.cpp and kernel_avx512.cpp are compiled for one instruction set each and
-/// share the algorithm of kernel.inl. All give the bits of reading tap by tap (read_bilinear() of
-/// texture/methods/tap_rule.h): every product, sum and comparison is the same, in the same order within a
-/// lookup. Plain structs only: an inline function in here would be merged by the linker into whichever
-/// instruction set's copy it meets first.
+/// share the algorithm of taps.inl, block.inl and lines.inl. All give the bits of reading tap by tap
+/// (read_bilinear() of texture/methods/tap_rule.h): every product, sum and comparison is the same, in the
+/// same order within a lookup. Plain structs only: an inline function in here would be merged by the linker
+/// into whichever instruction set's copy it meets first.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,21 @@
 
 namespace zproof::texture::reads {
 
-/// An image of the chain, cut into tiles of 16 x 16 texels (tiles.h).
+/// An image of the chain, cut into tiles of 16 x 16 texels (tiles.h). Numbers that kernels pick by index:
+/// doubles all of them, whole where they count something.
 struct Level {
-    const float* texels = nullptr;  ///< RGBA of the first tile
-    double width = 0, height = 0;   ///< texels; whole numbers
+    double first = 0;                      ///< floats of the chain before this image's first tile
+    double row_of_tiles = 0;               ///< floats
+    double width = 0, height = 0;          ///< texels
+    double per_width = 0, per_height = 0;  ///< 1 / width, 1 / height, rounded
+    double scale_x = 1, scale_y = 1;       ///< texels per texel of level 0
+};
+
+/// Where the levels are and what lies beyond their edges.
+struct Chain {
+    const float* texels = nullptr;  ///< RGBA; the first texel is 0 and belongs to no level
+    const Level* levels = nullptr;
+    Wrap u = Wrap::repeat, v = Wrap::repeat;
 };
 
 /// Reads that wait to be summed, and whose they are.
@@ -31,14 +42,28 @@ struct Block {
     int count = 0;        ///< reads
     int lookups = 0;
     // What a kernel finds: the four taps of each read, upper left, upper right, lower left, lower right.
-    alignas(64) std::int64_t offset[4][most];  ///< in floats, from the level's first texel
+    alignas(64) std::int64_t offset[4][most];  ///< in floats, from the chain's first texel
     alignas(64) double tap_weight[4][most];
 };
 
-/// Where the levels are and what lies beyond their edges.
-struct Chain {
-    const Level* levels = nullptr;
-    Wrap u = Wrap::repeat, v = Wrap::repeat;
+/// Where equal taps lie on a line: the i-th of n, from 0, at (i + first) / (n + more) - 1/2 of its length.
+struct Places {
+    double first = 0.5, more = 0;
+};
+
+/// Lookups that are each the mean of trilinear taps on a line, linear about its middle.
+struct Lines {
+    static constexpr int most = 128;         ///< lookups; a multiple of every kernel's lanes
+    Places places;                           ///< of all
+    alignas(64) double x[most], y[most];     ///< the middle, in texels of level 0; any value
+    alignas(64) double across[most];         ///< from one end to the other, in texels of level 0; any value
+    alignas(64) double down[most];           ///< the same in y
+    alignas(64) double taps[most];           ///< whole, at least 1
+    alignas(64) double share[most];          ///< of the coarser level, [0, 1); where 0, it is not read
+    alignas(64) std::int32_t finer[most];    ///< index of a Level
+    alignas(64) std::int32_t coarser[most];  ///< the same; that of any level where the share is 0
+    double* sum[most];                       ///< RGBA of each lookup, to which its taps are added in order
+    int count = 0;
 };
 
 struct Kernel {
@@ -47,6 +72,8 @@ struct Kernel {
     void (*find_taps)(const Chain& chain, Block& block) noexcept = nullptr;
     /// Adds those taps to the sums of their lookups.
     void (*add_up)(const Chain& chain, const Block& block) noexcept = nullptr;
+    /// Adds the taps of lines to their sums. What of the arrays lies behind `count` is overwritten.
+    void (*add_lines)(const Chain& chain, Lines& lines) noexcept = nullptr;
 };
 
 namespace scalar {

@@ -1,5 +1,6 @@
 // Two lanes: what every processor of the kind has.
 #include <limits>
+#include <utility>
 
 #include "texture/reads/kernel.h"
 
@@ -11,8 +12,20 @@ typedef double Lanes __attribute__((vector_size(16)));
 typedef std::int64_t Bits __attribute__((vector_size(16)));
 
 Lanes chosen(const double* numbers, const std::int32_t* index) {
-    return Lanes{numbers[3 * index[0]], numbers[3 * index[1]]};
+    return Lanes{numbers[8 * index[0]], numbers[8 * index[1]]};
 }
+
+Bits product(Bits a, Bits b) { return a * b; }
+
+/// With 2^52 of its own sign added, x is rounded to a whole number.
+Lanes whole_below(Lanes x) {
+    const Bits sign = reinterpret_cast<Bits>(x) & std::numeric_limits<std::int64_t>::min();
+    const Lanes large = reinterpret_cast<Lanes>(sign | reinterpret_cast<Bits>(0x1p52 + Lanes{})),
+                nearest = (x + large) - large;
+    return nearest > x ? nearest - 1 : nearest;
+}
+
+#include "texture/reads/taps.inl"
 
 class Colour {
   public:
@@ -33,10 +46,12 @@ class Colour {
     Lanes rg_, ba_;
 };
 
-#include "texture/reads/kernel.inl"
+#include "texture/reads/block.inl"
+
+#include "texture/reads/lines.inl"
 
 }  // namespace
 
-const Kernel kernel{"scalar", find_taps, add_up};
+const Kernel kernel{"scalar", find_taps, add_up, add_lines};
 
 }  // namespace zproof::texture::reads::scalar
