@@ -3,8 +3,9 @@
 
 #include <span>
 
-#include "compare/agreement.h"
 #include "compare/hearing.h"
+#include "compare/open_tiles.h"
+#include "compare/pixel_look.h"
 
 namespace zproof {
 

@@ -113,7 +113,8 @@ template <class Projected>
         const float ratio = Projected::scaled(bins * std::abs(error), moved) /
                             Projected::room(bound, w, moved, std::abs(moves));
         const float low = ratio - bound.unsure, high = ratio + bound.unsure;
-        const auto whole = std::int32_t(high < bins ? high : bins);
+        const float at_most = high < bins ? high : bins;
+        const auto whole = std::int32_t(at_most > 0 ? at_most : 0);
         side.bin[i] = whole;
         const float above = (low > 0 ? low : 0) - float(whole);
         const float within = spots.to_least[i] < spots.to_most[i] ? spots.to_least[i] : spots.to_most[i];

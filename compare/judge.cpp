@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "compare/adjudication.h"
+#include "compare/agreement.h"
 #include "compare/judge_in_full.h"
 #include "compare/layered_tiles.h"
 

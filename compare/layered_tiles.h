@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "compare/agreement.h"
+#include "compare/open_tiles.h"
+#include "compare/witness.h"
 
 namespace zproof {
 

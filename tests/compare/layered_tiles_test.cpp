@@ -7,6 +7,7 @@
 #include <set>
 
 #include "compare/adjudication.h"
+#include "compare/agreement.h"
 #include "random_surroundings.h"
 #include "stage.h"
 
