@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
+#include <random>
 #include <set>
 #include <tuple>
 
 #include "reports/class_style.h"
 #include "reports/depth_colours.h"
+#include "reports/id_colours.h"
 
 namespace zproof {
 
@@ -165,7 +168,8 @@ TEST(Pictures, NeighboursOfOneIdHaveItsColour) {
     std::mt19937 random(11);
     std::uint32_t id = 0;
     for (PrimitiveId& pixel : ids.pixels()) {
-        if (random() % 100 == 0) id = random() % 5 ? random() : std::uint32_t(PrimitiveId::none);
+        if (random() % 100 == 0)
+            id = random() % 5 ? std::uint32_t(random()) : std::uint32_t(PrimitiveId::none);
         pixel = PrimitiveId(id);
     }
     const Plane<Rgb8> picture = picture_of_ids(ids);
@@ -184,7 +188,7 @@ TEST(Pictures, DepthsAreColouredSideBySideAsOneByOne) {
     for (float& depth : depths.pixels()) {
         const float magnitude = std::ldexp(1.0f, int(random() % 240) - 120);
         const float values[] = {magnitude, magnitude, -magnitude, background_depth, NAN, 0.0f};
-        depth = values[random() % 6] * float(1 + random() % 1000 / 1000.0);
+        depth = values[random() % 6] * (1 + float(random() % 1000) / 1000);
     }
     const DepthColours colours(range_of(depths));
     const Plane<Rgb8> picture = picture_of_depths(depths);
