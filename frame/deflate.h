@@ -3,12 +3,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace zproof {
+
+/// Part of a zlib stream, packed without regard to what stands before it: parts can be made side by side.
+struct DeflatedPiece {
+    std::string bits;         ///< whole bytes: ends with an empty stored block
+    std::uint32_t adler = 1;  ///< Adler-32 of the bytes that it holds
+    std::size_t size = 0;     ///< so many bytes
+};
 
 /// Makes zlib streams (RFC 1950) by ISA-L's igzip at level 2, which gives files of about the size that zlib's
 /// level 1 does. The same bytes give the same stream, on every x86 processor with SSE 4.2.
@@ -20,6 +28,7 @@ class Deflater {
     Deflater& operator=(Deflater&&) noexcept;
 
     std::string deflated(std::string_view bytes);
+    DeflatedPiece piece(std::string_view bytes);
 
   private:
     struct Stream;
@@ -28,6 +37,20 @@ class Deflater {
 
 /// One buffer.
 std::string deflated(std::string_view bytes);
+
+/// The stream that holds what the pieces hold, one after another.
+std::string joined(std::span<const DeflatedPiece> pieces);
+
+/// What piece i holds: bytes that lie somewhere already, or are put into the room, whose size is what the
+/// last piece made there left it.
+using FillPiece = std::function<std::string_view(std::size_t i, std::string& room)>;
+
+/// One stream of `count` pieces, made on the threads of the surrounding tbb::task_arena; the same for any
+/// number of them.
+std::string deflated_side_by_side(std::size_t count, const FillPiece& fill);
+
+/// Of bytes that lie one after another.
+std::string deflated_side_by_side(std::string_view bytes);
 
 /// CRC-32 of zlib and PNG (ISO 3309); of two pieces, where that of the first is known.
 std::uint32_t crc32_of(std::string_view bytes, std::uint32_t of_before = 0);

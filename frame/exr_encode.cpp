@@ -21,7 +21,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "OpenEXR is little-endian, and so must this machine be");
 
-constexpr int rows_in_block = 16;  ///< what EXR_COMPRESSION_ZIP says
+constexpr int rows_in_block = 16;           ///< what EXR_COMPRESSION_ZIP says
+constexpr std::size_t chunk_overhead = 16;  ///< row, length and place of a block, 4 + 4 + 8 bytes
 
 /// Row by row, and within a row channel by channel.
 void gather(Resolution size, std::span<const ExrChannel> channels, int row, char* to) {
@@ -89,6 +90,8 @@ class ExrWriter {
     ExrWriter(const ExrWriter&) = delete;
     ExrWriter& operator=(const ExrWriter&) = delete;
 
+    /// Makes room for so many bytes of blocks.
+    void expect(std::size_t bytes) { file_.reserve(file_.size() + bytes); }
     /// Blocks from the top, each once.
     void write(int first_row, const std::string& block) {
         check(exr_write_scanline_chunk(context_, part_, first_row, block.data(), block.size()));
@@ -128,7 +131,10 @@ std::string encode_exr(Resolution size, std::span<const ExrChannel> channels, co
     tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
         blocks[i] = makers.local().block(size, channels, rows_in_block * static_cast<int>(i));
     });
+    std::size_t bytes = 0;
+    for (const std::string& block : blocks) bytes += block.size() + chunk_overhead;
     ExrWriter writer(size, channels, place);
+    writer.expect(bytes);
     for (std::size_t i = 0; i < blocks.size(); ++i)
         writer.write(rows_in_block * static_cast<int>(i), blocks[i]);
     return writer.file();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 
 #include "frame/png.h"
@@ -17,6 +18,13 @@ enum class PngRows {
 
 /// Throws FrameError where the file cannot be written.
 void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture, PngRows rows);
+
+/// Paints row y, as often as it is asked to, on any thread.
+using PaintRow = std::function<void(int y, std::span<Rgb8> row)>;
+
+/// A picture that is painted while it is written, on the threads of the surrounding tbb::task_arena. The same
+/// bytes as if it had been painted before. Throws FrameError where the file cannot be written.
+void write_png(const std::filesystem::path& file, Resolution size, PngRows rows, const PaintRow& paint);
 
 /// The same picture with a byte per pixel: which of at most 256 colours it has.
 void write_png(const std::filesystem::path& file, const Plane<std::uint8_t>& indices,

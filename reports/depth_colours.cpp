@@ -36,6 +36,9 @@ constexpr std::uint32_t no_colour = none;
     return {low, high};
 }
 
+/// All bits or none.
+inline std::uint32_t all_if(bool is_so) { return 0u - std::uint32_t(is_so); }
+
 float depth_of(std::uint32_t bits) { return std::bit_cast<float>(bits); }
 
 }  // namespace
@@ -56,10 +59,14 @@ DepthRange range_of(const Plane<float>& depths) {
 }
 
 DepthColours::DepthColours(const DepthRange& range) : range_(range) {
-    if (range.farthest == 0) return;
+    if (range.farthest == 0) {
+        const std::uint32_t colour = word_of(no_depth_colour);
+        buckets_.push_back({colour, colour, none, 0});
+        return;
+    }
     log_near_ = std::log(depth_of(range.nearest)), log_far_ = std::log(depth_of(range.farthest));
     steps_.push_back({range.nearest, by_formula(depth_of(range.nearest))});
-    find_steps(range.nearest, range.farthest);
+    find_steps(place_of(range.nearest), place_of(range.farthest));
     steps_.insert(steps_.end(), 2, {none, {}});
     const std::uint32_t reach = range.farthest - range.nearest;
     shift_ = std::max(0, int(std::bit_width(reach)) - int(std::bit_width(buckets - 1)));
@@ -90,25 +97,29 @@ Rgb8 DepthColours::by_formula(float depth) const {
     return viridis(share_of(std::bit_cast<std::uint32_t>(depth)));
 }
 
+auto DepthColours::place_of(std::uint32_t bits) const -> Place {
+    const double share = share_of(bits);
+    return {bits, viridis(share), viridis_piece(share)};
+}
+
 /// Appends the steps in (low, high]. Every operation of the formula is monotone in depth, the logarithm too:
 /// neighbouring floats lie 2^-24 apart, relatively, and the logarithms of what is between them far more than
 /// its error of 2^-52 times its value. So is each channel within one piece of viridis, and where both ends of
 /// an interval have one colour in one piece, so has all between.
-void DepthColours::find_steps(std::uint32_t low, std::uint32_t high) {
-    const double t_low = share_of(low), t_high = share_of(high);
-    if (viridis(t_low) == viridis(t_high) && viridis_piece(t_low) == viridis_piece(t_high)) return;
-    if (high - low == 1) {
-        if (!(viridis(t_low) == viridis(t_high))) steps_.push_back({high, viridis(t_high)});
+void DepthColours::find_steps(const Place& low, const Place& high) {
+    if (low.colour == high.colour && low.piece == high.piece) return;
+    if (high.bits - low.bits == 1) {
+        if (!(low.colour == high.colour)) steps_.push_back({high.bits, high.colour});
         return;
     }
-    const std::uint32_t middle = low + (high - low) / 2;
+    const Place middle = place_of(low.bits + (high.bits - low.bits) / 2);
     find_steps(low, middle);
     find_steps(middle, high);
 }
 
 auto DepthColours::step_of(std::uint32_t bits) const -> const Step& {
     assert(bits >= range_.nearest && bits <= range_.farthest);
-    std::size_t step = buckets_[(bits - range_.nearest) >> shift_].first;
+    std::size_t step = buckets_.first[(bits - range_.nearest) >> shift_];
     while (steps_[step + 1].bits <= bits) ++step;
     return steps_[step];
 }
@@ -117,22 +128,46 @@ Rgb8 DepthColours::operator()(float depth) const {
     return step_of(std::bit_cast<std::uint32_t>(depth)).colour;
 }
 
-std::uint32_t DepthColours::word_at(float depth) const {
-    const auto bits = std::bit_cast<std::uint32_t>(depth);
-    const std::uint32_t beyond = bits - range_.nearest;
-    if (beyond > range_.farthest - range_.nearest || buckets_.empty())
-        return word_of(depth == background_depth ? background_colour : no_depth_colour);
-    const Bucket& bucket = buckets_[beyond >> shift_];
-    const std::uint32_t word = bits < bucket.change ? bucket.before : bucket.after;
-    return word == no_colour ? word_of(step_of(bits).colour) : word;
+void DepthColours::Buckets::push_back(const Bucket& bucket) {
+    before.push_back(bucket.before), after.push_back(bucket.after);
+    change.push_back(bucket.change), first.push_back(bucket.first);
+}
+
+/// No colour where the steps must be asked; returns the greatest word. No branches, so that neighbours are
+/// looked up side by side.
+[[gnu::target_clones("default", "avx2", "avx512f")]] std::uint32_t DepthColours::look_up(
+    std::span<const float> depths, std::uint32_t* __restrict words) const {
+    constexpr auto background = std::bit_cast<std::uint32_t>(background_depth);
+    constexpr std::uint32_t far_off = word_of(background_colour), no_depth = word_of(no_depth_colour);
+    const std::uint32_t *before = buckets_.before.data(), *after = buckets_.after.data(),
+                        *change = buckets_.change.data();
+    const std::uint32_t nearest = range_.nearest, reach = range_.farthest - nearest;
+    const float* const from = depths.data();
+    const std::size_t count = depths.size();
+    const int shift = shift_;
+    std::uint32_t greatest = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto bits = std::bit_cast<std::uint32_t>(from[i]);
+        const std::uint32_t beyond = bits - nearest, is_within = all_if(beyond <= reach);
+        const auto bucket = std::int32_t((beyond >> shift) & is_within);
+        const std::uint32_t is_after = all_if(bits >= change[bucket]);
+        const std::uint32_t within = (before[bucket] & ~is_after) | (after[bucket] & is_after);
+        const std::uint32_t is_background = all_if(bits == background);
+        const std::uint32_t without = (far_off & is_background) | (no_depth & ~is_background);
+        words[i] = (within & is_within) | (without & ~is_within);
+        greatest = std::max(greatest, words[i]);
+    }
+    return greatest;
 }
 
 void DepthColours::colour(std::span<const float> depths, std::span<Rgb8> pixels) const {
     std::array<std::uint32_t, 256> words;
     for (std::size_t first = 0; first < depths.size(); first += words.size()) {
-        const std::size_t count = std::min(words.size(), depths.size() - first);
-        for (std::size_t i = 0; i < count; ++i) words[i] = word_at(depths[first + i]);
-        store(std::span(words).first(count), pixels.subspan(first, count));
+        const auto some = depths.subspan(first, std::min(words.size(), depths.size() - first));
+        const bool is_all = look_up(some, words.data()) != no_colour;
+        for (std::size_t i = 0; !is_all && i < some.size(); ++i)
+            if (words[i] == no_colour) words[i] = word_of((*this)(some[i]));
+        store(std::span(words).first(some.size()), pixels.subspan(first, some.size()));
     }
 }
 

@@ -38,22 +38,34 @@ class DepthColours {
         std::uint32_t bits;
         Rgb8 colour;
     };
-    /// Neighbouring depths; most have one colour or two.
+    /// A depth, its colour, and in which piece of viridis that lies.
+    struct Place {
+        std::uint32_t bits;
+        Rgb8 colour;
+        std::size_t piece;
+    };
+    /// Of neighbouring depths, of which most have one colour or two.
     struct Bucket {
         std::uint32_t before, after;  ///< colours as words (rgb_words.h); no colours where there are more
         std::uint32_t change;         ///< the first bits of `after`
         std::uint32_t first;          ///< the step that its least depth is in
     };
+    /// Field by field, so that those of several depths can be looked up at once. One at least.
+    struct Buckets {
+        std::vector<std::uint32_t> before, after, change, first;
+        void push_back(const Bucket& bucket);
+    };
     Bucket bucket_from(std::uint32_t bits, std::uint32_t step) const;
-    std::uint32_t word_at(float depth) const;
+    std::uint32_t look_up(std::span<const float> depths, std::uint32_t* words) const;
     const Step& step_of(std::uint32_t bits) const;
     double share_of(std::uint32_t bits) const;
-    void find_steps(std::uint32_t low, std::uint32_t high);
+    Place place_of(std::uint32_t bits) const;
+    void find_steps(const Place& low, const Place& high);
 
     DepthRange range_;
     double log_near_ = 0, log_far_ = 0;
     std::vector<Step> steps_;  ///< ascending; two more at the end, which no depth reaches
-    std::vector<Bucket> buckets_;
+    Buckets buckets_;
     int shift_ = 0;  ///< depths of one bucket differ in so many bits
 };
 

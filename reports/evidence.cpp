@@ -10,6 +10,8 @@
 #include "frame/exr.h"
 #include "frame/png_kinds.h"
 #include "reports/class_style.h"
+#include "reports/depth_colours.h"
+#include "reports/id_colours.h"
 #include "reports/pictures.h"
 
 namespace zproof {
@@ -24,20 +26,38 @@ void make_folder(const fs::path& folder) {
     if (failure) throw ReportError(folder.string() + ": cannot make the folder: " + failure.message());
 }
 
-/// NAME.png and NAME-small.png.
-void write_pictures(const fs::path& folder, const std::string& name, const Plane<Rgb8>& picture,
-                    PngRows rows = PngRows::less_the_upper) {
+/// NAME.png and NAME-small.png of values that `colour` knows rows of.
+template <class T, class ColourRow>
+void write_pictures(const fs::path& folder, const std::string& name, const Plane<T>& values, PngRows rows,
+                    const ColourRow& colour) {
+    const auto write = [&](const std::string& ending, const Plane<T>& shown) {
+        write_png(folder / (name + ending), shown.size(), rows,
+                  [&](int y, std::span<Rgb8> row) { colour(shown.row(y), row); });
+    };
+    write(".png", values);
+    write("-small.png", thinned(values, shrink_factor(values.size())));
+}
+
+/// Likewise, of a picture.
+void write_pictures(const fs::path& folder, const std::string& name, const Plane<Rgb8>& picture) {
+    constexpr PngRows rows = PngRows::less_the_upper;
     write_png(folder / (name + ".png"), picture, rows);
     write_png(folder / (name + "-small.png"), thinned(picture, shrink_factor(picture.size())), rows);
 }
 
 void write_ids(const fs::path& folder, const std::string& name, const Plane<PrimitiveId>& ids) {
-    write_pictures(folder, name, picture_of_ids(ids), PngRows::as_they_are);
+    write_pictures(folder, name, ids, PngRows::as_they_are, colour_ids);
+}
+
+void write_depths(const fs::path& folder, const std::string& name, const Plane<float>& depths) {
+    const DepthColours colours(range_of(depths));
+    write_pictures(folder, name, depths, PngRows::less_the_upper,
+                   [&](std::span<const float> row, std::span<Rgb8> pixels) { colours.colour(row, pixels); });
 }
 
 /// A class is an index into the colours of all.
 void write_class_map(const fs::path& file, const Plane<PixelClass>& classes) {
-    Plane<std::uint8_t> indices(classes.size());
+    auto indices = Plane<std::uint8_t>::unwritten(classes.size());
     std::ranges::transform(classes.pixels(), indices.pixels().begin(),
                            [](PixelClass c) { return std::uint8_t(c); });
     std::array<Rgb8, pixel_class_count> colours;
@@ -62,7 +82,7 @@ void write_view_evidence(const fs::path& folder, const Frame& candidate, const F
         [&] { write_exr(folder / "reference.exr", reference); },
         [&] { write_ids(folder, "id", candidate.primitive); },
         [&] { write_ids(folder, "reference-id", reference.primitive); },
-        [&] { write_pictures(folder, "depth", picture_of_depths(candidate.camera_depth)); },
+        [&] { write_depths(folder, "depth", candidate.camera_depth); },
         [&] { write_class_map(folder / "class.png", verdict.classes); },
         [&] { write_class_map(folder / "class-small.png", small_class_map(verdict.classes)); },
         [&] { write_findings_file(folder / "findings.csv", verdict); });

@@ -4,9 +4,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <ostream>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "reports/evidence.h"
 
@@ -14,54 +17,91 @@ namespace zproof {
 
 namespace {
 
-/// Appends a cell and its comma. Numbers are the shortest that read back to the same bits.
-template <class Number>
-void add(std::string& text, Number value) {
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    text.append(digits.data(), end) += ',';
-}
+constexpr std::size_t most_digits = 32, cells = 12;
+constexpr std::size_t most_row_bytes = cells * (most_digits + 1);
 
-/// to_chars would tell -nan apart.
+/// The last real number of a column and how it is written: what stands above is often the same.
 template <class Real>
-void add_real(std::string& text, Real value) {
-    if (std::isnan(value))
-        text += "nan,";
-    else
-        add(text, value);
+class RealCell {
+  public:
+    /// Writes the number and a comma; returns what follows. The shortest digits that read back to the same
+    /// bits; to_chars would tell -nan apart.
+    char* write(char* to, Real value) {
+        if (size_ == 0 || std::memcmp(&value, &value_, sizeof value) != 0) {
+            value_ = value;
+            char* const end = std::isnan(value) ? std::ranges::copy(std::string_view("nan"), digits_).out
+                                                : std::to_chars(digits_, digits_ + most_digits, value).ptr;
+            *end = ',';
+            size_ = std::size_t(end + 1 - digits_);
+        }
+        std::memcpy(to, digits_, sizeof digits_);
+        return to + size_;
+    }
+
+  private:
+    Real value_{};
+    std::size_t size_ = 0;
+    char digits_[most_digits + 1] = {};
+};
+
+char* write_whole(char* to, std::int64_t value) {
+    to = std::to_chars(to, to + most_digits, value).ptr;
+    *to = ',';
+    return to + 1;
 }
 
-void add(std::string& text, PrimitiveId id) {
-    if (id == PrimitiveId::none)
-        text += "none,";
-    else
-        add(text, static_cast<std::uint32_t>(id));
+char* write_id(char* to, PrimitiveId id) {
+    if (id != PrimitiveId::none) return write_whole(to, static_cast<std::uint32_t>(id));
+    return std::ranges::copy(std::string_view("none,"), to).out;
 }
 
-void add_row(std::string& text, const Finding& f) {
-    add(text, f.x);
-    add(text, f.y);
-    text.append(name_of(f.verdict)) += ',';
-    add(text, f.candidate.primitive);
-    add(text, f.reference.primitive);
-    add_real(text, f.candidate.camera_depth);
-    add_real(text, f.reference.camera_depth);
-    for (const double value : {f.eps_px, f.candidate_depth.low, f.candidate_depth.truth,
-                               f.candidate_depth.high, f.error_over_bound})
-        add_real(text, value);
-    text.back() = '\n';
-}
+/// Writes rows, one after another.
+class RowWriter {
+  public:
+    /// At most most_row_bytes, of which the last may be written beyond; returns what follows.
+    char* write(char* to, const Finding& f) {
+        to = write_whole(to, f.x);
+        to = write_whole(to, f.y);
+        to = std::ranges::copy(name_of(f.verdict), to).out;
+        *to++ = ',';
+        to = write_id(to, f.candidate.primitive);
+        to = write_id(to, f.reference.primitive);
+        to = candidate_.write(to, f.candidate.camera_depth);
+        to = reference_.write(to, f.reference.camera_depth);
+        const DepthBound& depth = f.candidate_depth;
+        const double values[] = {f.eps_px, depth.low, depth.truth, depth.high, f.error_over_bound};
+        for (std::size_t i = 0; i < std::size(values); ++i) to = doubles_[i].write(to, values[i]);
+        to[-1] = '\n';
+        return to;
+    }
+
+  private:
+    RealCell<float> candidate_, reference_;
+    std::array<RealCell<double>, 5> doubles_;
+};
 
 /// A piece of the file, made by one thread; a wave of them is in memory at a time.
-constexpr std::size_t rows_in_piece = 1024, pieces_in_wave = 64;
+constexpr std::size_t rows_in_piece = 1024, pieces_in_wave = 64, rows_at_once = 16;
+
+std::string rows_of(std::span<const Finding> findings) {
+    std::string text;
+    std::array<char, most_row_bytes*(rows_at_once + 1)> room;
+    RowWriter writer;
+    for (; !findings.empty(); findings = findings.subspan(std::min(findings.size(), rows_at_once))) {
+        char* end = room.data();
+        for (const Finding& f : findings.first(std::min(findings.size(), rows_at_once)))
+            end = writer.write(end, f);
+        text.append(room.data(), end);
+    }
+    return text;
+}
 
 void write_wave(std::ostream& out, std::span<const Finding> findings) {
     std::array<std::string, pieces_in_wave> pieces;
     tbb::parallel_for(std::size_t{0}, (findings.size() + rows_in_piece - 1) / rows_in_piece,
                       [&](std::size_t i) {
                           const auto rows = findings.subspan(i * rows_in_piece);
-                          for (const Finding& f : rows.first(std::min(rows.size(), rows_in_piece)))
-                              add_row(pieces[i], f);
+                          pieces[i] = rows_of(rows.first(std::min(rows.size(), rows_in_piece)));
                       });
     for (const std::string& piece : pieces) out << piece;
 }

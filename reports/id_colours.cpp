@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstring>
 
 #include "reports/rgb_words.h"
 
@@ -11,7 +10,7 @@ namespace zproof {
 
 namespace {
 
-constexpr std::size_t together = 64;
+constexpr std::size_t together = 256;
 using Block = std::array<std::uint32_t, together>;
 
 /// Bijective, so different ids stay different: the finalizer of MurmurHash3.
@@ -40,9 +39,10 @@ struct Hsv {
 };
 
 /// No branches, so that neighbours are done side by side.
-[[gnu::target_clones("default", "avx2", "avx512f")]] void colour_block(const Block& ids, Block& colours) {
+[[gnu::target_clones("default", "avx2", "avx512f")]] void colour_block(const Block& ids, std::size_t count,
+                                                                       Block& colours) {
     constexpr std::uint32_t background = word_of(background_colour);
-    for (std::size_t i = 0; i < together; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t h = scrambled(ids[i] + 1);
         const Hsv colour{std::int32_t(h & 0xFFFF) / 65536.0,
                          0.35 + 0.3 * double(std::int32_t(h >> 16 & 0xFF)) / 255,
@@ -52,16 +52,35 @@ struct Hsv {
     }
 }
 
+/// Neighbours of one id are a run, whose colour is made once.
+struct Runs {
+    Block ids;                                ///< one of each
+    std::array<std::uint16_t, together> run;  ///< that a pixel is in
+    std::size_t count = 0;
+
+    void find(std::span<const PrimitiveId> pixels) {
+        std::size_t last = 0;
+        for (std::size_t x = 0; x < pixels.size(); ++x) {
+            last += x > 0 && pixels[x] != pixels[x - 1];
+            ids[last] = std::uint32_t(pixels[x]);
+            run[x] = std::uint16_t(last);
+        }
+        count = last + 1;
+    }
+};
+
 }  // namespace
 
 void colour_ids(std::span<const PrimitiveId> ids, std::span<Rgb8> pixels) {
     assert(ids.size() == pixels.size());
-    Block block{}, colours;
+    Runs runs;
+    Block colours, words;
     for (std::size_t first = 0; first < ids.size(); first += together) {
         const std::size_t count = std::min(together, ids.size() - first);
-        std::memcpy(block.data(), &ids[first], sizeof(PrimitiveId) * count);
-        colour_block(block, colours);
-        store(std::span(colours).first(count), pixels.subspan(first, count));
+        runs.find(ids.subspan(first, count));
+        colour_block(runs.ids, runs.count, colours);
+        for (std::size_t i = 0; i < count; ++i) words[i] = colours[runs.run[i]];
+        store(std::span(words).first(count), pixels.subspan(first, count));
     }
 }
 

@@ -41,14 +41,13 @@ Rgb8 colour_of_light(const LinearRgb& c) {
     return {srgb(c.r), srgb(c.g), srgb(c.b)};
 }
 
+/// Without a branch, so that neighbours are compared side by side.
+PixelClass severer_of(PixelClass a, PixelClass b) { return a > b ? a : b; }
+
 template <class Visit>
 void for_each_pixel(Resolution size, Visit visit) {
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) visit(x, y);
-}
-
-Resolution shrunk(Resolution size, int factor) {
-    return {(size.width + factor - 1) / factor, (size.height + factor - 1) / factor};
 }
 
 }  // namespace
@@ -86,24 +85,23 @@ int shrink_factor(Resolution size) {
     return std::max(1, (std::max(size.width, size.height) + small_side - 1) / small_side);
 }
 
-Plane<Rgb8> thinned(const Plane<Rgb8>& picture, int factor) {
-    const Resolution full = picture.size();
-    Plane<Rgb8> small(shrunk(full, factor));
-    for_each_pixel(small.size(), [&](int x, int y) {
-        small.at(x, y) = picture.at(std::min(x * factor + factor / 2, full.width - 1),
-                                    std::min(y * factor + factor / 2, full.height - 1));
-    });
-    return small;
+Resolution shrunk(Resolution size, int factor) {
+    return {(size.width + factor - 1) / factor, (size.height + factor - 1) / factor};
 }
 
 Plane<PixelClass> pooled_by_severity(const Plane<PixelClass>& classes, int factor) {
     Plane<PixelClass> small(shrunk(classes.size(), factor), PixelClass::agree);
+    std::vector<PixelClass> severest(std::size_t(classes.size().width));  // of each column of a row of blocks
     for (int y = 0; y < classes.size().height; ++y) {
         const std::span<const PixelClass> row = classes.row(y);
+        const bool begins = y % factor == 0,
+                   ends = y % factor == factor - 1 || y == classes.size().height - 1;
+        if (begins) std::ranges::copy(row, severest.begin());
+        for (std::size_t x = 0; !begins && x < row.size(); ++x) severest[x] = severer_of(severest[x], row[x]);
         const std::span<PixelClass> blocks = small.row(y / factor);
-        for (std::size_t x = 0; x < row.size(); ++x)
-            if (row[x] != PixelClass::agree)
-                blocks[x / std::size_t(factor)] = std::max(blocks[x / std::size_t(factor)], row[x]);
+        for (std::size_t x = 0; ends && x < row.size(); x += std::size_t(factor))
+            blocks[x / std::size_t(factor)] = std::ranges::max(
+                std::span(severest).subspan(x, std::min(std::size_t(factor), row.size() - x)));
     }
     return small;
 }

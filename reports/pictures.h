@@ -1,6 +1,8 @@
 /// Frames and verdicts as pictures for people.
 #pragma once
 
+#include <algorithm>
+
 #include "compare/pixel_class.h"
 #include "frame/frame.h"
 #include "frame/picture.h"
@@ -30,8 +32,20 @@ inline constexpr int small_side = 480;  ///< longest side of a small picture, pi
 /// The least whole factor that brings size down to small_side.
 int shrink_factor(Resolution size);
 
+/// A size with a pixel for each factor x factor block.
+Resolution shrunk(Resolution size, int factor);
+
 /// One pixel out of each factor x factor block: its middle. Colours are never mixed.
-Plane<Rgb8> thinned(const Plane<Rgb8>& picture, int factor);
+template <class T>
+Plane<T> thinned(const Plane<T>& values, int factor) {
+    const Resolution full = values.size();
+    Plane<T> small(shrunk(full, factor));
+    for (int y = 0; y < small.size().height; ++y)
+        for (int x = 0; x < small.size().width; ++x)
+            small.at(x, y) = values.at(std::min(x * factor + factor / 2, full.width - 1),
+                                       std::min(y * factor + factor / 2, full.height - 1));
+    return small;
+}
 
 /// The severest class of each factor x factor block.
 Plane<PixelClass> pooled_by_severity(const Plane<PixelClass>& classes, int factor);

@@ -38,7 +38,7 @@ Block beside(const std::string& name, Words values, Words candidate, const std::
 }
 
 Block bytes_block(const std::string& name, std::string_view bytes) {
-    return {name, plane_facts("bytes", bytes), deflated(bytes)};
+    return {name, plane_facts("bytes", bytes), deflated_side_by_side(bytes)};
 }
 
 Block class_block(const Plane<PixelClass>& classes) {
@@ -70,7 +70,7 @@ Block colour_block(const std::string& name, const Picture& colours) {
             left = value;
         }
     }
-    return {name, plane_facts("channels", plain), deflated(missed)};
+    return {name, plane_facts("channels", plain), deflated_side_by_side(missed)};
 }
 
 std::vector<const Finding*> listed_findings(const Verdict& verdict) {

@@ -43,6 +43,32 @@ TEST(Deflate, DeflaterThatWasUsedBeforeGivesTheSameStream) {
     EXPECT_EQ(deflater.deflated("twice twice twice"), deflated("twice twice twice"));
 }
 
+TEST(Deflate, PiecesAreOneStream) {
+    Deflater deflater;
+    for (const std::vector<std::string>& parts :
+         {std::vector<std::string>{},
+          {""},
+          {"a"},
+          {noise(200'000), "", std::string(100'000, '\xFF'), noise(7)}}) {
+        std::string all;
+        std::vector<DeflatedPiece> pieces;
+        for (const std::string& part : parts) pieces.push_back(deflater.piece(part)), all += part;
+        EXPECT_EQ(inflated(joined(pieces), all.size()), all) << parts.size();
+    }
+}
+
+TEST(Deflate, PiecesMadeSideBySideStandInTheirOrder) {
+    for (const std::size_t size : {std::size_t{0}, std::size_t{1} << 17, std::size_t{3'000'000}})
+        EXPECT_EQ(inflated(deflated_side_by_side(noise(size)), size), noise(size)) << size;
+    std::string numbers;
+    for (int i = 0; i < 500; ++i) numbers += std::to_string(i);
+    const std::string packed = deflated_side_by_side(500, [](std::size_t i, std::string& room) {
+        room = std::to_string(i);
+        return std::string_view(room);
+    });
+    EXPECT_EQ(inflated(packed, numbers.size()), numbers);
+}
+
 TEST(Deflate, ChecksumIsThatOfPng) { EXPECT_EQ(crc32_of("123456789"), 0xCBF43926u); }
 
 }  // namespace

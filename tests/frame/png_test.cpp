@@ -9,6 +9,7 @@
 #include <string>
 
 #include "frame/frame_error.h"
+#include "frame/whole_file.h"
 #include "scratch_folder.h"
 
 namespace zproof {
@@ -46,6 +47,24 @@ TEST_F(Png, KeepsEveryValueHoweverRowsAreWritten) {
     }
 }
 
+TEST_F(Png, KeepsEveryValueOfWhatIsPackedInPieces) {
+    const Plane<Rgb8> picture = ramp({1201, 700});
+    for (const PngRows rows : {PngRows::as_they_are, PngRows::less_the_upper}) {
+        write_png(file("a.png"), picture, rows);
+        EXPECT_TRUE(std::ranges::equal(read_back(file("a.png")).pixels(), picture.pixels()));
+    }
+}
+
+TEST_F(Png, PaintedWhileItIsWrittenHasTheSameBytes) {
+    const Plane<Rgb8> picture = ramp({1201, 700});
+    for (const PngRows rows : {PngRows::as_they_are, PngRows::less_the_upper}) {
+        write_png(file("before.png"), picture, rows);
+        write_png(file("while.png"), picture.size(), rows,
+                  [&](int y, std::span<Rgb8> row) { std::ranges::copy(picture.row(y), row.begin()); });
+        EXPECT_EQ(content_of(file("while.png")), content_of(file("before.png")));
+    }
+}
+
 TEST_F(Png, KeepsTheColoursOfIndices) {
     const std::vector<Rgb8> colours{{1, 2, 3}, {250, 251, 252}, {0, 0, 7}};
     Plane<std::uint8_t> indices({5, 3});
@@ -71,6 +90,7 @@ TEST_F(Png, PictureWithoutPixelsIsRefused) {
     EXPECT_THAT(complaint<FrameError>([&] { write_png(file("none.png"), {}); }),
                 testing::HasSubstr("none.png"));
     EXPECT_THROW(encode_png({}), FrameError);
+    EXPECT_THROW(write_png(file("none.png"), {0, 4}, PngRows::less_the_upper, {}), FrameError);
     EXPECT_EQ(file_count(), 0u);
 }
 

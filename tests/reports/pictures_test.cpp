@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
+#include <random>
 #include <set>
 #include <tuple>
 
 #include "reports/class_style.h"
 #include "reports/depth_colours.h"
+#include "reports/id_colours.h"
 
 namespace zproof {
 
@@ -158,6 +161,44 @@ TEST(Pictures, IdsAreColouredSideBySideAsOneByOne) {
     const Plane<Rgb8> picture = picture_of_ids(ids);
     for (std::size_t i = 0; i < ids.pixels().size(); ++i)
         ASSERT_EQ(picture.pixels()[i], colour_of_id(std::uint32_t(ids.pixels()[i]))) << i;
+}
+
+TEST(Pictures, NeighboursOfOneIdHaveItsColour) {
+    Plane<PrimitiveId> ids({1037, 40});
+    std::mt19937 random(11);
+    std::uint32_t id = 0;
+    for (PrimitiveId& pixel : ids.pixels()) {
+        if (random() % 100 == 0)
+            id = random() % 5 ? std::uint32_t(random()) : std::uint32_t(PrimitiveId::none);
+        pixel = PrimitiveId(id);
+    }
+    const Plane<Rgb8> picture = picture_of_ids(ids);
+    for (std::size_t i = 0; i < ids.pixels().size(); ++i) {
+        const bool is_background = ids.pixels()[i] == PrimitiveId::none;
+        ASSERT_EQ(picture.pixels()[i],
+                  is_background ? background_colour : colour_of_id(std::uint32_t(ids.pixels()[i])))
+            << i;
+    }
+}
+
+/// Rows of several blocks, in which all colours and what is no depth stand beside depths of crowded steps.
+TEST(Pictures, DepthsAreColouredSideBySideAsOneByOne) {
+    Plane<float> depths({1037, 64});
+    std::mt19937 random(3);
+    for (float& depth : depths.pixels()) {
+        const float magnitude = std::ldexp(1.0f, int(random() % 240) - 120);
+        const float values[] = {magnitude, magnitude, -magnitude, background_depth, NAN, 0.0f};
+        depth = values[random() % 6] * (1 + float(random() % 1000) / 1000);
+    }
+    const DepthColours colours(range_of(depths));
+    const Plane<Rgb8> picture = picture_of_depths(depths);
+    for (std::size_t i = 0; i < depths.pixels().size(); ++i) {
+        const float depth = depths.pixels()[i];
+        const Rgb8 expected = depth > 0 && std::isfinite(depth) ? colours.by_formula(depth)
+                              : depth == background_depth       ? background_colour
+                                                                : no_depth_colour;
+        ASSERT_EQ(picture.pixels()[i], expected) << depth;
+    }
 }
 
 TEST(Pictures, DepthsAreLogarithmicAndWhatIsNoDepthIsMagenta) {

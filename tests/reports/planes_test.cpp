@@ -70,6 +70,25 @@ TEST(PlaneCoding, GivesBackEveryBitBesideAGuess) {
     EXPECT_EQ(decode_sparse(encode_sparse(guess, guess), 0, guess), guess);
 }
 
+/// Most pieces hold small numbers, some between them large ones.
+TEST(PlaneCoding, GivesBackEveryBitOfWhatIsPackedInPieces) {
+    constexpr std::size_t width = 1777, height = 400;
+    Numbers words(width * height), guess = random_words(words.size(), 5);
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = std::uint32_t(i / 300);
+    words[words.size() / 2] = 0xFEDC'BA98;
+    for (const Prediction prediction : {Prediction::left, Prediction::planar}) {
+        EXPECT_EQ(decode(encode(words, width, prediction), words.size(), width, prediction), words);
+        EXPECT_EQ(decode(encode(guess, width, prediction), guess.size(), width, prediction), guess);
+    }
+    EXPECT_EQ(decode(encode(words, guess), guess), words);
+    Numbers nearly = guess;
+    for (const std::size_t i : {std::size_t{0}, std::size_t{1023}, std::size_t{1024}, guess.size() - 1})
+        ++nearly[i];
+    EXPECT_EQ(missed_by(nearly, guess), 4u);
+    EXPECT_EQ(decode_sparse(encode_sparse(nearly, guess), 4, guess), nearly);
+    EXPECT_EQ(decode(encode(nearly, guess), guess), nearly);
+}
+
 TEST(PlaneCoding, GivesBackDoublesThatAreNoNumbers) {
     const std::vector<double> values{0, -0.0, 1.0 / 3, NAN, INFINITY, -INFINITY, 5e-324};
     const std::vector<double> back = decode_doubles(encode(values), values.size());
