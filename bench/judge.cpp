@@ -1,5 +1,5 @@
 // The verdict on each view of the suite beside the reference's rays for it, at 1920 x 1080.
-#include "compare/judge.h"
+#include "compare/judge_in_full.h"
 
 #include "bench/lazy.h"
 #include "bench/suites.h"
@@ -40,13 +40,18 @@ void add_view(const std::shared_ptr<Stage>& stage, const std::string& scene, std
         const View& view = stage->loaded->views[index];
         return Frames{rasterizer::render(stage->loaded->scene, view), stage->embree->trace(view)};
     }};
-    add(name + "/zproof", [=] {
-        const auto& [candidate, reference] = *frames;
-        stage->set(scene);
-        const View& view = stage->loaded->views[index];
-        benchmark::DoNotOptimize(judge(stage->loaded->scene, view, {candidate, rasterizer::precision()},
-                                       {reference, oracle::embree_precision()}));
-    });
+    const auto judged = [=](const auto& judge) {
+        return [=] {
+            const auto& [candidate, reference] = *frames;
+            stage->set(scene);
+            const View& view = stage->loaded->views[index];
+            benchmark::DoNotOptimize(judge(stage->loaded->scene, view,
+                                           Testimony{candidate, rasterizer::precision()},
+                                           Testimony{reference, oracle::embree_precision()}));
+        };
+    };
+    add(name + "/zproof", judged(judge));
+    add(name + "/judge_in_full", judged(judge_in_full));
 }
 
 }  // namespace

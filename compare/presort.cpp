@@ -55,6 +55,13 @@ struct Agreement {
         all[i] = (pixels & std::uint32_t{1} << i) != 0 ? some[i] : all[i];
 }
 
+[[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask equal(const TileRowOf<float>& depths,
+                                                                      float depth) {
+    std::uint32_t mask = 0;
+    for (std::size_t i = 0; i < tile_columns; ++i) mask |= std::uint32_t(depths[i] == depth) << i;
+    return mask;
+}
+
 /// Rounded down.
 float times_20(double ratio) { return float(ratio * 20 * (1 - 0x1p-20)); }
 
@@ -75,29 +82,35 @@ void Presort::sort(const LawsOfBoth& laws, Largest& largest, Strip& strip) {
 const DepthEstimate& Presort::estimate_by(const LawsOfBoth& laws, std::uint32_t law) {
     Known& known = known_[law];
     if (known.tile != tile_)
-        known = {tile_, estimate_of(laws.candidate[law], laws.reference[law], projection_)};
+        known = {.tile = tile_,
+                 .estimate = estimate_of(laws.candidate[law], laws.reference[law], projection_)};
     return known.estimate;
 }
 
 /// Of pixels at which both frames show the triangle. What may exceed the largest ratio is worked out in full.
-bool Presort::are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask pixels,
-                        const Source& source) const {
+bool Presort::are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask pixels, const Source& source) {
     if ((pixels & ~(row.candidate.certain & row.reference.certain)) != 0) return false;
-    const Strip& strip = source.strip;
-    const auto raise = [&](const EstimatedRow::Side& side, const DepthLaw& depth_law,
-                           const Strip::Side& shown, double& largest) {
-        ColumnMask asked = pixels & side.may_exceed;
-        if (asked == 0) return;
-        TileRowOf<float> depth;
-        std::copy_n(&shown.camera_depth[source.first], tile_columns, depth.begin());
-        const TileRow ratio =
-            depths_in_row(depth_law, projection_, {strip.x + int(source.first), strip.y}, depth).ratio;
-        for (; asked != 0; asked &= asked - 1)
-            largest = std::max(largest, ratio[std::size_t(std::countr_zero(asked))]);
-    };
-    raise(row.candidate, source.laws.candidate[law], strip.candidate, source.largest.candidate);
-    raise(row.reference, source.laws.reference[law], strip.reference, source.largest.reference);
+    Known& known = known_[law];
+    raise({source.laws.candidate[law], source.strip.candidate, pixels & row.candidate.may_exceed}, source,
+          known.candidate_counted, source.largest.candidate);
+    raise({source.laws.reference[law], source.strip.reference, pixels & row.reference.may_exceed}, source,
+          known.reference_counted, source.largest.reference);
     return true;
+}
+
+/// On a triangle at one depth all over the image, a depth that was counted need not be counted again.
+void Presort::raise(const Exceeding& pixels, const Source& source, float& counted, double& largest) const {
+    if (pixels.mask == 0) return;
+    TileRowOf<float> depth;
+    std::copy_n(&pixels.shown.camera_depth[source.first], tile_columns, depth.begin());
+    const bool is_level = pixels.law.nearness_per_x == 0 && pixels.law.nearness_per_y == 0;
+    const ColumnMask asked = is_level ? pixels.mask & ~equal(depth, counted) : pixels.mask;
+    if (asked == 0) return;
+    const RowPlace place{source.strip.x + int(source.first), source.strip.y};
+    const TileRow ratio = depths_in_row(pixels.law, projection_, place, depth).ratio;
+    for (ColumnMask rest = asked; rest != 0; rest &= rest - 1)
+        largest = std::max(largest, ratio[std::size_t(std::countr_zero(rest))]);
+    counted = depth[std::size_t(std::countr_zero(asked))];
 }
 
 /// Nothing is certain where a law cannot be estimated.

@@ -1,6 +1,7 @@
 /// The first look at a strip: pixels whose ids and depths plainly agree are sorted into bins by estimates.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "compare/depth_estimate.h"
@@ -26,7 +27,16 @@ class Presort {
   private:
     struct Known {
         std::uint64_t tile = 0;
-        DepthEstimate estimate;
+        DepthEstimate estimate{};
+        /// Depths whose ratios the largest have met already; none at first.
+        float candidate_counted = std::numeric_limits<float>::quiet_NaN(),
+              reference_counted = std::numeric_limits<float>::quiet_NaN();
+    };
+    /// Pixels whose ratios may exceed the largest.
+    struct Exceeding {
+        const DepthLaw& law;
+        const Strip::Side& shown;
+        ColumnMask mask;
     };
     /// Pixels of a chunk that show one triangle, in either frame.
     struct Share {
@@ -43,7 +53,8 @@ class Presort {
     };
     const DepthEstimate& estimate_by(const LawsOfBoth& laws, std::uint32_t law);
     EstimatedRow estimated(std::uint32_t law, const Source& source);
-    bool are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask pixels, const Source& source) const;
+    bool are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask pixels, const Source& source);
+    void raise(const Exceeding& pixels, const Source& source, float& counted, double& largest) const;
     bool sort_one_law(const Source& source, Strip& strip);
     bool sort_some_laws(const Source& source, Strip& strip);
 
