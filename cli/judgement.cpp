@@ -6,7 +6,6 @@
 
 #include "cli/announcement.h"
 #include "cli/interrupt.h"
-#include "cli/kept_memory.h"
 #include "cli/progress.h"
 #include "cli/renderers/roster.h"
 #include "cli/scene_run.h"
@@ -75,7 +74,6 @@ Share judged_of(const Results& results) {
 
 ExitCode judge_and_report(const Assignment& assignment) {
     const auto& [sources, parties, settings, report, selection, shard, only_view] = assignment;
-    keep_freed_memory();
     const Gate gate = open_gate(report.gate);
     Results results{.version = version_number(),
                     .command = report.typed,
