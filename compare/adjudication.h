@@ -4,8 +4,8 @@
 #include <span>
 
 #include "compare/hearing.h"
-#include "compare/open_tiles.h"
 #include "compare/pixel_look.h"
+#include "compare/pixel_place.h"
 
 namespace zproof {
 

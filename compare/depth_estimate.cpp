@@ -1,8 +1,8 @@
 #include "compare/depth_estimate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
 
 #include "math/rounding.h"
 

@@ -99,9 +99,10 @@ class Record {
             for (std::size_t i = some.begin(); i < some.end(); ++i) {
                 const PixelPlace at = ruled.left[i];
                 const Ruling ruling = rulings[i];
-                OpenPixel pixel = seen(at, look);
+                const bool is_brief = listed_ == Listed::failing && open_.is_lawful(at);
+                OpenPixel pixel = is_brief ? brief(at) : look.at(at.x, at.y);
                 const PixelClass word = class_of(pixel, ruling);
-                if (listed_ == Listed::failing && !passes(word)) pixel = look.at(at.x, at.y);
+                if (is_brief && !passes(word)) pixel = look.at(at.x, at.y);
                 pixel.finding.verdict = word;
                 pixel.finding.eps_px = ruling.candidate.eps_px;
                 verdict.findings[ruled.places[i]] = pixel.finding;
@@ -115,9 +116,8 @@ class Record {
     }
 
   private:
-    /// Without the evidence where that is known to be lawful, and not listed.
-    OpenPixel seen(const PixelPlace& at, PixelLook& look) const {
-        if (listed_ == Listed::differing || !open_.is_lawful(at)) return look.at(at.x, at.y);
+    /// Without the evidence: of depths that are known to be lawful.
+    OpenPixel brief(const PixelPlace& at) const {
         OpenPixel pixel;
         pixel.finding = {.x = at.x,
                          .y = at.y,

@@ -48,20 +48,6 @@ struct Agreement {
     return mask;
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] void take(const TileRowOf<std::int32_t>& some,
-                                                               ColumnMask pixels,
-                                                               TileRowOf<std::int32_t>& all) {
-    for (std::size_t i = 0; i < tile_columns; ++i)
-        all[i] = (pixels & std::uint32_t{1} << i) != 0 ? some[i] : all[i];
-}
-
-[[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask equal(const TileRowOf<float>& depths,
-                                                                      float depth) {
-    std::uint32_t mask = 0;
-    for (std::size_t i = 0; i < tile_columns; ++i) mask |= std::uint32_t(depths[i] == depth) << i;
-    return mask;
-}
-
 /// Rounded down.
 float times_20(double ratio) { return float(ratio * 20 * (1 - 0x1p-20)); }
 
@@ -160,8 +146,8 @@ bool Presort::sort_some_laws(const Source& source, Strip& strip) {
         const EstimatedRow row = estimated(share.law, source);
         const ColumnMask agreed = share.candidate & same;
         if (!are_known(row, share.law, agreed, source)) return false;
-        take(row.candidate.bin, agreed, our_bin);
-        take(row.reference.bin, agreed, their_bin);
+        our_bin = chosen(our_bin, row.candidate.bin, agreed);
+        their_bin = chosen(their_bin, row.reference.bin, agreed);
         lawful |= share.candidate & row.candidate.certain;
         lawful_of_theirs |= share.reference & row.reference.certain;
     }

@@ -24,6 +24,10 @@ template <class Word, class Test>
     return mask_of<std::uint32_t>([&](std::size_t i) { return a[i] == b; });
 }
 
+[[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask equal(const TileRowOf<float>& a, float b) {
+    return mask_of<std::uint32_t>([&](std::size_t i) { return a[i] == b; });
+}
+
 [[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask above(const TileRow& a, const TileRow& b) {
     return mask_of<std::uint64_t>([&](std::size_t i) { return a[i] > b[i]; });
 }
@@ -42,11 +46,10 @@ template <class Word, class Test>
     return all;
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] TileRow chosen(const TileRow& a, const TileRow& b,
-                                                                    ColumnMask mask) {
-    TileRow all;
-    for (std::size_t i = 0; i < tile_columns; ++i)
-        all[i] = (std::uint64_t{mask} & std::uint64_t{1} << i) != 0 ? b[i] : a[i];
+[[gnu::target_clones("default", "avx2", "avx512f")]] TileRowOf<std::int32_t> chosen(
+    const TileRowOf<std::int32_t>& a, const TileRowOf<std::int32_t>& b, ColumnMask mask) {
+    TileRowOf<std::int32_t> all;
+    for (std::size_t i = 0; i < tile_columns; ++i) all[i] = (mask & ColumnMask{1} << i) != 0 ? b[i] : a[i];
     return all;
 }
 

@@ -27,6 +27,7 @@ struct RowPlace {
 /// Where two are the same.
 ColumnMask equal(const TileRowOf<PrimitiveId>& a, const TileRowOf<PrimitiveId>& b);
 ColumnMask equal(const TileRowOf<PrimitiveId>& a, PrimitiveId b);
+ColumnMask equal(const TileRowOf<float>& a, float b);
 /// Where a > b.
 ColumnMask above(const TileRow& a, const TileRow& b);
 /// Where a >= 0.
@@ -35,6 +36,7 @@ ColumnMask at_least_zero(const TileRow& a);
 /// Where `mask` says so, the larger of a and b; elsewhere a.
 TileRow raised(const TileRow& a, const TileRow& b, ColumnMask mask);
 /// Where `mask` says so, b; elsewhere a.
-TileRow chosen(const TileRow& a, const TileRow& b, ColumnMask mask);
+TileRowOf<std::int32_t> chosen(const TileRowOf<std::int32_t>& a, const TileRowOf<std::int32_t>& b,
+                               ColumnMask mask);
 
 }  // namespace zproof

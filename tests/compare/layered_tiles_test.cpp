@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "compare/adjudication.h"
@@ -107,6 +108,30 @@ TEST(LayeredTiles, AreSettledAsOnePixelAfterTheOther) {
     }
     EXPECT_GT(settled[std::size_t(PixelClass::depth_tie)], 3000u);
     EXPECT_GT(left, 500u);
+}
+
+/// Some depths are wrong, some answers hidden whose depths are right.
+TEST(LayeredTiles, ThatFailAreListedAsInFull) {
+    std::size_t hidden = 0, others = 0;
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const Case c(dice);
+        const Testimony ours{c.candidate, raster_precision()}, theirs{c.reference, ray_precision()};
+        const Verdict verdict = judge(c.scene, c.view, ours, theirs);
+        std::vector<Finding> failing;
+        std::ranges::copy_if(judge_in_full(c.scene, c.view, ours, theirs).verdict.findings,
+                             std::back_inserter(failing),
+                             [](const Finding& f) { return !passes(f.verdict); });
+        ASSERT_EQ(verdict.findings.size(), failing.size());
+        for (std::size_t i = 0; i < failing.size(); ++i) {
+            expect_same(verdict.findings[i], failing[i]);
+            ++(failing[i].verdict == PixelClass::hidden ? hidden : others);
+        }
+        if (testing::Test::HasFailure()) return;
+    }
+    EXPECT_GT(hidden, 100u);
+    EXPECT_GT(others, 100u);
 }
 
 TEST(LayeredTiles, LeaveSquaresThatReachBeyondTheSearch) {
