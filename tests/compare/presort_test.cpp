@@ -1,0 +1,80 @@
+/// Pixels that are sorted by estimates must be counted as those that are not: error maps want every ratio, so
+/// judge_in_full() has nothing estimated.
+#include "compare/presort.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "compare/judge.h"
+#include "random_surroundings.h"
+#include "stage.h"
+
+namespace zproof {
+namespace {
+
+constexpr int width = 70, height = 20;
+
+/// Runs of pixels that show one of a few walls, each depth off by a share of what is lawful, or nothing.
+void show_runs(Frame& frame, Dice& dice, const View& view, const Scene& scene) {
+    const double most_off = std::ldexp(1.0, -22 + dice.below(3));
+    std::uint32_t triangle = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            if (dice.below(6) == 0) triangle = std::uint32_t(dice.below(int(scene.triangles.size()) + 1));
+            if (triangle == scene.triangles.size()) {
+                if (dice.below(40) == 0) answer(frame, x, y, triangle, 8);  // nobody's
+                continue;                                                   // bare
+            }
+            const auto image =
+                image_of(Sight<double>(view, x, y), corners<double>(corners_of(scene, triangle)));
+            if (!image) continue;
+            const double n = image->nearness.c;
+            const double depth = view.camera.projection == Projection::perspective ? 1 / n : -n;
+            answer(frame, x, y, triangle, depth * (1 + dice.between(-most_off, most_off)));
+        }
+}
+
+std::uint64_t number(const BoundRecord& record, std::size_t first_bin) {
+    std::uint64_t sum = 0;
+    for (std::size_t i = first_bin; i < record.histogram.size(); ++i) sum += record.histogram[i];
+    return sum;
+}
+
+TEST(Presort, CountsEveryPixelAsInFull) {
+    std::uint64_t right = 0, wrong = 0, invalid = 0;
+    for (std::uint32_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view =
+            pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, width, height);
+        const Scene scene = random_walls(dice, view);
+        Frame candidate({width, height}), reference({width, height});
+        show_runs(candidate, dice, view, scene);
+        if (dice.below(2) != 0)
+            reference = candidate;  // whole chunks of the same
+        else
+            show_runs(reference, dice, view, scene);
+        const Testimony ours{candidate, raster_precision()}, theirs{reference, ray_precision()};
+        const Verdict verdict = judge(scene, view, ours, theirs);
+        const Verdict in_full = judge_in_full(scene, view, ours, theirs).verdict;
+        EXPECT_EQ(verdict.candidate_depth, in_full.candidate_depth);
+        EXPECT_EQ(verdict.reference_depth, in_full.reference_depth);
+        EXPECT_EQ(verdict.candidate_edges, in_full.candidate_edges);
+        EXPECT_EQ(verdict.reference_edges, in_full.reference_edges);
+        EXPECT_EQ(verdict.counts, in_full.counts);
+        EXPECT_EQ(verdict.reference_defects, in_full.reference_defects);
+        EXPECT_EQ(verdict.adjudicated, in_full.adjudicated);
+        EXPECT_TRUE(std::ranges::equal(verdict.classes.pixels(), in_full.classes.pixels()));
+        right += number(verdict.candidate_depth, 1) - number(verdict.candidate_depth, 20);
+        wrong += number(verdict.candidate_depth, 20);
+        invalid += verdict.counts[std::size_t(PixelClass::invalid)];
+        if (testing::Test::HasFailure()) return;
+    }
+    EXPECT_GT(right, 10'000u) << "lawful, and not in the first bin";
+    EXPECT_GT(wrong, 1'000u);
+    EXPECT_GT(invalid, 300u);
+}
+
+}  // namespace
+}  // namespace zproof
