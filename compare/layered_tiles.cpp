@@ -8,23 +8,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "compare/layered_choice.h"
 #include "compare/layers.h"
 
 namespace zproof {
 
 namespace {
-
-/// Open pixels of a tile from which on it is worth the trouble to look at whole rows, and of each row that
-/// has any.
-constexpr std::uint32_t many = 16, many_of_row = 4;
-
-bool is_layered(const OpenTiles& open, int column, int row) {
-    const std::uint32_t count = open.count(column, row);
-    if (count < many) return false;
-    std::uint32_t rows = 0;
-    for (int y = 0; y < Tiles::side_px; ++y) rows += open.row(column, row * Tiles::side_px + y).pixels != 0;
-    return count >= many_of_row * rows;
-}
 
 /// How far triangles are looked for around a pixel. Squares that are larger are left.
 constexpr double reach_px = 1;
@@ -91,9 +80,9 @@ class LayeredPass {
 
     LayeredFindings settle() {
         const Tiles& tiles = open_.tiles();
-        const AskedBoxes asked = asked_boxes();
-        if (asked.reach_px() == 0) return all_left();
-        const TrianglesByTile near(of_.scene, of_.view, asked);
+        asked_ = boxes_worth_layers(of_, open_, reach_px);
+        if (asked_.reach_px() == 0) return all_left();
+        const TrianglesByTile near(of_.scene, of_.view, asked_);
         std::vector<LayeredFindings> bands(std::size_t(tiles.rows));
         tbb::parallel_for(0, tiles.rows, [&](int row) {
             Band band;
@@ -144,20 +133,6 @@ class LayeredPass {
         return sum;
     }
 
-    /// Of tiles that are worth it.
-    AskedBoxes asked_boxes() const {
-        const Tiles& tiles = open_.tiles();
-        AskedBoxes asked(tiles.count());
-        for (int row = 0; row < tiles.rows; ++row)
-            for (int column = 0; column < tiles.columns; ++column) {
-                if (!is_layered(open_, column, row)) continue;
-                Around box = centres(column, row);
-                box.half_x += reach_px, box.half_y += reach_px;
-                asked.add(tiles.index(column, row), raster_box(box), reach_px);
-            }
-        return asked;
-    }
-
     static RowPlace row_of(int column, int row, int y) {
         return {column * Tiles::side_px, row * Tiles::side_px + y};
     }
@@ -165,26 +140,14 @@ class LayeredPass {
         return open_.row(at.left / Tiles::side_px, at.y);
     }
 
-    /// Of a tile's open pixels.
-    Around centres(int column, int row) const {
-        ColumnMask any = 0;
-        Box box;
-        for (int y = 0; y < Tiles::side_px; ++y) {
-            const RowPlace at = row_of(column, row, y);
-            any |= pixels_of(at).pixels;
-            if (pixels_of(at).pixels != 0) box.add(at.left, at.y);
-        }
-        box.add(column * Tiles::side_px + int(std::bit_width(any)) - 1, box.top);
-        return {box.middle_x(), box.middle_y(), 0.5 * (box.right - box.left), 0.5 * (box.bottom - box.top)};
-    }
-
     void settle_tile(int column, int row, const TrianglesByTile& near, Band& band) {
         if (open_.count(column, row) == 0) return;
         Memories& memories = memories_.local();
         std::optional<Layers> layers;
-        if (is_layered(open_, column, row))
+        const std::size_t tile = open_.tiles().index(column, row);
+        if (!asked_.of(tile).empty())
             layers.emplace(Layers::Shared{sights_, memories.acquaintance, memories.coplanar},
-                           centres(column, row), near.of(open_.tiles().index(column, row)), bounds());
+                           centres_of(open_, column, row), near.of(tile), bounds());
         const bool may_ask = layers && layers->are_known() && layers->widest_px() <= reach_px;
         for (int y = 0; y < Tiles::side_px; ++y) {
             const RowPlace at = row_of(column, row, y);
@@ -287,6 +250,7 @@ class LayeredPass {
     Plane<PixelClass>& classes_;
     std::span<Finding> findings_;
     Sights<double> sights_;
+    AskedBoxes asked_{0};  ///< of tiles that are worth it
     tbb::enumerable_thread_specific<Memories> memories_;
 };
 

@@ -17,13 +17,6 @@ struct LayeredFindings {
     ClassCounts counts{};               ///< of the others
 };
 
-/// What is compared.
-struct Comparands {
-    const Scene& scene;
-    const View& view;
-    const Witness &candidate, &reference;
-};
-
 /// Decides those of the open pixels that it can, as the admissible set does, and writes their classes; and
 /// their findings, in the same bits, where there is a place for each open pixel; `findings` may be empty.
 /// `classes` has the view's size, `open` is numbered. Runs on all threads.

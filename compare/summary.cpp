@@ -146,13 +146,31 @@ bool Summary::is_seen_at(std::optional<std::size_t> answer, const Offset& at) co
 
 /// The square's corners and the middles of its sides, and for a triangle the middle of its part of the
 /// square.
-bool Summary::is_seen_around(std::optional<std::size_t> answer, double half_side_px) const {
+template <class IsThere>
+bool Summary::is_anywhere(std::optional<std::size_t> answer, double half_side_px,
+                          const IsThere& is_there) const {
     const double h = half_side_px;
     for (const Offset& at : {Offset{-h, -h}, {h, -h}, {-h, h}, {h, h}, {-h, 0}, {h, 0}, {0, -h}, {0, h}})
-        if (is_seen_at(answer, at)) return true;
+        if (is_there(at)) return true;
     if (!answer) return false;
     const std::optional<Offset> middle = middle_of(*answer, h);
-    return middle && is_seen_at(answer, *middle);
+    return middle && is_there(*middle);
+}
+
+bool Summary::is_seen_around(std::optional<std::size_t> answer, double half_side_px) const {
+    return is_anywhere(answer, half_side_px, [&](const Offset& at) { return is_seen_at(answer, at); });
+}
+
+/// Is there a place that nothing hides by the bounded rule?
+bool Summary::is_held_around(const Renderer& renderer, std::size_t answer, double half_side_px) const {
+    const auto is_held_at = [&](const Offset& at) {
+        const auto leaves_free = [&](std::size_t i) {
+            return i == answer || is_outside(i, at) || !may_be_hidden_for_certain(renderer, i, answer);
+        };
+        return is_inside(answer, at) && std::ranges::all_of(covering_, leaves_free) &&
+               std::ranges::all_of(cutting_, leaves_free);
+    };
+    return is_anywhere(answer, half_side_px, is_held_at);
 }
 
 /// The mean of the corners of the triangle's part of the square, but for rounding: clipping, edge by edge.
@@ -276,6 +294,8 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint) {
     if (all_cover && is_tied(renderer, *answer, square(widest_px_), may_be_certain))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
     if (is_seen_around(answer, plaint.own_eps_px)) return visible(renderer, plaint, answer, eps);
+    if (answer && is_hidden_in(renderer, answer, eps) && is_held_around(renderer, *answer, plaint.own_eps_px))
+        return Ruled{{Standing::tied, false}, eps, std::nullopt};
     return std::nullopt;
 }
 

@@ -72,7 +72,10 @@ class Summary {
     bool is_outside(std::size_t i, const Offset& at) const;
     bool is_behind(std::size_t back, std::size_t front, const Offset& at) const;
     bool is_seen_at(std::optional<std::size_t> answer, const Offset& at) const;
+    template <class IsThere>
+    bool is_anywhere(std::optional<std::size_t> answer, double half_side_px, const IsThere& is_there) const;
     bool is_seen_around(std::optional<std::size_t> answer, double half_side_px) const;
+    bool is_held_around(const Renderer& renderer, std::size_t answer, double half_side_px) const;
     std::optional<Offset> middle_of(std::size_t i, double half_side_px) const;
     bool are_coplanar(std::size_t a, std::size_t b) const;
     bool is_hidden_in(const Renderer& renderer, std::optional<std::size_t> answer, double half_side_px) const;

@@ -45,4 +45,11 @@ class Witness {
     ViewBounds bounds_;
 };
 
+/// What is compared.
+struct Comparands {
+    const Scene& scene;
+    const View& view;
+    const Witness &candidate, &reference;
+};
+
 }  // namespace zproof

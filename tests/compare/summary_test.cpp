@@ -171,6 +171,37 @@ TEST(Summary, TellsSeamsAndHowFarTheyMovedAsTheLongWayDoes) {
     EXPECT_GT(comparison.moved, 300);
 }
 
+/// A wall, and others in its plane or nearly so whose edges pass within eps of the centre; sometimes one that
+/// is in front for certain covers a part of them.
+std::vector<Triangle> random_torn_walls(Dice& dice) {
+    constexpr double eps_px = 1.0 / 512, far = 64;
+    std::vector<Triangle> walls{wall(4)};
+    for (int count = 1 + dice.below(3); count > 0; --count) {
+        const double depth =
+            dice.below(5) == 0 ? 2 : 4 + (dice.below(3) == 0 ? std::ldexp(1.0, -dice.below(40)) : 0);
+        const double x = 1.5 + dice.between(-1, 1) * eps_px, slope = dice.between(-2, 2);
+        const Corner up{x - slope * far, 1.5 - far, depth}, down{x + slope * far, 1.5 + far, depth};
+        walls.push_back(dice.below(2) ? Triangle{up, Corner{-512, 1.5, depth}, down}
+                                      : Triangle{up, down, Corner{512, 1.5, depth}});
+    }
+    return walls;
+}
+
+TEST(Summary, TellsTiesWithinWhichEdgesPassAsRationalsDo) {
+    Comparison comparison;
+    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
+        const Scene scene = scene_of(view, random_torn_walls(dice));
+        const OnePixel pixel(scene, view, dice.below(4) ? raster_precision() : ray_precision(), 1, 1);
+        for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) comparison.hear(pixel, PrimitiveId(t));
+        if (testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GT(comparison.said[std::size_t(Standing::tied)], 1000);
+    EXPECT_GT(comparison.left, 1000) << "hidden ones, for one";
+}
+
 TEST(ImageOfView, HasTheBitsOfImageOfAtEveryPixel) {
     int images = 0;
     for (std::uint32_t seed = 0; seed < 300; ++seed) {

@@ -1,0 +1,94 @@
+#include "compare/layered_choice.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <numeric>
+
+#include "compare/neighbourhood.h"
+
+namespace zproof {
+
+namespace {
+
+/// Open pixels of a tile from which on it is worth the trouble to look at whole rows, and of each row that
+/// has any.
+constexpr std::uint32_t many = 16, many_of_row = 4;
+
+/// For so many triangles a pixel by itself is as much trouble as finding those that come near.
+constexpr std::size_t triangles_per_pixel = 4;
+
+/// Do both have a corner in common, or a side with each on its own side of it? Such are seldom seen one over
+/// the other.
+bool lie_side_by_side(const CornersWorld& p, const CornersWorld& q) {
+    std::array<std::size_t, 3> corners{};  // of p: those that are none of q's first
+    std::size_t own = 0, common = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        corners[std::ranges::count(q, p[i]) == 0 ? own++ : 2 - common++] = i;
+    if (common != 2) return common == 1;
+    const auto is_own = [&](const glm::vec3& corner) { return std::ranges::count(p, corner) == 0; };
+    const auto other = std::ranges::find_if(q, is_own);
+    if (other == q.end()) return false;
+    const glm::vec3 start = p[corners[1]], along = p[corners[2]] - start;
+    return glm::dot(glm::cross(along, p[corners[0]] - start), glm::cross(along, *other - start)) < 0;
+}
+
+/// May both answers' triangles cover the pixel's square?
+bool lie_over_each_other(const Comparands& of, const PixelPlace& at) {
+    const std::size_t count = of.scene.triangles.size();
+    const auto ours = std::uint32_t(of.candidate.answer_at(at.x, at.y).primitive),
+               theirs = std::uint32_t(of.reference.answer_at(at.x, at.y).primitive);
+    return ours < count && theirs < count &&
+           !lie_side_by_side(corners_of(of.scene, ours), corners_of(of.scene, theirs));
+}
+
+bool is_worth_it(const Comparands& of, const OpenTiles& open, int column, int row) {
+    const std::uint32_t count = open.count(column, row);
+    if (count < many) return false;
+    std::uint32_t rows = 0;
+    bool lie_over = false;
+    for (int y = row * Tiles::side_px; y < (row + 1) * Tiles::side_px; ++y) {
+        const ColumnMask pixels = open.row(column, y).pixels;
+        if (pixels == 0) continue;
+        ++rows;
+        const int x = column * Tiles::side_px + std::countr_zero(pixels);
+        lie_over = lie_over || lie_over_each_other(of, {x, y});
+    }
+    return count >= many_of_row * rows && lie_over;
+}
+
+}  // namespace
+
+Around centres_of(const OpenTiles& open, int column, int row) {
+    const int left = column * Tiles::side_px, top = row * Tiles::side_px;
+    ColumnMask any = 0;
+    Box box;
+    for (int y = top; y < top + Tiles::side_px; ++y) {
+        const ColumnMask pixels = open.row(column, y).pixels;
+        any |= pixels;
+        if (pixels != 0) box.add(left, y);
+    }
+    box.add(left + int(std::bit_width(any)) - 1, box.top);
+    return {box.middle_x(), box.middle_y(), 0.5 * (box.right - box.left), 0.5 * (box.bottom - box.top)};
+}
+
+AskedBoxes boxes_worth_layers(const Comparands& of, const OpenTiles& open, double reach_px) {
+    const Tiles& tiles = open.tiles();
+    AskedBoxes asked(tiles.count());
+    std::vector<std::size_t> pixels(std::size_t(tiles.rows));
+    tbb::parallel_for(0, tiles.rows, [&](int row) {
+        for (int column = 0; column < tiles.columns; ++column) {
+            if (!is_worth_it(of, open, column, row)) continue;
+            Around box = centres_of(open, column, row);
+            box.half_x += reach_px, box.half_y += reach_px;
+            asked.add(tiles.index(column, row), raster_box(box), reach_px);
+            pixels[std::size_t(row)] += open.count(column, row);
+        }
+    });
+    const std::size_t sum = std::accumulate(pixels.begin(), pixels.end(), std::size_t(0));
+    return triangles_per_pixel * sum >= of.scene.triangles.size() ? asked : AskedBoxes(tiles.count());
+}
+
+}  // namespace zproof
