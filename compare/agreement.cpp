@@ -17,7 +17,7 @@ namespace {
 constexpr int tile_width = Strip::width, tile_height = 16;
 
 /// Of a tile: more than that, and few pixels share a law.
-constexpr std::size_t many_laws = 32;
+constexpr std::size_t many_laws = 128;
 
 /// Pixels [left, right) x [top, bottom).
 struct Tile {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "compare/estimate_row.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -59,16 +60,46 @@ DepthEstimate::Bound bound_of(const DepthLaw& law, const DepthEstimate& plane, P
             .top = is_usable ? float(bins * (1 - margin) - unsure) : -1.0f};
 }
 
+/// A triangle's plane.
+struct Plane {
+    double w_per_x, w_per_y, w_offset, least, most;
+};
+
+/// What one renderer's depths are held against: the same at every pixel, or to each its own.
+struct OneTriangle {
+    const DepthEstimate& t;
+    const DepthEstimate::Bound bound;
+
+    [[gnu::always_inline]] Plane plane_at(std::size_t) const {
+        return {t.w_per_x, t.w_per_y, t.w_offset, t.least, t.most};
+    }
+    [[gnu::always_inline]] DepthEstimate::Bound bound_at(std::size_t) const { return bound; }
+};
+struct OwnTriangles {
+    const EstimateRow::Side& side;
+
+    [[gnu::always_inline]] Plane plane_at(std::size_t i) const {
+        const EstimateRow::Plane& p = side.plane;
+        return {p.w_per_x[i], p.w_per_y[i], p.w_offset[i], p.least[i], p.most[i]};
+    }
+    [[gnu::always_inline]] DepthEstimate::Bound bound_at(std::size_t i) const {
+        const EstimateRow::Bound& b = side.bound;
+        return {b.shift_base[i], b.shift_per[i],    b.most_shift[i], b.nearness_error[i], b.beyond[i],
+                b.factor[i],     b.plane_offset[i], b.absolute[i],   b.unsure[i],         b.top[i]};
+    }
+};
+
 /// Where pixels lie between their triangle's corners.
 struct Spots {
     TileRow w;
     TileRowOf<float> w_float, to_least, to_most;
 };
 
-[[gnu::always_inline]] inline void set_spots(const DepthEstimate& t, const RowPlace& row, Spots& spots) {
-    const double along_column = t.w_per_y * row.y;
+template <class Triangles>
+[[gnu::always_inline]] inline void set_spots(const Triangles& triangles, const RowPlace& row, Spots& spots) {
     for (std::size_t i = 0; i < tile_columns; ++i) {
-        const double w = t.w_per_x * double(row.left + int(i)) + along_column + t.w_offset;
+        const Plane t = triangles.plane_at(i);
+        const double w = t.w_per_x * double(row.left + int(i)) + t.w_per_y * row.y + t.w_offset;
         spots.w[i] = w;
         spots.w_float[i] = float(w);
         spots.to_least[i] = float(w - t.least);
@@ -95,14 +126,15 @@ struct Parallel {
 };
 
 /// The bins of one renderer's depths, and where they are certain.
-template <class Projected>
-[[gnu::always_inline]] inline void sort_side(const DepthEstimate::Bound bound, const Spots& spots,
+template <class Projected, class Triangles>
+[[gnu::always_inline]] inline void sort_side(const Triangles triangles, const Spots& spots,
                                              const float* depth, float known_largest,
                                              EstimatedRow::Side& side) {
     TileRowOf<float> errors, slack, highs;
     for (std::size_t i = 0; i < tile_columns; ++i)
         errors[i] = float(Projected::error(double(depth[i]), spots.w[i]));
     for (std::size_t i = 0; i < tile_columns; ++i) {
+        const DepthEstimate::Bound bound = triangles.bound_at(i);
         const float w = spots.w_float[i], error = errors[i];
         const float varying = bound.shift_base + bound.shift_per * w;
         const float shift = (varying < bound.most_shift ? varying : bound.most_shift) + bound.nearness_error;
@@ -131,20 +163,21 @@ template <class Projected>
     side.may_exceed = exceeds;
 }
 
-template <class Projected>
-[[gnu::always_inline]] inline void sort_row(const DepthEstimate& t, const RowPlace& row,
-                                            const std::array<const float*, 2>& depths,
-                                            const KnownLargest& known, EstimatedRow& estimated) {
-    Spots spots;
-    set_spots(t, row, spots);
-    sort_side<Projected>(t.candidate, spots, depths[0], known.candidate, estimated.candidate);
-    sort_side<Projected>(t.reference, spots, depths[1], known.reference, estimated.reference);
+template <class Triangles>
+[[gnu::always_inline]] inline void sort_side(Projection projection, const Triangles& triangles,
+                                             const Spots& spots, const float* depth, float known_largest,
+                                             EstimatedRow::Side& side) {
+    if (projection == Projection::perspective)
+        sort_side<Perspective>(triangles, spots, depth, known_largest, side);
+    else
+        sort_side<Parallel>(triangles, spots, depth, known_largest, side);
 }
 
 }  // namespace
 
 DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection) {
     DepthEstimate t{};
+    t.candidate.top = t.reference.top = -1;
     const bool perspective = projection == Projection::perspective;
     const double sign = perspective ? 1 : -1;
     t.w_per_x = sign * candidate.nearness_per_x;
@@ -158,6 +191,7 @@ DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, 
     t.candidate = bound_of(candidate, t, projection);
     t.reference = bound_of(reference, t, projection);
     t.is_usable = t.candidate.top > 0 && t.reference.top > 0;
+    if (!t.is_usable) t.candidate.top = t.reference.top = -1;
     return t;
 }
 
@@ -165,10 +199,22 @@ DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, 
 [[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] void estimate(
     const DepthEstimate& triangle, Projection projection, const RowPlace& row, const float* candidate_depth,
     const float* reference_depth, const KnownLargest& known, EstimatedRow& estimated) {
-    if (projection == Projection::perspective)
-        sort_row<Perspective>(triangle, row, {candidate_depth, reference_depth}, known, estimated);
-    else
-        sort_row<Parallel>(triangle, row, {candidate_depth, reference_depth}, known, estimated);
+    const OneTriangle ours{triangle, triangle.candidate}, theirs{triangle, triangle.reference};
+    Spots spots;
+    set_spots(ours, row, spots);
+    sort_side(projection, ours, spots, candidate_depth, known.candidate, estimated.candidate);
+    sort_side(projection, theirs, spots, reference_depth, known.reference, estimated.reference);
+}
+
+[[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] void estimate(
+    const EstimateRow& triangles, Projection projection, const RowPlace& row, const float* candidate_depth,
+    const float* reference_depth, const KnownLargest& known, EstimatedRow& estimated) {
+    const OwnTriangles ours{triangles.candidate}, theirs{triangles.reference};
+    Spots spots;
+    set_spots(ours, row, spots);
+    sort_side(projection, ours, spots, candidate_depth, known.candidate, estimated.candidate);
+    if (!triangles.is_one_plane) set_spots(theirs, row, spots);
+    sort_side(projection, theirs, spots, reference_depth, known.reference, estimated.reference);
 }
 
 }  // namespace zproof

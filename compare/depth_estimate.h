@@ -25,10 +25,12 @@ struct DepthEstimate {
     bool is_usable = false;
 };
 
+struct EstimateRow;  // compare/estimate_row.h
+
 /// Not usable where single precision says too little.
 DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection);
 
-/// Sixteen pixels, as if both frames showed the triangle there.
+/// Of sixteen pixels.
 struct EstimatedRow {
     struct Side {
         TileRowOf<std::int32_t> bin;  ///< of the error over the bound, as BoundHistogram has it
@@ -43,8 +45,14 @@ struct KnownLargest {
     float candidate = 0, reference = 0;
 };
 
-/// Of the pixels from `row` on.
+/// The pixels from `row` on, as if both frames showed the triangle there. Nothing is certain of one that is
+/// not usable.
 void estimate(const DepthEstimate& triangle, Projection projection, const RowPlace& row,
+              const float* candidate_depth, const float* reference_depth, const KnownLargest& known,
+              EstimatedRow& estimated);
+
+/// The same, each by its own triangle.
+void estimate(const EstimateRow& triangles, Projection projection, const RowPlace& row,
               const float* candidate_depth, const float* reference_depth, const KnownLargest& known,
               EstimatedRow& estimated);
 

@@ -4,14 +4,12 @@
 #include <array>
 #include <bit>
 #include <limits>
-#include <span>
+
+#include "compare/estimate_row.h"
 
 namespace zproof {
 
 namespace {
-
-/// Worth an estimate each.
-constexpr std::size_t most_laws = 2;
 
 /// Do both frames show one triangle only?
 [[gnu::target_clones("default", "avx2", "avx512f")]] bool is_one_law(const std::uint32_t* ours,
@@ -73,15 +71,21 @@ const DepthEstimate& Presort::estimate_by(const LawsOfBoth& laws, std::uint32_t 
     return known.estimate;
 }
 
-/// Of pixels at which both frames show the triangle. What may exceed the largest ratio is worked out in full.
-bool Presort::are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask pixels, const Source& source) {
-    if ((pixels & ~(row.candidate.certain & row.reference.certain)) != 0) return false;
-    Known& known = known_[law];
-    raise({source.laws.candidate[law], source.strip.candidate, pixels & row.candidate.may_exceed}, source,
-          known.candidate_counted, source.largest.candidate);
-    raise({source.laws.reference[law], source.strip.reference, pixels & row.reference.may_exceed}, source,
-          known.reference_counted, source.largest.reference);
-    return true;
+/// Of pixels at which both frames show the same triangle: what may exceed the largest ratio is worked out in
+/// full.
+void Presort::raise_largest(const EstimatedRow& row, ColumnMask pixels, const Source& source) {
+    const std::uint32_t* laws = &source.strip.candidate.law[source.first];
+    ColumnMask rest = pixels & (row.candidate.may_exceed | row.reference.may_exceed);
+    while (rest != 0) {
+        const std::uint32_t law = laws[std::countr_zero(rest)];
+        const ColumnMask here = rest & equal_laws(laws, law);
+        rest &= ~here;
+        Known& known = known_[law];
+        raise({source.laws.candidate[law], source.strip.candidate, here & row.candidate.may_exceed}, source,
+              known.candidate_counted, source.largest.candidate);
+        raise({source.laws.reference[law], source.strip.reference, here & row.reference.may_exceed}, source,
+              known.reference_counted, source.largest.reference);
+    }
 }
 
 /// On a triangle at one depth all over the image, a depth that was counted need not be counted again.
@@ -99,7 +103,7 @@ void Presort::raise(const Exceeding& pixels, const Source& source, float& counte
     counted = depth[std::size_t(std::countr_zero(asked))];
 }
 
-/// Nothing is certain where a law cannot be estimated.
+/// As if all pixels showed that triangle.
 EstimatedRow Presort::estimated(std::uint32_t law, const Source& source) {
     EstimatedRow row;
     const DepthEstimate& triangle = estimate_by(source.laws, law);
@@ -111,10 +115,31 @@ EstimatedRow Presort::estimated(std::uint32_t law, const Source& source) {
     return row;
 }
 
+/// Each by what it shows.
+EstimatedRow Presort::estimated(const Source& source) {
+    const auto [laws, known, largest, strip, first] = source;
+    const auto estimates = [&](const Strip::Side& side) {
+        const std::uint32_t* law = &side.law[first];
+        Estimates each{&estimate_by(laws, law[0])};
+        for (std::size_t i = 1; i < tile_columns; ++i)
+            each[i] = law[i] == law[i - 1] ? each[i - 1] : &estimate_by(laws, law[i]);
+        return each;
+    };
+    const bool are_same = std::equal(&strip.candidate.law[first], &strip.candidate.law[first + tile_columns],
+                                     &strip.reference.law[first]);
+    const Estimates ours = estimates(strip.candidate);
+    EstimateRow triangles;
+    put_side_by_side(ours, are_same ? ours : estimates(strip.reference), triangles);
+    EstimatedRow row;
+    estimate(triangles, projection_, {strip.x + int(first), strip.y}, &strip.candidate.camera_depth[first],
+             &strip.reference.camera_depth[first], known, row);
+    return row;
+}
+
 bool Presort::sort_one_law(const Source& source, Strip& strip) {
-    const std::uint32_t law = strip.candidate.law[source.first];
-    const EstimatedRow row = estimated(law, source);
-    if (!are_known(row, law, all_columns, source)) return false;
+    const EstimatedRow row = estimated(strip.candidate.law[source.first], source);
+    if ((row.candidate.certain & row.reference.certain) != all_columns) return false;
+    raise_largest(row, all_columns, source);
     std::ranges::copy(row.candidate.bin, &strip.candidate.bin[source.first]);
     std::ranges::copy(row.reference.bin, &strip.reference.bin[source.first]);
     strip.open[source.first / Strip::chunk] = 0;
@@ -123,38 +148,27 @@ bool Presort::sort_one_law(const Source& source, Strip& strip) {
 }
 
 bool Presort::sort_some_laws(const Source& source, Strip& strip) {
-    const std::size_t first = source.first;
+    const std::size_t first = source.first, chunk = first / Strip::chunk;
     const auto [same, bare] = agreement(strip, first);
-    const std::uint32_t *ours = &strip.candidate.law[first], *theirs = &strip.reference.law[first];
-    const ColumnMask nothing = equal_laws(ours, 0);
-    if ((nothing & same & ~bare) != 0) return false;
-    std::array<Share, most_laws> shares;
-    std::size_t count = 0;
-    ColumnMask rest = ~nothing & all_columns, rest_of_theirs = ~equal_laws(theirs, 0) & all_columns;
-    for (; (rest | rest_of_theirs) != 0; ++count) {
-        if (count == most_laws) return false;
-        const std::uint32_t law =
-            rest != 0 ? ours[std::countr_zero(rest)] : theirs[std::countr_zero(rest_of_theirs)];
-        shares[count] = {law, equal_laws(ours, law), equal_laws(theirs, law)};
-        rest &= ~shares[count].candidate;
-        rest_of_theirs &= ~shares[count].reference;
+    if (bare == all_columns) {
+        std::fill_n(&strip.candidate.bin[first], Strip::chunk, Strip::uncounted);
+        std::fill_n(&strip.reference.bin[first], Strip::chunk, Strip::uncounted);
+        strip.open[chunk] = strip.lawful[chunk] = 0;
+        return true;
     }
-    TileRowOf<std::int32_t> our_bin, their_bin;
-    our_bin.fill(Strip::uncounted), their_bin.fill(Strip::uncounted);
-    ColumnMask lawful = 0, lawful_of_theirs = 0;
-    for (const Share& share : std::span(shares).first(count)) {
-        const EstimatedRow row = estimated(share.law, source);
-        const ColumnMask agreed = share.candidate & same;
-        if (!are_known(row, share.law, agreed, source)) return false;
-        our_bin = chosen(our_bin, row.candidate.bin, agreed);
-        their_bin = chosen(their_bin, row.reference.bin, agreed);
-        lawful |= share.candidate & row.candidate.certain;
-        lawful_of_theirs |= share.reference & row.reference.certain;
-    }
-    std::ranges::copy(our_bin, &strip.candidate.bin[first]);
-    std::ranges::copy(their_bin, &strip.reference.bin[first]);
-    strip.open[first / Strip::chunk] = ~same & all_columns;
-    strip.lawful[first / Strip::chunk] = lawful & lawful_of_theirs & ~same;
+    const EstimatedRow row = estimated(source);
+    const ColumnMask agreed = same & ~bare;
+    if ((agreed & ~(row.candidate.certain & row.reference.certain)) != 0) return false;
+    raise_largest(row, agreed, source);
+    const auto bins = [&](const EstimatedRow::Side& side, Strip::Side& of_strip) {
+        TileRowOf<std::int32_t> uncounted;
+        uncounted.fill(Strip::uncounted);
+        std::ranges::copy(chosen(uncounted, side.bin, agreed), &of_strip.bin[first]);
+    };
+    bins(row.candidate, strip.candidate);
+    bins(row.reference, strip.reference);
+    strip.open[chunk] = ~same & all_columns;
+    strip.lawful[chunk] = strip.open[chunk] & row.candidate.certain & row.reference.certain;
     return true;
 }
 

@@ -38,11 +38,6 @@ class Presort {
         const Strip::Side& shown;
         ColumnMask mask;
     };
-    /// Pixels of a chunk that show one triangle, in either frame.
-    struct Share {
-        std::uint32_t law;
-        ColumnMask candidate, reference;
-    };
     /// What a chunk is sorted by.
     struct Source {
         const LawsOfBoth& laws;
@@ -53,7 +48,8 @@ class Presort {
     };
     const DepthEstimate& estimate_by(const LawsOfBoth& laws, std::uint32_t law);
     EstimatedRow estimated(std::uint32_t law, const Source& source);
-    bool are_known(const EstimatedRow& row, std::uint32_t law, ColumnMask pixels, const Source& source);
+    EstimatedRow estimated(const Source& source);
+    void raise_largest(const EstimatedRow& row, ColumnMask pixels, const Source& source);
     void raise(const Exceeding& pixels, const Source& source, float& counted, double& largest) const;
     bool sort_one_law(const Source& source, Strip& strip);
     bool sort_some_laws(const Source& source, Strip& strip);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "compare/depth_bound.h"
+#include "compare/estimate_row.h"
 #include "random_surroundings.h"
 
 namespace zproof {
@@ -95,6 +96,62 @@ TEST(DepthEstimate, IsCertainOnlyOfTheRightBin) {
     EXPECT_GT(usable, asked / 4);
     EXPECT_GT(ours.certain, ours.lawful / 4);
     EXPECT_GT(theirs.certain, theirs.lawful / 4);
+}
+
+/// The column of one is that of the other, as far as anything is certain of it.
+void expect_same(const EstimatedRow::Side& a, const EstimatedRow::Side& b, std::size_t column) {
+    ASSERT_EQ(a.certain >> column & 1, b.certain >> column & 1);
+    if ((a.certain >> column & 1) == 0) return;
+    ASSERT_EQ(a.bin[column], b.bin[column]);
+    ASSERT_EQ(a.may_exceed >> column & 1, b.may_exceed >> column & 1);
+}
+
+TEST(DepthEstimate, OfTrianglesSideBySideIsThatOfEach) {
+    int certain = 0, unusable = 0;
+    for (std::uint32_t seed = 0; seed < 2000; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        if (s.around.neighbours.empty()) continue;
+        Dice dice(seed);
+        const Projection projection = s.view.camera.projection;
+        const RowPlace at{0, s.y};
+        std::vector<DepthEstimate> estimates;
+        std::vector<Side> sides;
+        for (const Neighbour& n : s.around.neighbours) {
+            const Side candidate(dice, s.view, RasterPrecision{}, n.p_world, at),
+                reference(dice, s.view, RayPrecision{}, n.p_world, at);
+            estimates.push_back(estimate_of(candidate.law, reference.law, projection));
+            sides.push_back(dice.below(2) ? candidate : reference);
+        }
+        const bool are_same = dice.below(3) == 0;
+        Estimates ours, theirs;
+        TileRowOf<float> our_depth, their_depth;
+        for (std::size_t i = 0; i < tile_columns; ++i) {
+            const auto one = std::size_t(dice.below(int(sides.size())));
+            const auto other = are_same ? one : std::size_t(dice.below(int(sides.size())));
+            ours[i] = &estimates[one], theirs[i] = &estimates[other];
+            our_depth[i] = sides[one].z[i], their_depth[i] = sides[other].z[i];
+        }
+        EstimateRow row;
+        put_side_by_side(ours, theirs, row);
+        EstimatedRow together;
+        estimate(row, projection, at, our_depth.data(), their_depth.data(), {5, 5}, together);
+        for (std::size_t i = 0; i < tile_columns; ++i) {
+            EstimatedRow alone, other_alone;
+            estimate(*ours[i], projection, at, our_depth.data(), their_depth.data(), {5, 5}, alone);
+            estimate(*theirs[i], projection, at, our_depth.data(), their_depth.data(), {5, 5}, other_alone);
+            expect_same(together.candidate, alone.candidate, i);
+            expect_same(together.reference, other_alone.reference, i);
+            certain += int(together.candidate.certain >> i & 1);
+            if (!ours[i]->is_usable) {
+                ++unusable;
+                ASSERT_EQ(together.candidate.certain >> i & 1, 0u);
+            }
+            if (HasFatalFailure()) return;
+        }
+    }
+    EXPECT_GT(certain, 3000);
+    EXPECT_GT(unusable, 300);
 }
 
 /// A wall at depth 4 whose depth may be off by `absolute`, seen along an axis.

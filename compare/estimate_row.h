@@ -1,0 +1,34 @@
+/// The estimates of a row of pixels, each by the triangle that it shows.
+#pragma once
+
+#include "compare/depth_estimate.h"
+
+namespace zproof {
+
+/// Those of sixteen pixels side by side: number by number, in the order that DepthEstimate has.
+struct EstimateRow {
+    struct Plane {
+        TileRow w_per_x, w_per_y, w_offset;
+        TileRow least, most;
+    };
+    struct Bound {
+        TileRowOf<float> shift_base, shift_per, most_shift, nearness_error;
+        TileRowOf<float> beyond;
+        TileRowOf<float> factor, plane_offset, absolute;
+        TileRowOf<float> unsure;
+        TileRowOf<float> top;
+    };
+    struct Side {
+        Plane plane;
+        Bound bound;
+    };
+
+    Side candidate, reference;
+    bool is_one_plane;  ///< at every pixel, which the candidate's side has
+};
+
+using Estimates = TileRowOf<const DepthEstimate*>;
+/// `ours` is what the candidate shows, `theirs` the reference.
+void put_side_by_side(const Estimates& ours, const Estimates& theirs, EstimateRow& row);
+
+}  // namespace zproof
