@@ -2,9 +2,10 @@
 /// hands out stays where it is.
 #pragma once
 
-#include <span>
-#include <unordered_map>
+#include <utility>
+#include <vector>
 
+#include "compare/by_triangle.h"
 #include "compare/neighbourhood.h"
 #include "compare/triangle_filter.h"
 
@@ -43,29 +44,31 @@ class Acquaintance {
         : scene_(scene), view_(view), filters_(view), any_(view, 0, 0) {}
 
     const KnownTriangle& of(std::uint32_t triangle) {
-        const auto [place, is_new] = known_.try_emplace(triangle);
-        if (is_new) {
-            KnownTriangle& known = place->second;
-            known.p_world = corners_of(scene_, triangle);
-            known.extent = filters_.extent_of(known.p_world);
-            known.filter = filters_.of(known.p_world, known.extent);
-        }
-        return place->second;
+        return known_(triangle, [&] {
+            const CornersWorld p_world = corners_of(scene_, triangle);
+            const TriangleExtent extent = filters_.extent_of(p_world);
+            return KnownTriangle{p_world, extent, filters_.of(p_world, extent)};
+        });
     }
     const BoundedTriangle& of(std::uint32_t triangle, const ViewBounds& bounds) {
-        auto& bounded = bounded_[&bounds];
-        const auto found = bounded.find(triangle);
-        if (found != bounded.end()) return found->second;
-        return bounded.try_emplace(triangle, bounds, any_, view_.camera, of(triangle)).first->second;
+        return bounded_by(bounds)(triangle,
+                                  [&] { return BoundedTriangle(bounds, any_, view_.camera, of(triangle)); });
     }
 
   private:
+    using Bounded = ByTriangle<BoundedTriangle>;
+    Bounded& bounded_by(const ViewBounds& bounds) {
+        for (auto& [whose, triangles] : bounded_)
+            if (whose == &bounds) return triangles;
+        return bounded_.emplace_back(&bounds, Bounded()).second;
+    }
+
     const Scene& scene_;
     const View& view_;
     TriangleFilters filters_;
     Sight<double> any_;
-    std::unordered_map<std::uint32_t, KnownTriangle> known_;
-    std::unordered_map<const ViewBounds*, std::unordered_map<std::uint32_t, BoundedTriangle>> bounded_;
+    ByTriangle<KnownTriangle> known_;
+    std::vector<std::pair<const ViewBounds*, Bounded>> bounded_;  ///< a few renderers
 };
 
 }  // namespace zproof

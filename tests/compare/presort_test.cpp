@@ -17,7 +17,7 @@ constexpr int width = 70, height = 20;
 
 /// Runs of pixels that show one of a few walls, each depth off by a share of what is lawful, or nothing.
 void show_runs(Frame& frame, Dice& dice, const View& view, const Scene& scene) {
-    const double most_off = std::ldexp(1.0, -22 + dice.below(3));
+    const double most_off = std::ldexp(1.0, -26 + dice.below(7));
     std::uint32_t triangle = 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {

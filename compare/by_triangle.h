@@ -1,0 +1,59 @@
+/// What is known of some triangles, each made when it is first asked for. Never forgets, so that what it
+/// hands out stays where it is.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace zproof {
+
+/// A table with open addressing; values stand in blocks. One thread at a time.
+template <class Value>
+class ByTriangle {
+  public:
+    /// make() gives the value where the triangle was not asked for yet. It must not ask this table.
+    template <class Make>
+    const Value& operator()(std::uint32_t triangle, const Make& make) {
+        if (2 * (count_ + 1) > slots_.size()) grow();
+        Slot& slot = slot_of(triangle);
+        if (!slot.value) {
+            slot = {triangle, add(make())};
+            ++count_;
+        }
+        return *slot.value;
+    }
+
+  private:
+    struct Slot {
+        std::uint32_t triangle = 0;
+        const Value* value = nullptr;
+    };
+
+    /// Its own, or the empty one where it belongs.
+    Slot& slot_of(std::uint32_t triangle) {
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t at = (triangle * 0x9E3779B97F4A7C15u >> 32) & mask;
+        while (slots_[at].value && slots_[at].triangle != triangle) at = (at + 1) & mask;
+        return slots_[at];
+    }
+
+    const Value* add(Value&& value) {
+        if (blocks_.empty() || blocks_.back().size() == block_size)
+            blocks_.emplace_back().reserve(block_size);
+        return &blocks_.back().emplace_back(std::move(value));
+    }
+
+    void grow() {
+        std::vector<Slot> old(slots_.empty() ? 64 : 2 * slots_.size());
+        old.swap(slots_);
+        for (const Slot& slot : old)
+            if (slot.value) slot_of(slot.triangle) = slot;
+    }
+
+    static constexpr std::size_t block_size = 32;
+    std::vector<Slot> slots_;
+    std::size_t count_ = 0;
+    std::vector<std::vector<Value>> blocks_;
+};
+
+}  // namespace zproof
