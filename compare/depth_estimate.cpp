@@ -177,7 +177,6 @@ template <class Triangles>
 
 DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection) {
     DepthEstimate t{};
-    t.candidate.top = t.reference.top = -1;
     const bool perspective = projection == Projection::perspective;
     const double sign = perspective ? 1 : -1;
     t.w_per_x = sign * candidate.nearness_per_x;
