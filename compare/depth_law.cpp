@@ -245,7 +245,7 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
     Largest most = candidate, most_of_theirs = reference;
     for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
         if ((strip.sorted >> chunk & 1) != 0) continue;
-        TileRowOf<std::uint32_t> is_open, is_lawful;
+        TileRowOf<std::uint32_t> what;  // 1: open; and from bit 16 on the same for what is lawful
         for (std::size_t first = 0; first < Strip::chunk; first += together)
             for (std::size_t lane = 0; lane < together; ++lane) {
                 const std::size_t i = chunk * Strip::chunk + first + lane;
@@ -256,18 +256,15 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
                                      (ours.camera_depth[i] == none) & (theirs.camera_depth[i] == none);
                 ours.bin[i] = is_counted ? bin_of(a) : Strip::uncounted;
                 theirs.bin[i] = is_counted ? bin_of(b) : Strip::uncounted;
-                is_open[first + lane] = !(is_counted | is_bare);
-                is_lawful[first + lane] = (a >= 0) & (b >= 0);
+                const std::uint32_t is_open = !(is_counted | is_bare), is_lawful = (a >= 0) & (b >= 0);
+                what[first + lane] = is_open | (is_open & is_lawful) << 16;
                 most[lane] = is_counted & (a > most[lane]) ? a : most[lane];
                 most_of_theirs[lane] = is_counted & (b > most_of_theirs[lane]) ? b : most_of_theirs[lane];
             }
-        std::uint32_t open = 0, lawful = 0;
-        for (std::size_t i = 0; i < Strip::chunk; ++i) {
-            open |= is_open[i] << i;
-            lawful |= (is_open[i] & is_lawful[i]) << i;
-        }
-        strip.open[chunk] = open;
-        strip.lawful[chunk] = lawful;
+        std::uint32_t masks = 0;
+        for (std::size_t i = 0; i < Strip::chunk; ++i) masks |= what[i] << i;
+        strip.open[chunk] = masks & all_columns;
+        strip.lawful[chunk] = masks >> 16;
     }
     candidate = most;
     reference = most_of_theirs;

@@ -212,21 +212,25 @@ class LayeredPass {
     void list(Layers& layers, const RowPlace& at, const OpenTiles::Row& row, ColumnMask settled,
               const Shown& ours, const Shown& theirs) {
         const TileRow eps_px = layers.eps_px(0);
+        TileRowOf<std::uint32_t> place;
+        std::uint32_t next = row.first;
+        for (std::size_t i = 0; i < tile_columns; ++i) {
+            place[i] = next;
+            next += row.pixels >> i & 1;
+        }
         for_each_shown(ours.primitive, settled, [&](PrimitiveId triangle, ColumnMask here) {
             const DepthRow depth =
                 depths_in_row(law_of(triangle).candidate, of_.candidate.projection(), at, ours.camera_depth);
             for (; here != 0; here &= here - 1) {
                 const auto i = std::size_t(std::countr_zero(here));
-                const ColumnMask before = row.pixels & ((here & -here) - 1);
-                findings_[row.first + std::uint32_t(std::popcount(before))] = {
-                    .x = at.left + int(i),
-                    .y = at.y,
-                    .verdict = classes_.at(at.left + int(i), at.y),
-                    .candidate = {triangle, ours.camera_depth[i]},
-                    .reference = {theirs.primitive[i], theirs.camera_depth[i]},
-                    .eps_px = eps_px[i],
-                    .candidate_depth = {depth.low[i], depth.truth[i], depth.high[i]},
-                    .error_over_bound = depth.ratio[i]};
+                findings_[place[i]] = {.x = at.left + int(i),
+                                       .y = at.y,
+                                       .verdict = classes_.at(at.left + int(i), at.y),
+                                       .candidate = {triangle, ours.camera_depth[i]},
+                                       .reference = {theirs.primitive[i], theirs.camera_depth[i]},
+                                       .eps_px = eps_px[i],
+                                       .candidate_depth = {depth.low[i], depth.truth[i], depth.high[i]},
+                                       .error_over_bound = depth.ratio[i]};
             }
         });
     }
