@@ -155,18 +155,24 @@ std::vector<Triangle> random_seams(Dice& dice) {
     return walls;
 }
 
-TEST(Summary, TellsSeamsAndHowFarTheyMovedAsTheLongWayDoes) {
+/// Hears background and every wall, of a thousand views.
+Comparison heard(std::vector<Triangle> (*random)(Dice&)) {
     Comparison comparison;
     for (std::uint32_t seed = 0; seed < 1000; ++seed) {
         SCOPED_TRACE(seed);
         Dice dice(seed);
         const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
-        const Scene scene = scene_of(view, random_seams(dice));
+        const Scene scene = scene_of(view, random(dice));
         const OnePixel pixel(scene, view, dice.below(4) ? raster_precision() : ray_precision(), 1, 1);
         comparison.hear(pixel, PrimitiveId::none);
         for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) comparison.hear(pixel, PrimitiveId(t));
-        if (testing::Test::HasFatalFailure()) return;
+        if (testing::Test::HasFatalFailure()) break;
     }
+    return comparison;
+}
+
+TEST(Summary, TellsSeamsAndHowFarTheyMovedAsTheLongWayDoes) {
+    const Comparison comparison = heard(random_seams);
     EXPECT_GT(comparison.said[std::size_t(Standing::visible)], 1000);
     EXPECT_GT(comparison.moved, 300);
 }
@@ -188,16 +194,7 @@ std::vector<Triangle> random_torn_walls(Dice& dice) {
 }
 
 TEST(Summary, TellsTiesWithinWhichEdgesPassAsRationalsDo) {
-    Comparison comparison;
-    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
-        SCOPED_TRACE(seed);
-        Dice dice(seed);
-        const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
-        const Scene scene = scene_of(view, random_torn_walls(dice));
-        const OnePixel pixel(scene, view, dice.below(4) ? raster_precision() : ray_precision(), 1, 1);
-        for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) comparison.hear(pixel, PrimitiveId(t));
-        if (testing::Test::HasFatalFailure()) return;
-    }
+    const Comparison comparison = heard(random_torn_walls);
     EXPECT_GT(comparison.said[std::size_t(Standing::tied)], 1000);
     EXPECT_GT(comparison.left, 1000) << "hidden ones, for one";
 }
