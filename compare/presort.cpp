@@ -5,8 +5,6 @@
 #include <bit>
 #include <limits>
 
-#include "compare/estimate_row.h"
-
 namespace zproof {
 
 namespace {
@@ -115,24 +113,26 @@ EstimatedRow Presort::estimated(std::uint32_t law, const Source& source) {
     return row;
 }
 
+Estimates Presort::estimates_of(const Strip::Side& side, const Source& source) {
+    const std::uint32_t* law = &side.law[source.first];
+    Estimates each{&estimate_by(source.laws, law[0])};
+    for (std::size_t i = 1; i < tile_columns; ++i)
+        each[i] = law[i] == law[i - 1] ? each[i - 1] : &estimate_by(source.laws, law[i]);
+    return each;
+}
+
 /// Each by what it shows.
 EstimatedRow Presort::estimated(const Source& source) {
-    const auto [laws, known, largest, strip, first] = source;
-    const auto estimates = [&](const Strip::Side& side) {
-        const std::uint32_t* law = &side.law[first];
-        Estimates each{&estimate_by(laws, law[0])};
-        for (std::size_t i = 1; i < tile_columns; ++i)
-            each[i] = law[i] == law[i - 1] ? each[i - 1] : &estimate_by(laws, law[i]);
-        return each;
-    };
-    const bool are_same = std::equal(&strip.candidate.law[first], &strip.candidate.law[first + tile_columns],
-                                     &strip.reference.law[first]);
-    const Estimates ours = estimates(strip.candidate);
+    const std::size_t first = source.first;
+    const Strip::Side &candidate = source.strip.candidate, &reference = source.strip.reference;
+    const std::uint32_t* law = &candidate.law[first];
+    const bool are_same = std::equal(law, law + tile_columns, &reference.law[first]);
+    const Estimates ours = estimates_of(candidate, source);
     EstimateRow triangles;
-    put_side_by_side(ours, are_same ? ours : estimates(strip.reference), triangles);
+    put_side_by_side(ours, are_same ? ours : estimates_of(reference, source), triangles);
     EstimatedRow row;
-    estimate(triangles, projection_, {strip.x + int(first), strip.y}, &strip.candidate.camera_depth[first],
-             &strip.reference.camera_depth[first], known, row);
+    estimate(triangles, projection_, {source.strip.x + int(first), source.strip.y},
+             &candidate.camera_depth[first], &reference.camera_depth[first], source.known, row);
     return row;
 }
 
