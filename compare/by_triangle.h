@@ -12,6 +12,9 @@ namespace zproof {
 template <class Value>
 class ByTriangle {
   public:
+    ByTriangle() = default;
+    ByTriangle(ByTriangle&&) noexcept = default;  // a copy's slots would point at this one's values
+
     /// make() gives the value where the triangle was not asked for yet. It must not ask this table.
     template <class Make>
     const Value& operator()(std::uint32_t triangle, const Make& make) {

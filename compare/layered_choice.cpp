@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <numeric>
+#include <vector>
 
 #include "compare/neighbourhood.h"
 

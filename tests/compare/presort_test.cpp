@@ -9,6 +9,7 @@
 #include "compare/judge.h"
 #include "random_surroundings.h"
 #include "stage.h"
+#include "tests/support/same_verdict.h"
 
 namespace zproof {
 namespace {
@@ -57,15 +58,7 @@ TEST(Presort, CountsEveryPixelAsInFull) {
             show_runs(reference, dice, view, scene);
         const Testimony ours{candidate, raster_precision()}, theirs{reference, ray_precision()};
         const Verdict verdict = judge(scene, view, ours, theirs);
-        const Verdict in_full = judge_in_full(scene, view, ours, theirs).verdict;
-        EXPECT_EQ(verdict.candidate_depth, in_full.candidate_depth);
-        EXPECT_EQ(verdict.reference_depth, in_full.reference_depth);
-        EXPECT_EQ(verdict.candidate_edges, in_full.candidate_edges);
-        EXPECT_EQ(verdict.reference_edges, in_full.reference_edges);
-        EXPECT_EQ(verdict.counts, in_full.counts);
-        EXPECT_EQ(verdict.reference_defects, in_full.reference_defects);
-        EXPECT_EQ(verdict.adjudicated, in_full.adjudicated);
-        EXPECT_TRUE(std::ranges::equal(verdict.classes.pixels(), in_full.classes.pixels()));
+        expect_same_counts(verdict, judge_in_full(scene, view, ours, theirs).verdict);
         right += number(verdict.candidate_depth, 1) - number(verdict.candidate_depth, 20);
         wrong += number(verdict.candidate_depth, 20);
         invalid += verdict.counts[std::size_t(PixelClass::invalid)];

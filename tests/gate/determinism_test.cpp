@@ -10,6 +10,7 @@
 #include "rasterizer/rasterizer.h"
 #include "scenes/suite.h"
 #include "tests/gate/trial.h"
+#include "tests/support/same_verdict.h"
 
 namespace zproof {
 namespace {
@@ -46,18 +47,6 @@ Outcome run_on(int threads, const Loaded& loaded) {
         run.in_full = judge_in_full(loaded.scene, view, ours, theirs).verdict;
     });
     return run;
-}
-
-void expect_same_counts(const Verdict& one, const Verdict& other) {
-    EXPECT_EQ(one.counts, other.counts);
-    EXPECT_EQ(one.candidate_depth, other.candidate_depth);
-    EXPECT_EQ(one.reference_depth, other.reference_depth);
-    EXPECT_EQ(one.candidate_edges, other.candidate_edges);
-    EXPECT_EQ(one.reference_edges, other.reference_edges);
-    EXPECT_EQ(one.reference_defects, other.reference_defects);
-    EXPECT_EQ(one.adjudicated, other.adjudicated);
-    EXPECT_EQ(one.exact, other.exact);
-    EXPECT_TRUE(std::ranges::equal(one.classes.pixels(), other.classes.pixels()));
 }
 
 class Determinism : public testing::TestWithParam<std::string> {};
