@@ -177,6 +177,13 @@ INSTANTIATE_TEST_SUITE_P(Program, InterruptOf, testing::ValuesIn(commands),
 /// A FIFO in the folder: a renderer's command waits there until it is opened, or says that it has begun.
 void make_fifo(const Folder& folder) { mkfifo((folder.path() / "fifo").c_str(), 0600); }
 
+/// What comes up to and with the end of a line; without one, everything up to the end of the file.
+std::string heard_line(int reader) {
+    std::string heard;
+    for (char c; !heard.ends_with('\n') && read(reader, &c, 1) == 1;) heard += c;
+    return heard;
+}
+
 TEST(Interrupt, OfRenderLeavesTheViewsThatAreDone) {
     const Folder folder;
     run(folder, {"render", "room", "--width", "64", "--height", "48", "-o", "frames"});
@@ -206,16 +213,15 @@ TEST(Interrupt, ASecondOneEndsTheRunAndTheRendererAtOnce) {
                             {"run", "a.gltf", "--oracle", "none", "--renderer",
                              "exec 3>" + fifo + "; echo begun >&3; sleep 20; echo survived >&3; : {out}"},
                             {nowhere, nowhere});
-    const int reader = open(fifo.c_str(), O_RDONLY | O_CLOEXEC);  // waits for the renderer
+    const int reader = open(fifo.c_str(), O_RDONLY | O_CLOEXEC);
+    EXPECT_EQ(heard_line(reader), "begun\n");
     kill(pid, SIGINT);
     wait_until_a_second_one_ends_it(pid);
     kill(pid, SIGINT);
     close(nowhere);
     EXPECT_EQ(exit_code_of(pid), -1) << "ended by the signal, which a shell reports as 130";
-    std::string heard;
-    for (char c; read(reader, &c, 1) == 1;) heard += c;
+    EXPECT_EQ(heard_line(reader), "") << "the renderer outlived the run";
     close(reader);
-    EXPECT_EQ(heard, "begun\n");
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "zproof-out"));
 }
 
