@@ -9,6 +9,7 @@
 #include "compare/error_scribe.h"
 #include "compare/pixel_look.h"
 #include "compare/presort.h"
+#include "compare/runs.h"
 #include "compare/shown_triangles.h"
 
 namespace zproof {
@@ -120,39 +121,24 @@ class Comparison {
         take(witness.frame().camera_depth, side.camera_depth, background_depth);
     }
 
-    /// Eight at a time where they show what the pixel before them shows, or what the candidate shows there.
+    /// Once for every run of pixels at which the candidate shows the same, and where the reference differs.
     void look_up_laws(Strip& strip) {
-        constexpr std::size_t step = 8;
-        Latest ours, theirs;
-        for (std::size_t first = 0; first < Strip::width; first += step) {
-            const auto &shown = strip.candidate.primitive, &also_shown = strip.reference.primitive;
-            std::uint32_t change = 0, difference = 0;
-            for (std::size_t i = first; i < first + step; ++i) {
-                change |= std::uint32_t(shown[i]) ^ std::uint32_t(ours.triangle);
-                difference |= std::uint32_t(shown[i]) ^ std::uint32_t(also_shown[i]);
-            }
-            if (change == 0)
-                std::fill_n(strip.candidate.law.begin() + first, step, ours.law);
-            else
-                look_up(strip.candidate, first, first + step, ours);
-            if (difference == 0)
-                std::copy_n(strip.candidate.law.begin() + first, step, strip.reference.law.begin() + first);
-            else
-                look_up(strip.reference, first, first + step, theirs);
+        compare_ids(strip);
+        strip.candidate.law = spread_over_runs<Strip::width>(
+            strip.turns, [&](std::size_t first) { return law_of(strip.candidate.primitive[first]); });
+        strip.reference.law = strip.candidate.law;
+        PrimitiveId latest = PrimitiveId::none;
+        std::uint32_t its_law = 0;
+        for (Strip::Pixels rest = strip.differ; rest != 0; rest &= rest - 1) {
+            const auto i = std::size_t(std::countr_zero(rest));
+            const PrimitiveId triangle = strip.reference.primitive[i];
+            if (triangle != latest) latest = triangle, its_law = law_of(triangle);
+            strip.reference.law[i] = its_law;
         }
     }
 
-    struct Latest {
-        PrimitiveId triangle = PrimitiveId::none;
-        std::uint32_t law = 0;
-    };
-    void look_up(Strip::Side& side, std::size_t first, std::size_t end, Latest& latest) {
-        for (std::size_t i = first; i < end; ++i) {
-            const PrimitiveId triangle = side.primitive[i];
-            if (triangle != latest.triangle)
-                latest = {triangle, std::size_t(triangle) < triangle_count_ ? shown_.place_of(triangle) : 0};
-            side.law[i] = latest.law;
-        }
+    std::uint32_t law_of(PrimitiveId triangle) {
+        return std::size_t(triangle) < triangle_count_ ? shown_.place_of(triangle) : 0;
     }
 
     /// Maps of errors want every ratio.

@@ -7,8 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "compare/tile_row.h"
-#include "frame/frame.h"
+#include "compare/strip.h"
 #include "scenes/view.h"
 
 namespace zproof {
@@ -43,32 +42,6 @@ inline constexpr DepthLaw law_of_nothing = [] {
 /// is the same.
 struct LawsOfBoth {
     std::vector<DepthLaw> candidate, reference;
-};
-
-/// 64 pixels of a row, as both frames show them, on their way through the first pass.
-struct Strip {
-    static constexpr std::size_t width = 64;
-    template <class T>
-    using Values = std::array<T, width>;
-
-    /// What one renderer shows.
-    struct Side {
-        Values<PrimitiveId> primitive;
-        Values<float> camera_depth;
-        Values<std::uint32_t> law;  ///< of the triangle: a place among the laws
-        Values<double> ratio;       ///< error / bound, or `unsettled`
-        Values<std::int32_t>
-            bin;  ///< of the ratio, as BoundHistogram has it; `uncounted` where not both are settled
-    };
-    static constexpr std::int32_t uncounted = 21;
-    static constexpr std::size_t chunk = tile_columns;  ///< pixels that are sorted out together
-
-    int x = 0, y = 0;  ///< of the first
-    Side candidate, reference;
-    std::uint32_t sorted = 0;  ///< bit k: what becomes of the pixels from k * chunk on is known already
-    /// Of each chunk: to be looked at by themselves, neither settled nor bare in both.
-    std::array<ColumnMask, width / chunk> open;
-    std::array<ColumnMask, width / chunk> lawful;  ///< of those: both depths are so for certain
 };
 
 /// Fills in the ratios, where the pixels are not sorted yet: the same bits as TriangleDepth::at followed by

@@ -24,10 +24,12 @@ struct EstimateRow {
     };
 
     Side candidate, reference;
-    bool is_one_plane;  ///< at every pixel, which the candidate's side has
+    bool is_one_plane;  ///< at every pixel; the candidate's side has it
 };
 
 using Estimates = TileRowOf<const DepthEstimate*>;
+/// Of what both frames show.
+void put_side_by_side(const Estimates& shown, EstimateRow& row);
 /// `ours` is what the candidate shows, `theirs` the reference.
 void put_side_by_side(const Estimates& ours, const Estimates& theirs, EstimateRow& row);
 

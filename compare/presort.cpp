@@ -5,36 +5,24 @@
 #include <bit>
 #include <limits>
 
+#include "compare/runs.h"
+
 namespace zproof {
 
 namespace {
 
-/// Do both frames show one triangle only?
-[[gnu::target_clones("default", "avx2", "avx512f")]] bool is_one_law(const std::uint32_t* ours,
-                                                                     const std::uint32_t* theirs) {
-    std::uint32_t difference = 0;
-    for (std::size_t i = 0; i < Strip::chunk; ++i) difference |= (ours[i] ^ ours[0]) | (theirs[i] ^ ours[0]);
-    return difference == 0;
-}
-
-struct Agreement {
-    ColumnMask same = 0, bare = 0;  ///< ids; nothing in either frame
-};
-[[gnu::target_clones("default", "avx2", "avx512f")]] Agreement agreement(const Strip& strip,
-                                                                         std::size_t first) {
+/// Where the candidate shows nothing, and both have the depth of the background.
+[[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask bare(const Strip& strip, std::size_t first) {
     constexpr float none = std::numeric_limits<float>::infinity();
-    const PrimitiveId *ours = &strip.candidate.primitive[first], *theirs = &strip.reference.primitive[first];
+    const PrimitiveId* shown = &strip.candidate.primitive[first];
     const float *our_depth = &strip.candidate.camera_depth[first],
                 *their_depth = &strip.reference.camera_depth[first];
-    std::uint32_t same = 0, bare = 0;
-    for (std::size_t i = 0; i < Strip::chunk; ++i) {
-        const bool agree = ours[i] == theirs[i];
-        const bool are_bare =
-            agree & (ours[i] == PrimitiveId::none) & (our_depth[i] == none) & (their_depth[i] == none);
-        same |= std::uint32_t(agree) << i;
-        bare |= std::uint32_t(are_bare) << i;
-    }
-    return {same, bare};
+    std::uint32_t mask = 0;
+    for (std::size_t i = 0; i < Strip::chunk; ++i)
+        mask |=
+            std::uint32_t((shown[i] == PrimitiveId::none) & (our_depth[i] == none) & (their_depth[i] == none))
+            << i;
+    return mask;
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask equal_laws(const std::uint32_t* laws,
@@ -53,7 +41,9 @@ void Presort::sort(const LawsOfBoth& laws, Largest& largest, Strip& strip) {
     known_.resize(std::max(known_.size(), laws.candidate.size()));
     const KnownLargest known{times_20(largest.candidate), times_20(largest.reference)};
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
-        const bool one = is_one_law(&strip.candidate.law[first], &strip.reference.law[first]);
+        constexpr ColumnMask but_first = all_columns & ~ColumnMask{1};
+        const bool one =
+            ((Strip::in_chunk(strip.turns, first) & but_first) | Strip::in_chunk(strip.differ, first)) == 0;
         const Source source{laws, known, largest, strip, first};
         const bool is_sorted = one && strip.candidate.law[first] != 0 ? sort_one_law(source, strip)
                                                                       : sort_some_laws(source, strip);
@@ -113,26 +103,36 @@ EstimatedRow Presort::estimated(std::uint32_t law, const Source& source) {
     return row;
 }
 
-Estimates Presort::estimates_of(const Strip::Side& side, const Source& source) {
-    const std::uint32_t* law = &side.law[source.first];
-    Estimates each{&estimate_by(source.laws, law[0])};
-    for (std::size_t i = 1; i < tile_columns; ++i)
-        each[i] = law[i] == law[i - 1] ? each[i - 1] : &estimate_by(source.laws, law[i]);
+/// Once for every run of pixels that show the same.
+Estimates Presort::estimates_of_candidate(const Source& source) {
+    const std::uint32_t* law = &source.strip.candidate.law[source.first];
+    const ColumnMask turns = Strip::in_chunk(source.strip.turns, source.first) | 1;
+    return spread_over_runs<tile_columns>(
+        turns, [&](std::size_t first) { return &estimate_by(source.laws, law[first]); });
+}
+
+Estimates Presort::estimates_of_reference(const Estimates& of_candidate, const Source& source) {
+    Estimates each = of_candidate;
+    for (ColumnMask rest = Strip::in_chunk(source.strip.differ, source.first); rest != 0; rest &= rest - 1) {
+        const auto i = std::size_t(std::countr_zero(rest));
+        each[i] = &estimate_by(source.laws, source.strip.reference.law[source.first + i]);
+    }
     return each;
 }
 
 /// Each by what it shows.
 EstimatedRow Presort::estimated(const Source& source) {
     const std::size_t first = source.first;
-    const Strip::Side &candidate = source.strip.candidate, &reference = source.strip.reference;
-    const std::uint32_t* law = &candidate.law[first];
-    const bool are_same = std::equal(law, law + tile_columns, &reference.law[first]);
-    const Estimates ours = estimates_of(candidate, source);
+    const Strip& strip = source.strip;
+    const Estimates ours = estimates_of_candidate(source);
     EstimateRow triangles;
-    put_side_by_side(ours, are_same ? ours : estimates_of(reference, source), triangles);
+    if (Strip::in_chunk(strip.differ, first) == 0)
+        put_side_by_side(ours, triangles);
+    else
+        put_side_by_side(ours, estimates_of_reference(ours, source), triangles);
     EstimatedRow row;
-    estimate(triangles, projection_, {source.strip.x + int(first), source.strip.y},
-             &candidate.camera_depth[first], &reference.camera_depth[first], source.known, row);
+    estimate(triangles, projection_, {strip.x + int(first), strip.y}, &strip.candidate.camera_depth[first],
+             &strip.reference.camera_depth[first], source.known, row);
     return row;
 }
 
@@ -149,15 +149,16 @@ bool Presort::sort_one_law(const Source& source, Strip& strip) {
 
 bool Presort::sort_some_laws(const Source& source, Strip& strip) {
     const std::size_t first = source.first, chunk = first / Strip::chunk;
-    const auto [same, bare] = agreement(strip, first);
-    if (bare == all_columns) {
+    const ColumnMask same = ~Strip::in_chunk(strip.differ, first) & all_columns,
+                     bare_here = same & bare(strip, first);
+    if (bare_here == all_columns) {
         std::fill_n(&strip.candidate.bin[first], Strip::chunk, Strip::uncounted);
         std::fill_n(&strip.reference.bin[first], Strip::chunk, Strip::uncounted);
         strip.open[chunk] = strip.lawful[chunk] = 0;
         return true;
     }
     const EstimatedRow row = estimated(source);
-    const ColumnMask agreed = same & ~bare;
+    const ColumnMask agreed = same & ~bare_here;
     if ((agreed & ~(row.candidate.certain & row.reference.certain)) != 0) return false;
     raise_largest(row, agreed, source);
     const auto bins = [&](const EstimatedRow::Side& side, Strip::Side& of_strip) {

@@ -48,7 +48,8 @@ class Presort {
     };
     const DepthEstimate& estimate_by(const LawsOfBoth& laws, std::uint32_t law);
     EstimatedRow estimated(std::uint32_t law, const Source& source);
-    Estimates estimates_of(const Strip::Side& side, const Source& source);
+    Estimates estimates_of_candidate(const Source& source);
+    Estimates estimates_of_reference(const Estimates& of_candidate, const Source& source);
     EstimatedRow estimated(const Source& source);
     void raise_largest(const EstimatedRow& row, ColumnMask pixels, const Source& source);
     void raise(const Exceeding& pixels, const Source& source, float& counted, double& largest) const;

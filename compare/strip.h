@@ -1,0 +1,50 @@
+/// Pixels on their way through the first pass.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "compare/tile_row.h"
+#include "frame/frame.h"
+
+namespace zproof {
+
+/// 64 pixels of a row, as both frames show them.
+struct Strip {
+    static constexpr std::size_t width = 64;
+    template <class T>
+    using Values = std::array<T, width>;
+    /// Bit i is pixel i.
+    using Pixels = std::uint64_t;
+
+    /// What one renderer shows.
+    struct Side {
+        Values<PrimitiveId> primitive;
+        Values<float> camera_depth;
+        Values<std::uint32_t> law;  ///< of the triangle: a place among the laws
+        Values<double> ratio;       ///< error / bound, or `unsettled`
+        Values<std::int32_t>
+            bin;  ///< of the ratio, as BoundHistogram has it; `uncounted` where not both are settled
+    };
+    static constexpr std::int32_t uncounted = 21;
+    static constexpr std::size_t chunk = tile_columns;  ///< pixels that are sorted out together
+
+    int x = 0, y = 0;  ///< of the first
+    Side candidate, reference;
+    Pixels turns;              ///< the candidate shows another triangle than at the pixel before; the first
+    Pixels differ;             ///< the reference shows another triangle than the candidate
+    std::uint32_t sorted = 0;  ///< bit k: what becomes of the pixels from k * chunk on is known already
+    /// Of each chunk: to be looked at by themselves, neither settled nor bare in both.
+    std::array<ColumnMask, width / chunk> open;
+    std::array<ColumnMask, width / chunk> lawful;  ///< of those: both depths are so for certain
+
+    /// Of a chunk, which begins at pixel `first`.
+    static ColumnMask in_chunk(Pixels pixels, std::size_t first) {
+        return ColumnMask(pixels >> first) & all_columns;
+    }
+};
+
+/// Fills in where the candidate turns to another triangle and where the frames differ.
+void compare_ids(Strip& strip);
+
+}  // namespace zproof
