@@ -16,19 +16,23 @@ namespace zproof {
 /// hide there, or for background, how far those others must have moved aside.
 std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer);
 
+inline constexpr int displacement_steps = 1024;
+
+/// Half the side of the least square that is asked about: what is seen there needs no displacement.
+constexpr double least_px(double eps_px) { return eps_px / displacement_steps; }
+
 /// The same where is_seen_within(half_side_px) says whether it is. What is seen in a square is seen in every
 /// larger one: bisection.
 template <class IsSeenWithin>
 std::optional<double> least_step(double eps_px, const IsSeenWithin& is_seen_within) {
-    constexpr int steps = 1024;
-    const auto is_seen = [&](int step) { return is_seen_within(eps_px * step / steps); };
+    const auto is_seen = [&](int step) { return is_seen_within(eps_px * step / displacement_steps); };
     if (is_seen(1)) return std::nullopt;
-    int too_small = 1, enough = steps;
+    int too_small = 1, enough = displacement_steps;
     while (enough - too_small > 1) {
         const int middle = (too_small + enough) / 2;
         (is_seen(middle) ? enough : too_small) = middle;
     }
-    return double(too_small) / steps;
+    return double(too_small) / displacement_steps;
 }
 
 }  // namespace zproof

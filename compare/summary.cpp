@@ -293,6 +293,9 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint) {
     const bool all_cover = answer && cutting_.empty() && std::ranges::count(covering_, *answer) != 0;
     if (all_cover && is_tied(renderer, *answer, square(widest_px_), may_be_certain))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
+    // on an edge: what is seen that close is seen in every larger square, and needs no displacement
+    if (const double close = least_px(eps); close <= plaint.own_eps_px && is_seen_around(answer, close))
+        return Ruled{{Standing::visible, false}, eps, std::nullopt};
     if (is_seen_around(answer, plaint.own_eps_px)) return visible(renderer, plaint, answer, eps);
     if (answer && is_hidden_in(renderer, answer, eps) && is_held_around(renderer, *answer, plaint.own_eps_px))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
