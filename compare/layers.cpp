@@ -4,14 +4,29 @@
 #include <cmath>
 
 #include "compare/coplanar.h"
+#include "math/rounding.h"
 
 namespace zproof {
+
+namespace {
+
+/// Of an affine function over a box, but for rounding.
+struct Extremes {
+    double least, most;
+};
+Extremes extremes(const Affine<double>& f, const Around& box) {
+    const double middle = f.at(box.x, box.y);
+    const double reach = box.half_x * std::abs(f.a) + box.half_y * std::abs(f.b);
+    return {middle - reach, middle + reach};
+}
+
+}  // namespace
 
 Layers::Layers(const Shared& shared, const Around& centres, std::span<const std::uint32_t> near,
                std::span<const ViewBounds* const> renderers)
     : shared_(shared), tile_(centres), left_(int(centres.x - centres.half_x)) {
     for (const ViewBounds* bounds : renderers) {
-        renderers_.push_back({.bounds = bounds, .triangles = {}, .nearness = {}});
+        renderers_.push_back({.bounds = bounds, .triangles = {}, .nearness = {}, .close = {}});
         widest_px_ = std::max(widest_px_, bounds->background_eps_px());
     }
     meet(near);
@@ -125,6 +140,33 @@ auto Layers::relations_of(std::size_t layer) -> const Relations& {
     return *one.others;
 }
 
+/// Is it clear all over the tile that `front` is nowhere in front of `back` for certain? Either range of
+/// nearness reaches at least as far as the renderer's relative error of depth.
+bool Layers::is_close(const Renderer& renderer, std::size_t front, std::size_t back) const {
+    const TriangleFilter &f = layers_[front].known->filter, &b = layers_[back].known->filter;
+    const TriangleOfView &of_front = renderer.triangles[front]->of_view,
+                         &of_back = renderer.triangles[back]->of_view;
+    if (!of_front.on_plane || !of_back.on_plane) return false;
+    static const double rounding = gamma(64, unit_roundoff_float64);
+    const Extremes front_nearness = extremes(f.nearness, tile_), back_nearness = extremes(b.nearness, tile_);
+    const double error = f.nearness_error + b.nearness_error;
+    const double ahead = extremes(f.nearness - b.nearness, tile_).most + 2 * error +
+                         rounding * (front_nearness.most + back_nearness.most);
+    const double front_reach = (front_nearness.least - error) * of_front.bounds.depth_factor,
+                 back_reach = (back_nearness.least - error) * of_back.bounds.depth_factor;
+    return front_reach >= 0 && back_reach >= 0 && ahead <= front_reach + back_reach;
+}
+
+auto Layers::close_to(Renderer& renderer, std::size_t back) -> Set {
+    renderer.close.resize(layers_.size());
+    std::optional<Set>& close = renderer.close[back];
+    if (close) return *close;
+    close = 0;
+    for (std::size_t front = 0; front < layers_.size(); ++front)
+        *close |= Set{is_close(renderer, front, back)} << front;
+    return *close;
+}
+
 const TriangleRow::Range& Layers::nearness(Renderer& renderer, std::size_t layer) {
     renderer.nearness.resize(layers_.size());
     if ((renderer.known >> layer & 1) == 0)
@@ -159,7 +201,8 @@ auto Layers::standings(std::size_t of, std::uint32_t triangle, ColumnMask pixels
             undecided |= shared & ~ahead;
         }
         rivals |= shared;
-        if (ahead != 0) undecided |= ahead & ahead_for_certain(renderer, i, *answer);
+        if (ahead != 0 && (close_to(renderer, *answer) & bit) == 0)
+            undecided |= ahead & ahead_for_certain(renderer, i, *answer);
     }
     return {.tied = rivals & ~undecided, .visible = covered & ~rivals};
 }

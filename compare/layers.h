@@ -71,6 +71,7 @@ class Layers {
         ColumnMask unclear = 0;                         ///< of the row: covered by one that is not clear
         std::vector<TriangleRow::Range> nearness;       ///< of the row
         Set known = 0;                                  ///< whose nearness was asked for
+        std::vector<std::optional<Set>> close;          ///< to each layer, as is_close() has it
     };
 
     void place(int y);
@@ -79,6 +80,8 @@ class Layers {
     const TriangleRow& row_of(std::size_t layer);
     const Relations& relations_of(std::size_t layer);
     std::optional<std::size_t> index_of(std::uint32_t triangle) const;
+    bool is_close(const Renderer& renderer, std::size_t front, std::size_t back) const;
+    Set close_to(Renderer& renderer, std::size_t back);
     const TriangleRow::Range& nearness(Renderer& renderer, std::size_t layer);
     ColumnMask ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back);
 
