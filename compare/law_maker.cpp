@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <cstring>
 
 namespace zproof {
 
@@ -65,14 +65,21 @@ DepthLawOf<Four> law_of(const LawMaker::Lens::Side& side, const PlaneOfLaw<Four>
 
 using LawsOfFour = std::span<DepthLaw, four_count>;
 
+/// To each triangle its own, two numbers of all four at a time.
 void part(const DepthLawOf<Four>& together, LawsOfFour laws) {
+    using Two = double __attribute__((vector_size(16)));
     constexpr std::size_t fields = sizeof(DepthLaw) / sizeof(double);
-    static_assert(sizeof together == fields * sizeof(Four));
-    const auto all = std::bit_cast<std::array<Four, fields>>(together);
-    for (std::size_t lane = 0; lane < four_count; ++lane) {
-        std::array<double, fields> one;
-        for (std::size_t i = 0; i < fields; ++i) one[i] = all[i][lane];
-        laws[lane] = std::bit_cast<DepthLaw>(one);
+    static_assert(fields % 2 == 0 && sizeof together == fields * sizeof(Four));
+    for (std::size_t i = 0; i < fields; i += 2) {
+        std::array<Four, 2> of_all;
+        std::memcpy(&of_all, reinterpret_cast<const char*>(&together) + i * sizeof(Four), sizeof of_all);
+        const auto put = [&](std::size_t lane, const Two& two) {
+            std::memcpy(reinterpret_cast<char*>(&laws[lane]) + i * sizeof(double), &two, sizeof two);
+        };
+        put(0, __builtin_shufflevector(of_all[0], of_all[1], 0, 4));
+        put(1, __builtin_shufflevector(of_all[0], of_all[1], 1, 5));
+        put(2, __builtin_shufflevector(of_all[0], of_all[1], 2, 6));
+        put(3, __builtin_shufflevector(of_all[0], of_all[1], 3, 7));
     }
 }
 
