@@ -51,6 +51,20 @@ class AskedCells {
     std::vector<std::uint32_t> sums_;
 };
 
+struct IndexRange {
+    std::uint32_t first, last;
+};
+/// Of the corners of at least one triangle. Compilers make vectors of it.
+[[gnu::target_clones("default", "avx2")]] IndexRange index_range(std::span<const glm::uvec3> run) {
+    const std::uint32_t* const index = &run[0].x;
+    std::uint32_t first = index[0], last = index[0];
+    for (std::size_t i = 0; i < 3 * run.size(); ++i) {
+        first = index[i] < first ? index[i] : first;
+        last = index[i] > last ? index[i] : last;
+    }
+    return {first, last};
+}
+
 /// The cells of the corners of a run of triangles, each found once where the run's indices lie close
 /// together, as they do in most meshes, and otherwise once for every triangle. Only the run's are kept: those
 /// of a whole scene would take a quarter of the scene's own memory.
@@ -58,11 +72,7 @@ class RunCorners {
   public:
     RunCorners(std::span<const glm::vec3> p_world, const CornerCells& cells,
                std::span<const glm::uvec3> run) {
-        std::uint32_t first = UINT32_MAX, last = 0;
-        for (const glm::uvec3& t : run) {
-            first = std::min({first, t.x, t.y, t.z});
-            last = std::max({last, t.x, t.y, t.z});
-        }
+        const auto [first, last] = index_range(run);
         is_shared_ = last - first < 3 * run.size();
         first_ = first;
         std::vector<glm::vec3> apart;
