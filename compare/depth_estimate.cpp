@@ -49,15 +49,15 @@ DepthEstimate::Bound bound_of(const DepthLaw& law, const DepthEstimate& plane, P
     const bool is_usable = is_common && is_moderate && unsure < 0.125 && margin < 0.25 &&
                            !may_reach_zero(law, plane, projection);
     return {.shift_base = float(law.base * reach),
-            .shift_per = float(law.per * reach),
             .most_shift = float(most_shift),
             .nearness_error = float(law.nearness_error),
             .beyond = std::isinf(law.farthest) ? float(largest) : 0.0f,
             .factor = float(factor),
-            .plane_offset = float(law.plane_offset / (1 - largest_sum)),
             .absolute = float(law.absolute),
             .unsure = float(unsure),
-            .top = is_usable ? float(bins * (1 - margin) - unsure) : -1.0f};
+            .top = is_usable ? float(bins * (1 - margin) - unsure) : -1.0f,
+            .shift_per = float(law.per * reach),
+            .plane_offset = float(law.plane_offset / (1 - largest_sum))};
 }
 
 /// A triangle's plane.
@@ -84,8 +84,9 @@ struct OwnTriangles {
     }
     [[gnu::always_inline]] DepthEstimate::Bound bound_at(std::size_t i) const {
         const EstimateRow::Bound& b = side.bound;
-        return {b.shift_base[i], b.shift_per[i],    b.most_shift[i], b.nearness_error[i], b.beyond[i],
-                b.factor[i],     b.plane_offset[i], b.absolute[i],   b.unsure[i],         b.top[i]};
+        return {b.shift_base[i], b.most_shift[i],  b.nearness_error[i], b.beyond[i],
+                b.factor[i],     b.absolute[i],    b.unsure[i],         b.top[i],
+                b.shift_per[i],  b.plane_offset[i]};
     }
 };
 
@@ -112,6 +113,9 @@ struct Perspective {
     static double error(double z, double nearness) { return z * nearness - 1; }
     static bool is_towards_most(float error) { return error < 0; }
     static float scaled(float error, float moved) { return error * moved; }
+    static float shift(const DepthEstimate::Bound& b, float nearness) {
+        return b.shift_base + b.shift_per * nearness;
+    }
     static float room(const DepthEstimate::Bound& b, float nearness, float moved, float shift) {
         return shift + (b.factor * nearness + b.plane_offset) + b.absolute * nearness * moved;
     }
@@ -120,6 +124,7 @@ struct Parallel {
     static double error(double z, double depth) { return z - depth; }
     static bool is_towards_most(float error) { return error > 0; }
     static float scaled(float error, float) { return error; }
+    static float shift(const DepthEstimate::Bound& b, float) { return b.shift_base; }
     static float room(const DepthEstimate::Bound& b, float, float moved, float shift) {
         return shift + b.factor * moved + b.absolute;
     }
@@ -136,7 +141,7 @@ template <class Projected, class Triangles>
     for (std::size_t i = 0; i < tile_columns; ++i) {
         const DepthEstimate::Bound bound = triangles.bound_at(i);
         const float w = spots.w_float[i], error = errors[i];
-        const float varying = bound.shift_base + bound.shift_per * w;
+        const float varying = Projected::shift(bound, w);
         const float shift = (varying < bound.most_shift ? varying : bound.most_shift) + bound.nearness_error;
         const float to_most = spots.to_most[i] + bound.beyond, to_least = spots.to_least[i] + bound.beyond;
         const float up = shift < to_most ? shift : to_most, down = -(shift < to_least ? shift : to_least);

@@ -12,11 +12,12 @@ namespace zproof {
 struct DepthEstimate {
     /// What one renderer's law says, folded together and rounded.
     struct Bound {
-        float shift_base, shift_per, most_shift, nearness_error;
+        float shift_base, most_shift, nearness_error;
         float beyond;  ///< how far past its corners' depths a renderer may go: 0, or very far
-        float factor, plane_offset, absolute;
-        float unsure;  ///< what a ratio times 20 may be off by
-        float top;     ///< below it, with `unsure` added, the depth is lawful for certain
+        float factor, absolute;
+        float unsure;                   ///< what a ratio times 20 may be off by
+        float top;                      ///< below it, with `unsure` added, the depth is lawful for certain
+        float shift_per, plane_offset;  ///< 0 for parallel projections
     };
 
     double w_per_x, w_per_y, w_offset;

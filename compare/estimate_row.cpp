@@ -8,7 +8,7 @@ namespace zproof {
 namespace {
 
 /// Numbers as they follow each other in memory.
-constexpr std::size_t double_count = 5, float_count = 10;
+constexpr std::size_t double_count = 5, float_count = 10, perspective_float_count = 2;
 static_assert(sizeof(EstimateRow::Plane) == double_count * sizeof(TileRow));
 static_assert(sizeof(EstimateRow::Bound) == float_count * sizeof(TileRowOf<float>));
 static_assert(offsetof(DepthEstimate, candidate) == double_count * sizeof(double));
@@ -42,8 +42,9 @@ template <class Vector>
 
 /// Those of eight pixels, four numbers of each at a time. The last four are two numbers and what follows
 /// them.
-[[gnu::always_inline]] inline void put_bounds(const DepthEstimate* const* triangles, std::size_t first_byte,
-                                              std::size_t column, EstimateRow::Bound& row) {
+[[gnu::always_inline]] inline void put_bounds(Projection projection, const DepthEstimate* const* triangles,
+                                              std::size_t first_byte, std::size_t column,
+                                              EstimateRow::Bound& row) {
     using Four = float __attribute__((vector_size(16)));
     using Eight = float __attribute__((vector_size(32)));
     const auto put = [&](std::size_t number, const Eight& eight) {
@@ -51,7 +52,9 @@ template <class Vector>
             reinterpret_cast<char*>(&row) + number * sizeof(TileRowOf<float>) + column * sizeof(float),
             &eight, sizeof eight);
     };
-    for (std::size_t i = 0; i < float_count; i += 4) {
+    const std::size_t count =
+        projection == Projection::perspective ? float_count : float_count - perspective_float_count;
+    for (std::size_t i = 0; i < count; i += 4) {
         const auto pair = [&](std::size_t pixel) -> Eight {
             const std::size_t at = first_byte + i * sizeof(float);
             return __builtin_shufflevector(load<Four>(triangles[pixel], at),
@@ -73,17 +76,19 @@ template <class Vector>
 }  // namespace
 
 /// Compiled once per instruction set; it moves numbers only.
-[[gnu::flatten, gnu::target_clones("default", "avx2")]] void put_side_by_side(const Estimates& shown,
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void put_side_by_side(Projection projection,
+                                                                              const Estimates& shown,
                                                                               EstimateRow& row) {
     row.is_one_plane = true;
     for (std::size_t i = 0; i < tile_columns; i += 4) put_planes(&shown[i], i, row.candidate.plane);
     for (std::size_t i = 0; i < tile_columns; i += 8) {
-        put_bounds(&shown[i], offsetof(DepthEstimate, candidate), i, row.candidate.bound);
-        put_bounds(&shown[i], offsetof(DepthEstimate, reference), i, row.reference.bound);
+        put_bounds(projection, &shown[i], offsetof(DepthEstimate, candidate), i, row.candidate.bound);
+        put_bounds(projection, &shown[i], offsetof(DepthEstimate, reference), i, row.reference.bound);
     }
 }
 
-[[gnu::flatten, gnu::target_clones("default", "avx2")]] void put_side_by_side(const Estimates& ours,
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void put_side_by_side(Projection projection,
+                                                                              const Estimates& ours,
                                                                               const Estimates& theirs,
                                                                               EstimateRow& row) {
     row.is_one_plane = false;
@@ -92,8 +97,8 @@ template <class Vector>
         put_planes(&theirs[i], i, row.reference.plane);
     }
     for (std::size_t i = 0; i < tile_columns; i += 8) {
-        put_bounds(&ours[i], offsetof(DepthEstimate, candidate), i, row.candidate.bound);
-        put_bounds(&theirs[i], offsetof(DepthEstimate, reference), i, row.reference.bound);
+        put_bounds(projection, &ours[i], offsetof(DepthEstimate, candidate), i, row.candidate.bound);
+        put_bounds(projection, &theirs[i], offsetof(DepthEstimate, reference), i, row.reference.bound);
     }
 }
 

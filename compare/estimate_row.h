@@ -12,11 +12,12 @@ struct EstimateRow {
         TileRow least, most;
     };
     struct Bound {
-        TileRowOf<float> shift_base, shift_per, most_shift, nearness_error;
+        TileRowOf<float> shift_base, most_shift, nearness_error;
         TileRowOf<float> beyond;
-        TileRowOf<float> factor, plane_offset, absolute;
+        TileRowOf<float> factor, absolute;
         TileRowOf<float> unsure;
         TileRowOf<float> top;
+        TileRowOf<float> shift_per, plane_offset;  ///< unwritten for parallel projections
     };
     struct Side {
         Plane plane;
@@ -29,8 +30,9 @@ struct EstimateRow {
 
 using Estimates = TileRowOf<const DepthEstimate*>;
 /// Of what both frames show.
-void put_side_by_side(const Estimates& shown, EstimateRow& row);
+void put_side_by_side(Projection projection, const Estimates& shown, EstimateRow& row);
 /// `ours` is what the candidate shows, `theirs` the reference.
-void put_side_by_side(const Estimates& ours, const Estimates& theirs, EstimateRow& row);
+void put_side_by_side(Projection projection, const Estimates& ours, const Estimates& theirs,
+                      EstimateRow& row);
 
 }  // namespace zproof

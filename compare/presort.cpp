@@ -32,6 +32,18 @@ namespace {
     return mask;
 }
 
+/// Those of some pixels; the others are not counted.
+void copy_bins(const EstimatedRow::Side& side, ColumnMask pixels, std::int32_t* bin) {
+    TileRowOf<std::int32_t> uncounted;
+    uncounted.fill(Strip::uncounted);
+    if (pixels == all_columns)
+        std::ranges::copy(side.bin, bin);
+    else if (pixels == 0)
+        std::ranges::copy(uncounted, bin);
+    else
+        std::ranges::copy(chosen(uncounted, side.bin, pixels), bin);
+}
+
 /// Rounded down.
 float times_20(double ratio) { return float(ratio * 20 * (1 - 0x1p-20)); }
 
@@ -127,9 +139,9 @@ EstimatedRow Presort::estimated(const Source& source) {
     const Estimates ours = estimates_of_candidate(source);
     EstimateRow triangles;
     if (Strip::in_chunk(strip.differ, first) == 0)
-        put_side_by_side(ours, triangles);
+        put_side_by_side(projection_, ours, triangles);
     else
-        put_side_by_side(ours, estimates_of_reference(ours, source), triangles);
+        put_side_by_side(projection_, ours, estimates_of_reference(ours, source), triangles);
     EstimatedRow row;
     estimate(triangles, projection_, {strip.x + int(first), strip.y}, &strip.candidate.camera_depth[first],
              &strip.reference.camera_depth[first], source.known, row);
@@ -137,39 +149,27 @@ EstimatedRow Presort::estimated(const Source& source) {
 }
 
 bool Presort::sort_one_law(const Source& source, Strip& strip) {
-    const EstimatedRow row = estimated(strip.candidate.law[source.first], source);
-    if ((row.candidate.certain & row.reference.certain) != all_columns) return false;
-    raise_largest(row, all_columns, source);
-    std::ranges::copy(row.candidate.bin, &strip.candidate.bin[source.first]);
-    std::ranges::copy(row.reference.bin, &strip.reference.bin[source.first]);
-    strip.open[source.first / Strip::chunk] = 0;
-    strip.lawful[source.first / Strip::chunk] = 0;
-    return true;
+    const EstimatedRow row = estimated(source.strip.candidate.law[source.first], source);
+    return settle(row, {all_columns, all_columns}, source, strip);
 }
 
 bool Presort::sort_some_laws(const Source& source, Strip& strip) {
+    const ColumnMask same = ~Strip::in_chunk(strip.differ, source.first) & all_columns;
+    const ColumnMask agreed = same & ~bare(strip, source.first);
+    if (agreed == 0 && same == all_columns) return settle({}, {same, agreed}, source, strip);
+    return settle(estimated(source), {same, agreed}, source, strip);
+}
+
+/// Unless one of the pixels that agree is not certain.
+bool Presort::settle(const EstimatedRow& row, const Agreement& pixels, const Source& source, Strip& strip) {
+    const ColumnMask certain = row.candidate.certain & row.reference.certain;
+    if ((pixels.agreed & ~certain) != 0) return false;
+    raise_largest(row, pixels.agreed, source);
     const std::size_t first = source.first, chunk = first / Strip::chunk;
-    const ColumnMask same = ~Strip::in_chunk(strip.differ, first) & all_columns,
-                     bare_here = same & bare(strip, first);
-    if (bare_here == all_columns) {
-        std::fill_n(&strip.candidate.bin[first], Strip::chunk, Strip::uncounted);
-        std::fill_n(&strip.reference.bin[first], Strip::chunk, Strip::uncounted);
-        strip.open[chunk] = strip.lawful[chunk] = 0;
-        return true;
-    }
-    const EstimatedRow row = estimated(source);
-    const ColumnMask agreed = same & ~bare_here;
-    if ((agreed & ~(row.candidate.certain & row.reference.certain)) != 0) return false;
-    raise_largest(row, agreed, source);
-    const auto bins = [&](const EstimatedRow::Side& side, Strip::Side& of_strip) {
-        TileRowOf<std::int32_t> uncounted;
-        uncounted.fill(Strip::uncounted);
-        std::ranges::copy(chosen(uncounted, side.bin, agreed), &of_strip.bin[first]);
-    };
-    bins(row.candidate, strip.candidate);
-    bins(row.reference, strip.reference);
-    strip.open[chunk] = ~same & all_columns;
-    strip.lawful[chunk] = strip.open[chunk] & row.candidate.certain & row.reference.certain;
+    copy_bins(row.candidate, pixels.agreed, &strip.candidate.bin[first]);
+    copy_bins(row.reference, pixels.agreed, &strip.reference.bin[first]);
+    strip.open[chunk] = ~pixels.same & all_columns;
+    strip.lawful[chunk] = strip.open[chunk] & certain;
     return true;
 }
 

@@ -53,6 +53,10 @@ class Presort {
     EstimatedRow estimated(const Source& source);
     void raise_largest(const EstimatedRow& row, ColumnMask pixels, const Source& source);
     void raise(const Exceeding& pixels, const Source& source, float& counted, double& largest) const;
+    struct Agreement {
+        ColumnMask same, agreed;  ///< both show the same; and that is not nothing
+    };
+    bool settle(const EstimatedRow& row, const Agreement& pixels, const Source& source, Strip& strip);
     bool sort_one_law(const Source& source, Strip& strip);
     bool sort_some_laws(const Source& source, Strip& strip);
 

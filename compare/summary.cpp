@@ -18,10 +18,13 @@ double value_at(const Affine<double>& f, double x, double y, double dx, double d
 Summary::Summary(const Shared& shared, const Around& tile, std::span<const std::uint32_t> near,
                  std::span<const ViewBounds* const> renderers)
     : shared_(shared), tile_(tile) {
+    renderers_.reserve(renderers.size());
     for (const ViewBounds* bounds : renderers) {
         renderers_.push_back({.bounds = bounds, .triangles = {}, .standing = {}});
+        renderers_.back().triangles.reserve(near.size());
         widest_px_ = std::max(widest_px_, bounds->background_eps_px());
     }
+    present_.reserve(near.size());
     for (const std::uint32_t t : near) {
         const KnownTriangle& known = shared_.acquaintance.of(t);
         for (Renderer& r : renderers_) {
@@ -55,6 +58,8 @@ void Summary::sort_out() {
         r.triangles.resize(kept);
         r.standing.resize(kept);
     }
+    covering_.reserve(kept);
+    cutting_.reserve(kept);
     if (all_cover_)
         for (std::size_t i = 0; i < kept; ++i) covering_.push_back(i);
 }

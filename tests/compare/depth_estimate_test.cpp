@@ -133,7 +133,7 @@ TEST(DepthEstimate, OfTrianglesSideBySideIsThatOfEach) {
             our_depth[i] = sides[one].z[i], their_depth[i] = sides[other].z[i];
         }
         EstimateRow row;
-        put_side_by_side(ours, theirs, row);
+        put_side_by_side(projection, ours, theirs, row);
         EstimatedRow together;
         estimate(row, projection, at, our_depth.data(), their_depth.data(), {5, 5}, together);
         for (std::size_t i = 0; i < tile_columns; ++i) {
