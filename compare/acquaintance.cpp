@@ -25,9 +25,8 @@ double reach(const Affine<double>& f, const Around& box) {
 
 }  // namespace
 
-BoundedTriangle::BoundedTriangle(const ViewBounds& bounds, const Sight<double>& any, const Camera& camera,
-                                 const KnownTriangle& triangle)
-    : of_view(bounds, any, triangle.p_world, triangle.extent) {
+BoundedTriangle::BoundedTriangle(const ViewBounds& bounds, const Camera& camera, const SeenTriangle& triangle)
+    : of_view(bounds, triangle) {
     const TriangleBounds& b = of_view.bounds;
     is_never_cut = b.nearest > camera.near_depth && b.farthest < camera.far_depth;
     is_always_clear =

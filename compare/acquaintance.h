@@ -13,15 +13,14 @@ namespace zproof {
 
 /// A triangle as every renderer of a view has it.
 struct KnownTriangle {
-    CornersWorld p_world;
-    TriangleExtent extent;
+    SeenTriangle seen;
     TriangleFilter filter;
 };
 
 /// A triangle as one renderer's bounds see it.
 struct BoundedTriangle {
-    BoundedTriangle(const ViewBounds& bounds, const Sight<double>& any, const Camera& camera,
-                    const KnownTriangle& triangle);
+    /// `triangle` must outlive it.
+    BoundedTriangle(const ViewBounds& bounds, const Camera& camera, const SeenTriangle& triangle);
 
     /// Does it keep between near and far, each moved inwards by its slack, all over the box, certainly?
     bool is_clear_of_planes(const TriangleFilter& filter, const Around& box) const;
@@ -47,12 +46,12 @@ class Acquaintance {
         return known_(triangle, [&] {
             const CornersWorld p_world = corners_of(scene_, triangle);
             const TriangleExtent extent = filters_.extent_of(p_world);
-            return KnownTriangle{p_world, extent, filters_.of(p_world, extent)};
+            return KnownTriangle{{any_, p_world, extent}, filters_.of(p_world, extent)};
         });
     }
     const BoundedTriangle& of(std::uint32_t triangle, const ViewBounds& bounds) {
         return bounded_by(bounds)(triangle,
-                                  [&] { return BoundedTriangle(bounds, any_, view_.camera, of(triangle)); });
+                                  [&] { return BoundedTriangle(bounds, view_.camera, of(triangle).seen); });
     }
 
   private:

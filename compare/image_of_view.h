@@ -35,6 +35,8 @@ class ImageOfView {
     /// `any` is the sight of any pixel of the view.
     ImageOfView(const Sight<double>& any, const CornersWorld& p_world);
 
+    /// Is the plane the same at every pixel, but for the direction of sight? For perspectives.
+    bool is_kept() const { return is_kept_; }
     /// Does at() give nothing at every pixel? Never said of parallel projections.
     bool is_edge_on() const { return is_edge_on_; }
     /// Nothing where image_of gives nothing.

@@ -96,7 +96,7 @@ ColumnMask Layers::turn_to(int y, ColumnMask pixels) {
 const TriangleRow& Layers::row_of(std::size_t layer) {
     std::optional<TriangleRow>& row = layers_[layer].row;
     if (!sight_) sight_.emplace(shared_.sights, row_);
-    if (!row) row.emplace(renderers_.front().triangles[layer]->of_view.image, *sight_);
+    if (!row) row.emplace(layers_[layer].known->seen.image, *sight_);
     return *row;
 }
 
@@ -127,8 +127,9 @@ auto Layers::relations_of(std::size_t layer) -> const Relations& {
         const auto are_coplanar = [&] {  // asked one way round: of triangles that are seen it is the same
             const auto [a, b] = std::minmax(i, layer);
             const std::uint64_t pair = std::uint64_t{layers_[a].triangle} << 32 | layers_[b].triangle;
-            return shared_.coplanar(
-                pair, [&] { return coplanar(layers_[a].known->p_world, layers_[b].known->p_world); });
+            return shared_.coplanar(pair, [&] {
+                return coplanar(layers_[a].known->seen.p_world, layers_[b].known->seen.p_world);
+            });
         };
         if (order < 0)
             one.others->behind |= Set{1} << i;

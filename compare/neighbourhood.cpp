@@ -61,37 +61,35 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
     return {p[index.x], p[index.y], p[index.z]};
 }
 
-TriangleOfView::TriangleOfView(const ViewBounds& of_view, const Sight<double>& any, const CornersWorld& p,
-                               const TriangleExtent& extent)
-    : p_world(p), image(any, p), keeps_to_corners(of_view.keeps_to_corners()) {
-    plane_error = PlaneError(extent.size.plane);
-    bounds = of_view.of(extent);
-    if (any.projection != Projection::perspective) return;
-    const auto here = image.at(any);
-    on_plane.emplace(bounds, here ? steepness(here->nearness) : 0);
+TriangleOfView::TriangleOfView(const ViewBounds& of_view, const SeenTriangle& triangle)
+    : seen(&triangle), bounds(of_view.of(triangle.extent)), keeps_to_corners(of_view.keeps_to_corners()) {
+    if (!triangle.image.is_kept()) return;
+    const auto plane = triangle.image.kept_plane();
+    on_plane.emplace(bounds, plane ? plane->gradient : 0);
 }
 
 double TriangleOfView::eps_px(const Sight<double>& sight) const {
     if (bounds.eps_per_nearness == 0) return bounds.eps_base_px;
-    return on_plane && !image.is_edge_on() ? on_plane->at(image.nearness_at(sight)).eps_px
-                                           : neighbour_of(sight, *this).bounds.eps_px;
+    return on_plane && !seen->image.is_edge_on() ? on_plane->at(seen->image.nearness_at(sight)).eps_px
+                                                 : neighbour_of(sight, *this).bounds.eps_px;
 }
 
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world) {
-    return neighbour_of(sight, TriangleOfView(bounds, sight, p_world));
+    const SeenTriangle seen(sight, p_world, bounds.extent_of(p_world));
+    return neighbour_of(sight, TriangleOfView(bounds, seen));
 }
 
 Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangle) {
     Neighbour n;
-    n.p_world = triangle.p_world;
+    n.p_world = triangle.seen->p_world;
     const TriangleBounds& of_triangle = triangle.bounds;
-    n.image = triangle.image.at(sight);
+    n.image = triangle.seen->image.at(sight);
     const auto& image = n.image;
     const double highest = of_triangle.nearest > 0 ? 1 / of_triangle.nearest : 0;
     if (image) {
         n.gradient = steepness(image->nearness);
-        n.plane_error = triangle.plane_error.at(std::abs(image->nearness.c) + n.gradient);
-        n.edge_error = edge_error(sight, triangle.p_world);
+        n.plane_error = triangle.seen->plane_error.at(std::abs(image->nearness.c) + n.gradient);
+        n.edge_error = edge_error(sight, n.p_world);
     }
     n.bounds = triangle.bounds_at(image ? image->nearness.c : highest, n.gradient);
     n.near_slack = of_triangle.near_slack;
@@ -105,9 +103,11 @@ Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangl
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const Site& site, double own_eps_px) {
     const Sight<double> any(view, site.x, site.y);
+    std::optional<SeenTriangle> seen;
     std::optional<TriangleOfView> latest;
     return neighbourhood_of(view, site, own_eps_px, [&](std::uint32_t triangle) -> const TriangleOfView& {
-        return latest.emplace(bounds, any, corners_of(scene, triangle));
+        const CornersWorld p_world = corners_of(scene, triangle);
+        return latest.emplace(bounds, seen.emplace(any, p_world, bounds.extent_of(p_world)));
     });
 }
 
@@ -129,7 +129,9 @@ double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds
                   PrimitiveId answer) {
     if (answer == PrimitiveId::none) return bounds.background_eps_px();
     const Sight<double> sight(view, x, y);
-    return TriangleOfView(bounds, sight, corners_of(scene, std::uint32_t(answer))).eps_px(sight);
+    const CornersWorld p_world = corners_of(scene, std::uint32_t(answer));
+    const SeenTriangle seen(sight, p_world, bounds.extent_of(p_world));
+    return TriangleOfView(bounds, seen).eps_px(sight);
 }
 
 }  // namespace zproof

@@ -48,13 +48,22 @@ struct Neighbourhood {
 
 CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);
 
-/// What one triangle brings to every pixel of a view.
-struct TriangleOfView {
+/// What one triangle is at every pixel of a view, whoever draws it.
+struct SeenTriangle {
     /// `any` is the sight of any pixel of the view.
-    TriangleOfView(const ViewBounds& of_view, const Sight<double>& any, const CornersWorld& p)
-        : TriangleOfView(of_view, any, p, of_view.extent_of(p)) {}
-    TriangleOfView(const ViewBounds& of_view, const Sight<double>& any, const CornersWorld& p,
-                   const TriangleExtent& extent);
+    SeenTriangle(const Sight<double>& any, const CornersWorld& p, const TriangleExtent& e)
+        : p_world(p), extent(e), image(any, p), plane_error(e.size.plane) {}
+
+    CornersWorld p_world;
+    TriangleExtent extent;
+    ImageOfView image;
+    PlaneError plane_error;
+};
+
+/// What it brings there by one renderer's bounds.
+struct TriangleOfView {
+    /// `triangle` must outlive it.
+    TriangleOfView(const ViewBounds& of_view, const SeenTriangle& triangle);
 
     /// The renderer's bounds at a place of the triangle's plane; `gradient` as TriangleBounds::at has it.
     LocalBounds bounds_at(double nearness, double gradient) const {
@@ -63,9 +72,7 @@ struct TriangleOfView {
     /// eps at a pixel, the very bits of neighbour_of(...).bounds.eps_px.
     double eps_px(const Sight<double>& sight) const;
 
-    CornersWorld p_world;
-    ImageOfView image;
-    PlaneError plane_error;
+    const SeenTriangle* seen;
     TriangleBounds bounds;
     std::optional<BoundsOnPlane> on_plane;  ///< where its gradient is the same at every pixel
     bool keeps_to_corners;

@@ -97,7 +97,7 @@ double Summary::eps_px(const Renderer& renderer, const Plaint& plaint) {
         const TriangleOfView& triangle = renderer.triangles[i]->of_view;
         const double its_eps = triangle.eps_px(sight_);
         if (its_eps <= eps) return;
-        const auto image = triangle.image.at(sight_);
+        const auto image = triangle.seen->image.at(sight_);
         if (image && comes_within(*image, plaint.own_eps_px) && filter(i).is_near(x_, y_, plaint.reach_px))
             eps = its_eps;
     };
@@ -205,8 +205,8 @@ auto Summary::middle_of(std::size_t i, double half_side_px) const -> std::option
 
 bool Summary::are_coplanar(std::size_t a, std::size_t b) const {
     const std::uint64_t key = std::uint64_t{present_[a].triangle} << 32 | present_[b].triangle;
-    return shared_.coplanar(key,
-                            [&] { return coplanar(present_[a].known->p_world, present_[b].known->p_world); });
+    return shared_.coplanar(
+        key, [&] { return coplanar(present_[a].known->seen.p_world, present_[b].known->seen.p_world); });
 }
 
 /// Does `front`, which covers the box, take all of `back` away there by the strict rule and by true

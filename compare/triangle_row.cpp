@@ -152,12 +152,12 @@ TileRow TriangleRow::eps_px(const TriangleOfView& triangle) const {
 }
 
 auto TriangleRow::nearness_range(const TriangleOfView& triangle) const -> Range {
-    if (!plane_ || !triangle.plane_error.is_known()) return ranges_one_by_one(triangle, *sight_);
+    if (!plane_ || !triangle.seen->plane_error.is_known()) return ranges_one_by_one(triangle, *sight_);
     Range range;
     const TriangleBounds& b = triangle.bounds;
     const PlaneOfView plane{
         .gradient = plane_->gradient,
-        .error = triangle.plane_error,
+        .error = triangle.seen->plane_error,
         .law = triangle.on_plane->depth_law(),
         .corners = triangle.keeps_to_corners ? NearnessRange{1 / b.farthest, 1 / b.nearest} : any_nearness};
     set_range(plane, nearness_, range);

@@ -32,7 +32,8 @@ void for_each_row(const Visit& visit) {
         for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
             const CornersWorld p = corners_of(s.scene, t);
             const TriangleFilter filter = filters.of(p);
-            const TriangleOfView triangle(bounds, sights.at(0, 0), p);
+            const SeenTriangle seen(sights.at(0, 0), p, bounds.extent_of(p));
+            const TriangleOfView triangle(bounds, seen);
             for (int y = 0; y < 16 && filter.is_trusted; ++y) visit(sights, triangle, filter, RowPlace{1, y});
             if (testing::Test::HasFatalFailure()) return;
         }
@@ -43,7 +44,7 @@ TEST(TriangleRow, HasTheBoundsOfEachPixel) {
     int bounded = 0;
     for_each_row([&](const auto& sights, const auto& triangle, const auto&, const RowPlace& at) {
         const SightRow sight(sights, at);
-        const TriangleRow row(triangle.image, sight);
+        const TriangleRow row(triangle.seen->image, sight);
         const TileRow eps_px = row.eps_px(triangle);
         const TriangleRow::Range range = row.nearness_range(triangle);
         for (std::size_t i = 0; i < tile_columns; ++i) {
