@@ -61,11 +61,16 @@ int main(int argc, char** argv) {
               << ", \"height\": " << view.height << ", \"scene_mib\": " << scene_mib
               << ", \"frame_mib\": " << 8.0 * view.width * view.height / (1 << 20) << ", ";
     Stages stages;
+    std::optional<oracle::Embree> embree;
+    stages.run("build", [&] {
+        embree.emplace(timed.scene);
+        return 0;
+    });
+    const Frame reference = stages.run("trace", [&] { return embree->trace(view); });
+    std::cout << "\"mib_after_trace\": " << peak_mib() << ", ";
+    embree.reset();
     const Frame candidate = stages.run("render", [&] { return rasterizer::render(timed.scene, view); });
     std::cout << "\"mib_after_render\": " << peak_mib() << ", ";
-    const auto embree = stages.run("build", [&] { return oracle::Embree{timed.scene}; });
-    const Frame reference = stages.run("trace", [&] { return embree.trace(view); });
-    std::cout << "\"mib_after_trace\": " << peak_mib() << ", ";
     const Verdict verdict = stages.run("judge", [&] {
         return judge(timed.scene, view, {candidate, rasterizer::precision()},
                      {reference, oracle::embree_precision()});

@@ -28,9 +28,18 @@ struct Court {
 /// One view with everybody who answers about it.
 struct Trial {
     const Docket& docket;
-    const Court& court;
+    Court& court;
     const Desk& desk;
+    bool is_last;  ///< of the scene
 };
+
+/// The renderer's frame. After the last view it lets go of what it made of the scene: Embree's tree takes
+/// more than the scene itself.
+Frame ask(Renderer& renderer, const Trial& trial) {
+    Frame frame = renderer.render(trial.docket.view);
+    if (trial.is_last) renderer.render = nullptr;
+    return frame;
+}
 
 /// What candidate and reference answered, and what the judge said.
 struct JudgedPair {
@@ -65,19 +74,19 @@ std::vector<Statement> hear_witnesses(const Trial& trial, const JudgedPair& judg
 
 /// nullopt: interrupted between two stages.
 std::optional<ViewResult> run_view(const Trial& trial) {
-    const auto& [docket, court, desk] = trial;
+    const auto& [docket, court, desk, is_last] = trial;
     const auto& [source, scene, scene_sha256, view, parties] = docket;
     StageTimes times;
     Stopwatch watch;
 
-    desk.progress.begin_stage("render " + view.name);
-    const Frame candidate = court.candidate.render(view);
-    times.render = watch.lap();
+    desk.progress.begin_stage("trace " + view.name);
+    const Frame reference = ask(court.reference, trial);
+    times.reference = watch.lap();
     if (interrupted()) return std::nullopt;
 
-    desk.progress.begin_stage("trace " + view.name);
-    const Frame reference = court.reference.render(view);
-    times.reference = watch.lap();
+    desk.progress.begin_stage("render " + view.name);
+    const Frame candidate = ask(court.candidate, trial);
+    times.render = watch.lap();
     if (interrupted()) return std::nullopt;
 
     desk.progress.begin_stage("judge " + view.name);
@@ -146,8 +155,8 @@ Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewRe
     if (interrupted()) return Ending::interrupted;
 
     desk.progress.begin_stage("build");
-    const Court court{open(desk.parties.candidate, loaded.scene), open(desk.parties.reference, loaded.scene),
-                      summon(desk.parties.witnesses, loaded.scene)};
+    Court court{open(desk.parties.candidate, loaded.scene), open(desk.parties.reference, loaded.scene),
+                summon(desk.parties.witnesses, loaded.scene)};
     const double build_time = watch.lap();
 
     const std::vector<View> views = wanted_views(loaded, desk.only_view);
@@ -155,7 +164,8 @@ Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewRe
     for (const View& view : views) {
         if (interrupted()) return Ending::interrupted;
         const Docket docket{source, loaded.scene, scene_sha256, view, desk.parties};
-        std::optional<ViewResult> result = run_view_or_say_why_not({docket, court, desk});
+        std::optional<ViewResult> result =
+            run_view_or_say_why_not({docket, court, desk, &view == &views.back()});
         if (!result) return Ending::interrupted;
         if (results.empty()) {
             result->times.load = load_time;
