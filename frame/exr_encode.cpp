@@ -60,7 +60,8 @@ class BlockMaker {
             gather(size, channels, first_row + static_cast<int>(row), raw_.data() + row * row_bytes);
         predict(raw_.data(), raw_.size(), missed_.data());
         std::string packed = deflater_.deflated(missed_);
-        return packed.size() < raw_.size() ? packed : raw_;
+        if (packed.size() < raw_.size()) return packed;
+        return raw_;
     }
 
   private:
@@ -106,8 +107,8 @@ class ExrWriter {
     static std::int64_t put(exr_const_context_t, void* file, const void* bytes, std::uint64_t size,
                             std::uint64_t offset, exr_stream_error_func_ptr_t) {
         std::string& to = *static_cast<std::string*>(file);
-        to.resize(std::max<std::size_t>(to.size(), offset + size));
-        std::memcpy(to.data() + offset, bytes, size);
+        if (offset > to.size()) to.resize(offset);
+        to.replace(offset, size, static_cast<const char*>(bytes), size);  // mostly at its end
         return static_cast<std::int64_t>(size);
     }
     void check(exr_result_t result) const {

@@ -56,6 +56,9 @@ std::string packed(const Container& container) {
     }
     const std::string text = header.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     std::string bytes = std::string(magic) + length_text(text.size()) + text;
+    std::size_t size = bytes.size();
+    for (const Block& block : container.blocks) size += block.content.size();
+    bytes.reserve(size);
     for (const Block& block : container.blocks) bytes += block.content;
     return bytes;
 }
