@@ -1,0 +1,74 @@
+#include "compare/strip.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <random>
+
+#include "compare/runs.h"
+
+namespace zproof {
+namespace {
+
+/// Runs of one to thirty pixels of a few ids, the largest and none among them.
+void show_runs(std::mt19937& random, Strip::Values<PrimitiveId>& shown) {
+    const std::array ids{PrimitiveId{0}, PrimitiveId{1}, PrimitiveId{UINT32_MAX - 1}, PrimitiveId::none};
+    const std::uint32_t longest = 1 + std::uint32_t(random() % 30);
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        shown[i] = i > 0 && random() % longest != 0 ? shown[i - 1] : ids[random() % ids.size()];
+}
+
+/// Calls visit with random strips whose ids were compared.
+template <class Visit>
+void for_each_strip(const Visit& visit) {
+    std::mt19937 random(1);
+    for (int round = 0; round < 2000; ++round) {
+        Strip strip{};
+        show_runs(random, strip.candidate.primitive);
+        strip.reference.primitive = strip.candidate.primitive;
+        if (round % 2 != 0) show_runs(random, strip.reference.primitive);
+        if (round % 4 == 2) strip.reference.primitive[random() % Strip::width] = PrimitiveId{7};
+        compare_ids(strip);
+        visit(strip);
+        if (testing::Test::HasFatalFailure()) return;
+    }
+}
+
+TEST(Strip, SaysWhereIdsTurnAndDiffer) {
+    for_each_strip([](const Strip& strip) {
+        const auto &ours = strip.candidate.primitive, &theirs = strip.reference.primitive;
+        for (std::size_t i = 0; i < Strip::width; ++i) {
+            ASSERT_EQ((strip.turns >> i & 1) != 0, i == 0 || ours[i] != ours[i - 1]) << i;
+            ASSERT_EQ((strip.differ >> i & 1) != 0, ours[i] != theirs[i]) << i;
+        }
+    });
+}
+
+TEST(Runs, AreFilledWithWhatTheirFirstPixelGives) {
+    for_each_strip([](const Strip& strip) {
+        std::size_t asked = 0;
+        const auto values = spread_over_runs<Strip::width>(
+            strip.turns, [&](std::size_t first) { return ++asked, std::uint32_t(100 + first); });
+        ASSERT_EQ(asked, std::size_t(std::popcount(strip.turns)));
+        std::uint32_t expected = 0;
+        for (std::size_t i = 0; i < Strip::width; ++i) {
+            if ((strip.turns >> i & 1) != 0) expected = std::uint32_t(100 + i);
+            ASSERT_EQ(values[i], expected) << i;
+        }
+    });
+}
+
+TEST(Runs, EndWithTheChunkThatTheyAreSpreadOver) {
+    for (std::uint32_t turns = 1; turns < 1u << tile_columns; turns += 2) {
+        const auto values =
+            spread_over_runs<tile_columns>(turns, [](std::size_t first) { return int(first); });
+        for (int i = 0, first = 0; i < int(tile_columns); ++i) {
+            if ((turns >> i & 1) != 0) first = i;
+            ASSERT_EQ(values[std::size_t(i)], first);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace zproof
