@@ -164,8 +164,8 @@ Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewRe
     for (const View& view : views) {
         if (interrupted()) return Ending::interrupted;
         const Docket docket{source, loaded.scene, scene_sha256, view, desk.parties};
-        std::optional<ViewResult> result =
-            run_view_or_say_why_not({docket, court, desk, &view == &views.back()});
+        std::optional<ViewResult> result = run_view_or_say_why_not(
+            {.docket = docket, .court = court, .desk = desk, .is_last = &view == &views.back()});
         if (!result) return Ending::interrupted;
         if (results.empty()) {
             result->times.load = load_time;

@@ -1,4 +1,4 @@
-/// All work on one scene: load, render, ask the reference, judge, write the evidence.
+/// All work on one scene: load, ask the reference, render, judge, write the evidence.
 #pragma once
 
 #include <filesystem>

@@ -25,7 +25,8 @@ double reach(const Affine<double>& f, const Around& box) {
 
 }  // namespace
 
-BoundedTriangle::BoundedTriangle(const ViewBounds& bounds, const Camera& camera, const SeenTriangle& triangle)
+BoundedTriangle::BoundedTriangle(const ViewBounds& bounds, const Camera& camera,
+                                 const ViewedTriangle& triangle)
     : of_view(bounds, triangle) {
     const TriangleBounds& b = of_view.bounds;
     is_never_cut = b.nearest > camera.near_depth && b.farthest < camera.far_depth;

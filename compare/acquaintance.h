@@ -13,14 +13,15 @@ namespace zproof {
 
 /// A triangle as every renderer of a view has it.
 struct KnownTriangle {
-    SeenTriangle seen;
+    ViewedTriangle seen;
     TriangleFilter filter;
 };
 
 /// A triangle as one renderer's bounds see it.
 struct BoundedTriangle {
     /// `triangle` must outlive it.
-    BoundedTriangle(const ViewBounds& bounds, const Camera& camera, const SeenTriangle& triangle);
+    BoundedTriangle(const ViewBounds& bounds, const Camera& camera, const ViewedTriangle& triangle);
+    BoundedTriangle(const ViewBounds& bounds, const Camera& camera, ViewedTriangle&& triangle) = delete;
 
     /// Does it keep between near and far, each moved inwards by its slack, all over the box, certainly?
     bool is_clear_of_planes(const TriangleFilter& filter, const Around& box) const;

@@ -73,7 +73,10 @@ struct OneTriangle {
     [[gnu::always_inline]] Plane plane_at(std::size_t) const {
         return {t.w_per_x, t.w_per_y, t.w_offset, t.least, t.most};
     }
-    [[gnu::always_inline]] DepthEstimate::Bound bound_at(std::size_t) const { return bound; }
+    template <class Projected>
+    [[gnu::always_inline]] DepthEstimate::Bound bound_at(std::size_t) const {
+        return bound;
+    }
 };
 struct OwnTriangles {
     const EstimateRow::Side& side;
@@ -82,11 +85,22 @@ struct OwnTriangles {
         const EstimateRow::Plane& p = side.plane;
         return {p.w_per_x[i], p.w_per_y[i], p.w_offset[i], p.least[i], p.most[i]};
     }
+    template <class Projected>
     [[gnu::always_inline]] DepthEstimate::Bound bound_at(std::size_t i) const {
         const EstimateRow::Bound& b = side.bound;
-        return {b.shift_base[i], b.most_shift[i],  b.nearness_error[i], b.beyond[i],
-                b.factor[i],     b.absolute[i],    b.unsure[i],         b.top[i],
-                b.shift_per[i],  b.plane_offset[i]};
+        DepthEstimate::Bound bound{b.shift_base[i],
+                                   b.most_shift[i],
+                                   b.nearness_error[i],
+                                   b.beyond[i],
+                                   b.factor[i],
+                                   b.absolute[i],
+                                   b.unsure[i],
+                                   b.top[i],
+                                   0,
+                                   0};
+        if constexpr (Projected::is_perspective)
+            bound.shift_per = b.shift_per[i], bound.plane_offset = b.plane_offset[i];
+        return bound;
     }
 };
 
@@ -110,6 +124,7 @@ template <class Triangles>
 
 /// How far a depth is off, and by how much it may be, both over the same.
 struct Perspective {
+    static constexpr bool is_perspective = true;
     static double error(double z, double nearness) { return z * nearness - 1; }
     static bool is_towards_most(float error) { return error < 0; }
     static float scaled(float error, float moved) { return error * moved; }
@@ -121,6 +136,7 @@ struct Perspective {
     }
 };
 struct Parallel {
+    static constexpr bool is_perspective = false;
     static double error(double z, double depth) { return z - depth; }
     static bool is_towards_most(float error) { return error > 0; }
     static float scaled(float error, float) { return error; }
@@ -139,7 +155,7 @@ template <class Projected, class Triangles>
     for (std::size_t i = 0; i < tile_columns; ++i)
         errors[i] = float(Projected::error(double(depth[i]), spots.w[i]));
     for (std::size_t i = 0; i < tile_columns; ++i) {
-        const DepthEstimate::Bound bound = triangles.bound_at(i);
+        const DepthEstimate::Bound bound = triangles.template bound_at<Projected>(i);
         const float w = spots.w_float[i], error = errors[i];
         const float varying = Projected::shift(bound, w);
         const float shift = (varying < bound.most_shift ? varying : bound.most_shift) + bound.nearness_error;

@@ -8,7 +8,10 @@ namespace zproof {
 namespace {
 
 /// Numbers as they follow each other in memory.
-constexpr std::size_t double_count = 5, float_count = 10, perspective_float_count = 2;
+constexpr std::size_t double_count = 5, float_count = 10;
+/// Of the floats, those that perspectives have alone.
+constexpr std::size_t perspective_float_count = 2;
+static_assert((float_count - perspective_float_count) % 4 == 0);
 static_assert(sizeof(EstimateRow::Plane) == double_count * sizeof(TileRow));
 static_assert(sizeof(EstimateRow::Bound) == float_count * sizeof(TileRowOf<float>));
 static_assert(offsetof(DepthEstimate, candidate) == double_count * sizeof(double));
@@ -40,8 +43,8 @@ template <class Vector>
     }
 }
 
-/// Those of eight pixels, four numbers of each at a time. The last four are two numbers and what follows
-/// them.
+/// Those of eight pixels, four numbers of each at a time. A perspective's last four are two numbers and what
+/// follows them.
 [[gnu::always_inline]] inline void put_bounds(Projection projection, const DepthEstimate* const* triangles,
                                               std::size_t first_byte, std::size_t column,
                                               EstimateRow::Bound& row) {
@@ -67,7 +70,7 @@ template <class Vector>
                     cd_high = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
         put(i, __builtin_shufflevector(ab, cd, 0, 1, 8, 9, 4, 5, 12, 13));
         put(i + 1, __builtin_shufflevector(ab, cd, 2, 3, 10, 11, 6, 7, 14, 15));
-        if (i + 2 >= float_count) break;
+        if (i + 2 >= count) break;
         put(i + 2, __builtin_shufflevector(ab_high, cd_high, 0, 1, 8, 9, 4, 5, 12, 13));
         put(i + 3, __builtin_shufflevector(ab_high, cd_high, 2, 3, 10, 11, 6, 7, 14, 15));
     }

@@ -61,7 +61,7 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
     return {p[index.x], p[index.y], p[index.z]};
 }
 
-TriangleOfView::TriangleOfView(const ViewBounds& of_view, const SeenTriangle& triangle)
+TriangleOfView::TriangleOfView(const ViewBounds& of_view, const ViewedTriangle& triangle)
     : seen(&triangle), bounds(of_view.of(triangle.extent)), keeps_to_corners(of_view.keeps_to_corners()) {
     if (!triangle.image.is_kept()) return;
     const auto plane = triangle.image.kept_plane();
@@ -75,7 +75,7 @@ double TriangleOfView::eps_px(const Sight<double>& sight) const {
 }
 
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world) {
-    const SeenTriangle seen(sight, p_world, bounds.extent_of(p_world));
+    const ViewedTriangle seen(sight, p_world, bounds.extent_of(p_world));
     return neighbour_of(sight, TriangleOfView(bounds, seen));
 }
 
@@ -103,7 +103,7 @@ Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangl
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const Site& site, double own_eps_px) {
     const Sight<double> any(view, site.x, site.y);
-    std::optional<SeenTriangle> seen;
+    std::optional<ViewedTriangle> seen;
     std::optional<TriangleOfView> latest;
     return neighbourhood_of(view, site, own_eps_px, [&](std::uint32_t triangle) -> const TriangleOfView& {
         const CornersWorld p_world = corners_of(scene, triangle);
@@ -130,7 +130,7 @@ double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds
     if (answer == PrimitiveId::none) return bounds.background_eps_px();
     const Sight<double> sight(view, x, y);
     const CornersWorld p_world = corners_of(scene, std::uint32_t(answer));
-    const SeenTriangle seen(sight, p_world, bounds.extent_of(p_world));
+    const ViewedTriangle seen(sight, p_world, bounds.extent_of(p_world));
     return TriangleOfView(bounds, seen).eps_px(sight);
 }
 

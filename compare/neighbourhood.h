@@ -49,9 +49,9 @@ struct Neighbourhood {
 CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);
 
 /// What one triangle is at every pixel of a view, whoever draws it.
-struct SeenTriangle {
+struct ViewedTriangle {
     /// `any` is the sight of any pixel of the view.
-    SeenTriangle(const Sight<double>& any, const CornersWorld& p, const TriangleExtent& e)
+    ViewedTriangle(const Sight<double>& any, const CornersWorld& p, const TriangleExtent& e)
         : p_world(p), extent(e), image(any, p), plane_error(e.size.plane) {}
 
     CornersWorld p_world;
@@ -63,7 +63,8 @@ struct SeenTriangle {
 /// What it brings there by one renderer's bounds.
 struct TriangleOfView {
     /// `triangle` must outlive it.
-    TriangleOfView(const ViewBounds& of_view, const SeenTriangle& triangle);
+    TriangleOfView(const ViewBounds& of_view, const ViewedTriangle& triangle);
+    TriangleOfView(const ViewBounds& of_view, ViewedTriangle&& triangle) = delete;
 
     /// The renderer's bounds at a place of the triangle's plane; `gradient` as TriangleBounds::at has it.
     LocalBounds bounds_at(double nearness, double gradient) const {
@@ -72,7 +73,7 @@ struct TriangleOfView {
     /// eps at a pixel, the very bits of neighbour_of(...).bounds.eps_px.
     double eps_px(const Sight<double>& sight) const;
 
-    const SeenTriangle* seen;
+    const ViewedTriangle* seen;
     TriangleBounds bounds;
     std::optional<BoundsOnPlane> on_plane;  ///< where its gradient is the same at every pixel
     bool keeps_to_corners;

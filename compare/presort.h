@@ -54,7 +54,7 @@ class Presort {
     void raise_largest(const EstimatedRow& row, ColumnMask pixels, const Source& source);
     void raise(const Exceeding& pixels, const Source& source, float& counted, double& largest) const;
     struct Agreement {
-        ColumnMask same, agreed;  ///< both show the same; and that is not nothing
+        ColumnMask same, agreed;  ///< both show the same; and are not bare
     };
     bool settle(const EstimatedRow& row, const Agreement& pixels, const Source& source, Strip& strip);
     bool sort_one_law(const Source& source, Strip& strip);

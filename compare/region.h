@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -75,10 +76,18 @@ class Region {
         return sign(line.f.at(corner.x, corner.y));
     }
 
+    /// Stands for a line that nobody remembers: it is no other one, and has no ends.
+    static const Line<Number>* forgotten_line() {
+        static const Line<Number> line{.f = {}, .id = std::numeric_limits<int>::min()};
+        return &line;
+    }
+
+    /// The side that joins two neighbours. Where three lines or more meet, it may be one that the corner
+    /// there does not remember: then arithmetic decides on which side of a line its crossings lie.
     static const Line<Number>* common_line(const Corner& a, const Corner& b) {
         for (const Line<Number>* on : a.on)
-            if (on->id == b.on[0]->id || on->id == b.on[1]->id) return on;
-        return a.on[1];
+            if (on != forgotten_line() && (on->id == b.on[0]->id || on->id == b.on[1]->id)) return on;
+        return forgotten_line();
     }
 
     static Corner crossing(const Corner& a, const Corner& b, const Line<Number>& line) {

@@ -54,6 +54,7 @@ class AskedCells {
 struct IndexRange {
     std::uint32_t first, last;
 };
+static_assert(sizeof(glm::uvec3) == 3 * sizeof(std::uint32_t));
 /// Of the corners of at least one triangle. Compilers make vectors of it.
 [[gnu::target_clones("default", "avx2")]] IndexRange index_range(std::span<const glm::uvec3> run) {
     const std::uint32_t* const index = &run[0].x;

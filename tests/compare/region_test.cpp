@@ -105,6 +105,40 @@ TEST(Region, NothingIsLeftExactlyWhereClosedSetsCoverTheSquare) {
     EXPECT_LT(covered, 550);
 }
 
+/// As edges of a mesh do: many through one point, each with several triangles.
+TEST(Region, NothingIsLeftExactlyWhereSetsOfTheSameLinesCoverTheSquare) {
+    int covered = 0;
+    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        Sheet sheet;
+        std::vector<Exact> lines;  // and their opposites, of the same id
+        lines.reserve(14);
+        const int x = dice.below(3) - 1, y = dice.below(3) - 1;
+        for (int i = 0; i < 7; ++i) {
+            Exact line = *sheet.add(dice);
+            if (i > 1) line.f.c = -(line.f.a * x + line.f.b * y);
+            lines.push_back(line);
+            lines.push_back({-line.f, line.id, {-1, -1}});
+        }
+        std::vector<Region<Rational>> left{sheet.square()};
+        std::vector<brute_force::Set> sets;
+        for (int i = 0; i < 7; ++i) {
+            HalfPlanes<Rational> hiding;
+            sets.emplace_back();
+            for (int k = dice.below(2); k < 3; ++k) {
+                hiding.push_back(&lines[std::size_t(dice.below(int(lines.size())))]);
+                sets.back().push_back(plain(*hiding.back()));
+            }
+            left = without(left, hiding);
+            ASSERT_EQ(left.empty(), brute_force::is_covered(plain_square(), sets));
+        }
+        covered += left.empty();
+    }
+    EXPECT_GT(covered, 50);
+    EXPECT_LT(covered, 1450);
+}
+
 TEST(Region, ASquareWithoutSideIsItsCentre) {
     Dice dice(1);
     const Exact side{{1, 0, 0}, -2, {-1, -1}}, through{{1, 1, 0}, -3, {-1, -1}},
