@@ -61,11 +61,7 @@ int main(int argc, char** argv) {
               << ", \"height\": " << view.height << ", \"scene_mib\": " << scene_mib
               << ", \"frame_mib\": " << 8.0 * view.width * view.height / (1 << 20) << ", ";
     Stages stages;
-    std::optional<oracle::Embree> embree;
-    stages.run("build", [&] {
-        embree.emplace(timed.scene);
-        return 0;
-    });
+    std::optional embree = stages.run("build", [&] { return oracle::Embree{timed.scene}; });
     const Frame reference = stages.run("trace", [&] { return embree->trace(view); });
     std::cout << "\"mib_after_trace\": " << peak_mib() << ", ";
     embree.reset();

@@ -19,10 +19,6 @@ double far_limit(const Camera& c, double slack) {
     return perspective ? 1 / depth : -depth;
 }
 
-double reach(const Affine<double>& f, const Around& box) {
-    return box.half_x * std::abs(f.a) + box.half_y * std::abs(f.b);
-}
-
 }  // namespace
 
 BoundedTriangle::BoundedTriangle(const ViewBounds& bounds, const Camera& camera,

@@ -7,6 +7,7 @@
 
 namespace zproof {
 
+/// Displacements are told in so many steps of eps.
 inline constexpr int displacement_steps = 1024;
 
 /// Half the side of the least square that is asked about: what is seen there needs no displacement.

@@ -80,25 +80,13 @@ template <class Vector>
 
 /// Compiled once per instruction set; it moves numbers only.
 [[gnu::flatten, gnu::target_clones("default", "avx2")]] void put_side_by_side(Projection projection,
-                                                                              const Estimates& shown,
-                                                                              EstimateRow& row) {
-    row.is_one_plane = true;
-    for (std::size_t i = 0; i < tile_columns; i += 4) put_planes(&shown[i], i, row.candidate.plane);
-    for (std::size_t i = 0; i < tile_columns; i += 8) {
-        put_bounds(projection, &shown[i], offsetof(DepthEstimate, candidate), i, row.candidate.bound);
-        put_bounds(projection, &shown[i], offsetof(DepthEstimate, reference), i, row.reference.bound);
-    }
-}
-
-[[gnu::flatten, gnu::target_clones("default", "avx2")]] void put_side_by_side(Projection projection,
                                                                               const Estimates& ours,
                                                                               const Estimates& theirs,
                                                                               EstimateRow& row) {
-    row.is_one_plane = false;
-    for (std::size_t i = 0; i < tile_columns; i += 4) {
-        put_planes(&ours[i], i, row.candidate.plane);
+    row.is_one_plane = &ours == &theirs;
+    for (std::size_t i = 0; i < tile_columns; i += 4) put_planes(&ours[i], i, row.candidate.plane);
+    for (std::size_t i = 0; i < tile_columns && !row.is_one_plane; i += 4)
         put_planes(&theirs[i], i, row.reference.plane);
-    }
     for (std::size_t i = 0; i < tile_columns; i += 8) {
         put_bounds(projection, &ours[i], offsetof(DepthEstimate, candidate), i, row.candidate.bound);
         put_bounds(projection, &theirs[i], offsetof(DepthEstimate, reference), i, row.reference.bound);

@@ -29,9 +29,8 @@ struct EstimateRow {
 };
 
 using Estimates = TileRowOf<const DepthEstimate*>;
-/// Of what both frames show.
-void put_side_by_side(Projection projection, const Estimates& shown, EstimateRow& row);
-/// `ours` is what the candidate shows, `theirs` the reference.
+/// `ours` is what the candidate shows, `theirs` the reference; one object where both show the same, whose
+/// planes are then put once.
 void put_side_by_side(Projection projection, const Estimates& ours, const Estimates& theirs,
                       EstimateRow& row);
 

@@ -15,9 +15,8 @@ struct Extremes {
     double least, most;
 };
 Extremes extremes(const Affine<double>& f, const Around& box) {
-    const double middle = f.at(box.x, box.y);
-    const double reach = box.half_x * std::abs(f.a) + box.half_y * std::abs(f.b);
-    return {middle - reach, middle + reach};
+    const double middle = f.at(box.x, box.y), most_off = reach(f, box);
+    return {middle - most_off, middle + most_off};
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ double TriangleOfView::eps_px(const Sight<double>& sight) const {
 }
 
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world) {
-    const ViewedTriangle seen(sight, p_world, bounds.extent_of(p_world));
+    const ViewedTriangle seen(bounds, sight, p_world);
     return neighbour_of(sight, TriangleOfView(bounds, seen));
 }
 
@@ -106,8 +106,7 @@ Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewB
     std::optional<ViewedTriangle> seen;
     std::optional<TriangleOfView> latest;
     return neighbourhood_of(view, site, own_eps_px, [&](std::uint32_t triangle) -> const TriangleOfView& {
-        const CornersWorld p_world = corners_of(scene, triangle);
-        return latest.emplace(bounds, seen.emplace(any, p_world, bounds.extent_of(p_world)));
+        return latest.emplace(bounds, seen.emplace(bounds, any, corners_of(scene, triangle)));
     });
 }
 
@@ -129,8 +128,7 @@ double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds
                   PrimitiveId answer) {
     if (answer == PrimitiveId::none) return bounds.background_eps_px();
     const Sight<double> sight(view, x, y);
-    const CornersWorld p_world = corners_of(scene, std::uint32_t(answer));
-    const ViewedTriangle seen(sight, p_world, bounds.extent_of(p_world));
+    const ViewedTriangle seen(bounds, sight, corners_of(scene, std::uint32_t(answer)));
     return TriangleOfView(bounds, seen).eps_px(sight);
 }
 

@@ -51,6 +51,8 @@ CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);
 /// What one triangle is at every pixel of a view, whoever draws it.
 struct ViewedTriangle {
     /// `any` is the sight of any pixel of the view.
+    ViewedTriangle(const ViewBounds& of_view, const Sight<double>& any, const CornersWorld& p)
+        : ViewedTriangle(any, p, of_view.extent_of(p)) {}
     ViewedTriangle(const Sight<double>& any, const CornersWorld& p, const TriangleExtent& e)
         : p_world(p), extent(e), image(any, p), plane_error(e.size.plane) {}
 

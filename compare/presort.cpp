@@ -139,7 +139,7 @@ EstimatedRow Presort::estimated(const Source& source) {
     const Estimates ours = estimates_of_candidate(source);
     EstimateRow triangles;
     if (Strip::in_chunk(strip.differ, first) == 0)
-        put_side_by_side(projection_, ours, triangles);
+        put_side_by_side(projection_, ours, ours, triangles);
     else
         put_side_by_side(projection_, ours, estimates_of_reference(ours, source), triangles);
     EstimatedRow row;

@@ -28,6 +28,11 @@ inline Around around(const Box& raster) {
             0.5 * (raster.bottom - raster.top)};
 }
 
+/// How far an affine function's values in a box may be from that in its middle.
+inline double reach(const Affine<double>& f, const Around& box) {
+    return box.half_x * std::abs(f.a) + box.half_y * std::abs(f.b);
+}
+
 struct TriangleFilter {
     enum class Place {
         misses,   ///< no point of the box is on the closed triangle, certainly

@@ -209,7 +209,7 @@ TEST(ImageOfView, HasTheBitsOfImageOfAtEveryPixel) {
         for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
             const CornersWorld p = corners_of(s.scene, t);
             const Sight<double> sight(s.view, dice.below(16), dice.below(16));
-            const ViewedTriangle seen(Sight<double>(s.view, s.x, s.y), p, bounds.extent_of(p));
+            const ViewedTriangle seen(bounds, Sight<double>(s.view, s.x, s.y), p);
             const TriangleOfView triangle(bounds, seen);
             const auto image = seen.image.at(sight), expected = image_of(sight, corners<double>(p));
             ASSERT_EQ(image.has_value(), expected.has_value());

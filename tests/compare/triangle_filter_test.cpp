@@ -151,7 +151,7 @@ TEST(BoundedTriangle, ClearOfThePlanesMeansNothingIsCut) {
         const Sight<double> any(s.view, s.x, s.y);
         for (std::size_t i = 0; i < s.around.neighbours.size(); ++i) {
             const CornersWorld& p = s.around.neighbours[i].p_world;
-            const ViewedTriangle seen(any, p, bounds.extent_of(p));
+            const ViewedTriangle seen(bounds, any, p);
             const BoundedTriangle triangle(bounds, s.view.camera, seen);
             const TriangleFilter filter = TriangleFilters(s.view).of(p);
             const Around square{double(s.x), double(s.y), s.around.eps_px, s.around.eps_px};

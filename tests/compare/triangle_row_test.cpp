@@ -32,7 +32,7 @@ void for_each_row(const Visit& visit) {
         for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
             const CornersWorld p = corners_of(s.scene, t);
             const TriangleFilter filter = filters.of(p);
-            const ViewedTriangle seen(sights.at(0, 0), p, bounds.extent_of(p));
+            const ViewedTriangle seen(bounds, sights.at(0, 0), p);
             const TriangleOfView triangle(bounds, seen);
             for (int y = 0; y < 16 && filter.is_trusted; ++y) visit(sights, triangle, filter, RowPlace{1, y});
             if (testing::Test::HasFatalFailure()) return;
