@@ -3,6 +3,13 @@
 
 constexpr int batch_size = 16;
 
+constexpr int small_side = 4;  ///< pixels of a small triangle's box, at most
+
+/// The longest side of a small triangle's box, grid steps. Differences of its vertices, and from its first
+/// sample, are <= 2^13 (the box is cut to samples between the vertices), E there <= 2^27; three steps
+/// to the right and three down, at most 2^12 grid steps to a pixel, add 6 * 2^25. So every |E| is < 2^29.
+constexpr std::int32_t small_extent = 1 << 13;
+
 /// [k] is a vertex, or the edge opposite to it.
 struct Batch {
     alignas(64) std::int32_t x[3][batch_size], y[3][batch_size];
@@ -11,8 +18,8 @@ struct Batch {
 
     /// Of the box in the tile, pixels: first, last. Nothing is in it where the last is before the first.
     alignas(64) std::int32_t column0[batch_size], column1[batch_size], row0[batch_size], row1[batch_size];
-    alignas(64) std::int32_t extent[batch_size];  ///< the longer side of the whole box, grid steps
-    alignas(64) double weight[3][batch_size];     ///< nearness of vertex k, divided by 2A
+    alignas(64) std::int32_t is_small[batch_size];  ///< all ones, or 0: see small_side
+    alignas(64) double weight[3][batch_size];       ///< nearness of vertex k, divided by 2A
 
     /// Filled up with the last triangle.
     void load(const Triangles& triangles, const std::uint32_t* places, int last);
@@ -20,34 +27,38 @@ struct Batch {
     void set_up_weights();
 
   private:
-    void put_vertex(int k, int i, const SnappedVertex& v) {
-        x[k][i] = v.p.x;
-        y[k][i] = v.p.y;
-        nearness[k][i] = v.nearness;
+    void put_corner(int k, const SnappedVertex* const (&corner)[batch_size]) {
+        put_side_by_side(corner, x[k], y[k], nearness[k]);
     }
 };
 
 void Batch::load(const Triangles& triangles, const std::uint32_t* places, int last) {
-    for (int i = 0; i < batch_size; ++i) {
-        // Without a branch: triangles of both windings are mixed.
-        const int second = places[lesser(i, last)] & turned ? 2 : 1;
-        const std::uint32_t place = places[lesser(i, last)] & ~turned;
+    const SnappedVertex* corner[3][batch_size];
+    for (int i = 0; i <= last; ++i) {
+        const std::uint32_t place = places[i] & ~turned;
         const SnappedVertex *a, *b, *c;
         if (place < triangles.length) {
-            const glm::uvec3& corner = triangles.corners[place];
-            a = triangles.vertices + corner.x;
-            b = triangles.vertices + corner.y;
-            c = triangles.vertices + corner.z;
+            const glm::uvec3& index = triangles.corners[place];
+            a = triangles.vertices + index.x;
+            b = triangles.vertices + index.y;
+            c = triangles.vertices + index.z;
             id[i] = place;
         } else {
             const SnappedPiece& piece = triangles.pieces[place - triangles.length];
             a = piece.vertex, b = piece.vertex + 1, c = piece.vertex + 2;
             id[i] = static_cast<std::uint32_t>(piece.id);
         }
-        put_vertex(0, i, *a);
-        put_vertex(second, i, *b);
-        put_vertex(3 - second, i, *c);
+        // Without a branch: triangles of both windings are mixed.
+        const bool is_turned = (places[i] & turned) != 0;
+        corner[0][i] = a;
+        corner[1][i] = is_turned ? c : b;
+        corner[2][i] = is_turned ? b : c;
     }
+    for (int i = last + 1; i < batch_size; ++i) {
+        for (auto& of_corner : corner) of_corner[i] = of_corner[last];
+        id[i] = id[last];
+    }
+    for (int k = 0; k < 3; ++k) put_corner(k, corner[k]);
 }
 
 /// Pixels whose samples lie in the bounding box, cut to the tile; shifts floor.
@@ -63,7 +74,9 @@ void Batch::set_up_box(const TileSamples& tile) {
         column1[i] = lesser(((right - offset) >> bits) - tile.x0, tile_size - 1);
         row0[i] = greater_of(((top - offset + before_next) >> bits) - tile.y0, 0);
         row1[i] = lesser(((bottom - offset) >> bits) - tile.y0, tile_size - 1);
-        extent[i] = greater_of(right - left, bottom - top);
+        const std::int32_t columns = column1[i] - column0[i] + 1, rows = row1[i] - row0[i] + 1;
+        const std::int32_t extent = greater_of(right - left, bottom - top);
+        is_small[i] = (columns <= small_side) & (rows <= small_side) & (extent <= small_extent) ? ~0 : 0;
     }
 }
 

@@ -16,8 +16,8 @@ bool reaches(const EdgeFunction& edge, const PixelRect& pixels, const SubpixelGr
 
 /// Clockwise.
 Corners corners_of(const CornerLanes& lanes, int i, bool is_turned) {
-    const auto at = [&](int k) { return SnappedPoint{lanes.x[k][i], lanes.y[k][i]}; };
-    return is_turned ? Corners{at(0), at(2), at(1)} : Corners{at(0), at(1), at(2)};
+    const auto& [a, b, c] = lanes.corner;
+    return is_turned ? Corners{a[i], c[i], b[i]} : Corners{a[i], b[i], c[i]};
 }
 
 }  // namespace
@@ -65,13 +65,12 @@ void BinnedRun::add_pieces(const Scene& scene, std::uint32_t triangle) {
     }
 }
 
-void BinnedRun::add(SnappedPoint a, SnappedPoint b, SnappedPoint c, std::uint32_t place) {
+void BinnedRun::add(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c,
+                    std::uint32_t place) {
     const int i = queue_.count++;
-    const SnappedPoint corner[] = {a, b, c};
-    for (int k = 0; k < 3; ++k) {
-        queue_.corners.x[k][i] = corner[k].x;
-        queue_.corners.y[k][i] = corner[k].y;
-    }
+    queue_.corners.corner[0][i] = a;
+    queue_.corners.corner[1][i] = b;
+    queue_.corners.corner[2][i] = c;
     queue_.place[i] = place;
     if (queue_.count == CornerLanes::count) place_queue();
 }

@@ -47,7 +47,7 @@ class BinnedRun {
         std::uint32_t place[CornerLanes::count] = {};
         int count = 0;
     };
-    void add(SnappedPoint a, SnappedPoint b, SnappedPoint c, std::uint32_t place);
+    void add(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c, std::uint32_t place);
     void add_pieces(const Scene& scene, std::uint32_t triangle);
     void place_queue();
     void add_to_tiles(int lane, const PlacedLanes& placed, std::uint32_t place);

@@ -1,10 +1,13 @@
 // What the scan of larger triangles needs beside their weights, for a batch at once.
+//
+// From one pixel to the next E takes steps of 2^bits, so E >= least exactly where F >= 0, with
+// F = floor((E - least) / 2^bits): whole numbers, whose steps are the differences of two vertices.
 
 struct Edges {
-    alignas(64) double e[3][batch_size];                    ///< E at the sample of the tile's first pixel
-    alignas(64) double a[3][batch_size], b[3][batch_size];  ///< step of E to the next column, row
-    alignas(64) double least[3][batch_size];                ///< the least E that is covered
-    alignas(64) float nearest[batch_size];                  ///< no pixel gets more
+    alignas(64) double e[3][batch_size], f[3][batch_size];  ///< E, F at the sample of the tile's first pixel
+    /// Step of F to the next column, row; of E it is 2^bits times that.
+    alignas(64) std::int32_t to_column[3][batch_size], to_row[3][batch_size];
+    alignas(64) float nearest[batch_size];  ///< no pixel gets more
 
     void set_up(const Batch& batch, const TileSamples& tile);
 
@@ -13,6 +16,13 @@ struct Edges {
     void set_up_nearest(const Batch& batch);
 };
 
+/// For |a| <= 2^51: the sum is in [2^52, 2^53], where doubles are the whole numbers.
+constexpr double floor_of(double a) {
+    constexpr double no_fractions = 0x1.8p52;
+    const double nearest = (a + no_fractions) - no_fractions;
+    return nearest > a ? nearest - 1 : nearest;
+}
+
 /// E(p) = dx (p.y - from.y) - dy (p.x - from.x). 0.0 turns a -0 into the 0 that integers know.
 void Edges::set_up_edge(int k, const Batch& batch, const TileSamples& tile) {
     const int from = (k + 1) % 3, to = (k + 2) % 3;
@@ -20,14 +30,17 @@ void Edges::set_up_edge(int k, const Batch& batch, const TileSamples& tile) {
     const std::int32_t sample_x = tile.x0 * steps + tile.sample_offset;
     const std::int32_t sample_y = tile.y0 * steps + tile.sample_offset;
     const double of_top_left = tile.least_of_top_left, of_others = tile.least_of_others;
+    const double of_a_step = 1.0 / steps;
     for (int i = 0; i < batch_size; ++i) {
         const std::int32_t dx = batch.x[to][i] - batch.x[from][i], dy = batch.y[to][i] - batch.y[from][i];
-        e[k][i] = (double(dx) * double(sample_y - batch.y[from][i]) -
-                   double(dy) * double(sample_x - batch.x[from][i])) +
-                  0.0;
-        a[k][i] = -double(dy) * double(steps);
-        b[k][i] = double(dx) * double(steps);
-        least[k][i] = is_top_left(dx, dy) ? of_top_left : of_others;
+        const double at_first = (double(dx) * double(sample_y - batch.y[from][i]) -
+                                 double(dy) * double(sample_x - batch.x[from][i])) +
+                                0.0;
+        const double least = is_top_left(dx, dy) ? of_top_left : of_others;
+        e[k][i] = at_first;
+        f[k][i] = floor_of((at_first - least) * of_a_step);
+        to_column[k][i] = -dy;
+        to_row[k][i] = dx;
     }
 }
 

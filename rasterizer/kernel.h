@@ -70,7 +70,7 @@ struct VertexWork {
 /// Triangles side by side, to be placed together. [k] is a corner.
 struct CornerLanes {
     static constexpr int count = 16;
-    alignas(64) std::int32_t x[3][count], y[3][count];
+    alignas(64) SnappedPoint corner[3][count];
 };
 
 /// The tiles that triangles may cover samples of: from column0, row0 to column1, row1; none where column1 is

@@ -17,6 +17,7 @@
 constexpr std::int32_t lesser(std::int32_t a, std::int32_t b) { return a < b ? a : b; }
 constexpr std::int32_t greater_of(std::int32_t a, std::int32_t b) { return a > b ? a : b; }
 constexpr double greater_of(double a, double b) { return a > b ? a : b; }
+constexpr double lesser(double a, double b) { return a < b ? a : b; }
 constexpr double magnitude(double a) { return a < 0 ? -a : a; }
 
 /// Without branches, for vectors.
@@ -29,6 +30,8 @@ constexpr bool is_top_left(std::int32_t dx, std::int32_t dy) { return (dy < 0) |
 #include "rasterizer/batch.inl"
 #include "rasterizer/edges.inl"
 #include "rasterizer/small_triangles.inl"
+#include "rasterizer/cover.inl"
+#include "rasterizer/nearness.inl"
 #include "rasterizer/scan.inl"
 #include "rasterizer/visits.inl"
 #include "rasterizer/resolve.inl"
@@ -37,15 +40,16 @@ constexpr bool is_top_left(std::int32_t dx, std::int32_t dy) { return (dy < 0) |
 /// In the order of drawing.
 template <class Visit>
 void draw_batch(const TileWork& work, const Batch& batch, int count, const Visit& visit) {
-    SmallTriangles small(batch);
-    if (small.has_any()) small.cover(batch, work.samples);
+    const unsigned is_small = negative_lanes(load(batch.is_small));
+    SmallTriangles small;
+    if (is_small != 0) small.cover(batch, work.samples);
     Edges edges;
-    if (small.has_others()) edges.set_up(batch, work.samples);
+    if (is_small != 0xFFFF) edges.set_up(batch, work.samples);
     for (int i = 0; i < count; ++i) {
-        if (small.is_small[i])
+        if (is_small >> i & 1)
             visit.small_triangle(batch, small, i, work.pixels);
         else
-            scan_triangle(work.pixels, batch, edges, i, visit);
+            scan_triangle(work, batch, edges, i, visit);
     }
 }
 
@@ -82,7 +86,7 @@ void for_each_triangle(const TileWork& work) {
     }
 }
 
-void draw(const TileWork& work) noexcept { for_each_triangle<Draw>(work); }
+[[gnu::flatten]] void draw(const TileWork& work) noexcept { for_each_triangle<Draw>(work); }
 void count(const TileWork& work) noexcept { for_each_triangle<Count>(work); }
 void draw_every_block(const TileWork& work) noexcept { for_each_triangle<DrawEveryBlock>(work); }
 void draw_tallied(const TileWork& work) noexcept { for_each_triangle<DrawTallied>(work); }

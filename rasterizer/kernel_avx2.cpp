@@ -7,12 +7,7 @@
 namespace zproof::rasterizer::avx2 {
 namespace {
 
-/// All ones or all zeros, one per double.
-struct WideMask {
-    __m256d part[4];
-};
-
-/// The same, one per float.
+/// By the sign bit, one per float.
 struct Mask {
     __m256 low, high;
 };
@@ -25,35 +20,48 @@ struct Floats {
     __m256 low, high;
 };
 
-WideMask operator&(const WideMask& a, const WideMask& b) {
-    WideMask both;
-    for (int i = 0; i < 4; ++i) both.part[i] = _mm256_and_pd(a.part[i], b.part[i]);
-    return both;
-}
-
-Mask operator&(const Mask& a, const Mask& b) {
-    return {_mm256_and_ps(a.low, b.low), _mm256_and_ps(a.high, b.high)};
-}
-
-unsigned bits_of(const WideMask& mask) {
-    unsigned bits = 0;
-    for (int i = 0; i < 4; ++i) bits |= static_cast<unsigned>(_mm256_movemask_pd(mask.part[i])) << 4 * i;
-    return bits;
-}
+struct Ints {
+    __m256i low, high;
+};
 
 unsigned bits_of(const Mask& mask) {
     return static_cast<unsigned>(_mm256_movemask_ps(mask.low)) |
            static_cast<unsigned>(_mm256_movemask_ps(mask.high)) << 8;
 }
 
-/// Eight masks of 64 bits to eight of 32: the even halves, back in order.
-__m256 halved(__m256d a, __m256d b) {
-    const __m256 mixed = _mm256_shuffle_ps(_mm256_castpd_ps(a), _mm256_castpd_ps(b), 0b10'00'10'00);
-    return _mm256_castpd_ps(_mm256_permute4x64_pd(_mm256_castps_pd(mixed), 0b11'01'10'00));
+Mask signs_of(const Ints& a) { return {_mm256_castsi256_ps(a.low), _mm256_castsi256_ps(a.high)}; }
+
+unsigned negative_lanes(const Ints& a) { return bits_of(signs_of(a)); }
+
+Mask without_negative(const Mask& mask, const Ints& a) {
+    const Mask negative = signs_of(a);
+    return {_mm256_andnot_ps(negative.low, mask.low), _mm256_andnot_ps(negative.high, mask.high)};
 }
 
-Mask narrowed(const WideMask& mask) {
-    return {halved(mask.part[0], mask.part[1]), halved(mask.part[2], mask.part[3])};
+Ints all(std::int32_t value) { return {_mm256_set1_epi32(value), _mm256_set1_epi32(value)}; }
+
+Ints load(const std::int32_t* values) {
+    const auto* const at = reinterpret_cast<const __m256i*>(values);
+    return {_mm256_load_si256(at), _mm256_load_si256(at + 1)};
+}
+
+void store(std::int32_t* to, const Ints& values) {
+    auto* const at = reinterpret_cast<__m256i*>(to);
+    _mm256_store_si256(at, values.low);
+    _mm256_store_si256(at + 1, values.high);
+}
+
+Ints operator+(const Ints& a, const Ints& b) {
+    return {_mm256_add_epi32(a.low, b.low), _mm256_add_epi32(a.high, b.high)};
+}
+
+Ints operator*(const Ints& a, std::int32_t b) {
+    const __m256i factor = _mm256_set1_epi32(b);
+    return {_mm256_mullo_epi32(a.low, factor), _mm256_mullo_epi32(a.high, factor)};
+}
+
+Ints operator|(const Ints& a, const Ints& b) {
+    return {_mm256_or_si256(a.low, b.low), _mm256_or_si256(a.high, b.high)};
 }
 
 Doubles all(double value) {
@@ -71,6 +79,15 @@ Doubles load(const double* values) {
 
 Floats load(const float* values) { return {_mm256_load_ps(values), _mm256_load_ps(values + 8)}; }
 
+/// Four rows of four, `stride` apart.
+Floats load_square(const float* values, int stride) {
+    const auto pair = [&](int row) {
+        const float* const at = values + row * stride;
+        return _mm256_set_m128(_mm_loadu_ps(at + stride), _mm_loadu_ps(at));
+    };
+    return {pair(0), pair(2)};
+}
+
 void store(double* to, const Doubles& values) {
     for (int i = 0; i < 4; ++i) _mm256_store_pd(to + 4 * i, values.part[i]);
 }
@@ -87,10 +104,13 @@ Doubles operator*(const Doubles& a, double b) {
     return d;
 }
 
-WideMask at_least(const Doubles& a, double b) {
-    WideMask mask;
-    for (int i = 0; i < 4; ++i) mask.part[i] = _mm256_cmp_pd(a.part[i], _mm256_set1_pd(b), _CMP_GE_OQ);
-    return mask;
+/// Of whole numbers those from -most to most, and the nearest of them instead of others.
+Ints clamped(const Doubles& a, double most) {
+    const auto part = [&](int i) {
+        const __m256d at_most = _mm256_min_pd(a.part[i], _mm256_set1_pd(most));
+        return _mm256_cvttpd_epi32(_mm256_max_pd(at_most, _mm256_set1_pd(-most)));
+    };
+    return {_mm256_set_m128i(part(1), part(0)), _mm256_set_m128i(part(3), part(2))};
 }
 
 Mask greater(const Floats& a, const Floats& b) {
@@ -115,9 +135,9 @@ void store(float* to, const Floats& values) {
 
 void put(std::uint32_t* to, const Mask& where, std::uint32_t value) {
     const __m256i values = _mm256_set1_epi32(static_cast<int>(value));
-    const auto put_half = [&](void* half, __m256 mask) {
-        __m256i* const at = static_cast<__m256i*>(half);
-        _mm256_store_si256(at, _mm256_blendv_epi8(_mm256_load_si256(at), values, _mm256_castps_si256(mask)));
+    const auto put_half = [&](std::uint32_t* half, const __m256& mask) {
+        auto* const at = reinterpret_cast<__m256*>(half);
+        *at = _mm256_blendv_ps(*at, _mm256_castsi256_ps(values), mask);
     };
     put_half(to, where.low);
     put_half(to + 8, where.high);
@@ -138,6 +158,7 @@ void stream_four(void* to, const void* four) {
 /// Before another thread may look.
 void finish_streams() { _mm_sfence(); }
 
+#include "rasterizer/corners_avx.inl"
 #include "rasterizer/kernel.inl"
 
 }  // namespace

@@ -11,9 +11,7 @@ struct Mask {
     __mmask16 lanes = 0;
 };
 
-Mask operator&(Mask a, Mask b) { return {_kand_mask16(a.lanes, b.lanes)}; }
 unsigned bits_of(Mask mask) { return _cvtmask16_u32(mask.lanes); }
-Mask narrowed(Mask mask) { return mask; }
 
 struct Doubles {
     __m512d low, high;
@@ -23,10 +21,32 @@ struct Floats {
     __m512 lanes;
 };
 
+struct Ints {
+    __m512i lanes;
+};
+
+Mask negative(const Ints& a) { return {_mm512_movepi32_mask(a.lanes)}; }
+unsigned negative_lanes(const Ints& a) { return bits_of(negative(a)); }
+Mask without_negative(Mask mask, const Ints& a) { return {_kandn_mask16(negative(a).lanes, mask.lanes)}; }
+Ints all(std::int32_t value) { return {_mm512_set1_epi32(value)}; }
+Ints load(const std::int32_t* values) { return {_mm512_load_si512(values)}; }
+void store(std::int32_t* to, const Ints& values) { _mm512_store_si512(to, values.lanes); }
+Ints operator+(const Ints& a, const Ints& b) { return {_mm512_add_epi32(a.lanes, b.lanes)}; }
+Ints operator*(const Ints& a, std::int32_t b) { return {_mm512_mullo_epi32(a.lanes, _mm512_set1_epi32(b))}; }
+Ints operator|(const Ints& a, const Ints& b) { return {_mm512_or_si512(a.lanes, b.lanes)}; }
+
 Doubles all(double value) { return {_mm512_set1_pd(value), _mm512_set1_pd(value)}; }
 Floats all(float value) { return {_mm512_set1_ps(value)}; }
 Doubles load(const double* values) { return {_mm512_load_pd(values), _mm512_load_pd(values + 8)}; }
 Floats load(const float* values) { return {_mm512_load_ps(values)}; }
+
+/// Four rows of four, `stride` apart.
+Floats load_square(const float* values, int stride) {
+    const __m512 first = _mm512_castps128_ps512(_mm_loadu_ps(values));
+    const __m512 two = _mm512_insertf32x4(first, _mm_loadu_ps(values + stride), 1);
+    const __m512 three = _mm512_insertf32x4(two, _mm_loadu_ps(values + 2 * stride), 2);
+    return {_mm512_insertf32x4(three, _mm_loadu_ps(values + 3 * stride), 3)};
+}
 
 void store(double* to, const Doubles& values) {
     _mm512_store_pd(to, values.low);
@@ -42,10 +62,13 @@ Doubles operator*(const Doubles& a, double b) {
     return {_mm512_mul_pd(a.low, factor), _mm512_mul_pd(a.high, factor)};
 }
 
-Mask at_least(const Doubles& a, double b) {
-    const __m512d bound = _mm512_set1_pd(b);
-    return {_mm512_kunpackb(_mm512_cmp_pd_mask(a.high, bound, _CMP_GE_OQ),
-                            _mm512_cmp_pd_mask(a.low, bound, _CMP_GE_OQ))};
+/// Of whole numbers those from -most to most, and the nearest of them instead of others.
+Ints clamped(const Doubles& a, double most) {
+    const auto half = [&](const __m512d& lanes) {
+        const __m512d at_most = _mm512_min_pd(lanes, _mm512_set1_pd(most));
+        return _mm512_cvttpd_epi32(_mm512_max_pd(at_most, _mm512_set1_pd(-most)));
+    };
+    return {_mm512_inserti32x8(_mm512_castsi256_si512(half(a.low)), half(a.high), 1)};
 }
 
 Mask greater(const Floats& a, const Floats& b) { return {_mm512_cmp_ps_mask(a.lanes, b.lanes, _CMP_GT_OQ)}; }
@@ -75,6 +98,7 @@ void stream_four(void* to, const void* four) {
 /// Before another thread may look.
 void finish_streams() { _mm_sfence(); }
 
+#include "rasterizer/corners_avx.inl"
 #include "rasterizer/kernel.inl"
 
 }  // namespace

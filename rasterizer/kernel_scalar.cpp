@@ -9,9 +9,7 @@ struct Mask {
     unsigned lanes = 0;  ///< bit i: lane i
 };
 
-Mask operator&(Mask a, Mask b) { return {a.lanes & b.lanes}; }
 unsigned bits_of(Mask mask) { return mask.lanes; }
-Mask narrowed(Mask mask) { return mask; }
 
 struct Doubles {
     double lane[16];
@@ -20,6 +18,52 @@ struct Doubles {
 struct Floats {
     float lane[16];
 };
+
+struct Ints {
+    std::int32_t lane[16];
+};
+
+unsigned negative_lanes(const Ints& a) {
+    unsigned lanes = 0;
+    for (int i = 0; i < 16; ++i) lanes |= unsigned{a.lane[i] < 0} << i;
+    return lanes;
+}
+
+Mask without_negative(Mask mask, const Ints& a) { return {mask.lanes & ~negative_lanes(a)}; }
+
+Ints all(std::int32_t value) {
+    Ints all;
+    for (std::int32_t& lane : all.lane) lane = value;
+    return all;
+}
+
+Ints load(const std::int32_t* values) {
+    Ints a;
+    for (int i = 0; i < 16; ++i) a.lane[i] = values[i];
+    return a;
+}
+
+void store(std::int32_t* to, const Ints& values) {
+    for (int i = 0; i < 16; ++i) to[i] = values.lane[i];
+}
+
+Ints operator+(const Ints& a, const Ints& b) {
+    Ints sum;
+    for (int i = 0; i < 16; ++i) sum.lane[i] = a.lane[i] + b.lane[i];
+    return sum;
+}
+
+Ints operator*(const Ints& a, std::int32_t b) {
+    Ints product;
+    for (int i = 0; i < 16; ++i) product.lane[i] = a.lane[i] * b;
+    return product;
+}
+
+Ints operator|(const Ints& a, const Ints& b) {
+    Ints either;
+    for (int i = 0; i < 16; ++i) either.lane[i] = a.lane[i] | b.lane[i];
+    return either;
+}
 
 Doubles all(double value) {
     Doubles d;
@@ -45,6 +89,13 @@ Floats load(const float* values) {
     return f;
 }
 
+/// Four rows of four, `stride` apart.
+Floats load_square(const float* values, int stride) {
+    Floats f;
+    for (int i = 0; i < 16; ++i) f.lane[i] = values[i / 4 * stride + i % 4];
+    return f;
+}
+
 void store(double* to, const Doubles& values) {
     for (int i = 0; i < 16; ++i) to[i] = values.lane[i];
 }
@@ -61,10 +112,14 @@ Doubles operator*(const Doubles& a, double b) {
     return d;
 }
 
-Mask at_least(const Doubles& a, double b) {
-    Mask mask;
-    for (int i = 0; i < 16; ++i) mask.lanes |= unsigned{a.lane[i] >= b} << i;
-    return mask;
+/// Of whole numbers those from -most to most, and the nearest of them instead of others.
+Ints clamped(const Doubles& a, double most) {
+    Ints whole;
+    for (int i = 0; i < 16; ++i) {
+        const double at_most = a.lane[i] < most ? a.lane[i] : most;
+        whole.lane[i] = std::int32_t(at_most > -most ? at_most : -most);
+    }
+    return whole;
 }
 
 Mask greater(const Floats& a, const Floats& b) {
@@ -103,6 +158,16 @@ float least_of(const Floats& f) {
 /// go the ordinary way.
 void stream_four(void* to, const void* four) { __builtin_memcpy(to, four, 16); }
 void finish_streams() {}
+
+/// Sixteen vertices.
+void put_side_by_side(const SnappedVertex* const (&vertex)[16], std::int32_t* x, std::int32_t* y,
+                      double* nearness) {
+    for (int i = 0; i < 16; ++i) {
+        x[i] = vertex[i]->p.x;
+        y[i] = vertex[i]->p.y;
+        nearness[i] = vertex[i]->nearness;
+    }
+}
 
 #include "rasterizer/kernel.inl"
 

@@ -7,15 +7,15 @@ PlacedLanes place(const ViewSetup& setup, const CornerLanes& corners) noexcept {
     const SubpixelGrid grid = setup.grid;
     const std::int32_t width = setup.size.width, height = setup.size.height;
     const std::int32_t only_front = setup.facing == Facing::front ? 1 : 0;
-    const auto& [x, y] = corners;
+    const auto& [a, b, c] = corners.corner;
     PlacedLanes placed;
     for (int i = 0; i < CornerLanes::count; ++i) {
-        const double doubled_area = double(x[1][i] - x[0][i]) * double(y[2][i] - y[0][i]) -
-                                    double(y[1][i] - y[0][i]) * double(x[2][i] - x[0][i]);
-        const std::int32_t left = lesser(lesser(x[0][i], x[1][i]), x[2][i]);
-        const std::int32_t right = greater_of(greater_of(x[0][i], x[1][i]), x[2][i]);
-        const std::int32_t top = lesser(lesser(y[0][i], y[1][i]), y[2][i]);
-        const std::int32_t bottom = greater_of(greater_of(y[0][i], y[1][i]), y[2][i]);
+        const double doubled_area = double(b[i].x - a[i].x) * double(c[i].y - a[i].y) -
+                                    double(b[i].y - a[i].y) * double(c[i].x - a[i].x);
+        const std::int32_t left = lesser(lesser(a[i].x, b[i].x), c[i].x);
+        const std::int32_t right = greater_of(greater_of(a[i].x, b[i].x), c[i].x);
+        const std::int32_t top = lesser(lesser(a[i].y, b[i].y), c[i].y);
+        const std::int32_t bottom = greater_of(greater_of(a[i].y, b[i].y), c[i].y);
         const std::int32_t x0 = greater_of(0, grid.first_pixel_from(left));
         const std::int32_t y0 = greater_of(0, grid.first_pixel_from(top));
         const std::int32_t x1 = lesser(width - 1, grid.last_pixel_until(right));

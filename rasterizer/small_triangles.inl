@@ -1,13 +1,6 @@
 // Triangles of a few pixels: all of a batch at one pixel of their boxes, then at the next, in 32-bit
 // integers.
 
-constexpr int small_side = 4;  ///< pixels of a small triangle's box, at most
-
-/// The longest side of a small triangle's box, grid steps. Differences of its vertices, and from its first
-/// sample, are <= 2^13 (batch.inl cuts the box to samples between the vertices), E there <= 2^27; three steps
-/// to the right and three down, at most 2^12 grid steps to a pixel, add 6 * 2^25. So every |E| is < 2^29.
-constexpr std::int32_t small_extent = 1 << 13;
-
 /// place_in_tile (tile_pixels.h), as a sum.
 struct Places {
     int of_column[tile_size] = {}, of_row[tile_size] = {};
@@ -16,8 +9,8 @@ struct Places {
 constexpr Places places_in_tile() {
     Places places;
     for (int i = 0; i < tile_size; ++i) {
-        places.of_column[i] = i / 16 * 256 + i / 4 % 4 * 16 + i % 4;
-        places.of_row[i] = i / 16 * 1024 + i / 4 % 4 * 64 + i % 4 * 4;
+        places.of_column[i] = place_in_tile(i, 0);
+        places.of_row[i] = place_in_tile(0, i);
     }
     return places;
 }
@@ -33,41 +26,17 @@ struct SmallEdges {
 
 /// The small ones of a batch. A lane that is none, or empty, covers nothing.
 struct SmallTriangles {
-    alignas(64) std::int32_t is_small[batch_size];                ///< all ones, or 0
     alignas(64) std::int32_t covered[batch_size];                 ///< bit 4 row + column of the box
     alignas(64) float seen[small_side * small_side][batch_size];  ///< nearness there; means nothing elsewhere
 
-    explicit SmallTriangles(const Batch& batch);
-    bool has_any() const;
-    bool has_others() const;
     void cover(const Batch& batch, const TileSamples& tile);
 
   private:
-    SmallEdges edges[3];  ///< [k] is opposite vertex k
+    SmallEdges edges_[3];  ///< [k] is opposite vertex k
 
     SmallEdges edges_opposite(int k, const Batch& batch, const TileSamples& tile) const;
     void cover_pixel(const Batch& batch, int column, int row);
 };
-
-SmallTriangles::SmallTriangles(const Batch& batch) {
-    for (int i = 0; i < batch_size; ++i) {
-        const bool fits = (batch.column1[i] - batch.column0[i] < small_side) &
-                          (batch.row1[i] - batch.row0[i] < small_side) & (batch.extent[i] <= small_extent);
-        is_small[i] = fits ? ~0 : 0;
-    }
-}
-
-bool SmallTriangles::has_any() const {
-    std::int32_t any = 0;
-    for (int i = 0; i < batch_size; ++i) any |= is_small[i];
-    return any != 0;
-}
-
-bool SmallTriangles::has_others() const {
-    std::int32_t all = ~0;
-    for (int i = 0; i < batch_size; ++i) all &= is_small[i];
-    return all == 0;
-}
 
 /// E(p) = dx (p.y - from.y) - dy (p.x - from.x).
 SmallEdges SmallTriangles::edges_opposite(int k, const Batch& batch, const TileSamples& tile) const {
@@ -79,10 +48,10 @@ SmallEdges SmallTriangles::edges_opposite(int k, const Batch& batch, const TileS
     for (int i = 0; i < batch_size; ++i) {
         const std::int32_t sample_x = ((tile_x + batch.column0[i]) << bits) + offset;
         const std::int32_t sample_y = ((tile_y + batch.row0[i]) << bits) + offset;
-        const std::int32_t from_x = (sample_x - batch.x[from][i]) & is_small[i];
-        const std::int32_t from_y = (sample_y - batch.y[from][i]) & is_small[i];
-        const std::int32_t dx = (batch.x[to][i] - batch.x[from][i]) & is_small[i];
-        const std::int32_t dy = (batch.y[to][i] - batch.y[from][i]) & is_small[i];
+        const std::int32_t from_x = (sample_x - batch.x[from][i]) & batch.is_small[i];
+        const std::int32_t from_y = (sample_y - batch.y[from][i]) & batch.is_small[i];
+        const std::int32_t dx = (batch.x[to][i] - batch.x[from][i]) & batch.is_small[i];
+        const std::int32_t dy = (batch.y[to][i] - batch.y[from][i]) & batch.is_small[i];
         edge.least[i] = is_top_left(dx, dy) ? of_top_left : of_others;
         edge.e[i] = dx * from_y - dy * from_x - edge.least[i];
         edge.a[i] = -dy * (1 << bits);
@@ -91,10 +60,10 @@ SmallEdges SmallTriangles::edges_opposite(int k, const Batch& batch, const TileS
     return edge;
 }
 
-/// The same operations as in draw_block (scan.inl), on the same whole numbers.
+/// The same operations as in NearnessPlane (nearness.inl), on the same whole numbers.
 void SmallTriangles::cover_pixel(const Batch& batch, int column, int row) {
     const int pixel = small_side * row + column;
-    const auto& [edge0, edge1, edge2] = edges;
+    const auto& [edge0, edge1, edge2] = edges_;
     for (int i = 0; i < batch_size; ++i) {
         const std::int32_t e0 = edge0.e[i] + column * edge0.a[i] + row * edge0.b[i];
         const std::int32_t e1 = edge1.e[i] + column * edge1.a[i] + row * edge1.b[i];
@@ -107,18 +76,18 @@ void SmallTriangles::cover_pixel(const Batch& batch, int column, int row) {
 }
 
 void SmallTriangles::cover(const Batch& batch, const TileSamples& tile) {
-    for (int k = 0; k < 3; ++k) edges[k] = edges_opposite(k, batch, tile);
+    for (int k = 0; k < 3; ++k) edges_[k] = edges_opposite(k, batch, tile);
     std::int32_t columns = 0, rows = 0;
     alignas(64) std::int32_t box[batch_size];
     for (int i = 0; i < batch_size; ++i) {
-        const std::int32_t last_column = (batch.column1[i] - batch.column0[i]) & is_small[i];
-        const std::int32_t last_row = (batch.row1[i] - batch.row0[i]) & is_small[i];
+        const std::int32_t last_column = (batch.column1[i] - batch.column0[i]) & batch.is_small[i];
+        const std::int32_t last_row = (batch.row1[i] - batch.row0[i]) & batch.is_small[i];
         columns = greater_of(columns, last_column);
         rows = greater_of(rows, last_row);
         const std::int32_t in_rows = 0xFFFF >> (12 - 4 * (last_row & 3));
         const std::int32_t in_columns = (0xF >> (3 - (last_column & 3))) * 0x1111;
         const std::int32_t is_met = (last_column >= 0) & (last_row >= 0) ? ~0 : 0;
-        box[i] = is_met & is_small[i] & in_rows & in_columns;
+        box[i] = is_met & batch.is_small[i] & in_rows & in_columns;
         covered[i] = 0;
     }
     for (int row = 0; row <= rows; ++row)

@@ -8,11 +8,13 @@ namespace zproof::rasterizer {
 
 inline constexpr int tile_size = 64;  ///< pixels; a tile's depths and ids are 32 KiB, a first-level cache
 
+inline constexpr int blocks_in_row = tile_size / 4;
+
 /// The nearness of a pixel that nothing was drawn into.
 inline constexpr float nothing_seen = -std::numeric_limits<float>::infinity();
 
-/// One tile's pixels in blocks of 4 x 4, a cache line each, and 4 x 4 blocks in a cell. A block, or cell,
-/// none of whose pixels holds less than `farthest` is not drawn by what cannot pass.
+/// One tile's pixels in blocks of 4 x 4, a cache line each, row by row; and in cells of 4 x 4 blocks. A
+/// block, or cell, none of whose pixels holds less than `farthest` is not drawn by what cannot pass.
 struct TilePixels {
     static constexpr int cells = 16, blocks = tile_size * tile_size / 16;
     alignas(64) float nearness[blocks * 16];
@@ -22,7 +24,7 @@ struct TilePixels {
 
 /// Where pixel (x, y) of the tile is.
 [[gnu::always_inline]] constexpr int place_in_tile(int x, int y) {
-    const int block = (y / 16 * 4 + x / 16) * 16 + y / 4 % 4 * 4 + x / 4 % 4;
+    const int block = y / 4 * blocks_in_row + x / 4;
     return block * 16 + y % 4 * 4 + x % 4;
 }
 

@@ -23,6 +23,7 @@ enum class Remains { nothing, whole, cut };
 /// Nothing, too, of a triangle with a vertex that is not finite.
 inline Remains remains_of(const glm::uvec3& corners, const std::uint8_t* outcodes) noexcept {
     const int a = outcodes[corners.x], b = outcodes[corners.y], c = outcodes[corners.z];
+    if ((a | b | c) == 0) return Remains::whole;
     if ((a | b | c) & outcode::not_finite || (a & b & c & outcode::invisible)) return Remains::nothing;
     return (a | b | c) & outcode::needs_clip ? Remains::cut : Remains::whole;
 }

@@ -1,16 +1,17 @@
 // What is done where a triangle may be seen. `block` is called for blocks that a larger triangle may cover
-// and in which it may be nearer; `lone_block` for those that nobody has asked about; `small_triangle` for a
-// whole small one.
+// and in which it may be nearer; `small_triangle` for a whole small one.
 
 /// Calls fragment(bit, column, row, place) for the pixels that a small triangle covers; column and row are
 /// the tile's.
 template <class Fragment>
 [[gnu::always_inline]] inline void for_each_fragment(const Batch& batch, const SmallTriangles& small, int i,
                                                      const Fragment& fragment) {
+    const int* const of_column = places.of_column + batch.column0[i];
+    const int* const of_row = places.of_row + batch.row0[i];
     for (auto left = unsigned(small.covered[i]); left != 0; left &= left - 1) {
-        const int bit = __builtin_ctz(left);
-        const int column = batch.column0[i] + bit % small_side, row = batch.row0[i] + bit / small_side;
-        fragment(bit, column, row, places.of_column[column] + places.of_row[row]);
+        const auto bit = unsigned(__builtin_ctz(left)), column = bit % small_side, row = bit / small_side;
+        fragment(bit, batch.column0[i] + int(column), batch.row0[i] + int(row),
+                 of_column[column] + of_row[row]);
     }
 }
 
@@ -23,7 +24,7 @@ bool draw_pixel(TilePixels& pixels, int place, float seen, std::uint32_t id) {
 }
 
 void draw_small(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) {
-    for_each_fragment(batch, small, i, [&](int bit, int, int, int place) {
+    for_each_fragment(batch, small, i, [&](unsigned bit, int, int, int place) {
         draw_pixel(pixels, place, small.seen[bit][i], batch.id[i]);
     });
 }
@@ -33,12 +34,9 @@ struct Draw {
 
     explicit Draw(const TileWork&) {}
     void leave_out(unsigned) const {}
-    void block(const Scan& scan, TilePixels& pixels, const Block& block) const {
-        const Won won = draw_block(scan, pixels, block);
-        if (won.covered != 0) note_farthest(pixels, block.place, won.held);
-    }
-    void lone_block(const Scan& scan, TilePixels& pixels, const Block& block) const {
-        if (!is_hidden(scan, pixels, block.place)) this->block(scan, pixels, block);
+    template <class Covered>
+    void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& covered) const {
+        note_farthest(pixels, block.place, draw_block(pixels, block, seen, covered).held);
     }
     void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
         draw_small(batch, small, i, pixels);
@@ -51,11 +49,9 @@ struct DrawEveryBlock {
 
     explicit DrawEveryBlock(const TileWork&) {}
     void leave_out(unsigned) const {}
-    void block(const Scan& scan, TilePixels& pixels, const Block& block) const {
-        draw_block(scan, pixels, block);
-    }
-    void lone_block(const Scan& scan, TilePixels& pixels, const Block& block) const {
-        draw_block(scan, pixels, block);
+    template <class Covered>
+    void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& covered) const {
+        draw_block(pixels, block, seen, covered);
     }
     void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
         draw_small(batch, small, i, pixels);
@@ -85,8 +81,9 @@ struct DrawTallied {
         tally.blocks += count_of(blocks);
         tally.hidden_blocks += count_of(blocks);
     }
-    void block(const Scan& scan, TilePixels& pixels, const Block& block) const {
-        const Won won = draw_block(scan, pixels, block);
+    template <class Covered>
+    void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& is_covered) const {
+        const Won won = draw_block(pixels, block, seen, is_covered);
         const unsigned image = within_image(tile, block);
         tally.blocks += 1;
         tally.fragments += count_of(won.covered & image);
@@ -94,13 +91,9 @@ struct DrawTallied {
         if (hierarchical_z == HierarchicalZ::blocks && won.covered != 0)
             note_farthest(pixels, block.place, won.held);
     }
-    void lone_block(const Scan& scan, TilePixels& pixels, const Block& block) const {
-        if (is_hidden(scan, pixels, block.place)) return leave_out(1);
-        this->block(scan, pixels, block);
-    }
     void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
         tally.blocks += blocks_met(batch, i);
-        for_each_fragment(batch, small, i, [&](int bit, int column, int row, int place) {
+        for_each_fragment(batch, small, i, [&](unsigned bit, int column, int row, int place) {
             const bool is_nearer = draw_pixel(pixels, place, small.seen[bit][i], batch.id[i]);
             if (!is_in_image(tile, column, row)) return;
             tally.fragments += 1;
@@ -127,23 +120,20 @@ struct DrawShaded {
     void shade(std::uint32_t id, int column, int row, Fate fate) const {
         shader.shade(shader.stage, PrimitiveId{id}, tile.x0 + column, tile.y0 + row, fate);
     }
-    void block(const Scan& scan, TilePixels& pixels, const Block& block) const {
-        const Won won = draw_block(scan, pixels, block);
+    template <class Covered>
+    void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& is_covered) const {
+        const Won won = draw_block(pixels, block, seen, is_covered);
         const unsigned shaded = (is_late() ? won.covered : won.nearer) & within_image(tile, block);
         for (unsigned left = shaded; left != 0; left &= left - 1) {
             const int i = __builtin_ctz(left);
-            shade(scan.id, block.x + i % 4, block.y + i / 4,
+            shade(block.id, block.x + i % 4, block.y + i / 4,
                   won.nearer >> i & 1 ? Fate::kept : Fate::discarded);
         }
         if (hierarchical_z == HierarchicalZ::blocks && won.covered != 0)
             note_farthest(pixels, block.place, won.held);
     }
-    void lone_block(const Scan& scan, TilePixels& pixels, const Block& block) const {
-        if (is_hidden(scan, pixels, block.place)) return leave_out(1);
-        this->block(scan, pixels, block);
-    }
     void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
-        for_each_fragment(batch, small, i, [&](int bit, int column, int row, int place) {
+        for_each_fragment(batch, small, i, [&](unsigned bit, int column, int row, int place) {
             const bool is_nearer = draw_pixel(pixels, place, small.seen[bit][i], batch.id[i]);
             if ((is_late() || is_nearer) && is_in_image(tile, column, row))
                 shade(batch.id[i], column, row, is_nearer ? Fate::kept : Fate::discarded);
@@ -156,14 +146,10 @@ struct Count {
 
     explicit Count(const TileWork&) {}
     void leave_out(unsigned) const {}
-    void block(const Scan& scan, TilePixels& pixels, const Block& block) const {
-        const Doubles e[3] = {all(block.e[0]) + scan.offset[0], all(block.e[1]) + scan.offset[1],
-                              all(block.e[2]) + scan.offset[2]};
-        const unsigned covered = bits_of(covered_by(scan, e));
+    template <class Covered>
+    void block(TilePixels& pixels, const Block& block, const Floats&, const Covered& is_covered) const {
+        const unsigned covered = is_covered.covered();
         for (unsigned i = 0; i < 16; ++i) pixels.primitive[16 * block.place + int(i)] += covered >> i & 1;
-    }
-    void lone_block(const Scan& scan, TilePixels& pixels, const Block& block) const {
-        this->block(scan, pixels, block);
     }
     void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
         for_each_fragment(batch, small, i, [&](int, int, int, int place) { ++pixels.primitive[place]; });

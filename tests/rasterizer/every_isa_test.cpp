@@ -50,7 +50,7 @@ std::int64_t edge(SnappedPoint from, SnappedPoint to, SnappedPoint p);
 PlacedLanes place(const ViewSetup& setup, const CornerLanes& lanes) noexcept {
     PlacedLanes placed{};
     for (int i = 0; i < CornerLanes::count; ++i) {
-        const auto at = [&](int k) { return SnappedPoint{lanes.x[k][i], lanes.y[k][i]}; };
+        const auto at = [&](int k) { return lanes.corner[k][i]; };
         const std::int64_t area = edge(at(0), at(1), at(2));
         const auto [left, right] = std::minmax({at(0).x, at(1).x, at(2).x});
         const auto [top, bottom] = std::minmax({at(0).y, at(1).y, at(2).y});

@@ -1,0 +1,114 @@
+// Which pixels of a tile one triangle covers: cells of 16 x 16 pixels, or one square of that size, then their
+// blocks of 4 x 4, then the pixels of a block. Sixteen of each are asked side by side in 32-bit integers:
+// lane i is column i % 4, row i / 4.
+//
+// Where |F| at a square's first pixel is 2^30 or more, F has one sign in all of it: points of the guard band
+// differ by 2^25 at most (kernel.inl), so fifteen columns and fifteen rows add less than 2^30. There +-2^30
+// serves for F, and every sum stays below 2^31.
+
+constexpr double most_of_f = 0x1p30;
+constexpr int square_side = 16;  ///< pixels
+
+alignas(64) constexpr std::int32_t lane_column[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr std::int32_t lane_row[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+alignas(64) constexpr double cell_x[16] = {0, 16, 32, 48, 0, 16, 32, 48, 0, 16, 32, 48, 0, 16, 32, 48};
+alignas(64) constexpr double cell_y[16] = {0, 0, 0, 0, 16, 16, 16, 16, 32, 32, 32, 32, 48, 48, 48, 48};
+
+/// 16 x 16 pixels of the tile.
+struct Square {
+    int x, y;            ///< the first
+    std::int32_t f[3];   ///< F there, or +-2^30
+    unsigned met = 0;    ///< blocks that may have covered pixels, bit by bit
+    unsigned whole = 0;  ///< blocks all of whose pixels are covered
+};
+
+/// The tile's cells.
+struct Cells {
+    alignas(64) std::int32_t f[3][16];  ///< F at their first pixels, or +-2^30
+    unsigned met, whole;                ///< as of a square's blocks
+};
+
+/// The edges of one triangle.
+struct Cover {
+    /// F from the first pixel of a block to each; a quarter of it from the first block of a square to each.
+    alignas(64) std::int32_t of_pixel[3][16];
+    std::int32_t inwards[3], outwards[3];  ///< F from a block's first pixel to its greatest, its least
+    double f[3], to_column[3], to_row[3];  ///< F at the tile's first pixel, and its steps
+
+    Cover(const Edges& edges, int i);
+    Cells cells() const;
+    Square square_of(const Cells& cells, int cell) const;
+    Square square_at(int x, int y) const;
+    /// Negative where a pixel is not covered.
+    Ints inside(const Square& square, int block) const {
+        const auto edge = [&](int k) {
+            return all(square.f[k] + 4 * of_pixel[k][block]) + load(of_pixel[k]);
+        };
+        return edge(0) | edge(1) | edge(2);
+    }
+
+  private:
+    void find_blocks(Square& square) const;
+};
+
+Cover::Cover(const Edges& edges, int i) {
+    for (int k = 0; k < 3; ++k) {
+        const std::int32_t column = edges.to_column[k][i], row = edges.to_row[k][i];
+        store(of_pixel[k], load(lane_column) * column + load(lane_row) * row);
+        inwards[k] = 3 * (greater_of(column, 0) + greater_of(row, 0));
+        outwards[k] = 3 * (lesser(column, 0) + lesser(row, 0));
+        f[k] = edges.f[k][i];
+        to_column[k] = column;
+        to_row[k] = row;
+    }
+}
+
+/// E is affine, so of a cell, as of a block, the corners decide that lie farthest in and out. Fifteen steps
+/// are five times three.
+Cells Cover::cells() const {
+    Cells cells;
+    Ints greatest = all(0), least = all(0);
+    for (int k = 0; k < 3; ++k) {
+        const Doubles of_cell = load(cell_x) * to_column[k] + load(cell_y) * to_row[k];
+        const Ints first = clamped(all(f[k]) + of_cell, most_of_f);
+        store(cells.f[k], first);
+        greatest = greatest | (first + all(5 * inwards[k]));
+        least = least | (first + all(5 * outwards[k]));
+    }
+    cells.met = 0xFFFF & ~negative_lanes(greatest);
+    cells.whole = 0xFFFF & ~negative_lanes(least);
+    return cells;
+}
+
+void Cover::find_blocks(Square& square) const {
+    Ints greatest = all(0), least = all(0);
+    for (int k = 0; k < 3; ++k) {
+        const Ints of_blocks = load(of_pixel[k]) * 4;
+        greatest = greatest | (all(square.f[k] + inwards[k]) + of_blocks);
+        least = least | (all(square.f[k] + outwards[k]) + of_blocks);
+    }
+    square.met = 0xFFFF & ~negative_lanes(greatest);
+    square.whole = 0xFFFF & ~negative_lanes(least);
+}
+
+Square Cover::square_of(const Cells& cells, int cell) const {
+    Square square{cell % 4 * square_side,
+                  cell / 4 * square_side,
+                  {cells.f[0][cell], cells.f[1][cell], cells.f[2][cell]}};
+    if (cells.whole >> cell & 1)
+        square.met = square.whole = 0xFFFF;
+    else
+        find_blocks(square);
+    return square;
+}
+
+Square Cover::square_at(int x, int y) const {
+    const auto f_of = [&](int k) {
+        const double exact = (f[k] + to_column[k] * x) + to_row[k] * y;
+        return std::int32_t(greater_of(lesser(exact, most_of_f), -most_of_f));
+    };
+    Square square{x, y, {f_of(0), f_of(1), f_of(2)}};
+    find_blocks(square);
+    return square;
+}

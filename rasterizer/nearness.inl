@@ -1,0 +1,39 @@
+// How near the pixels of one triangle are, a block of 4 x 4 pixels side by side.
+
+alignas(64) constexpr double lane_x[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+alignas(64) constexpr double lane_y[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+
+struct NearnessPlane {
+    alignas(64) double of_pixel[3][16];  ///< E from the first pixel of a block to each
+    double e[3], a[3], b[3], weight[3];  ///< E at the tile's first pixel; its step to the next column, row
+
+    NearnessPlane(const Batch& batch, const Edges& edges, const TileSamples& tile, int i);
+
+    /// E at a pixel of the tile.
+    struct At {
+        double e[3];
+    };
+    At at(int x, int y) const {
+        const double column = x, row = y;
+        const auto edge = [&](int k) { return (e[k] + a[k] * column) + b[k] * row; };
+        return {{edge(0), edge(1), edge(2)}};
+    }
+    /// Of the 16 pixels of a block of the square that begins there, covered or not.
+    Floats of_block(const At& square, int block) const {
+        const auto term = [&](int k) {
+            return (all(square.e[k] + 4 * of_pixel[k][block]) + load(of_pixel[k])) * weight[k];
+        };
+        return rounded((term(0) + term(1)) + term(2));
+    }
+};
+
+NearnessPlane::NearnessPlane(const Batch& batch, const Edges& edges, const TileSamples& tile, int i) {
+    const double steps = std::int32_t{1} << tile.subpixel_bits;
+    for (int k = 0; k < 3; ++k) {
+        e[k] = edges.e[k][i];
+        a[k] = steps * edges.to_column[k][i];
+        b[k] = steps * edges.to_row[k][i];
+        weight[k] = batch.weight[k][i];
+        store(of_pixel[k], load(lane_x) * a[k] + load(lane_y) * b[k]);
+    }
+}
