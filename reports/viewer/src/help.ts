@@ -14,7 +14,13 @@ const groups: [string, [string, string][]][] = [
                    ['Q', 'check the planes against their digests'], ['?', 'this help']]],
 ];
 
-export function makeHelp(): HTMLDialogElement {
+export class Help {
+    readonly root = makeDialog();
+
+    toggle(): void { if (this.root.open) this.root.close(); else this.root.showModal(); }
+}
+
+function makeDialog(): HTMLDialogElement {
     const rows = (keys: [string, string][]) => keys.flatMap(([key, meaning]) =>
         [element('dt', {}, element('kbd', {}, key)), element('dd', {}, meaning)]);
     const dialog = element('dialog', {class: 'help', 'aria-label': 'keys'},

@@ -36,6 +36,13 @@ export class Inspector {
         this.shown = key;
     }
 
+    copyLink(): void { this.copy(this.linkHere(), 'link'); }
+
+    copyCommand(): void {
+        const text = this.root.querySelector('.command code')?.textContent;
+        if (text) this.copy(text, 'command');
+    }
+
     private showNothing(): void {
         replaceChildren(this.root, element('h2', {}, 'Pixel'),
             element('p', {class: 'quiet'}, 'Click into a pane, or press ', element('kbd', {}, 'N'),
@@ -121,7 +128,7 @@ export class Inspector {
         return element('div', {class: 'command'}, element('code', {}, command),
             element('div', {},
                 element('button', {type: 'button', onclick: () => this.copy(command, 'command')}, 'Copy command'), ' ',
-                element('button', {type: 'button', onclick: () => this.copy(this.linkHere(), 'link')}, 'Copy link ', element('kbd', {}, 'C'))));
+                element('button', {type: 'button', onclick: () => this.copyLink()}, 'Copy link ', element('kbd', {}, 'C'))));
     }
 
     private draw(planes: Planes, story: Story): void {

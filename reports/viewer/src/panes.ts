@@ -7,7 +7,7 @@ import type {Wipe} from './pane';
 import type {Planes} from './planes';
 import type {Selection} from './raster';
 
-export type Comparison = 'none' | 'flip' | 'wipe' | 'difference';
+type Comparison = 'none' | 'flip' | 'wipe' | 'difference';
 
 const first = ['class', 'candidate.id', 'candidate.error', 'reference.id'];
 
@@ -22,9 +22,9 @@ export class Panes {
     private frameAsked = false;
     private wipeAt = 0.5;
     private forced: Comparison | null = null;  // while a key is held
-    comparison: Comparison = 'none';
-    count = 4;
-    active = 0;
+    private comparison: Comparison = 'none';
+    private count = 4;
+    private active = 0;
 
     constructor(private readonly onCross: () => void) {
         this.panes.forEach((pane, i) => this.listen(pane, i));
@@ -69,11 +69,13 @@ export class Panes {
         if (this.layers[n]) void this.setLayer(this.active, this.layers[n].id);
     }
 
-    async setCount(count: number): Promise<void> {
-        this.count = count;
-        this.active = Math.min(this.active, count - 1);
-        this.root.dataset.count = String(count);
+    /// 2, 3 or 4 panes in turn.
+    async cycle(): Promise<void> {
+        this.count = this.count === 4 ? 2 : this.count + 1;
+        this.active = Math.min(this.active, this.count - 1);
+        this.root.dataset.count = String(this.count);
         if (this.planes) await this.showAll();
+        if (this.look?.isFitted) this.fit();
     }
 
     layerIds(): string[] { return this.panes.slice(0, this.count).map((_, i) => this.layerFor(i)?.id ?? ''); }
@@ -89,7 +91,23 @@ export class Panes {
         this.redraw();
     }
 
-    focusActive(): void { this.panes[this.active].canvas.focus(); }
+    /// Goes over to this comparison, or back from it. Returns in words what the panes show then.
+    compare(way: 'wipe' | 'difference'): string {
+        this.comparison = this.comparison === way ? 'none' : way;
+        this.redraw();
+        return this.comparison === 'none' ? 'Panes as they are.' : way === 'wipe'
+            ? 'Wipe: right of the line, the neighbouring pane.' : 'Difference of neighbouring panes, in the second of each pair.';
+    }
+
+    activateNext(): void {
+        this.active = (this.active + 1) % this.count;
+        this.panes[this.active].canvas.focus();
+    }
+
+    fit(): void {
+        this.look?.fit(this.size);
+        this.redraw();
+    }
 
     moveWipe(by: number): void {
         this.wipeAt = Math.min(1, Math.max(0, this.wipeAt + by));

@@ -1,11 +1,55 @@
 // From one telling pixel to the next.
+import type {Crosshair} from './crosshair';
+import type {Notice} from './notice';
+import {grouped} from './numbers';
+import type {OpenView} from './open_view';
 import type {Planes} from './planes';
+import type {ClassStyle} from './run';
 
-export type Step = {pixel: number; wrapped: boolean} | null;
+const nothing = 'Both renderers agree at every pixel.';
+
+export class Walk {
+    private readonly sorted = new WeakMap<Planes, number[]>();  // pixels by severity
+
+    constructor(private readonly current: OpenView, private readonly classes: ClassStyle[],
+                private readonly crosshair: Crosshair, private readonly notice: Notice) {}
+
+    /// To a defect; where a view has none, to a differing pixel.
+    toDefect(direction: 1 | -1): void {
+        const {planes, entry, look, selection} = this.current;
+        if (!planes || !entry) return;
+        const fails = this.classes.findIndex((style) => !style.passes);
+        const from = selection ? 0 : entry.counts.slice(fails).some((count) => count > 0) ? fails : 1;
+        const step = nextPixel(planes, from, look.hasCross ? look.cross : -1, direction, selection?.match ?? null);
+        if (!step) return this.notice.tell(nothing);
+        if (step.wrapped) this.notice.tell('From the other end again.');
+        this.crosshair.go(step.pixel);
+    }
+
+    bySeverity(direction: 1 | -1): void {
+        const {planes, look, selection} = this.current, match = selection?.match;
+        if (!planes) return;
+        const all = this.sorted.get(planes) ?? severestFirst(planes);
+        this.sorted.set(planes, all);
+        const order = match ? all.filter((p) => match[p]) : all;
+        if (!order.length) return this.notice.tell(nothing);
+        const at = look.hasCross ? order.indexOf(look.cross) : -1;
+        const next = at < 0 ? (direction > 0 ? 0 : order.length - 1) : (at + direction + order.length) % order.length;
+        this.crosshair.go(order[next]);
+        this.notice.tell(`Number ${grouped(next + 1)} of ${grouped(order.length)} by severity.`);
+    }
+
+    toStory(): void {
+        const {planes, look} = this.current;
+        if (!planes?.stories.length) return this.notice.tell('No stories are stored for this view.');
+        const pixels = planes.stories.map((story) => story.y * planes.width + story.x);
+        this.crosshair.go(pixels.find((pixel) => pixel > (look.hasCross ? look.cross : -1)) ?? pixels[0]);
+    }
+}
 
 /// In raster order, the next pixel (direction 1) or the one before (-1) whose class is at least `from`.
-export function nextPixel(planes: Planes, from: number, start: number, direction: 1 | -1,
-                          match: Uint8Array | null): Step {
+function nextPixel(planes: Planes, from: number, start: number, direction: 1 | -1,
+                   match: Uint8Array | null): {pixel: number; wrapped: boolean} | null {
     const classes = planes.classes, count = classes.length;
     let at = start < 0 ? (direction > 0 ? -1 : count) : start;
     for (let i = 0; i < count; ++i) {
@@ -18,8 +62,8 @@ export function nextPixel(planes: Planes, from: number, start: number, direction
     return null;
 }
 
-/// Pixels in order of severity: class, then error / bound, then raster order.
-export function bySeverity(planes: Planes): number[] {
+/// The findings' pixels by class, then error / bound, then in raster order.
+function severestFirst(planes: Planes): number[] {
     const f = planes.findings;
     if (!f) return [];
     const error = (row: number) => Number.isNaN(f.error[row]) ? -1 : f.error[row];
