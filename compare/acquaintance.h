@@ -1,5 +1,5 @@
-/// What one thread of a hearing knows of triangles that came near some pixel. Never forgets, so that what it
-/// hands out stays where it is.
+/// What one thread of a hearing knows of triangles that came near some pixel. What it hands out stays where
+/// it is until it forgets.
 #pragma once
 
 #include <utility>
@@ -40,8 +40,9 @@ struct BoundedTriangle {
 
 class Acquaintance {
   public:
-    Acquaintance(const Scene& scene, const View& view)
-        : scene_(scene), view_(view), filters_(view), any_(view, 0, 0) {}
+    /// much: triangles, of which one thread knows that many before it forgets; some 1 KiB each.
+    Acquaintance(const Scene& scene, const View& view, std::size_t much = 16384)
+        : scene_(scene), view_(view), much_(much), filters_(view), any_(view, 0, 0) {}
 
     const KnownTriangle& of(std::uint32_t triangle) {
         return known_(triangle, [&] {
@@ -55,6 +56,15 @@ class Acquaintance {
                                   [&] { return BoundedTriangle(bounds, view_.camera, of(triangle).seen); });
     }
 
+    /// Triangles that it knows.
+    std::size_t count() const { return known_.count(); }
+    /// Forgets all, where that has become so much that memory counts for more than asking again.
+    void forget_if_much() {
+        if (known_.count() <= much_) return;
+        known_ = {};
+        bounded_.clear();
+    }
+
   private:
     using Bounded = ByTriangle<BoundedTriangle>;
     Bounded& bounded_by(const ViewBounds& bounds) {
@@ -65,6 +75,7 @@ class Acquaintance {
 
     const Scene& scene_;
     const View& view_;
+    std::size_t much_;
     TriangleFilters filters_;
     Sight<double> any_;
     ByTriangle<KnownTriangle> known_;

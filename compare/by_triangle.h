@@ -14,6 +14,7 @@ class ByTriangle {
   public:
     ByTriangle() = default;
     ByTriangle(ByTriangle&&) noexcept = default;  // a copy's slots would point at this one's values
+    ByTriangle& operator=(ByTriangle&&) noexcept = default;
 
     /// make() gives the value where the triangle was not asked for yet. It must not ask this table.
     template <class Make>
@@ -26,6 +27,8 @@ class ByTriangle {
         }
         return *slot.value;
     }
+
+    std::size_t count() const { return count_; }
 
   private:
     struct Slot {

@@ -101,6 +101,7 @@ class Hearing::Session {
 
     void hear_tile(std::size_t tile, std::vector<Ruled>& rulings, std::vector<double>& lacking) const {
         Memories& memories = memories_.local();
+        memories.acquaintance.forget_if_much();
         std::optional<Summary> summary;
         if (!hearing_.amendment_)
             summary.emplace(
@@ -173,6 +174,7 @@ auto Hearing::docket_of_all() const -> Docket {
 }
 
 void Hearing::set_reach(Docket& docket, std::size_t tile, Memories& memories) const {
+    memories.acquaintance.forget_if_much();
     LatestTriangles latest;
     for (std::size_t i = docket.first[tile]; i < docket.first[tile + 1]; ++i) {
         const Plea& p = pleas_[docket.plea[i]];

@@ -143,6 +143,7 @@ class LayeredPass {
     void settle_tile(int column, int row, const TrianglesByTile& near, Band& band) {
         if (open_.count(column, row) == 0) return;
         Memories& memories = memories_.local();
+        memories.acquaintance.forget_if_much();
         std::optional<Layers> layers;
         const std::size_t tile = open_.tiles().index(column, row);
         if (!asked_.of(tile).empty())

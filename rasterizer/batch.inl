@@ -54,10 +54,8 @@ void Batch::load(const Triangles& triangles, const std::uint32_t* places, int la
         corner[1][i] = is_turned ? c : b;
         corner[2][i] = is_turned ? b : c;
     }
-    for (int i = last + 1; i < batch_size; ++i) {
+    for (int i = last + 1; i < batch_size; ++i)
         for (auto& of_corner : corner) of_corner[i] = of_corner[last];
-        id[i] = id[last];
-    }
     for (int k = 0; k < 3; ++k) put_corner(k, corner[k]);
 }
 
