@@ -3,17 +3,25 @@
 // From one pixel to the next E takes steps of 2^bits, so E >= least exactly where F >= 0, with
 // F = floor((E - least) / 2^bits): whole numbers, whose steps are the differences of two vertices.
 
+/// Of 4 x 4 things those of the columns and rows from first to last, bit by bit.
+constexpr unsigned bits_of_box(int column0, int column1, int row0, int row1) {
+    const unsigned columns = (2u << column1) - (1u << column0);
+    return (columns * 0x1111) & ((0x10u << 4 * row1) - (1u << 4 * row0));
+}
+
 struct Edges {
     alignas(64) double e[3][batch_size], f[3][batch_size];  ///< E, F at the sample of the tile's first pixel
     /// Step of F to the next column, row; of E it is 2^bits times that.
     alignas(64) std::int32_t to_column[3][batch_size], to_row[3][batch_size];
-    alignas(64) float nearest[batch_size];  ///< no pixel gets more
+    alignas(64) float nearest[batch_size];        ///< no pixel gets more
+    alignas(64) std::uint32_t cells[batch_size];  ///< of the tile, bit by bit: those that the box meets
 
     void set_up(const Batch& batch, const TileSamples& tile);
 
   private:
     void set_up_edge(int k, const Batch& batch, const TileSamples& tile);
     void set_up_nearest(const Batch& batch);
+    void set_up_cells(const Batch& batch);
 };
 
 /// For |a| <= 2^51: the sum is in [2^52, 2^53], where doubles are the whole numbers.
@@ -56,7 +64,16 @@ void Edges::set_up_nearest(const Batch& batch) {
     }
 }
 
+/// Of an empty box, any.
+void Edges::set_up_cells(const Batch& batch) {
+    const auto cell = [](std::int32_t pixel) { return pixel / 16 & 3; };
+    for (int i = 0; i < batch_size; ++i)
+        cells[i] = bits_of_box(cell(batch.column0[i]), cell(batch.column1[i]), cell(batch.row0[i]),
+                               cell(batch.row1[i]));
+}
+
 void Edges::set_up(const Batch& batch, const TileSamples& tile) {
     for (int k = 0; k < 3; ++k) set_up_edge(k, batch, tile);
     set_up_nearest(batch);
+    set_up_cells(batch);
 }

@@ -52,17 +52,6 @@ void note_farthest_in_cells(TilePixels& pixels, unsigned cells) {
     }
 }
 
-/// Of 4 x 4 things the columns and rows from first to last, bit by bit.
-constexpr unsigned bits_of_box(int column0, int column1, int row0, int row1) {
-    const unsigned columns = (2u << column1) - (1u << column0);
-    return (columns * 0x1111) & ((0x10u << 4 * row1) - (1u << 4 * row0));
-}
-
-/// Of the tile's cells, bit by bit: those that the box meets.
-unsigned cells_of_box(const Batch& batch, int i) {
-    return bits_of_box(batch.column0[i] / 16, batch.column1[i] / 16, batch.row0[i] / 16, batch.row1[i] / 16);
-}
-
 /// Cells in which nothing of a triangle can be seen.
 enum class HiddenCells { passed_over, visited };
 
@@ -82,7 +71,7 @@ struct TriangleScan {
     const Visit& visit;
 
     void scan() const {
-        unsigned cells = cells_of_box(batch, i);
+        unsigned cells = edges.cells[i];
         if (Visit::hidden_cells == HiddenCells::passed_over)
             cells &= bits_of(greater(all(edges.nearest[i]), load(work.pixels.farthest_in_cell)));
         if (cells == 0) return;
