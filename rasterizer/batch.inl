@@ -48,7 +48,6 @@ void Batch::load(const Triangles& triangles, const std::uint32_t* places, int la
             a = piece.vertex, b = piece.vertex + 1, c = piece.vertex + 2;
             id[i] = static_cast<std::uint32_t>(piece.id);
         }
-        // Without a branch: triangles of both windings are mixed.
         const bool is_turned = (places[i] & turned) != 0;
         corner[0][i] = a;
         corner[1][i] = is_turned ? c : b;
