@@ -118,13 +118,13 @@ std::optional<std::size_t> Layers::index_of(std::uint32_t triangle) const {
 auto Layers::relations_of(std::size_t layer) -> const Relations& {
     Layer& one = layers_[layer];
     if (one.others) return *one.others;
-    one.others.emplace();
+    one.others = Relations{};
     for (std::size_t i = 0; i < layers_.size(); ++i) {
         if (i == layer) continue;
         const KnownTriangle& other = *layers_[i].known;
         const int order = order_in(tile_, other.filter, one.known->filter);
         const auto are_coplanar = [&] {  // asked one way round: of triangles that are seen it is the same
-            const auto [a, b] = std::minmax(i, layer);
+            const std::size_t a = std::min(i, layer), b = std::max(i, layer);
             const std::uint64_t pair = std::uint64_t{layers_[a].triangle} << 32 | layers_[b].triangle;
             return shared_.coplanar(pair, [&] {
                 return coplanar(layers_[a].known->seen.p_world, layers_[b].known->seen.p_world);

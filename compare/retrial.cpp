@@ -79,7 +79,7 @@ class District {
         for (const Site& site : sites)
             triangles_.insert(triangles_.end(), site.triangles.begin(), site.triangles.end());
         std::ranges::sort(triangles_);
-        triangles_.erase(std::ranges::unique(triangles_).begin(), triangles_.end());
+        triangles_.erase(std::unique(triangles_.begin(), triangles_.end()), triangles_.end());
         for (const std::uint32_t triangle : triangles_) settle(corners_of(file.scene, triangle));
     }
 

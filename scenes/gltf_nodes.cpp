@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
-#include <ranges>
 #include <string>
 
 #include "scenes/refusal.h"
@@ -73,7 +72,11 @@ std::vector<PlacedNode> placed_nodes(const GltfModel& model) {
     if (model.gltf.nodes.empty() && model.gltf.scenes.empty())
         refuse(model.file, "/scenes", "has neither scenes nor nodes; expected a scene to draw");
     std::vector<PlacedNode> open, placed;
-    for (const int root : roots_of(model) | std::views::reverse) open.push_back({root, glm::dmat4(1.0)});
+    const auto put = [&](const std::vector<int>& nodes, const glm::dmat4& world_from_parent) {
+        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+            open.push_back({*node, world_from_parent});
+    };
+    put(roots_of(model), glm::dmat4(1.0));
     while (!open.empty()) {
         PlacedNode next = open.back();
         open.pop_back();
@@ -81,8 +84,7 @@ std::vector<PlacedNode> placed_nodes(const GltfModel& model) {
         if (!is_finite(next.world_from_node))
             refuse(model.file, node_at(next.node), "the world transform overflows; expected finite numbers");
         placed.push_back(next);
-        const std::vector<int>& children = model.gltf.nodes[static_cast<std::size_t>(next.node)].children;
-        for (const int child : children | std::views::reverse) open.push_back({child, next.world_from_node});
+        put(model.gltf.nodes[static_cast<std::size_t>(next.node)].children, next.world_from_node);
     }
     return placed;
 }

@@ -149,7 +149,7 @@ ReadCost read_cost(const Sampler& sampler, const Footprint& footprint) {
     }
     const auto distinct = [](auto& list) {
         std::ranges::sort(list);
-        return std::size_t(std::ranges::unique(list).begin() - list.begin());
+        return std::size_t(std::unique(list.begin(), list.end()) - list.begin());
     };
     return {taps.size(), distinct(texels), distinct(lines)};
 }

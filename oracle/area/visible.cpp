@@ -139,10 +139,11 @@ bool is_one_surface(const Surfaces& surfaces, std::span<const Piece> pieces) {
     linked.assign(1, apart.back());
     apart.pop_back();
     for (std::size_t next = 0; next < linked.size(); ++next) {
-        const auto joined = std::ranges::partition(
-            apart, [&](std::uint32_t id) { return !surfaces.share_an_edge(id, linked[next]); });
-        linked.insert(linked.end(), joined.begin(), joined.end());
-        apart.erase(joined.begin(), joined.end());
+        const auto joined = std::partition(apart.begin(), apart.end(), [&](std::uint32_t id) {
+            return !surfaces.share_an_edge(id, linked[next]);
+        });
+        linked.insert(linked.end(), joined, apart.end());
+        apart.erase(joined, apart.end());
     }
     return apart.empty();
 }

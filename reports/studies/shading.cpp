@@ -20,8 +20,8 @@ std::string lower(std::string text) {
     std::ranges::transform(text, text.begin(), [](char c) {
         return c == ' ' || c == ',' ? '-' : c >= 'A' && c <= 'Z' ? char(c + 32) : c;
     });
-    text.erase(std::ranges::unique(text, [](char a, char b) { return a == '-' && b == '-'; }).begin(),
-               text.end());
+    const auto are_dashes = [](char a, char b) { return a == '-' && b == '-'; };
+    text.erase(std::unique(text.begin(), text.end(), are_dashes), text.end());
     return text;
 }
 

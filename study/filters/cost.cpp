@@ -57,7 +57,7 @@ std::size_t lines_touched(const Sampler& sampler, std::span<const Tap> taps) {
         for (std::size_t line = first; line <= last; ++line) lines.emplace_back(tap.image, line);
     }
     std::ranges::sort(lines);
-    return std::size_t(std::ranges::unique(lines).begin() - lines.begin());
+    return std::size_t(std::unique(lines.begin(), lines.end()) - lines.begin());
 }
 
 const Sampler& sampler_for(const Samplers& samplers, const Lookup& lookup) {

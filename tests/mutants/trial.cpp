@@ -38,7 +38,7 @@ std::vector<std::string> scenes_in_order_of_cost() {
         return name != "million_triangles" && name != "deep_overdraw" && name != "closed_surfaces" &&
                name != "degenerate" && name != "slivers" && name != "coplanar";
     };
-    std::ranges::stable_partition(names, is_cheap);
+    std::stable_partition(names.begin(), names.end(), is_cheap);
     return names;
 }
 
