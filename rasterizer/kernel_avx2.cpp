@@ -72,16 +72,15 @@ Doubles all(double value) {
 Floats all(float value) { return {_mm256_set1_ps(value), _mm256_set1_ps(value)}; }
 
 Doubles load(const double* values) {
-    Doubles d;
-    for (int i = 0; i < 4; ++i) d.part[i] = _mm256_load_pd(values + 4 * i);
-    return d;
+    return {{_mm256_load_pd(values), _mm256_load_pd(values + 4), _mm256_load_pd(values + 8),
+             _mm256_load_pd(values + 12)}};
 }
 
 Floats load(const float* values) { return {_mm256_load_ps(values), _mm256_load_ps(values + 8)}; }
 
 /// Four rows of four, `stride` apart.
-Floats load_square(const float* values, int stride) {
-    const auto pair = [&](int row) {
+Floats load_square(const float* values, std::ptrdiff_t stride) {
+    const auto pair = [&](std::ptrdiff_t row) {
         const float* const at = values + row * stride;
         return _mm256_set_m128(_mm_loadu_ps(at + stride), _mm_loadu_ps(at));
     };
@@ -89,7 +88,10 @@ Floats load_square(const float* values, int stride) {
 }
 
 void store(double* to, const Doubles& values) {
-    for (int i = 0; i < 4; ++i) _mm256_store_pd(to + 4 * i, values.part[i]);
+    _mm256_store_pd(to, values.part[0]);
+    _mm256_store_pd(to + 4, values.part[1]);
+    _mm256_store_pd(to + 8, values.part[2]);
+    _mm256_store_pd(to + 12, values.part[3]);
 }
 
 Doubles operator+(const Doubles& a, const Doubles& b) {

@@ -41,7 +41,7 @@ Doubles load(const double* values) { return {_mm512_load_pd(values), _mm512_load
 Floats load(const float* values) { return {_mm512_load_ps(values)}; }
 
 /// Four rows of four, `stride` apart.
-Floats load_square(const float* values, int stride) {
+Floats load_square(const float* values, std::ptrdiff_t stride) {
     const __m512 first = _mm512_castps128_ps512(_mm_loadu_ps(values));
     const __m512 two = _mm512_insertf32x4(first, _mm_loadu_ps(values + stride), 1);
     const __m512 three = _mm512_insertf32x4(two, _mm_loadu_ps(values + 2 * stride), 2);

@@ -27,8 +27,9 @@ void resolve(const ResolveWork& work) noexcept {
             }
             for (int row = 0; row < lesser(4, work.rows - y); ++row) {
                 const std::size_t to = work.stride * std::size_t(y + row) + std::size_t(x);
-                put_row(work.camera_depth + to, depth + 4 * row, work.columns - x);
-                put_row(work.primitive + to, primitive + 4 * row, work.columns - x);
+                const std::ptrdiff_t from = std::ptrdiff_t{4} * row;
+                put_row(work.camera_depth + to, depth + from, work.columns - x);
+                put_row(work.primitive + to, primitive + from, work.columns - x);
             }
         }
     }

@@ -29,11 +29,12 @@ struct Won {
 /// Depth test, depth and id of the pixels of a block.
 template <class Covered>
 Won draw_block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& covered) {
-    const Floats before = load(pixels.nearness + 16 * block.place);
+    const std::ptrdiff_t first = std::ptrdiff_t{16} * block.place;
+    const Floats before = load(pixels.nearness + first);
     const Mask wins = covered.of(greater(seen, before));
     const Floats held = chosen(wins, seen, before);
-    store(pixels.nearness + 16 * block.place, held);
-    put(pixels.primitive + 16 * block.place, wins, block.id);
+    store(pixels.nearness + first, held);
+    put(pixels.primitive + first, wins, block.id);
     return {covered.covered(), bits_of(wins), held};
 }
 

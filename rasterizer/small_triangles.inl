@@ -86,7 +86,7 @@ void SmallTriangles::cover(const Batch& batch, const TileSamples& tile) {
         rows = greater_of(rows, last_row);
         const std::int32_t in_rows = 0xFFFF >> (12 - 4 * (last_row & 3));
         const std::int32_t in_columns = (0xF >> (3 - (last_column & 3))) * 0x1111;
-        const std::int32_t is_met = (last_column >= 0) & (last_row >= 0) ? ~0 : 0;
+        const std::int32_t is_met = ((last_column >= 0) & (last_row >= 0)) ? ~0 : 0;
         box[i] = is_met & batch.is_small[i] & in_rows & in_columns;
         covered[i] = 0;
     }
