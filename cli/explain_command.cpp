@@ -31,8 +31,8 @@ PixelStory story_of(const ExplainArguments& arguments, const Scene& scene, const
     const Renderer ours = open(arguments.parties.candidate, scene),
                    theirs = open(arguments.parties.reference, scene);
     const Frame candidate = ours.render(view), reference = theirs.render(view);
-    return explain(scene, view, {candidate, ours.precision}, {reference, theirs.precision}, arguments.x,
-                   arguments.y);
+    return explain(scene, view, {candidate, ours.precision}, {reference, theirs.precision},
+                   {arguments.x, arguments.y});
 }
 
 }  // namespace

@@ -118,9 +118,9 @@ DepthLaw depth_law_of(const TriangleInView& triangle, const ViewBounds& of_view)
                           of_view.keeps_to_corners() ? KeepsToCorners::yes : KeepsToCorners::no);
 }
 
-bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world, int x, int y,
-                     float depth) {
-    const Neighbour n = neighbour_of(Sight<double>(view, x, y), bounds, p_world);
+bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world,
+                     const PixelPlace& place, float depth) {
+    const Neighbour n = neighbour_of(Sight<double>(view, place.x, place.y), bounds, p_world);
     const bool perspective = view.camera.projection == Projection::perspective;
     const double z = depth, r = n.bounds.depth_relative, a = n.bounds.depth_absolute;
     if (!std::isfinite(z)) return false;
@@ -130,7 +130,7 @@ bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWo
     if (!n.is_plane_known) return true;  // the corners alone say
     const double shift = n.bounds.depth_eps_px * n.gradient + n.bounds.nearness_error;
     const auto decide = [&]<class Number>(Number) {
-        const auto image = image_of(Sight<Number>(view, x, y), corners<Number>(p_world));
+        const auto image = image_of(Sight<Number>(view, place.x, place.y), corners<Number>(p_world));
         if (!image) return true;
         const Number nearness = image->nearness.c, s(shift);
         return (limits.is_at_farthest ||

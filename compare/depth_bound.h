@@ -67,8 +67,8 @@ TriangleDepth depth_of(const TriangleInView& triangle, const ViewBounds& bounds)
 DepthLaw depth_law_of(const TriangleInView& triangle, const ViewBounds& bounds);
 
 /// Decides by exact arithmetic where double does not suffice.
-bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world, int x, int y,
-                     float depth);
+bool is_lawful_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world,
+                     const PixelPlace& place, float depth);
 
 /// |depth - truth| over the bound on that side; 0 for an exact hit.
 inline double error_over_bound(const DepthBound& bound, float depth) {

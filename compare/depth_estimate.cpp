@@ -146,14 +146,19 @@ struct Parallel {
     }
 };
 
+/// One renderer's depths, and the largest ratio of them so far, as KnownLargest has it.
+struct Seen {
+    const float* depth;
+    float known_largest;
+};
+
 /// The bins of one renderer's depths, and where they are certain.
 template <class Projected, class Triangles>
-[[gnu::always_inline]] inline void sort_side(const Triangles triangles, const Spots& spots,
-                                             const float* depth, float known_largest,
+[[gnu::always_inline]] inline void sort_side(const Triangles triangles, const Spots& spots, const Seen seen,
                                              EstimatedRow::Side& side) {
     TileRowOf<float> errors, slack, highs;
     for (std::size_t i = 0; i < tile_columns; ++i)
-        errors[i] = float(Projected::error(double(depth[i]), spots.w[i]));
+        errors[i] = float(Projected::error(double(seen.depth[i]), spots.w[i]));
     for (std::size_t i = 0; i < tile_columns; ++i) {
         const DepthEstimate::Bound bound = triangles.template bound_at<Projected>(i);
         const float w = spots.w_float[i], error = errors[i];
@@ -178,7 +183,7 @@ template <class Projected, class Triangles>
     std::uint32_t certain = 0, exceeds = 0;
     for (std::size_t i = 0; i < tile_columns; ++i) {
         certain |= std::uint32_t(slack[i] >= 0) << i;
-        exceeds |= std::uint32_t(!(highs[i] <= known_largest)) << i;
+        exceeds |= std::uint32_t(!(highs[i] <= seen.known_largest)) << i;
     }
     side.certain = certain;
     side.may_exceed = exceeds;
@@ -186,12 +191,11 @@ template <class Projected, class Triangles>
 
 template <class Triangles>
 [[gnu::always_inline]] inline void sort_side(Projection projection, const Triangles& triangles,
-                                             const Spots& spots, const float* depth, float known_largest,
-                                             EstimatedRow::Side& side) {
+                                             const Spots& spots, const Seen seen, EstimatedRow::Side& side) {
     if (projection == Projection::perspective)
-        sort_side<Perspective>(triangles, spots, depth, known_largest, side);
+        sort_side<Perspective>(triangles, spots, seen, side);
     else
-        sort_side<Parallel>(triangles, spots, depth, known_largest, side);
+        sort_side<Parallel>(triangles, spots, seen, side);
 }
 
 }  // namespace
@@ -217,24 +221,24 @@ DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, 
 
 /// Compiled once per instruction set. No verdict depends on which runs: what is certain is so in any.
 [[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] void estimate(
-    const DepthEstimate& triangle, Projection projection, const RowPlace& row, const float* candidate_depth,
-    const float* reference_depth, const KnownLargest& known, EstimatedRow& estimated) {
+    const DepthEstimate& triangle, Projection projection, const DepthsOfBoth& depths,
+    const KnownLargest& known, EstimatedRow& estimated) {
     const OneTriangle ours{triangle, triangle.candidate}, theirs{triangle, triangle.reference};
     Spots spots;
-    set_spots(ours, row, spots);
-    sort_side(projection, ours, spots, candidate_depth, known.candidate, estimated.candidate);
-    sort_side(projection, theirs, spots, reference_depth, known.reference, estimated.reference);
+    set_spots(ours, depths.place, spots);
+    sort_side(projection, ours, spots, {depths.candidate, known.candidate}, estimated.candidate);
+    sort_side(projection, theirs, spots, {depths.reference, known.reference}, estimated.reference);
 }
 
 [[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] void estimate(
-    const EstimateRow& triangles, Projection projection, const RowPlace& row, const float* candidate_depth,
-    const float* reference_depth, const KnownLargest& known, EstimatedRow& estimated) {
+    const EstimateRow& triangles, Projection projection, const DepthsOfBoth& depths,
+    const KnownLargest& known, EstimatedRow& estimated) {
     const OwnTriangles ours{triangles.candidate}, theirs{triangles.reference};
     Spots spots;
-    set_spots(ours, row, spots);
-    sort_side(projection, ours, spots, candidate_depth, known.candidate, estimated.candidate);
-    if (!triangles.is_one_plane) set_spots(theirs, row, spots);
-    sort_side(projection, theirs, spots, reference_depth, known.reference, estimated.reference);
+    set_spots(ours, depths.place, spots);
+    sort_side(projection, ours, spots, {depths.candidate, known.candidate}, estimated.candidate);
+    if (!triangles.is_one_plane) set_spots(theirs, depths.place, spots);
+    sort_side(projection, theirs, spots, {depths.reference, known.reference}, estimated.reference);
 }
 
 }  // namespace zproof

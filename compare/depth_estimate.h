@@ -46,15 +46,18 @@ struct KnownLargest {
     float candidate = 0, reference = 0;
 };
 
-/// The pixels from `row` on, as if both frames showed the triangle there. Nothing is certain of one that is
-/// not usable.
-void estimate(const DepthEstimate& triangle, Projection projection, const RowPlace& row,
-              const float* candidate_depth, const float* reference_depth, const KnownLargest& known,
-              EstimatedRow& estimated);
+/// The camera depths that both frames hold in the pixels from `place` on.
+struct DepthsOfBoth {
+    RowPlace place;
+    const float *candidate, *reference;
+};
+
+/// As if both frames showed the triangle there. Nothing is certain of one that is not usable.
+void estimate(const DepthEstimate& triangle, Projection projection, const DepthsOfBoth& depths,
+              const KnownLargest& known, EstimatedRow& estimated);
 
 /// The same, each by its own triangle.
-void estimate(const EstimateRow& triangles, Projection projection, const RowPlace& row,
-              const float* candidate_depth, const float* reference_depth, const KnownLargest& known,
-              EstimatedRow& estimated);
+void estimate(const EstimateRow& triangles, Projection projection, const DepthsOfBoth& depths,
+              const KnownLargest& known, EstimatedRow& estimated);
 
 }  // namespace zproof

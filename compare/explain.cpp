@@ -78,8 +78,7 @@ const RuledPlace* found_among(std::span<const RuledPlace> known, const PixelPlac
 }  // namespace
 
 PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
-                   const Testimony& reference, int x, int y) {
-    const PixelPlace place{x, y};
+                   const Testimony& reference, const PixelPlace& place) {
     return explain(scene, view, candidate, reference, std::span(&place, 1)).front();
 }
 
@@ -129,7 +128,7 @@ std::vector<PixelStory> Storyteller::begin(std::span<const PixelPlace> places,
         stories.push_back(told_so_far(open[i], rulings[i]));
         Finding& f = stories[i].finding;
         if (!stories[i].ids_differ && !open[i].candidate_invalid)
-            f.eps_px = own_eps_px(scene_, view_, candidate_.bounds(), f.x, f.y, f.candidate.primitive);
+            f.eps_px = own_eps_px(scene_, view_, candidate_.bounds(), {f.x, f.y}, f.candidate.primitive);
     }
     return stories;
 }

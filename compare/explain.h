@@ -32,9 +32,9 @@ struct PixelStory {
     Decision background;  ///< would background have been lawful?
 };
 
-/// Judges one pixel and keeps the evidence. (x, y) must lie inside the view (std::out_of_range otherwise).
+/// Judges one pixel and keeps the evidence. It must lie inside the view (std::out_of_range otherwise).
 PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
-                   const Testimony& reference, int x, int y);
+                   const Testimony& reference, const PixelPlace& place);
 
 /// The same for many pixels of one view, in order, with few passes over the scene.
 std::vector<PixelStory> explain(const Scene& scene, const View& view, const Testimony& candidate,

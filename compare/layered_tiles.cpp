@@ -56,6 +56,15 @@ struct Shown {
     }
 };
 
+/// What both show of the same row.
+struct ShownByBoth {
+    RowPlace at;
+    Shown ours, theirs;
+
+    ShownByBoth(const Comparands& of, const RowPlace& row)
+        : at(row), ours(of.candidate.frame(), row), theirs(of.reference.frame(), row) {}
+};
+
 /// Along a row: pixels at which one renderer's, or both's, answers are tied, and visible.
 using Standings = Layers::Standings;
 
@@ -165,16 +174,17 @@ class LayeredPass {
     /// Writes what is certain.
     ColumnMask settle_row(Layers& layers, const RowPlace& at, const OpenTiles::Row& row,
                           ClassCounts& counts) {
-        const Shown ours(of_.candidate.frame(), at), theirs(of_.reference.frame(), at);
+        const ShownByBoth shown(of_, at);
+        const Shown &ours = shown.ours, &theirs = shown.theirs;
         const ColumnMask open = layers.turn_to(at.y, row.pixels & ~equal(ours.primitive, theirs.primitive));
         if (open == 0) return 0;
         const Standings candidate = standings(layers, 0, ours, open);
         const Standings reference = standings(layers, 1, theirs, candidate.tied | candidate.visible);
-        const ColumnMask settled = lawful(at, row, ours, theirs, reference.tied | reference.visible);
+        const ColumnMask settled = lawful(shown, row, reference.tied | reference.visible);
         const ColumnMask tied = settled & (candidate.tied | reference.tied);
         write(class_of(Standing::tied, Standing::visible), at, tied, counts);
         write(class_of(Standing::visible, Standing::visible), at, settled & ~tied, counts);
-        if (!findings_.empty() && settled != 0) list(layers, at, row, settled, ours, theirs);
+        if (!findings_.empty() && settled != 0) list(layers, shown, row, settled);
         return settled;
     }
 
@@ -189,11 +199,10 @@ class LayeredPass {
     }
 
     /// Where the depths of both are lawful for certain; the first pass knows most.
-    ColumnMask lawful(const RowPlace& at, const OpenTiles::Row& row, const Shown& ours, const Shown& theirs,
-                      ColumnMask pixels) {
+    ColumnMask lawful(const ShownByBoth& shown, const OpenTiles::Row& row, ColumnMask pixels) {
         ColumnMask unknown = pixels & ~row.lawful;
-        unknown &= lawful_by_laws(&LawOfBoth::candidate, at, ours, unknown);
-        unknown &= lawful_by_laws(&LawOfBoth::reference, at, theirs, unknown);
+        unknown &= lawful_by_laws(&LawOfBoth::candidate, shown.at, shown.ours, unknown);
+        unknown &= lawful_by_laws(&LawOfBoth::reference, shown.at, shown.theirs, unknown);
         return pixels & (row.lawful | unknown);
     }
 
@@ -210,8 +219,9 @@ class LayeredPass {
     }
 
     /// Lists the findings of pixels that are settled.
-    void list(Layers& layers, const RowPlace& at, const OpenTiles::Row& row, ColumnMask settled,
-              const Shown& ours, const Shown& theirs) {
+    void list(Layers& layers, const ShownByBoth& shown, const OpenTiles::Row& row, ColumnMask settled) {
+        const RowPlace& at = shown.at;
+        const Shown &ours = shown.ours, &theirs = shown.theirs;
         const TileRow eps_px = layers.eps_px(0);
         TileRowOf<std::uint32_t> place;
         std::uint32_t next = row.first;

@@ -124,10 +124,10 @@ Neighbourhood neighbourhood_of(const View& view, const Site& site, double own_ep
     return n;
 }
 
-double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
+double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, const PixelPlace& place,
                   PrimitiveId answer) {
     if (answer == PrimitiveId::none) return bounds.background_eps_px();
-    const Sight<double> sight(view, x, y);
+    const Sight<double> sight(view, place.x, place.y);
     const ViewedTriangle seen(bounds, sight, corners_of(scene, std::uint32_t(answer)));
     return TriangleOfView(bounds, seen).eps_px(sight);
 }

@@ -8,6 +8,7 @@
 
 #include "compare/bounds.h"
 #include "compare/image_of_view.h"
+#include "compare/pixel_place.h"
 #include "frame/frame.h"
 
 namespace zproof {
@@ -92,7 +93,7 @@ Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangl
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world);
 
 /// eps of an answer by itself, before its surroundings are looked at.
-double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
+double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, const PixelPlace& place,
                   PrimitiveId answer);
 
 /// Gathers the evidence for an answer whose own eps is

@@ -103,15 +103,18 @@ void Presort::raise(const Exceeding& pixels, const Source& source, float& counte
     counted = depth[std::size_t(std::countr_zero(asked))];
 }
 
+DepthsOfBoth Presort::depths_of(const Source& source) {
+    const Strip& strip = source.strip;
+    return {{strip.x + int(source.first), strip.y},
+            &strip.candidate.camera_depth[source.first],
+            &strip.reference.camera_depth[source.first]};
+}
+
 /// As if all pixels showed that triangle.
 EstimatedRow Presort::estimated(std::uint32_t law, const Source& source) {
     EstimatedRow row;
     const DepthEstimate& triangle = estimate_by(source.laws, law);
-    const Strip& strip = source.strip;
-    if (triangle.is_usable)
-        estimate(triangle, projection_, {strip.x + int(source.first), strip.y},
-                 &strip.candidate.camera_depth[source.first], &strip.reference.camera_depth[source.first],
-                 source.known, row);
+    if (triangle.is_usable) estimate(triangle, projection_, depths_of(source), source.known, row);
     return row;
 }
 
@@ -134,17 +137,14 @@ Estimates Presort::estimates_of_reference(const Estimates& of_candidate, const S
 
 /// Each by what it shows.
 EstimatedRow Presort::estimated(const Source& source) {
-    const std::size_t first = source.first;
-    const Strip& strip = source.strip;
     const Estimates ours = estimates_of_candidate(source);
     EstimateRow triangles;
-    if (Strip::in_chunk(strip.differ, first) == 0)
+    if (Strip::in_chunk(source.strip.differ, source.first) == 0)
         put_side_by_side(projection_, ours, ours, triangles);
     else
         put_side_by_side(projection_, ours, estimates_of_reference(ours, source), triangles);
     EstimatedRow row;
-    estimate(triangles, projection_, {strip.x + int(first), strip.y}, &strip.candidate.camera_depth[first],
-             &strip.reference.camera_depth[first], source.known, row);
+    estimate(triangles, projection_, depths_of(source), source.known, row);
     return row;
 }
 

@@ -47,6 +47,7 @@ class Presort {
         std::size_t first;  ///< of the chunk's pixels in the strip
     };
     const DepthEstimate& estimate_by(const LawsOfBoth& laws, std::uint32_t law);
+    static DepthsOfBoth depths_of(const Source& source);
     EstimatedRow estimated(std::uint32_t law, const Source& source);
     Estimates estimates_of_candidate(const Source& source);
     Estimates estimates_of_reference(const Estimates& of_candidate, const Source& source);

@@ -55,7 +55,7 @@ class Reading {
             return reported.low <= depth && depth <= reported.high;
         }
         return depth >= 0 && (triangle.certainly_holds(bound, depth) ||
-                              is_lawful_depth(hypothesis_.view, bounds_, p_world, claim.x, claim.y, depth));
+                              is_lawful_depth(hypothesis_.view, bounds_, p_world, {claim.x, claim.y}, depth));
     }
 
     const Scene& scene_;
@@ -98,8 +98,8 @@ class District {
 
   private:
     void widen(const CaseFile& file, const Reading& reading, const Claim& claim) {
-        const double own = own_eps_px(file.scene, reading.hypothesis().view, reading.bounds(), claim.x,
-                                      claim.y, claim.answer.primitive);
+        const double own = own_eps_px(file.scene, reading.hypothesis().view, reading.bounds(),
+                                      {claim.x, claim.y}, claim.answer.primitive);
         double& reach = reaches_[{claim.y, claim.x}];
         reach = std::max(reach, own);
     }

@@ -18,8 +18,8 @@ DepthCheck Witness::check(const TriangleDepth& triangle, const Answer& answer, i
     DepthCheck check{.bound = triangle.at(x, y), .error_over_bound = 0, .lawful = false};
     check.error_over_bound = error_over_bound(check.bound, answer.camera_depth);
     check.lawful = triangle.certainly_holds(check.bound, answer.camera_depth) ||
-                   is_lawful_depth(view_, bounds_, corners_of(scene_, std::uint32_t(answer.primitive)), x, y,
-                                   answer.camera_depth);
+                   is_lawful_depth(view_, bounds_, corners_of(scene_, std::uint32_t(answer.primitive)),
+                                   {x, y}, answer.camera_depth);
     return check;
 }
 

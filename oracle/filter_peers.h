@@ -14,12 +14,18 @@ enum class PeerFilter {
     anisotropic,  ///< several places along the footprint's longer axis
 };
 
+/// What OpenGL is asked for.
+struct OpenGlFilter {
+    PeerFilter filter;
+    StepRule steps;
+};
+
 /// OpenGL's samplers: textures of float32 texels, its own glGenerateMipmap, GL_LINEAR_MIPMAP_LINEAR,
 /// GL_TEXTURE_MAX_ANISOTROPY. Each pixel is given, in float32, the texture coordinates that it sees; steps
 /// are handed over likewise (`analytic`, by textureGrad) or found by the driver (`quad_differences`). Throws
 /// OracleError where there is no driver, or in the driver's words.
-Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame, PeerFilter filter,
-                        const FilterSettings& settings, StepRule steps);
+Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame, const OpenGlFilter& asked,
+                        const FilterSettings& settings);
 /// What the specification asks for leaves much open; this is declared: float32 coordinates and sums, 8 bits
 /// of weights and of the LOD's fraction (Direct3D 11.3, 7.18.16: the least for hardware).
 FilterPrecision opengl_filter_precision();

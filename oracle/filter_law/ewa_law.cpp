@@ -10,6 +10,11 @@ struct Radii {
     Interval shortness;
 };
 
+struct Ellipse {
+    Radii radii;
+    Place centre;
+};
+
 /// A u^2 + B u v + C v^2 < 1 inside; in a level's own texels each radius widened by one, in square (Heckbert
 /// 1989; pbrt's "+ 1").
 struct Conic {
@@ -63,11 +68,12 @@ Place scaled(const Place& p, const LawImage& level, const LawImage& finest) {
             p.v * (Interval{double(level.height)} / Interval{double(finest.height)})};
 }
 
-ColourRange read_ellipse(const Levels& levels, int k, const Radii& radii, const Place& at, const Question& q,
+ColourRange read_ellipse(const Levels& levels, int k, const Ellipse& ellipse, const Question& q,
                          Profile profile) {
     const LawImage &level = levels.at(k), &finest = levels.at(0);
-    const Conic conic{scaled(radii.longer, level, finest), scaled(radii.shorter, level, finest)};
-    const Place place = place_in(level, finest, at, q.precision);
+    const Conic conic{scaled(ellipse.radii.longer, level, finest),
+                      scaled(ellipse.radii.shorter, level, finest)};
+    const Place place = place_in(level, finest, ellipse.centre, q.precision);
     const Interval half{0.5}, centre_u = place.u - half, centre_v = place.v - half;
     // Mesa's table reaches to r^2 = 1024 / 1023.
     const Interval reach{-1.0005, 1.0005};
@@ -112,7 +118,7 @@ ColourRange read_levels(const Levels& levels, const Radii& unbiased, const Quest
     const Interval raw = widened(log2(radii.shortness), std::exp2(-q.precision.lod_bits) + 0x1p-46);
     const Interval lod = clamped(clamped(raw, std::max(s.lod_min, 0.0), inf), 0, coarsest);
     const auto read = [&](int k) {
-        if (k < coarsest) return read_ellipse(levels, k, radii, at, q, profile);
+        if (k < coarsest) return read_ellipse(levels, k, {radii, at}, q, profile);
         const PermittedColours last = levels.nearest_in(k, at, q.precision);
         return last.front();
     };
@@ -166,7 +172,7 @@ PermittedColours mesa(const Levels& levels, const Question& q) {
     PermittedColours all;
     for (int k = int(std::floor(level.low())); double(k) <= level.high(); ++k) {
         if (k < coarsest)
-            all.push_back(read_ellipse(levels, k, {f.per_x, f.per_y, shorter}, f.centre, q, Profile::mesa));
+            all.push_back(read_ellipse(levels, k, {{f.per_x, f.per_y, shorter}, f.centre}, q, Profile::mesa));
         else
             for (const ColourRange& texel : levels.nearest_in(k, f.centre, q.precision)) all.push_back(texel);
     }

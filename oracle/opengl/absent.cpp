@@ -33,8 +33,7 @@ Precision opengl_precision() { throw OracleError(not_built_in); }
 
 std::string opengl_version() { throw OracleError(not_built_in); }
 
-Picture opengl_filtered(const Scene&, const View&, const Frame&, PeerFilter, const FilterSettings&,
-                        StepRule) {
+Picture opengl_filtered(const Scene&, const View&, const Frame&, const OpenGlFilter&, const FilterSettings&) {
     throw OracleError(not_built_in);
 }
 

@@ -136,8 +136,8 @@ void paint(Picture& picture, const Inputs& inputs, const Plane<glm::vec4>& colou
 
 }  // namespace
 
-Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame, PeerFilter filter,
-                        const FilterSettings& settings, StepRule steps) {
+Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame, const OpenGlFilter& asked,
+                        const FilterSettings& settings) {
     const opengl::Context context;
     const opengl::Context::Current current(context);
     const opengl::Program program = opengl::linked_program(vertex_source, fragment_source);
@@ -147,8 +147,8 @@ Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame
         const Texture& texture = material.base_color;
         const Inputs inputs = inputs_of(scene, view, frame, material);
         const Texture2d image =
-            mipped_texture(scene.images[std::size_t(texture.image)], texture.sampler, filter, settings);
-        paint(picture, inputs, sampled(program, image, inputs, steps),
+            mipped_texture(scene.images[std::size_t(texture.image)], texture.sampler, asked.filter, settings);
+        paint(picture, inputs, sampled(program, image, inputs, asked.steps),
               glm::dvec3{glm::vec3{material.base_color_factor}});
     }
     return picture;

@@ -43,7 +43,7 @@ TEST(Decide, APlainCaseIsDecidedAsRationalsDecide) {
         const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
         const Scene scene = random_walls(dice, view);
         const ViewBounds bounds(view, dice.below(2) ? raster_precision() : ray_precision());
-        const Neighbourhood around = surroundings(scene, view, bounds, 1, 1, 0);
+        const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
         AdmissibleSet<Rational> set(around);
         CoplanarMemory memory(8);
         for (std::size_t i = 0; i < around.neighbours.size(); ++i) {

@@ -49,7 +49,7 @@ TEST(DepthBound, CertainlyHoldsOnlyWhatIsLawfulAtTheEndsAndTheirNeighbours) {
             const TriangleDepth depth = depth_of(TriangleInView(s.view, bounds, n.p_world), bounds);
             const DepthBound bound = depth.at(s.x, s.y);
             for (const float z : depths_around(bound)) {
-                const bool is_lawful = is_lawful_depth(s.view, bounds, n.p_world, s.x, s.y, z);
+                const bool is_lawful = is_lawful_depth(s.view, bounds, n.p_world, {s.x, s.y}, z);
                 ASSERT_TRUE(is_lawful || !depth.certainly_holds(bound, z)) << z;
                 ++asked, lawful += is_lawful, certain += depth.certainly_holds(bound, z);
             }
@@ -172,7 +172,7 @@ TEST(DepthBound, IsDecidedAsRationalsDecide) {
             for (const float z :
                  depths_around(depth_of(TriangleInView(s.view, bounds, n.p_world), bounds).at(s.x, s.y))) {
                 const bool truth = lawful_in_rationals(s, bounds, n.p_world, z);
-                ASSERT_EQ(is_lawful_depth(s.view, bounds, n.p_world, s.x, s.y, z), truth) << z;
+                ASSERT_EQ(is_lawful_depth(s.view, bounds, n.p_world, {s.x, s.y}, z), truth) << z;
                 ++asked, lawful += truth;
             }
         }
@@ -229,7 +229,7 @@ TEST(DepthBound, HasNoDepthBeyondTheHorizonOfThePlane) {
     for (const float z : {0.f, 1.f, 1e30f}) {
         EXPECT_EQ(held(depth_law_of(triangle, bounds), view, {9, 0}, std::span(&z, 1))[0], unsettled);
         EXPECT_FALSE(depth.certainly_holds(beyond, z));
-        EXPECT_FALSE(is_lawful_depth(view, bounds, corners_of(scene, 0), 9, 0, z)) << z;
+        EXPECT_FALSE(is_lawful_depth(view, bounds, corners_of(scene, 0), {9, 0}, z)) << z;
     }
 }
 

@@ -34,12 +34,14 @@ float some_depth(Dice& dice, const DepthBound& bound) {
 }
 
 struct Side {
+    RowPlace at;
     DepthLaw law;
     TriangleDepth depth;
     TileRowOf<float> z;
 
     Side(Dice& dice, const View& view, const Precision& precision, const CornersWorld& p, const RowPlace& at)
-        : law(depth_law_of(TriangleInView(view, ViewBounds(view, precision), p),
+        : at(at),
+          law(depth_law_of(TriangleInView(view, ViewBounds(view, precision), p),
                            ViewBounds(view, precision))),
           depth(depth_of(TriangleInView(view, ViewBounds(view, precision), p), ViewBounds(view, precision))) {
         for (std::size_t i = 0; i < tile_columns; ++i)
@@ -52,9 +54,9 @@ struct Tried {
 };
 
 /// Counts what is certain, all of which must be so.
-void try_side(const EstimatedRow::Side& estimated, const Side& side, Projection projection,
-              const RowPlace& at, double largest, Tried& tried) {
-    const DepthRow exact = depths_in_row(side.law, projection, at, side.z);
+void try_side(const EstimatedRow::Side& estimated, const Side& side, Projection projection, double largest,
+              Tried& tried) {
+    const DepthRow exact = depths_in_row(side.law, projection, side.at, side.z);
     for (std::size_t i = 0; i < tile_columns; ++i) {
         tried.lawful += exact.ratio[i] >= 0;
         if ((estimated.certain >> i & 1) == 0) continue;
@@ -86,10 +88,10 @@ TEST(DepthEstimate, IsCertainOnlyOfTheRightBin) {
             const double largest = dice.between(0, 1);
             const auto known = float(20 * largest * (1 - 0x1p-20));
             EstimatedRow row;
-            zproof::estimate(estimate, projection, at, candidate.z.data(), reference.z.data(), {known, known},
-                             row);
-            try_side(row.candidate, candidate, projection, at, largest, ours);
-            try_side(row.reference, reference, projection, at, largest, theirs);
+            zproof::estimate(estimate, projection, {at, candidate.z.data(), reference.z.data()},
+                             {known, known}, row);
+            try_side(row.candidate, candidate, projection, largest, ours);
+            try_side(row.reference, reference, projection, largest, theirs);
             if (HasFatalFailure()) return;
         }
     }
@@ -134,12 +136,13 @@ TEST(DepthEstimate, OfTrianglesSideBySideIsThatOfEach) {
         }
         EstimateRow row;
         put_side_by_side(projection, ours, theirs, row);
+        const DepthsOfBoth depths{at, our_depth.data(), their_depth.data()};
         EstimatedRow together;
-        estimate(row, projection, at, our_depth.data(), their_depth.data(), {5, 5}, together);
+        estimate(row, projection, depths, {5, 5}, together);
         for (std::size_t i = 0; i < tile_columns; ++i) {
             EstimatedRow alone, other_alone;
-            estimate(*ours[i], projection, at, our_depth.data(), their_depth.data(), {5, 5}, alone);
-            estimate(*theirs[i], projection, at, our_depth.data(), their_depth.data(), {5, 5}, other_alone);
+            estimate(*ours[i], projection, depths, {5, 5}, alone);
+            estimate(*theirs[i], projection, depths, {5, 5}, other_alone);
             expect_same(together.candidate, alone.candidate, i);
             expect_same(together.reference, other_alone.reference, i);
             certain += int(together.candidate.certain >> i & 1);
@@ -181,7 +184,7 @@ TEST(DepthEstimate, KnowsTheBinsOfAWall) {
         TileRowOf<float> z;
         for (std::size_t i = 0; i < tile_columns; ++i) z[i] = 4 + float(i) * 0x1p-22f;
         EstimatedRow row;
-        estimate(estimate_of(law, law, projection), projection, {0, 0}, z.data(), z.data(), {20, 20}, row);
+        estimate(estimate_of(law, law, projection), projection, {{0, 0}, z.data(), z.data()}, {20, 20}, row);
         const DepthRow exact = depths_in_row(law, projection, {0, 0}, z);
         ColumnMask lawful = 0;
         for (std::size_t i = 0; i < tile_columns; ++i)

@@ -74,7 +74,7 @@ TEST_P(EdgeOn, TrianglesThatTouchTheEyeAreJudgedToo) {
             answer(t.reference, 1, 1, 1, 8);
             EXPECT_NO_THROW(t.verdict());
             EXPECT_NO_THROW(
-                explain(t.scene, t.view, {t.candidate, precision}, {t.reference, precision}, 1, 1));
+                explain(t.scene, t.view, {t.candidate, precision}, {t.reference, precision}, {1, 1}));
         }
 }
 

@@ -105,7 +105,7 @@ TEST(Explain, ManyPixelsAtOnceAreWhatEachIsByItself) {
     ASSERT_EQ(stories.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i)
         EXPECT_EQ(in_words(t.scene, stories[i]),
-                  in_words(t.scene, explain(t.scene, t.view, ours, theirs, places[i].x, places[i].y)));
+                  in_words(t.scene, explain(t.scene, t.view, ours, theirs, places[i])));
 }
 
 TEST(Explain, WhatTheJudgeRuledIsToldAsIfItWereRuledOnAgain) {
@@ -135,7 +135,7 @@ TEST(Explain, AnIdThatDoesNotExistInBothFramesHasAStoryToo) {
     answer(t.candidate, 1, 1, 99, 4);
     answer(t.reference, 1, 1, 99, 4);
     const PixelStory story = explain(t.scene, t.view, {t.candidate, t.candidate_precision},
-                                     {t.reference, t.reference_precision}, 1, 1);
+                                     {t.reference, t.reference_precision}, {1, 1});
     EXPECT_EQ(story.finding.verdict, PixelClass::invalid);
 }
 

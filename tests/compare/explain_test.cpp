@@ -12,7 +12,7 @@ namespace {
 
 PixelStory story_of(const Trial& t, int x, int y) {
     return explain(t.scene, t.view, {t.candidate, t.candidate_precision},
-                   {t.reference, t.reference_precision}, x, y);
+                   {t.reference, t.reference_precision}, {x, y});
 }
 
 /// A left and a right wall that meet half of eps beyond the centre of pixel (1, 1), before a third.

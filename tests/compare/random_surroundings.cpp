@@ -134,9 +134,9 @@ Scene random_crowd(Dice& dice, const View& view, int x, int y) {
     return scene;
 }
 
-Neighbourhood surroundings(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
-                           double least_eps_px) {
-    Site site{x, y, least_eps_px, {}};
+Neighbourhood surroundings(const Scene& scene, const View& view, const ViewBounds& bounds,
+                           const PixelPlace& place, double least_eps_px) {
+    Site site{place.x, place.y, least_eps_px, {}};
     for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) site.triangles.push_back(t);
     return neighbourhood_of(scene, view, bounds, site, least_eps_px);
 }
@@ -150,7 +150,7 @@ Surroundings random_surroundings(std::uint32_t seed) {
     with_bits.transform = dice.below(2) ? Arithmetic::float32 : Arithmetic::float64;
     const Precision precision = raster ? Precision(with_bits) : Precision(RayPrecision{});
     const ViewBounds bounds(s.view, precision);
-    s.around = surroundings(s.scene, s.view, bounds, s.x, s.y, dice.below(4) ? 0x1p-9 : 0);
+    s.around = surroundings(s.scene, s.view, bounds, {s.x, s.y}, dice.below(4) ? 0x1p-9 : 0);
     return s;
 }
 

@@ -32,8 +32,8 @@ Scene random_crowd(Dice& dice, const View& view, int x, int y);
 
 /// Everything around the pixel: all of the scene's triangles are neighbours. `extra_eps_px` widens the square
 /// beyond what the bounds ask for.
-Neighbourhood surroundings(const Scene& scene, const View& view, const ViewBounds& bounds, int x, int y,
-                           double least_eps_px);
+Neighbourhood surroundings(const Scene& scene, const View& view, const ViewBounds& bounds,
+                           const PixelPlace& place, double least_eps_px);
 
 /// What a seed stands for.
 struct Surroundings {

@@ -78,7 +78,7 @@ Trial::Trial(Projection projection, int width, int height, const std::vector<Tri
 
 double Trial::candidate_eps_px(int x, int y, std::uint32_t triangle) const {
     const ViewBounds bounds(view, candidate_precision);
-    const double own = own_eps_px(scene, view, bounds, x, y, PrimitiveId(triangle));
+    const double own = own_eps_px(scene, view, bounds, {x, y}, PrimitiveId(triangle));
     Site site{x, y, own, {}};
     find_nearby_triangles(scene, view, std::span(&site, 1));
     return neighbourhood_of(scene, view, bounds, site, own).eps_px;

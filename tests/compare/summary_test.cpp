@@ -22,7 +22,7 @@ class OnePixel {
     }
 
     double own_eps_px(PrimitiveId answer) const {
-        return zproof::own_eps_px(scene_, view_, bounds_, x_, y_, answer);
+        return zproof::own_eps_px(scene_, view_, bounds_, {x_, y_}, answer);
     }
     Neighbourhood around(PrimitiveId answer) const {
         Site site{x_, y_, 2 * own_eps_px(answer), {}};

@@ -47,7 +47,7 @@ TEST(OpenImageIoFilter, KeepsToItsOwnLaw) {
 TEST(OpenGlFilter, IsHeldAgainstItsOwnLaw) {
     const FilterStage stage = filter_stage(Ground::noise);
     const auto drawn = [&](PeerFilter filter, StepRule steps) {
-        return oracle::opengl_filtered(stage.scene, stage.view, stage.frame, filter, {}, steps);
+        return oracle::opengl_filtered(stage.scene, stage.view, stage.frame, {filter, steps}, {});
     };
     const FilterPrecision precision = oracle::opengl_filter_precision();
     const StepRule exact = StepRule::analytic, quad = StepRule::quad_differences;

@@ -70,7 +70,7 @@ double largest_miss_over_own_eps(const Scene& scene, const View& view, const Vie
         const PrimitiveId id = f.candidate.primitive;
         if (f.verdict != PixelClass::edge || id == PrimitiveId::none) continue;
         if (const auto miss = miss_of_triangle(scene, view, id, f.x, f.y))
-            largest = std::max(largest, double(*miss / own_eps_px(scene, view, bounds, f.x, f.y, id)));
+            largest = std::max(largest, double(*miss / own_eps_px(scene, view, bounds, {f.x, f.y}, id)));
     }
     return largest;
 }
