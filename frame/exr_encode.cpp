@@ -104,6 +104,7 @@ class ExrWriter {
     }
 
   private:
+    // NOLINTNEXTLINE(readability-function-size): OpenEXR asks for these parameters
     static std::int64_t put(exr_const_context_t, void* file, const void* bytes, std::uint64_t size,
                             std::uint64_t offset, exr_stream_error_func_ptr_t) {
         std::string& to = *static_cast<std::string*>(file);

@@ -25,7 +25,7 @@ inline constexpr std::size_t cache_line_bytes = 64;
 template <class T>
 struct PlaneAllocator : boost::alignment::aligned_allocator<T, cache_line_bytes> {
     template <class U>
-    struct rebind {
+    struct rebind {  // NOLINT(readability-identifier-naming): the standard names it
         using other = PlaneAllocator<U>;
     };
     template <class U, class... Arguments>

@@ -8,6 +8,7 @@
 
 namespace zproof::rasterizer {
 
+// NOLINTNEXTLINE(readability-function-size): x and y of three corners
 Triangle at_pixels(float x0, float y0, float x1, float y1, float x2, float y2) {
     return {glm::vec3{x0, -y0, -1}, glm::vec3{x1, -y1, -1}, glm::vec3{x2, -y2, -1}};
 }
