@@ -250,16 +250,18 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
             for (std::size_t lane = 0; lane < together; ++lane) {
                 const std::size_t i = chunk * Strip::chunk + first + lane;
                 const double a = ours.ratio[i], b = theirs.ratio[i];
-                const bool agree = ours.primitive[i] == theirs.primitive[i];
+                const float our_depth = ours.camera_depth[i], their_depth = theirs.camera_depth[i];
+                const PrimitiveId shown = ours.primitive[i];
+                const bool agree = shown == theirs.primitive[i];
                 const bool is_counted = agree & (a >= 0) & (b >= 0);
-                const bool is_bare = agree & (ours.primitive[i] == PrimitiveId::none) &
-                                     (ours.camera_depth[i] == none) & (theirs.camera_depth[i] == none);
+                const bool is_bare =
+                    agree & (shown == PrimitiveId::none) & (our_depth == none) & (their_depth == none);
                 ours.bin[i] = is_counted ? bin_of(a) : Strip::uncounted;
                 theirs.bin[i] = is_counted ? bin_of(b) : Strip::uncounted;
                 const std::uint32_t is_open = !(is_counted | is_bare), is_lawful = (a >= 0) & (b >= 0);
                 what[first + lane] = is_open | (is_open & is_lawful) << 16;
-                most[lane] = is_counted & (a > most[lane]) ? a : most[lane];
-                most_of_theirs[lane] = is_counted & (b > most_of_theirs[lane]) ? b : most_of_theirs[lane];
+                most[lane] = (is_counted & (a > most[lane])) ? a : most[lane];
+                most_of_theirs[lane] = (is_counted & (b > most_of_theirs[lane])) ? b : most_of_theirs[lane];
             }
         std::uint32_t masks = 0;
         for (std::size_t i = 0; i < Strip::chunk; ++i) masks |= what[i] << i;
