@@ -39,10 +39,9 @@ Method nearest_level_method(std::string name, std::string taps, decltype(Method:
         .prepare = std::move(prepare)};
 }
 
-template <LodRule lod>
-Method trilinear_method(std::string name, DefinitionCard card) {
+Method trilinear_method(std::string name, DefinitionCard card, decltype(Method::prepare) prepare) {
     card.taps = "Bilinear in the two levels around the LOD, weighted by its fraction.";
-    return {.name = std::move(name), .card = std::move(card), .prepare = prepare_bilinear<Trilinear<lod>>};
+    return {.name = std::move(name), .card = std::move(card), .prepare = std::move(prepare)};
 }
 
 }  // namespace
@@ -54,35 +53,40 @@ std::vector<Method> mip_methods() {
         nearest_level_method("mip-nearest-bilinear",
                              "The four texels of that level whose centres surround the place.",
                              prepare_bilinear<NearestLevel<Within::bilinear>>),
-        trilinear_method<lod_gl_maximum>("trilinear-gl", {.footprint = "The longer of the pixel's two steps.",
-                                                          .lod = "log2 of its length in texels.",
-                                                          .taps = {},
-                                                          .source = "OpenGL 4.6 core, 8.14; Williams 1983"}),
-        trilinear_method<lod_ellipse_major>(
-            "trilinear-ellipse",
-            {.footprint = "The ellipse that the Jacobian makes of the unit circle.",
-             .lod = "log2 of its longer semi-axis, the Jacobian's larger singular value s1.",
-             .taps = {},
-             .source = "Direct3D 11.3 functional specification, 7.18.11"}),
-        trilinear_method<lod_root_mean_square>(
+        trilinear_method("trilinear-gl",
+                         {.footprint = "The longer of the pixel's two steps.",
+                          .lod = "log2 of its length in texels.",
+                          .taps = {},
+                          .source = "OpenGL 4.6 core, 8.14; Williams 1983"},
+                         prepare_bilinear<Trilinear<lod_gl_maximum>>),
+        trilinear_method("trilinear-ellipse",
+                         {.footprint = "The ellipse that the Jacobian makes of the unit circle.",
+                          .lod = "log2 of its longer semi-axis, the Jacobian's larger singular value s1.",
+                          .taps = {},
+                          .source = "Direct3D 11.3 functional specification, 7.18.11"},
+                         prepare_bilinear<Trilinear<lod_ellipse_major>>),
+        trilinear_method(
             "trilinear-rms",
             {.footprint = "Both of the pixel's steps, equally.",
              .lod = "log2 of the root mean square of their lengths, sqrt((|per_x|^2 + |per_y|^2) / 2).",
              .taps = {},
-             .source = "ours; no publication found that gives it a name"}),
-        trilinear_method<lod_area>("trilinear-area",
-                                   {.footprint = "The parallelogram of the pixel's two steps.",
-                                    .lod = "log2 of the square root of its area, |det J|.",
-                                    .taps = {},
-                                    .source = "common in lectures on texture mapping"}),
-        trilinear_method<lod_pbrt>(
+             .source = "ours; no publication found that gives it a name"},
+            prepare_bilinear<Trilinear<lod_root_mean_square>>),
+        trilinear_method("trilinear-area",
+                         {.footprint = "The parallelogram of the pixel's two steps.",
+                          .lod = "log2 of the square root of its area, |det J|.",
+                          .taps = {},
+                          .source = "common in lectures on texture mapping"},
+                         prepare_bilinear<Trilinear<lod_area>>),
+        trilinear_method(
             "trilinear-pbrt",
             {.footprint = "The Jacobian's largest absolute entry.",
              .lod =
                  "1 + log2 of it. pbrt measures in texture coordinates of a square texture; here each entry "
                  "is in texels of its own axis.",
              .taps = {},
-             .source = "pbrt-v4, MIPMap::Filter"})};
+             .source = "pbrt-v4, MIPMap::Filter"},
+            prepare_bilinear<Trilinear<lod_pbrt>>)};
 }
 
 }  // namespace zproof::texture

@@ -127,8 +127,7 @@ Sampler prepare(const LinearImage& image, const FilterOptions& options) {
             .stored = {sums}};
 }
 
-template <Shape shape>
-Method method(std::string name, std::string footprint, std::string source) {
+Method described(Shape shape, std::string name, std::string footprint, std::string source) {
     const bool is_many = shape == Shape::subquads || shape == Shape::strips;
     return {
         .name = std::move(name),
@@ -139,7 +138,14 @@ Method method(std::string name, std::string footprint, std::string source) {
                          " from sums over the whole texture at four corners, each interpolated between four "
                          "stored sums. A box is at least one texel wide and high.",
                  .source = std::move(source)},
-        .prepare = prepare<shape>};
+        .prepare = {}};
+}
+
+template <Shape shape>
+Method method(std::string name, std::string footprint, std::string source) {
+    Method made = described(shape, std::move(name), std::move(footprint), std::move(source));
+    made.prepare = prepare<shape>;
+    return made;
 }
 
 }  // namespace

@@ -15,19 +15,19 @@ namespace zproof::texture {
 template <class Rule>
 Sampler sampler(Rule rule, std::vector<StoredImage> stored) {
     const auto shared = std::make_shared<const Rule>(std::move(rule));
-    return {.colour =
-                [shared](const Footprint& footprint) {
-                    glm::dvec4 sum{0};
-                    (*shared)(footprint, [&](const Tap& tap) { sum += tap.weight * shared->value(tap); });
-                    return sum;
-                },
-            .taps =
-                [shared](const Footprint& footprint) {
-                    std::vector<Tap> taps;
-                    (*shared)(footprint, [&](const Tap& tap) { taps.push_back(tap); });
-                    return taps;
-                },
-            .stored = std::move(stored)};
+    Sampler made;
+    made.colour = [shared](const Footprint& footprint) {
+        glm::dvec4 sum{0};
+        (*shared)(footprint, [&](const Tap& tap) { sum += tap.weight * shared->value(tap); });
+        return sum;
+    };
+    made.taps = [shared](const Footprint& footprint) {
+        std::vector<Tap> taps;
+        (*shared)(footprint, [&](const Tap& tap) { taps.push_back(tap); });
+        return taps;
+    };
+    made.stored = std::move(stored);
+    return made;
 }
 
 /// The image itself as a stored image.

@@ -12,7 +12,7 @@ typedef double Lanes __attribute__((vector_size(16)));
 typedef std::int64_t Bits __attribute__((vector_size(16)));
 
 Lanes chosen(const double* numbers, const std::int32_t* index) {
-    return Lanes{numbers[8 * index[0]], numbers[8 * index[1]]};
+    return Lanes{numbers[std::ptrdiff_t{8} * index[0]], numbers[std::ptrdiff_t{8} * index[1]]};
 }
 
 Bits product(Bits a, Bits b) { return a * b; }

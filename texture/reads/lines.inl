@@ -59,7 +59,8 @@ struct LineLevel {
 LineLevel line_level(const Level* levels, const std::int32_t* index, Lanes weight) {
     bool are_same = true;
     for (int lane = 1; lane < lanes; ++lane) are_same &= index[lane] == index[0];
-    if (are_same) return {levels, weight, [&](const double* of) { return all(of[8 * index[0]]); }};
+    if (are_same)
+        return {levels, weight, [&](const double* of) { return all(of[std::ptrdiff_t{8} * index[0]]); }};
     return {levels, weight, [&](const double* of) { return chosen(of, index); }};
 }
 

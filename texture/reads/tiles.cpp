@@ -15,13 +15,13 @@ std::size_t tiles_of(const LinearImage& image) {
 void copy_row(const LinearImage& image, int row, Tile* tile) {
     for (int column = 0; column < image.width; column += tile_side, ++tile)
         std::copy_n(&image.at(column, row).x, 4 * std::min(tile_side, image.width - column),
-                    tile->texels + row % tile_side * tile_side * 4);
+                    tile->texels + std::ptrdiff_t{row % tile_side} * tile_side * 4);
 }
 
 Level level_of(const LinearImage& image, const LinearImage& largest, std::size_t first_tile) {
-    constexpr double floats = sizeof(Tile) / sizeof(float);
-    return {.first = floats * double(first_tile),
-            .row_of_tiles = floats * double(tiles_along(image.width)),
+    constexpr std::size_t floats = sizeof(Tile) / sizeof(float);
+    return {.first = double(floats * first_tile),
+            .row_of_tiles = double(floats * tiles_along(image.width)),
             .width = double(image.width),
             .height = double(image.height),
             .per_width = 1.0 / image.width,
