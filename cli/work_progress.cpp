@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <ostream>
 
@@ -42,7 +43,8 @@ ProgressStyle beside_lines(ProgressStyle wish) {
 }
 
 std::string time_left(double seconds) {
-    const int whole = int(std::max(0.0, seconds) + 0.5), hours = whole / 3600, minutes = whole / 60 % 60;
+    const int whole = int(std::floor(std::max(0.0, seconds) + 0.5)), hours = whole / 3600,
+              minutes = whole / 60 % 60;
     const std::string clock =
         hours > 0 ? std::to_string(hours) + ":" + two_digits(minutes) : std::to_string(minutes);
     return clock + ":" + two_digits(whole % 60) + " left";

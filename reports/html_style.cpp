@@ -2,8 +2,9 @@
 
 namespace zproof {
 
-std::string_view html_style() {
-    return R"css(
+namespace {
+
+constexpr std::string_view style = R"css(
 :root {
   color-scheme: light dark;
   --ground: #fcfcfa; --ink: #1c2026; --quiet: #5d6670; --line: #e2e2dc; --soft: #f3f3ef;
@@ -128,6 +129,9 @@ svg .over { fill: var(--defect); }
   img, svg { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )css";
-}
+
+}  // namespace
+
+std::string_view html_style() { return style; }
 
 }  // namespace zproof

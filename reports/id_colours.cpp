@@ -34,6 +34,7 @@ struct Hsv {
         const double turned = shift + 6 * hue, k = turned - (turned < 6 ? 0.0 : 6.0);
         const double fall = 4 - k, least = fall < k ? fall : k;
         const double light = value * (1 - saturation * within_0_and_1(least));
+        // NOLINTNEXTLINE(bugprone-incorrect-roundings): never negative
         return std::uint32_t(std::int32_t(255 * within_0_and_1(light) + 0.5));
     }
 };

@@ -66,7 +66,7 @@ void mark(const fs::path& folder) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path path) : path_(settled(path)) {
+OutputFolder::OutputFolder(const fs::path& path) : path_(settled(path)) {
     require_replaceable(path_);
     working_ = make_sibling(path_, "tmp");
     try {

@@ -12,7 +12,7 @@ namespace zproof {
 /// the constructor throws ReportError and touches nothing. The destructor removes what was not published.
 class OutputFolder {
   public:
-    explicit OutputFolder(std::filesystem::path path);
+    explicit OutputFolder(const std::filesystem::path& path);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;

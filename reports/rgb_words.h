@@ -10,7 +10,9 @@
 
 namespace zproof {
 
-constexpr std::uint32_t word_of(Rgb8 colour) { return colour.r | colour.g << 8 | colour.b << 16; }
+constexpr std::uint32_t word_of(Rgb8 colour) {
+    return std::uint32_t{colour.r} | std::uint32_t{colour.g} << 8 | std::uint32_t{colour.b} << 16;
+}
 
 /// As many pixels as words, one at least. Four bytes are stored at once where the next pixel will overwrite
 /// the fourth.

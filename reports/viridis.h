@@ -10,6 +10,7 @@ namespace zproof {
 /// 0 to 1 as a byte, rounded to nearest; not by std::lround, which costs more than the rest of a picture.
 inline std::uint8_t channel(double value) {
     const double raised = value < 0 ? 0 : value;
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): never negative
     return std::uint8_t(255 * (raised > 1 ? 1 : raised) + 0.5);
 }
 

@@ -6,6 +6,7 @@
 #include "reports/filters/table_cells.h"
 #include "reports/page_parts.h"
 #include "reports/pictures.h"
+#include "reports/viridis.h"
 #include "reports/wording.h"
 #include "study/filters/claims.h"
 
@@ -79,8 +80,8 @@ Plane<Rgb8> picture_of(const Kernel& kernel, const glm::dvec2& centre) {
         for (int x = 0; x < shown; ++x) {
             const int column = (int(centre.x) + x - shown / 2 + kernel.columns) % kernel.columns,
                       row = (int(centre.y) + y - shown / 2 + kernel.rows) % kernel.rows;
-            const double weight = kernel.weights[std::size_t(row * kernel.columns + column)];
-            const auto tone = std::uint8_t(255 * std::sqrt(std::clamp(weight / greatest, 0.0, 1.0)) + 0.5);
+            const std::size_t place = std::size_t(row) * std::size_t(kernel.columns) + std::size_t(column);
+            const auto tone = channel(std::sqrt(std::clamp(kernel.weights[place] / greatest, 0.0, 1.0)));
             picture.at(x, y) = {tone, tone, tone};
         }
     return picture;

@@ -81,9 +81,10 @@ std::string truth_in_words(const std::string& truth) {
 }
 
 std::string bytes_in_words(std::uint64_t bytes) {
-    if (bytes < 1024) return std::to_string(bytes) + " B";
-    if (bytes < 1024 * 1024) return fixed(double(bytes) / 1024, 1) + " KiB";
-    return fixed(double(bytes) / (1024 * 1024), 1) + " MiB";
+    constexpr std::uint64_t kib = 1024, mib = 1024 * kib;
+    if (bytes < kib) return std::to_string(bytes) + " B";
+    if (bytes < mib) return fixed(double(bytes) / double(kib), 1) + " KiB";
+    return fixed(double(bytes) / double(mib), 1) + " MiB";
 }
 
 }  // namespace zproof

@@ -149,7 +149,7 @@ Rgb8 colour_of_id(std::uint32_t id) {
     const auto one = [&](double shift) {
         const double turned = shift + 6 * hue, k = turned - (turned < 6 ? 0.0 : 6.0);
         const double light = value * (1 - saturation * std::clamp(std::min(k, 4 - k), 0.0, 1.0));
-        return std::uint8_t(255 * std::clamp(light, 0.0, 1.0) + 0.5);
+        return std::uint8_t(std::floor(255 * std::clamp(light, 0.0, 1.0) + 0.5));
     };
     return {one(5), one(3), one(1)};
 }
