@@ -96,7 +96,8 @@ ExitCode judge_and_report(const Assignment& assignment) {
         Progress progress{std::cerr, resolve(report.progress), expected_work(sources, report.out)};
         const Desk desk{settings.resolution, out.working(), names, progress, parties, gate,
                         report.pictures,     only_view};
-        on_threads(settings.threads, [&] { results.ending = judge_all(sources, desk, results.views); });
+        on_threads(settings.threads,
+                   [&, &scenes = sources] { results.ending = judge_all(scenes, desk, results.views); });
     }
     write_reports(out.working(), results, report.formats);
     out.publish();

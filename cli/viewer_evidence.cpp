@@ -26,7 +26,8 @@ std::vector<planes::TriangleRange> ranges_of(const Scene& scene) {
 }
 
 std::vector<planes::Story> stories_of(const JudgedView& judged) {
-    const auto& [scene, view] = std::tie(judged.docket.scene, judged.docket.view);
+    const Scene& scene = judged.docket.scene;
+    const View& view = judged.docket.view;
     const std::vector<PixelPlace> places = telling_pixels(
         judged.verdict, defect_count(judged.verdict) > 0 ? most_stories_of_failed : most_stories_of_proven);
     std::vector<IllustratedStory> told = illustrate(scene, view, judged.candidate, judged.reference,
@@ -120,7 +121,7 @@ std::vector<PixelPlace> telling_pixels(const Verdict& verdict, std::size_t most)
     return places;
 }
 
-void write_viewer_evidence(const std::filesystem::path& folder, JudgedView judged) {
+void write_viewer_evidence(const std::filesystem::path& folder, JudgedView&& judged) {
     auto& [docket, candidate, reference, verdict, errors, rulings, statements] = judged;
     planes::ViewPlanes shown{
         .facts = facts_of(docket),

@@ -22,7 +22,7 @@ struct JudgedView {
 
 /// Writes planes.zvp into the view's folder, with the stories of its most telling pixels; colours are read
 /// from the pictures that lie there. Throws ReportError where it cannot be written.
-void write_viewer_evidence(const std::filesystem::path& folder, JudgedView judged);
+void write_viewer_evidence(const std::filesystem::path& folder, JudgedView&& judged);
 
 /// The pixels whose stories are told: of every pair of triangles that some class arises between the worst
 /// one, severest class first, then the worst of all, `most` in all; in raster order.

@@ -84,7 +84,7 @@ class ExrReader::BlockReader {
 
     const ExrReader& file_;
     std::span<const WantedChannel> channels_;
-    exr_decode_pipeline_t pipeline_ = EXR_DECODE_PIPELINE_INITIALIZER;
+    exr_decode_pipeline_t pipeline_{};
 };
 
 ExrReader::ExrReader(const std::filesystem::path& file) : name_(file.string()) {

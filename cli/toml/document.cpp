@@ -20,9 +20,9 @@ TomlValue value_of(const toml::node& node, const std::string& name);
 
 TomlTable entries_of(const toml::table& table, const std::string& name) {
     TomlTable entries;
-    for (const auto& [key, node] : table) entries.emplace_back(std::string{key.str()}, value_of(node, name));
-    std::ranges::stable_sort(entries, {}, [](const auto& entry) {
-        return std::pair{entry.second.line, entry.second.column};
+    for (const auto& [key, node] : table) entries.push_back({std::string{key.str()}, value_of(node, name)});
+    std::ranges::stable_sort(entries, {}, [](const TomlEntry& entry) {
+        return std::pair{entry.value.line, entry.value.column};
     });
     return entries;
 }

@@ -13,12 +13,18 @@
 namespace zproof {
 
 struct TomlValue;
+struct TomlEntry;
 using TomlArray = std::vector<TomlValue>;
-using TomlTable = std::vector<std::pair<std::string, TomlValue>>;  ///< in the order of the file
+using TomlTable = std::vector<TomlEntry>;  ///< in the order of the file
 
 struct TomlValue {
     std::variant<std::string, std::int64_t, double, bool, Day, TomlArray, TomlTable> is;
     int line = 1, column = 1;
+};
+
+struct TomlEntry {
+    std::string key;
+    TomlValue value;
 };
 
 /// The file's table. Throws UsageError, "FILE:LINE:COLUMN: ...", where it is no TOML or holds a time of day,

@@ -14,8 +14,8 @@ TomlReader::TomlReader(std::string file, const TomlValue& table) : file_(std::mo
 }
 
 const TomlValue* TomlReader::find(const std::string& key) const {
-    const auto found = std::ranges::find(entries(), key, &TomlTable::value_type::first);
-    return found == entries().end() ? nullptr : &found->second;
+    const auto found = std::ranges::find(entries(), key, &TomlEntry::key);
+    return found == entries().end() ? nullptr : &found->value;
 }
 
 const TomlValue& TomlReader::at(const std::string& key) const {
