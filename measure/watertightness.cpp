@@ -34,7 +34,7 @@ Mesh moved_sheet(const Sample& sample) {
     for (int j = 0; j < cells; ++j) {
         for (int i = 0; i < cells; ++i) {
             const auto a = corner(i, j), b = corner(i + 1, j), c = corner(i, j + 1), d = corner(i + 1, j + 1);
-            const std::size_t colour = std::size_t(2 * (i % 2) + 4 * (j % 2));
+            const std::size_t colour = 2 * std::size_t(i % 2) + 4 * std::size_t(j % 2);
             mesh.push_back({{a, b, c}, colour});
             mesh.push_back({{b, d, c}, colour + 1});
         }

@@ -108,7 +108,7 @@ Image decode_image(Span bytes) {
     const bool is_whole = tinygltf::LoadImageData(&decoded, 0, &error, &warning, 0, 0, bytes.data(),
                                                   static_cast<int>(bytes.size()), nullptr);
     const auto [format, width, height] = image_extent(bytes);
-    const auto texels = static_cast<std::size_t>(width * height);
+    const auto texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     if (!is_whole || decoded.component != 4 ||
         decoded.image.size() != texels * 4 * (decoded.bits == 16 ? 2 : 1))
         throw std::runtime_error("the image's data is broken or cut short; export it again");

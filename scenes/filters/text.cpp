@@ -44,7 +44,7 @@ bool is_ink(char name, int column, int row) {
 /// A quarter of the texture's height for each size of stroke: 1, 2, 3 and 4 texels.
 bool is_inked_texel(int column, int row) {
     const int stroke = 1 + row / 128, line = row % 128 / (9 * stroke), letter = column / (6 * stroke);
-    const auto place = std::size_t(letter + 11 * line) % words.size();
+    const auto place = (std::size_t(letter) + std::size_t{11} * std::size_t(line)) % words.size();
     return is_ink(words[place], column / stroke % 6, row % 128 / stroke % 9);
 }
 

@@ -41,12 +41,17 @@ Footprint footprint_of(const glm::dvec2& centre, const glm::dvec2& per_x, const 
     return texture::footprint(map, 0, 0, texture::Derivatives::analytic);
 }
 
+/// Of a kernel's weights.
+std::size_t texel_index(int column, int row, int columns) {
+    return std::size_t(row) * std::size_t(columns) + std::size_t(column);
+}
+
 /// One coordinate's mean and spread around the region's centre, on a line that repeats.
 double deviation(const Kernel& kernel, double centre, int axis) {
     double mean = 0, square = 0;
     for (int row = 0; row < kernel.rows; ++row)
         for (int column = 0; column < kernel.columns; ++column) {
-            const double weight = kernel.weights[std::size_t(row * kernel.columns + column)];
+            const double weight = kernel.weights[texel_index(column, row, kernel.columns)];
             const double offset = (axis == 0 ? column : row) + 0.5 - centre;
             const double nearest = offset - side * std::round(offset / side);
             mean += weight * nearest;
@@ -70,7 +75,7 @@ Kernel empty_kernel() {
 void add(Kernel& kernel, const texture::Share& share, double weight) {
     for (int row = share.row; row < share.row + share.rows; ++row)
         for (int column = share.column; column < share.column + share.columns; ++column)
-            kernel.weights[std::size_t(row * side + column)] += weight * share.weight;
+            kernel.weights[texel_index(column, row, side)] += weight * share.weight;
 }
 
 Kernel kernel_of(const texture::Sampler& sampler, const Footprint& footprint) {
@@ -180,7 +185,7 @@ Kernel exact_kernel(int texture_side, const glm::dvec2& centre, const glm::dvec2
         for (int column = int(std::floor(centre.x - reach.x)); column < centre.x + reach.x; ++column) {
             const Polygon piece = clipped(clipped(strip, 0, column, 1), 0, column + 1, -1);
             if (piece.size() > 2)
-                kernel.weights[std::size_t(wrapped(row) * texture_side + wrapped(column))] +=
+                kernel.weights[texel_index(wrapped(column), wrapped(row), texture_side)] +=
                     area(piece) / whole;
         }
     }

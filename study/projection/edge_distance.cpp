@@ -16,7 +16,8 @@ namespace {
 class SideIndex {
   public:
     SideIndex(const Scene& scene, const Outliner& outliner, Resolution size)
-        : columns_(size.width / side_px + 1), squares_(std::size_t(columns_ * (size.height / side_px + 1))) {
+        : columns_(size.width / side_px + 1),
+          squares_(std::size_t(columns_) * std::size_t(size.height / side_px + 1)) {
         const glm::dvec2 low{-1, -1}, high{size.width + 1, size.height + 1};
         for (std::size_t t = 0; t < scene.triangles.size(); ++t)
             for (const RasterSegment& side : outliner.sides(PrimitiveId(t)))
@@ -32,7 +33,10 @@ class SideIndex {
 
   private:
     static constexpr int side_px = 16;
-    std::size_t square(int x, int y) const { return std::size_t(y / side_px * columns_ + x / side_px); }
+    std::size_t square_at(int column, int row) const {
+        return std::size_t(row) * std::size_t(columns_) + std::size_t(column);
+    }
+    std::size_t square(int x, int y) const { return square_at(x / side_px, y / side_px); }
 
     /// To every square that it comes within 2 px of.
     void add(const RasterSegment& side, Resolution size) {
@@ -47,7 +51,7 @@ class SideIndex {
             for (int i = left; i <= right; ++i)
                 if (within(side, {i * side_px - 2, j * side_px - 2},
                            {(i + 1) * side_px + 2, (j + 1) * side_px + 2}))
-                    squares_[std::size_t(j * columns_ + i)].push_back(side);
+                    squares_[square_at(i, j)].push_back(side);
     }
 
     int columns_;

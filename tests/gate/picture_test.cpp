@@ -69,7 +69,7 @@ PictureDifference difference(const Scene& scene, const View& view) {
 
 void expect_same(const Scene& scene, const View& view) {
     const PictureDifference d = difference(scene, view);
-    EXPECT_GT(d.pixels, std::uint64_t(view.width * view.height) * 95 / 100);
+    EXPECT_GT(d.pixels, std::uint64_t(view.width) * std::uint64_t(view.height) * 95 / 100);
     EXPECT_LE(d.largest, largest_difference);
     EXPECT_GT(d.largest, 0);  // two renderers, not one
 }

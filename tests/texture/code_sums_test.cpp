@@ -47,7 +47,8 @@ TYPED_TEST(CodeSumsOf, AnySizeAndChannelsAreThatOfTheDefinition) {
     for (const int channels : {1, 2, 3, 4, 5})
         for (int width = 1; width < 20; ++width)
             for (const int height : {1, 2, 7}) {
-                const auto values = random_codes<TypeParam>(std::size_t(width * height * channels));
+                const auto values =
+                    random_codes<TypeParam>(std::size_t(width) * std::size_t(height) * std::size_t(channels));
                 const Codes<TypeParam> codes{width, height, channels, values};
                 expect_definition(codes, summed(codes, 3));
             }
