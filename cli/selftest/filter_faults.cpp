@@ -18,7 +18,7 @@ Picture drawn(const FilterStage& stage, const Texturing& texturing) {
 }
 
 /// The right method, told something wrong of the pixel.
-Inject told(Distortion distortion) {
+Inject told(const Distortion& distortion) {
     return [distortion](const FilterStage& stage, const Texturing& right) {
         const texture::Method wrong = distorted(right.method, distortion);
         return drawn(stage, {.method = wrong, .options = right.options});
