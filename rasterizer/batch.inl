@@ -73,7 +73,8 @@ void Batch::set_up_box(const TileSamples& tile) {
         row1[i] = lesser(((bottom - offset) >> bits) - tile.y0, tile_size - 1);
         const std::int32_t columns = column1[i] - column0[i] + 1, rows = row1[i] - row0[i] + 1;
         const std::int32_t extent = greater_of(right - left, bottom - top);
-        is_small[i] = (columns <= small_side) & (rows <= small_side) & (extent <= small_extent) ? ~0 : 0;
+        const bool fits = (columns <= small_side) & (rows <= small_side) & (extent <= small_extent);
+        is_small[i] = fits ? ~0 : 0;
     }
 }
 

@@ -152,6 +152,6 @@ struct Count {
         for (unsigned i = 0; i < 16; ++i) pixels.primitive[16 * block.place + int(i)] += covered >> i & 1;
     }
     void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
-        for_each_fragment(batch, small, i, [&](int, int, int, int place) { ++pixels.primitive[place]; });
+        for_each_fragment(batch, small, i, [&](unsigned, int, int, int place) { ++pixels.primitive[place]; });
     }
 };

@@ -39,13 +39,13 @@ struct Side {
     TriangleDepth depth;
     TileRowOf<float> z;
 
-    Side(Dice& dice, const View& view, const Precision& precision, const CornersWorld& p, const RowPlace& at)
-        : at(at),
+    Side(Dice& dice, const View& view, const Precision& precision, const CornersWorld& p, const RowPlace& row)
+        : at(row),
           law(depth_law_of(TriangleInView(view, ViewBounds(view, precision), p),
                            ViewBounds(view, precision))),
           depth(depth_of(TriangleInView(view, ViewBounds(view, precision), p), ViewBounds(view, precision))) {
         for (std::size_t i = 0; i < tile_columns; ++i)
-            z[i] = some_depth(dice, depth.at(at.left + int(i), at.y));
+            z[i] = some_depth(dice, depth.at(row.left + int(i), row.y));
     }
 };
 
