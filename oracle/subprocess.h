@@ -14,7 +14,7 @@ struct Command {
     std::vector<std::string> arguments;  ///< the program first, by path or as found on PATH; at least one
     std::filesystem::path folder = ".";  ///< working directory; must exist
     std::chrono::milliseconds time_limit{std::chrono::minutes(5)};
-    std::size_t kept_bytes = 64 * 1024;  ///< of each output, the last ones
+    std::size_t kept_bytes = std::size_t{64} * 1024;  ///< of each output, the last ones
 };
 
 /// A line for /bin/sh, as the arguments of a command.

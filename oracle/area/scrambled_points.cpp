@@ -32,7 +32,7 @@ std::uint32_t scrambled(std::uint32_t fraction, std::uint64_t seed) {
 }
 
 ScrambledPoints::ScrambledPoints() {
-    points_.reserve(std::size_t(replicates * most_points));
+    points_.reserve(std::size_t{replicates} * most_points);
     for (std::uint64_t r = 0; r < replicates; ++r)
         for (std::uint32_t i = 0; i < most_points; ++i)
             points_.emplace_back(scrambled(sobol(0, i), mixed(2 * r)),

@@ -31,9 +31,9 @@ void add_clamped(AxisTerms& terms, double place, int size, double weight) {
 }
 
 void add_periodic(AxisTerms& terms, Wrap wrap, double place, int size, double weight) {
-    const int period = wrap == Wrap::mirrored_repeat ? 2 * size : size;
+    const int images = wrap == Wrap::mirrored_repeat ? 2 : 1, period = images * size;
     const double periods = std::floor(place / period), within = place - periods * period;
-    terms.push_back({size, weight * periods * (period / size)});
+    terms.push_back({size, weight * periods * images});
     if (within <= size) return add_within(terms, within, size, weight);
     // Mirrored: all of the image, less what is not yet covered of the way back.
     terms.push_back({size, 2 * weight});

@@ -32,14 +32,12 @@ ColourRange weighted_mean(const std::vector<Interval>& weights, const std::vecto
         mean += w * (colours[i].low + colours[i].high) / 2.0;
     }
     mean /= sum;
-    double most = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const glm::dvec3 c = (colours[i].low + colours[i].high) / 2.0,
                          own = (colours[i].high - colours[i].low) / 2.0;
         deviation += (zproof::radius(weights[i]) + 0x1p-50 * std::abs(middle(weights[i]))) *
                      (glm::abs(c - mean) + 0x1p-50);
         radius += weights[i].high() * own;
-        most += weights[i].high();
     }
     return around(mean, (deviation + radius) / std::max(least, 0x1p-60) + 0x1p-50);
 }

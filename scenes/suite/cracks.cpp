@@ -59,7 +59,7 @@ std::vector<double> breaks(Random& random, int count) {
 
 /// The strip between two neighbouring lines, of vertices that no other strip has.
 void add_strip(MeshBuilder& mesh, Random& random, int line) {
-    constexpr int count = 56;
+    constexpr std::size_t count = 56;
     const std::vector<double> lower = breaks(random, count), upper = breaks(random, count);
     std::vector<std::uint32_t> v;
     for (std::size_t i = 0; i <= count; ++i) {

@@ -24,7 +24,8 @@ Loaded back_faces(ImageSize size) {
     const glm::dmat3 mirror(glm::dvec3{-1, 0, 0}, glm::dvec3{0, 1, 0}, glm::dvec3{0, 0, 1});
     for (int i = 0; i < 12; ++i) {
         const glm::dmat3 axes = random.rotation();
-        const double x = 2.4 * (i % 6) - 6, y = 2.6 * (i / 6) - 2.6;
+        const int column = i % 6, row = i / 6;
+        const double x = 2.4 * column - 6, y = 2.6 * row - 2.6;
         mesh.begin_part("bowl " + std::to_string(i), random.color());
         add_bowl(mesh, {{x, y, -11}, axes});
         mesh.begin_part("mirrored bowl " + std::to_string(i), random.color());

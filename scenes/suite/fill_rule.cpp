@@ -63,9 +63,9 @@ class FanMosaic {
         std::array<std::uint32_t, 32> rim{};
         for (int i = 0; i < 8; ++i) {
             rim[static_cast<std::size_t>(i)] = border(left, top + 8 * i);
-            rim[static_cast<std::size_t>(8 + i)] = border(left + 8 * i, top + 64);
-            rim[static_cast<std::size_t>(16 + i)] = border(left + 64, top + 64 - 8 * i);
-            rim[static_cast<std::size_t>(24 + i)] = border(left + 64 - 8 * i, top);
+            rim[static_cast<std::size_t>(i) + 8] = border(left + 8 * i, top + 64);
+            rim[static_cast<std::size_t>(i) + 16] = border(left + 64, top + 64 - 8 * i);
+            rim[static_cast<std::size_t>(i) + 24] = border(left + 64 - 8 * i, top);
         }
         for (std::size_t i = 0; i < 32; ++i) mesh_.triangle(centre, rim[i], rim[(i + 1) % 32]);
     }
@@ -88,7 +88,8 @@ class FanMosaic {
 Loaded fan_at_pixel_centre(ImageSize size) {
     MeshBuilder mesh("fan_at_pixel_centre");
     mesh.begin_part("fan", {0.7, 0.5, 0.3});
-    const glm::dvec2 hub{size.width / 2 + 0.5, size.height / 2 + 0.5};
+    const int column = size.width / 2, row = size.height / 2;
+    const glm::dvec2 hub{column + 0.5, row + 0.5};
     const glm::dvec2 step{size.width / 44, size.height / 44}, outer_step{size.width, size.height};
     const std::uint32_t centre = mesh.vertex(at_raster(size, hub, 0));
     for (const glm::dvec2& p : rim_around(hub, step)) mesh.vertex(at_raster(size, p, 0));

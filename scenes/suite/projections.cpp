@@ -14,7 +14,8 @@ void add_town(MeshBuilder& mesh, Random& random) {
     });
     mesh.begin_part("houses", {0.75, 0.7, 0.6});
     for (int i = 0; i < 400; ++i) {
-        const double x = 4 * (i % 20) - 38, z = 4.0 * (i / 20) - 38, height = random.uniform(1, 9);
+        const int column = i % 20, row = i / 20;
+        const double x = 4 * column - 38, z = 4 * row - 38, height = random.uniform(1, 9);
         const double width = random.uniform(0.6, 1.4), length = random.uniform(0.6, 1.4);
         const double tilt = i % 2 == 0 ? 0 : random.uniform(-0.6, 0.6);
         add_box(mesh, {{x, height / 2, z},

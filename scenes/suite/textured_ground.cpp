@@ -10,7 +10,7 @@ namespace {
 /// colour.
 Image checker() {
     Image image{.name = "checker", .width = 256, .height = 256, .texels = {}};
-    image.texels.reserve(4u * 256 * 256);
+    image.texels.reserve(std::size_t{4} * 256 * 256);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             const bool dark = (x / 32 + y / 32) % 2 != 0;

@@ -62,9 +62,10 @@ Loaded interpenetrating(ImageSize size) {
     MeshBuilder mesh("interpenetrating");
     Random random(9);
     mesh.begin_part("pairs", {0.75, 0.7, 0.5});
-    for (int k = 0; k < 24; ++k)
-        add_crossing(mesh, {{2.5 * (k % 8) - 8.75, 2.5 * (k / 8) - 2.5, -14}, {1, 0, 0.25}, {0, 1, 0.125}},
-                     k);
+    for (int k = 0; k < 24; ++k) {
+        const int column = k % 8, row = k / 8;
+        add_crossing(mesh, {{2.5 * column - 8.75, 2.5 * row - 2.5, -14}, {1, 0, 0.25}, {0, 1, 0.125}}, k);
+    }
     for (int part = 0; part < 4; ++part) {
         mesh.begin_part("knot " + std::to_string(part), random.color());
         for (int i = 0; i < 60; ++i) {
