@@ -17,7 +17,7 @@ using Step = std::function<Vector3<Number>(const Vector3<Number>&)>;
 template <class Number>
 class Builder {
   public:
-    Builder(RouteCard card) { route_.card = std::move(card); }
+    Builder(const RouteCard& card) { route_.card = card; }
 
     Builder& stage(std::string name) {
         stage_ = std::move(name);
