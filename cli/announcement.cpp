@@ -48,6 +48,16 @@ void remark_on_waivers(const Results& results) {
                       << one_line(advice) << "\n";
 }
 
+/// "16 views"; where some were not judged, "8 of 16 views, 8 not judged".
+std::string judged_views(const Results& results) {
+    const auto left =
+        std::size_t(std::ranges::count(results.views, Outcome::not_judged, &ViewResult::outcome));
+    const std::string all = counted(results.views.size(), "view");
+    if (left == 0) return all;
+    return std::to_string(results.views.size() - left) + " of " + all + ", " + std::to_string(left) +
+           " not judged";
+}
+
 /// Of all reports that were written, the one for people.
 std::string where_to_look(const ReportArguments& report) {
     const bool page = is_asked_for(report, ReportFormat::html);
@@ -65,8 +75,8 @@ ExitCode announce(const Results& results, const ReportArguments& report) {
         summarize_step(results);
     }
     remark_on_waivers(results);
-    std::cout << in_words(code) << ": " << counted(results.views.size(), "view")
-              << "; report: " << where_to_look(report) << "\n";
+    std::cout << in_words(code) << ": " << judged_views(results) << "; report: " << where_to_look(report)
+              << "\n";
     return code;
 }
 

@@ -27,9 +27,17 @@ void take_settings(CommandTree& tree, const Environment& environment) {
     give(that_concern(leaf, settings_here(tree.words().settings, environment)), leaf);
 }
 
+/// "zproof filters run".
+std::string typed_name_of(const CLI::App& command) {
+    const CLI::App* parent = command.get_parent();
+    return parent == nullptr ? "zproof" : typed_name_of(*parent) + " " + command.get_name();
+}
+
 /// CLI11 throws both for mistakes and for --help; only the former are errors of the user.
-Answered answer_or_throw(const CLI::App& app, const CLI::ParseError& e) {
-    if (e.get_exit_code() != 0) throw UsageError{e.what() + misspelling_in(app) + " (see: zproof --help)"};
+Answered answer_or_throw(CLI::App& app, const CLI::ParseError& e) {
+    if (e.get_exit_code() != 0)
+        throw UsageError{e.what() + misspelling_in(app) + " (see: " + typed_name_of(leaf_of(app)) +
+                         " --help)"};
     std::ostringstream text;
     app.exit(e, text, text);
     return {text.str()};

@@ -35,7 +35,9 @@ std::string in_words(const Scene& scene, const Verdict& verdict, const std::opti
     std::string text = counted(defect_count(verdict), "pixel") + " wrong";
     if (diagnosis) text += "\n    " + zproof::in_words(*diagnosis);
     for (const Finding& finding : verdict.findings)
-        if (!passes(finding.verdict)) return text + "\n    first: " + zproof::in_words(scene, finding);
+        if (!passes(finding.verdict))
+            return text + "\n    first: pixel " + std::to_string(finding.x) + ", " +
+                   std::to_string(finding.y) + ": " + zproof::in_words(scene, finding);
     return text;
 }
 

@@ -87,6 +87,16 @@ TEST(Run, TellsResultsOnStdoutAndProgressOnStderr) {
     EXPECT_EQ(quiet.out, "proven: 1 view; report: zproof-out/report.html\n");
 }
 
+TEST(Run, DoesNotCallProvenWhatWasNotJudged) {
+    const Folder folder;
+    folder.write("a.gltf", one_triangle());
+    folder.write("b.gltf",
+                 R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{}]})");
+    const Ran ran = run(folder, run_words({"a.gltf", "b.gltf", "-q"}));
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.out, "proven: 1 of 2 views, 1 not judged; report: zproof-out/report.html\n");
+}
+
 TEST(Run, ColoursATerminalUnlessAskedNotTo) {
     const Folder folder;
     folder.write("a.gltf", one_triangle());
