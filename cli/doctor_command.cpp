@@ -64,8 +64,8 @@ void print_setting(const Setting& setting, const SettingValues& effective, const
               padded(value.empty() ? "-" : value, 24) + (said != effective.end() ? said->origin : "default"));
 }
 
-/// Where a renderer that the settings need is missing, no run can end well.
-std::string missing_among(const Parties& parties) {
+/// Where a renderer or a file that the settings need is missing, no run can end well.
+std::string missing_among(const Parties& parties, const std::filesystem::path& waivers) {
     const auto absent = [](const RendererChoice& choice) {
         const std::string why = absence_of(choice);
         return why.empty() ? "" : name_of(choice) + ": " + why;
@@ -75,7 +75,21 @@ std::string missing_among(const Parties& parties) {
     for (const WitnessChoice& witness : parties.witnesses)
         if (missing.empty() && witness.need == WitnessChoice::Need::required)
             missing = absent(witness.renderer);
+    if (missing.empty() && !waivers.empty() && !std::filesystem::exists(waivers))
+        missing = "waivers: " + waivers.string() + ": no such file";
     return missing;
+}
+
+/// Programs are a shell's affair: only asking for a picture shows whether they are there.
+std::vector<std::string> programs_among(const Parties& parties) {
+    std::vector<std::string> programs;
+    const auto add = [&](const RendererChoice& choice) {
+        if (const auto* program = std::get_if<Program>(&choice.who)) programs.push_back(program->command);
+    };
+    add(parties.candidate);
+    add(parties.reference);
+    for (const WitnessChoice& witness : parties.witnesses) add(witness.renderer);
+    return programs;
 }
 
 void print_file(const SettingsChoice& choice) {
@@ -99,11 +113,16 @@ ExitCode execute(const DoctorArguments& arguments) {
     print_file(arguments.settings);
     for (const Setting& setting : known_settings())
         print_setting(setting, effective, run.get_option(option_name(setting.name)));
-    if (const std::string missing = missing_among(parties); !missing.empty()) {
+    if (const std::string missing = missing_among(parties, tree.words().run.report.gate.waivers);
+        !missing.empty()) {
         std::cout << "missing: " << one_line(missing) << "\n";
         return ExitCode::cannot_judge;
     }
-    std::cout << "everything that these settings need is here\n";
+    const std::vector<std::string> programs = programs_among(parties);
+    for (const std::string& program : programs)
+        std::cout << "not tried: " << one_line(program) << " (zproof contract-check asks it for pictures)\n";
+    std::cout << (programs.empty() ? "everything" : "everything else")
+              << " that these settings need is here\n";
     return ExitCode::proven;
 }
 

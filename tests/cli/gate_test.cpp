@@ -206,5 +206,17 @@ TEST_F(Gate, HasADoctorWhoKnowsWhereEverySettingComesFrom) {
     EXPECT_EQ(run(folder, {"doctor"}, {"PATH=/nowhere"}).exit_code, 3);
 }
 
+TEST_F(Gate, HasADoctorWhoPromisesNoMoreThanHeSaw) {
+    folder.write("zproof.toml", "renderer = \"./mine {out}\"\nwaivers = \"waivers.toml\"\n");
+    const Ran without = run(folder, {"doctor"});
+    EXPECT_EQ(without.exit_code, 3);
+    EXPECT_TRUE(without.out.ends_with("missing: waivers: waivers.toml: no such file\n")) << without.out;
+    folder.write("waivers.toml", "format = 1\n");
+    const Ran with = run(folder, {"doctor"});
+    EXPECT_EQ(with.exit_code, 0);
+    EXPECT_NE(with.out.find("not tried: ./mine {out} "), std::string::npos) << with.out;
+    EXPECT_TRUE(with.out.ends_with("everything else that these settings need is here\n")) << with.out;
+}
+
 }  // namespace
 }  // namespace zproof::test
