@@ -125,7 +125,8 @@ def plot():
     stages = ["render_cpu_s", "build_cpu_s", "trace_cpu_s", "judge_cpu_s"]
     by_triangles = [growth(*t, 1920, 1080) for t in TRIANGLES]
     by_pixels = [growth(708, 707, *p) for p in PIXELS]
-    for row in by_triangles + by_pixels:
+    both = [growth(*TRIANGLES[-1], *p) for p in PIXELS[2:]]  # most triangles, most pixels
+    for row in by_triangles + by_pixels + both:
         row["allowed_mib"] = 3 * row["scene_mib"] + 2 * row["frame_mib"]
         print(f"{row['triangles']:9} triangles {row['width']:5} x {row['height']:4}  "
               + "  ".join(f"{s[:-6]} {row[s]:7.3f} s" for s in stages)
@@ -135,7 +136,7 @@ def plot():
     write_chart(OUT / "time-over-triangles.svg", by_triangles, "triangles", stages, "processor seconds, all threads")
     write_chart(OUT / "time-over-pixels.svg", by_pixels, "megapixels", stages, "processor seconds, all threads")
     write_chart(OUT / "memory-over-triangles.svg", by_triangles, "triangles", ["mib", "allowed_mib", "scene_mib"], "MiB")
-    (OUT / "growth.json").write_text(json.dumps({"triangles": by_triangles, "pixels": by_pixels}, indent=2))
+    (OUT / "growth.json").write_text(json.dumps({"triangles": by_triangles, "pixels": by_pixels, "both": both}, indent=2))
     return 0
 
 
