@@ -75,7 +75,8 @@ std::string missing_among(const Parties& parties, const std::filesystem::path& w
     for (const WitnessChoice& witness : parties.witnesses)
         if (missing.empty() && witness.need == WitnessChoice::Need::required)
             missing = absent(witness.renderer);
-    if (missing.empty() && !waivers.empty() && !std::filesystem::exists(waivers))
+    std::error_code unseen;
+    if (missing.empty() && !waivers.empty() && !std::filesystem::exists(waivers, unseen))
         missing = "waivers: " + waivers.string() + ": no such file";
     return missing;
 }

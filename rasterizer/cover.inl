@@ -31,7 +31,7 @@ struct Cells {
 
 /// The edges of one triangle.
 struct Cover {
-    /// F from the first pixel of a block to each; a quarter of it from the first block of a square to each.
+    /// F from the first pixel of a block to each; four times that, from the first block of a square to each.
     alignas(64) std::int32_t of_pixel[3][16];
     std::int32_t inwards[3], outwards[3];  ///< F from a block's first pixel to its greatest, its least
     double f[3], to_column[3], to_row[3];  ///< F at the tile's first pixel, and its steps

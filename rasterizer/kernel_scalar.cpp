@@ -90,7 +90,7 @@ Floats load(const float* values) {
 }
 
 /// Four rows of four, `stride` apart.
-Floats load_square(const float* values, int stride) {
+Floats load_square(const float* values, std::ptrdiff_t stride) {
     Floats f;
     for (int i = 0; i < 16; ++i) f.lane[i] = values[i / 4 * stride + i % 4];
     return f;

@@ -6,6 +6,7 @@
 template <class Fragment>
 [[gnu::always_inline]] inline void for_each_fragment(const Batch& batch, const SmallTriangles& small, int i,
                                                      const Fragment& fragment) {
+    if (small.covered[i] == 0) return;  // its box may lie outside of the tile
     const int* const of_column = places.of_column + batch.column0[i];
     const int* const of_row = places.of_row + batch.row0[i];
     for (auto left = unsigned(small.covered[i]); left != 0; left &= left - 1) {

@@ -8,9 +8,8 @@ namespace zproof {
 namespace {
 
 constexpr const char* measure_remark =
-    "\nExit status: 0 everything as declared, 1 worse than declared, 2 no such renderer, 3 a picture that "
-    "does "
-    "not come.";
+    "\nExit status: 0 everything as declared, 1 worse than declared, 2 no such renderer, "
+    "3 a picture that does not come.";
 
 constexpr const char* contract_remark =
     "\nThree small scenes. Exit status: 0 the contract is kept, 1 a frame is wrong, 3 no frame came.";
