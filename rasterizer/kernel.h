@@ -99,6 +99,8 @@ struct Kernel {
     const char* name = "";
     void (*project)(const VertexWork&) noexcept = nullptr;
     PlacedLanes (*place)(const ViewSetup&, const CornerLanes&) noexcept = nullptr;
+    /// Nothing is seen yet, and `primitive` is the same everywhere.
+    void (*clear)(TilePixels&, std::uint32_t primitive) noexcept = nullptr;
     void (*resolve)(const ResolveWork&) noexcept = nullptr;
     void (*draw)(const TileWork&) noexcept = nullptr;   ///< depth test, depth and id of every covered pixel
     void (*count)(const TileWork&) noexcept = nullptr;  ///< one more in `primitive` of every covered pixel

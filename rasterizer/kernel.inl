@@ -37,53 +37,61 @@ constexpr bool is_top_left(std::int32_t dx, std::int32_t dy) { return (dy < 0) |
 #include "rasterizer/resolve.inl"
 // clang-format on
 
+constexpr std::int32_t fetched_ahead = 2 * batch_size;
+
+/// Has the vertices of a triangle some way after the i-th fetched, and the corners of that as far again.
+/// Inlined, or gcc 12 takes it for a function without effects and leaves it out.
+[[gnu::always_inline]] inline void fetch_ahead(const TileWork& work, std::int32_t i) {
+    const Triangles& triangles = work.triangles;
+    const auto corners_at = [&](std::int32_t at) __attribute__((always_inline))->const glm::uvec3* {
+        if (at < 0 || at >= std::int32_t(work.count)) return nullptr;
+        const std::uint32_t place = work.places[at] & ~turned;
+        return place < triangles.length ? triangles.corners + place : nullptr;
+    };
+    if (const glm::uvec3* const corners = corners_at(i + fetched_ahead)) {
+        __builtin_prefetch(triangles.vertices + corners->x);
+        __builtin_prefetch(triangles.vertices + corners->y);
+        __builtin_prefetch(triangles.vertices + corners->z);
+    }
+    if (const glm::uvec3* const corners = corners_at(i + 2 * fetched_ahead)) __builtin_prefetch(corners);
+}
+
 /// In the order of drawing.
 template <class Visit>
-void draw_batch(const TileWork& work, const Batch& batch, int count, const Visit& visit) {
+void draw_batch(const TileWork& work, const Batch& batch, std::int32_t first, int count, const Visit& visit) {
     const unsigned is_small = negative_lanes(load(batch.is_small));
     SmallTriangles small;
     if (is_small != 0) small.cover(batch, work.samples);
     Edges edges;
     if (is_small != 0xFFFF) edges.set_up(batch, work.samples);
-    for (int i = 0; i < count; ++i) {
-        if (is_small >> i & 1)
-            visit.small_triangle(batch, small, i, work.pixels);
-        else
-            scan_triangle(work, batch, edges, i, visit);
+    for (int i = 0; i < count; ++i) fetch_ahead(work, first + i);
+    for (int i = 0; i < count;) {
+        const int from = i;
+        i = lesser(i + __builtin_ctz(~is_small >> i), count);
+        if (i > from) visit.small_triangles(batch, small, from, i, work.pixels);
+        if (i < count) scan_triangle(work, batch, edges, i++, visit);
     }
-}
-
-/// Has the vertices of the batch from here fetched, and the corners of the batch after it, where they do not
-/// follow those before.
-void fetch_ahead(const TileWork& work, std::uint32_t first) {
-    constexpr std::uint32_t near = 16;
-    const Triangles& triangles = work.triangles;
-    const auto for_each_jump = [&](std::uint32_t from, const auto& visit) {
-        for (std::uint32_t i = from; i < from + batch_size && i < work.count; ++i) {
-            const std::uint32_t place = work.places[i] & ~turned, before = work.places[i - 1] & ~turned;
-            if (place - before > near && place < triangles.length) visit(triangles.corners + place);
-        }
-    };
-    for_each_jump(first, [&](const glm::uvec3* corners) {
-        __builtin_prefetch(triangles.vertices + corners->x);
-        __builtin_prefetch(triangles.vertices + corners->y);
-        __builtin_prefetch(triangles.vertices + corners->z);
-    });
-    for_each_jump(first + batch_size, [](const glm::uvec3* corners) { __builtin_prefetch(corners); });
 }
 
 template <class Visit>
 void for_each_triangle(const TileWork& work) {
     const Visit visit(work);
     Batch batch;
-    for (std::uint32_t first = 0; first < work.count; first += batch_size) {
-        const int last = lesser(batch_size, std::int32_t(work.count - first)) - 1;
-        fetch_ahead(work, first + batch_size);
+    for (std::int32_t i = -2 * fetched_ahead; i < 0; ++i) fetch_ahead(work, i);
+    for (std::int32_t first = 0; first < std::int32_t(work.count); first += batch_size) {
+        const int last = lesser(batch_size, std::int32_t(work.count) - first) - 1;
         batch.load(work.triangles, work.places + first, last);
         batch.set_up_box(work.samples);
         batch.set_up_weights();
-        draw_batch(work, batch, last + 1, visit);
+        draw_batch(work, batch, first, last + 1, visit);
     }
+}
+
+void clear(TilePixels& pixels, std::uint32_t primitive) noexcept {
+    for (float& nearness : pixels.nearness) nearness = nothing_seen;
+    for (std::uint32_t& id : pixels.primitive) id = primitive;
+    for (float& farthest : pixels.farthest) farthest = nothing_seen;
+    for (float& farthest : pixels.farthest_in_cell) farthest = nothing_seen;
 }
 
 [[gnu::flatten]] void draw(const TileWork& work) noexcept { for_each_triangle<Draw>(work); }

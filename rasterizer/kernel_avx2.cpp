@@ -64,6 +64,15 @@ Ints operator|(const Ints& a, const Ints& b) {
     return {_mm256_or_si256(a.low, b.low), _mm256_or_si256(a.high, b.high)};
 }
 
+/// `set` with `bit` besides where a value is not negative.
+Ints with_bit_where_not_negative(const Ints& set, std::int32_t bit, const Ints& values) {
+    const __m256i bits = _mm256_set1_epi32(bit);
+    const auto half = [&](const __m256i& of_set, const __m256i& of_values) {
+        return _mm256_or_si256(of_set, _mm256_andnot_si256(_mm256_srai_epi32(of_values, 31), bits));
+    };
+    return {half(set.low, values.low), half(set.high, values.high)};
+}
+
 Doubles all(double value) {
     const __m256d part = _mm256_set1_pd(value);
     return {{part, part, part, part}};
@@ -104,6 +113,19 @@ Doubles operator*(const Doubles& a, double b) {
     Doubles d;
     for (int i = 0; i < 4; ++i) d.part[i] = _mm256_mul_pd(a.part[i], _mm256_set1_pd(b));
     return d;
+}
+
+Doubles operator*(const Doubles& a, const Doubles& b) {
+    Doubles d;
+    for (int i = 0; i < 4; ++i) d.part[i] = _mm256_mul_pd(a.part[i], b.part[i]);
+    return d;
+}
+
+Doubles doubles_of(const Ints& a) {
+    return {{_mm256_cvtepi32_pd(_mm256_castsi256_si128(a.low)),
+             _mm256_cvtepi32_pd(_mm256_extracti128_si256(a.low, 1)),
+             _mm256_cvtepi32_pd(_mm256_castsi256_si128(a.high)),
+             _mm256_cvtepi32_pd(_mm256_extracti128_si256(a.high, 1))}};
 }
 
 /// Of whole numbers those from -most to most, and the nearest of them instead of others.
@@ -152,6 +174,28 @@ float least_of(const Floats& f) {
     return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
 }
 
+/// Of each of four times sixteen values the least.
+void store_least_of_four(float* to, const float* values) {
+    const auto eight_of = [&](int i) {
+        return _mm256_min_ps(_mm256_load_ps(values + i), _mm256_load_ps(values + i + 8));
+    };
+    const auto halves = [](const __m256& a, const __m256& b) {
+        return _mm256_min_ps(_mm256_permute2f128_ps(a, b, 0x20), _mm256_permute2f128_ps(a, b, 0x31));
+    };
+    const __m256 ab = halves(eight_of(0), eight_of(16)), cd = halves(eight_of(32), eight_of(48));
+    const __m256 pairs = _mm256_min_ps(_mm256_unpacklo_ps(ab, cd), _mm256_unpackhi_ps(ab, cd));
+    const __m256 least = _mm256_min_ps(pairs, _mm256_permute_ps(pairs, 0b01'00'11'10));  // a c, then b d
+    _mm_storeu_ps(to, _mm_unpacklo_ps(_mm256_castps256_ps128(least), _mm256_extractf128_ps(least, 1)));
+}
+
+/// Writes index + 16 b for every bit b of the sixteen, and perhaps something after them. Returns how many
+/// there are.
+int put_bits(std::uint8_t* to, unsigned bits, int index) {
+    int count = 0;
+    for (; bits != 0; bits &= bits - 1) to[count++] = std::uint8_t(16 * __builtin_ctz(bits) + index);
+    return count;
+}
+
 /// Four pixels past the caches: nobody reads them soon, and no line is fetched to be overwritten. `to` is a
 /// multiple of 16 bytes.
 void stream_four(void* to, const void* four) {
@@ -165,7 +209,7 @@ void finish_streams() { _mm_sfence(); }
 
 }  // namespace
 
-const Kernel kernel{Isa::avx2, "AVX2", project,          place,        resolve,
+const Kernel kernel{Isa::avx2, "AVX2", project,          place,        clear,      resolve,
                     draw,      count,  draw_every_block, draw_tallied, draw_shaded};
 
 }  // namespace zproof::rasterizer::avx2

@@ -35,6 +35,12 @@ Ints operator+(const Ints& a, const Ints& b) { return {_mm512_add_epi32(a.lanes,
 Ints operator*(const Ints& a, std::int32_t b) { return {_mm512_mullo_epi32(a.lanes, _mm512_set1_epi32(b))}; }
 Ints operator|(const Ints& a, const Ints& b) { return {_mm512_or_si512(a.lanes, b.lanes)}; }
 
+/// `set` with `bit` besides where a value is not negative.
+Ints with_bit_where_not_negative(const Ints& set, std::int32_t bit, const Ints& values) {
+    const __m512i bits = _mm512_andnot_si512(_mm512_srai_epi32(values.lanes, 31), _mm512_set1_epi32(bit));
+    return {_mm512_or_si512(set.lanes, bits)};
+}
+
 Doubles all(double value) { return {_mm512_set1_pd(value), _mm512_set1_pd(value)}; }
 Floats all(float value) { return {_mm512_set1_ps(value)}; }
 Doubles load(const double* values) { return {_mm512_load_pd(values), _mm512_load_pd(values + 8)}; }
@@ -60,6 +66,15 @@ Doubles operator+(const Doubles& a, const Doubles& b) {
 Doubles operator*(const Doubles& a, double b) {
     const __m512d factor = _mm512_set1_pd(b);
     return {_mm512_mul_pd(a.low, factor), _mm512_mul_pd(a.high, factor)};
+}
+
+Doubles operator*(const Doubles& a, const Doubles& b) {
+    return {_mm512_mul_pd(a.low, b.low), _mm512_mul_pd(a.high, b.high)};
+}
+
+Doubles doubles_of(const Ints& a) {
+    return {_mm512_cvtepi32_pd(_mm512_castsi512_si256(a.lanes)),
+            _mm512_cvtepi32_pd(_mm512_extracti64x4_epi64(a.lanes, 1))};
 }
 
 /// Of whole numbers those from -most to most, and the nearest of them instead of others.
@@ -90,6 +105,32 @@ void put(std::uint32_t* to, Mask where, std::uint32_t value) {
 
 float least_of(const Floats& f) { return _mm512_reduce_min_ps(f.lanes); }
 
+/// Of each of four times sixteen values the least.
+void store_least_of_four(float* to, const float* values) {
+    const auto halves = [](const __m512& a, const __m512& b) {
+        return _mm512_min_ps(_mm512_shuffle_f32x4(a, b, 0x44), _mm512_shuffle_f32x4(a, b, 0xEE));
+    };
+    const __m512 ab = halves(_mm512_load_ps(values), _mm512_load_ps(values + 16));
+    const __m512 cd = halves(_mm512_load_ps(values + 32), _mm512_load_ps(values + 48));
+    const __m512 quarters =
+        _mm512_min_ps(_mm512_shuffle_f32x4(ab, cd, 0x88), _mm512_shuffle_f32x4(ab, cd, 0xDD));
+    const __m512 pairs = _mm512_min_ps(quarters, _mm512_permute_ps(quarters, 0b01'00'11'10));
+    const __m512 least = _mm512_min_ps(pairs, _mm512_permute_ps(pairs, 0b10'11'00'01));
+    const __m512i first_of_four = _mm512_setr_epi32(0, 4, 8, 12, 0, 4, 8, 12, 0, 4, 8, 12, 0, 4, 8, 12);
+    _mm_storeu_ps(to, _mm512_castps512_ps128(_mm512_permutexvar_ps(first_of_four, least)));
+}
+
+/// Writes index + 16 b for every bit b of the sixteen, and perhaps something after them. Returns how many
+/// there are.
+int put_bits(std::uint8_t* to, unsigned bits, int index) {
+    const __m512i of_bits =
+        _mm512_setr_epi32(0, 16, 32, 48, 64, 80, 96, 112, 128, 144, 160, 176, 192, 208, 224, 240);
+    const __m512i indices = _mm512_add_epi32(of_bits, _mm512_set1_epi32(index));
+    const __m512i of_set = _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), indices);
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm512_cvtepi32_epi8(of_set));
+    return __builtin_popcount(bits);
+}
+
 /// Four pixels past the caches: nobody reads them soon, and no line is fetched to be overwritten. `to` is a
 /// multiple of 16 bytes.
 void stream_four(void* to, const void* four) {
@@ -103,7 +144,7 @@ void finish_streams() { _mm_sfence(); }
 
 }  // namespace
 
-const Kernel kernel{Isa::avx512, "AVX-512", project,          place,        resolve,
+const Kernel kernel{Isa::avx512, "AVX-512", project,          place,        clear,      resolve,
                     draw,        count,     draw_every_block, draw_tallied, draw_shaded};
 
 }  // namespace zproof::rasterizer::avx512

@@ -65,6 +65,13 @@ Ints operator|(const Ints& a, const Ints& b) {
     return either;
 }
 
+/// `set` with `bit` besides where a value is not negative.
+Ints with_bit_where_not_negative(const Ints& set, std::int32_t bit, const Ints& values) {
+    Ints more;
+    for (int i = 0; i < 16; ++i) more.lane[i] = set.lane[i] | (~(values.lane[i] >> 31) & bit);
+    return more;
+}
+
 Doubles all(double value) {
     Doubles d;
     for (double& lane : d.lane) lane = value;
@@ -112,6 +119,18 @@ Doubles operator*(const Doubles& a, double b) {
     return d;
 }
 
+Doubles operator*(const Doubles& a, const Doubles& b) {
+    Doubles d;
+    for (int i = 0; i < 16; ++i) d.lane[i] = a.lane[i] * b.lane[i];
+    return d;
+}
+
+Doubles doubles_of(const Ints& a) {
+    Doubles d;
+    for (int i = 0; i < 16; ++i) d.lane[i] = a.lane[i];
+    return d;
+}
+
 /// Of whole numbers those from -most to most, and the nearest of them instead of others.
 Ints clamped(const Doubles& a, double most) {
     Ints whole;
@@ -154,6 +173,19 @@ float least_of(const Floats& f) {
     return least;
 }
 
+/// Of each of four times sixteen values the least.
+void store_least_of_four(float* to, const float* values) {
+    for (int i = 0; i < 4; ++i) to[i] = least_of(load(values + 16 * i));
+}
+
+/// Writes index + 16 b for every bit b of the sixteen, and perhaps something after them. Returns how many
+/// there are.
+int put_bits(std::uint8_t* to, unsigned bits, int index) {
+    int count = 0;
+    for (; bits != 0; bits &= bits - 1) to[count++] = std::uint8_t(16 * __builtin_ctz(bits) + index);
+    return count;
+}
+
 /// Four pixels past the caches: nobody reads them soon, and no line is fetched to be overwritten. Here they
 /// go the ordinary way.
 void stream_four(void* to, const void* four) { __builtin_memcpy(to, four, 16); }
@@ -173,7 +205,7 @@ void put_side_by_side(const SnappedVertex* const (&vertex)[16], std::int32_t* x,
 
 }  // namespace
 
-const Kernel kernel{Isa::scalar, "scalar", project,          place,        resolve,
+const Kernel kernel{Isa::scalar, "scalar", project,          place,        clear,      resolve,
                     draw,        count,    draw_every_block, draw_tallied, draw_shaded};
 
 }  // namespace zproof::rasterizer::scalar

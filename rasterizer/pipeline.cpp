@@ -41,9 +41,9 @@ const Frame& Pipeline::render(const Scene& scene, const View& view, const std::v
     tbb::parallel_for(std::size_t{0}, bins_.tiles().count(), [&](std::size_t i) {
         const PixelRect pixels = bins_.tiles().pixels(i, setup.size);
         if (bins_.places_in(i).empty()) return clear(frame_, pixels);
-        Tile tile(pixels, setup);
-        tile.draw(kernel_, bins_.triangles(), bins_.places_in(i));
-        tile.resolve(kernel_, frame_);
+        Tile tile(kernel_, pixels, setup);
+        tile.draw(bins_.triangles(), bins_.places_in(i));
+        tile.resolve(frame_);
     });
     return frame_;
 }
@@ -52,8 +52,8 @@ Plane<std::uint32_t> Pipeline::count_fragments(const Scene& scene, const View& v
     const ViewSetup setup = prepare(scene, view, {});
     Plane<std::uint32_t> fragments(setup.size);
     tbb::parallel_for(std::size_t{0}, bins_.tiles().count(), [&](std::size_t i) {
-        TileCount tile(bins_.tiles().pixels(i, setup.size), setup);
-        tile.add(kernel_, bins_.triangles(), bins_.places_in(i));
+        TileCount tile(kernel_, bins_.tiles().pixels(i, setup.size), setup);
+        tile.add(bins_.triangles(), bins_.places_in(i));
         tile.resolve(fragments);
     });
     return fragments;
@@ -73,9 +73,9 @@ Work Pipeline::count_work(const Scene& scene, const View& view, const std::vecto
     Frame frame(setup.size);
     std::vector<Tally> tallies(bins_.tiles().count());
     tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t i) {
-        Tile tile(bins_.tiles().pixels(i, setup.size), setup);
-        tile.draw_tallied(kernel_, bins_.triangles(), bins_.places_in(i), tallies[i]);
-        tile.resolve(kernel_, frame);
+        Tile tile(kernel_, bins_.tiles().pixels(i, setup.size), setup);
+        tile.draw_tallied(bins_.triangles(), bins_.places_in(i), tallies[i]);
+        tile.resolve(frame);
     });
     for (std::size_t i = 0; i < tallies.size(); ++i) {
         work.tally.blocks += tallies[i].blocks;
@@ -115,8 +115,8 @@ ShadedFrame Pipeline::render_shaded(const Scene& scene, const View& view, const 
     std::vector<std::uint64_t> shaded(bins_.tiles().count());
     tbb::parallel_for(std::size_t{0}, shaded.size(), [&](std::size_t i) {
         Stage stage{shader, frame.picture};
-        Tile tile(bins_.tiles().pixels(i, setup.size), setup);
-        tile.draw_shaded(kernel_, bins_.triangles(), bins_.places_in(i), {Stage::shade, &stage, time});
+        Tile tile(kernel_, bins_.tiles().pixels(i, setup.size), setup);
+        tile.draw_shaded(bins_.triangles(), bins_.places_in(i), {Stage::shade, &stage, time});
         shaded[i] = stage.shaded;
     });
     for (const std::uint64_t count : shaded) frame.shaded += count;

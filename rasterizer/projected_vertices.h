@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "math/bulk.h"
 #include "rasterizer/dispatch.h"
 #include "rasterizer/draw_list.h"
 #include "rasterizer/view_setup.h"
@@ -25,13 +26,13 @@ class ProjectedVertices {
     void fill(const Vertices& vertices, const ViewSetup& setup, std::span<const Range> ranges);
 
     /// Meaningful where the outcode has no needs_clip and no not_finite bit.
-    const std::vector<SnappedVertex>& snapped() const { return snapped_; }
-    const std::vector<std::uint8_t>& outcode() const { return outcode_; }
+    const Bulk<SnappedVertex>& snapped() const { return snapped_; }
+    const Bulk<std::uint8_t>& outcode() const { return outcode_; }
 
   private:
     Kernel kernel_;
-    std::vector<SnappedVertex> snapped_;
-    std::vector<std::uint8_t> outcode_;
+    Bulk<SnappedVertex> snapped_;
+    Bulk<std::uint8_t> outcode_;
 };
 
 }  // namespace zproof::rasterizer

@@ -23,7 +23,6 @@ struct Partly {
 /// Bit i: pixel i of a block.
 struct Won {
     unsigned covered, nearer;
-    Floats held;  ///< nearness of the block's pixels now
 };
 
 /// Depth test, depth and id of the pixels of a block.
@@ -32,14 +31,16 @@ Won draw_block(TilePixels& pixels, const Block& block, const Floats& seen, const
     const std::ptrdiff_t first = std::ptrdiff_t{16} * block.place;
     const Floats before = load(pixels.nearness + first);
     const Mask wins = covered.of(greater(seen, before));
-    const Floats held = chosen(wins, seen, before);
-    store(pixels.nearness + first, held);
+    store(pixels.nearness + first, chosen(wins, seen, before));
     put(pixels.primitive + first, wins, block.id);
-    return {covered.covered(), bits_of(wins), held};
+    return {covered.covered(), bits_of(wins)};
 }
 
-void note_farthest(TilePixels& pixels, int place, const Floats& held) {
-    pixels.farthest[place] = least_of(held);
+/// In the rows of a square that have any of the blocks, bit by bit.
+void note_farthest(TilePixels& pixels, int place, unsigned blocks) {
+    for (; blocks != 0; blocks >>= 4, place += blocks_in_row)
+        if ((blocks & 0xF) != 0)
+            store_least_of_four(pixels.farthest + place, pixels.nearness + std::ptrdiff_t{16} * place);
 }
 
 constexpr int block_at(int x, int y) { return y / 4 * blocks_in_row + x / 4; }
@@ -60,6 +61,7 @@ enum class HiddenCells { passed_over, visited };
 struct OpenSquares {
     Square square[TilePixels::cells];
     int count = 0;
+    unsigned cells = 0;  ///< that they are in, bit by bit
 };
 
 /// A triangle in a tile, and what is to be done where it may be seen.
@@ -79,13 +81,13 @@ struct TriangleScan {
         const Cover cover(edges, i);
         OpenSquares squares;
         if (is_in_a_square())
-            add_square(squares, cover);
+            add_square(squares, cover, cells);
         else
             add_cells(squares, cover, cells);
         if (squares.count == 0) return;
         const NearnessPlane nearness(batch, edges, work.samples, i);
         for (int s = 0; s < squares.count; ++s) draw(squares.square[s], cover, nearness);
-        note_farthest_in_cells(work.pixels, cells);
+        note_farthest_in_cells(work.pixels, squares.cells);
     }
 
   private:
@@ -96,27 +98,29 @@ struct TriangleScan {
         return batch.column1[i] < first_x() + square_side && batch.row1[i] < first_y() + square_side;
     }
 
-    void add_square(OpenSquares& squares, const Cover& cover) const {
+    void add_square(OpenSquares& squares, const Cover& cover, unsigned cells) const {
         const int x = first_x(), y = first_y();
         Square square = cover.square_at(x, y);
         square.met &= bits_of_box((batch.column0[i] - x) / 4, (batch.column1[i] - x) / 4,
                                   (batch.row0[i] - y) / 4, (batch.row1[i] - y) / 4);
-        add_if_open(squares, square);
+        add_if_open(squares, square, cells);
     }
 
     void add_cells(OpenSquares& squares, const Cover& cover, unsigned cells) const {
         const Cells found = cover.cells();
         for (unsigned left = cells & found.met; left != 0; left &= left - 1)
-            add_if_open(squares, cover.square_of(found, __builtin_ctz(left)));
+            add_if_open(squares, cover.square_of(found, __builtin_ctz(left)), left & -left);
     }
 
-    void add_if_open(OpenSquares& squares, Square square) const {
+    void add_if_open(OpenSquares& squares, Square square, unsigned cells) const {
         const Floats farthest =
             load_square(work.pixels.farthest + block_at(square.x, square.y), blocks_in_row);
         const unsigned open = square.met & bits_of(greater(all(edges.nearest[i]), farthest));
         visit.leave_out(square.met & ~open);
         square.met = open;
-        if (open != 0) squares.square[squares.count++] = square;
+        if (open == 0) return;
+        squares.square[squares.count++] = square;
+        squares.cells |= cells;
     }
 
     void draw(const Square& square, const Cover& cover, const NearnessPlane& nearness) const {
@@ -135,6 +139,7 @@ struct TriangleScan {
             const int b = __builtin_ctz(left);
             visit.block(work.pixels, block_of(b), nearness.of_block(at, b), Partly{cover.inside(square, b)});
         }
+        visit.drawn(work.pixels, place, square.met);
     }
 };
 

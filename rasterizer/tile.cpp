@@ -1,7 +1,5 @@
 #include "rasterizer/tile.h"
 
-#include <algorithm>
-
 namespace zproof::rasterizer {
 namespace {
 
@@ -18,62 +16,56 @@ TileSamples samples_of(const PixelRect& pixels, const ViewSetup& setup) {
 
 }  // namespace
 
-Tile::Tile(const PixelRect& pixels, const ViewSetup& setup) noexcept
-    : pixels_(pixels),
+Tile::Tile(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup) noexcept
+    : kernel_(kernel),
+      pixels_(pixels),
       depth_(setup.depth),
       samples_(samples_of(pixels, setup)),
       hierarchical_z_(setup.hierarchical_z) {
-    std::ranges::fill(values_.nearness, nothing_seen);
-    std::ranges::fill(values_.primitive, std::uint32_t(PrimitiveId::none));
-    std::ranges::fill(values_.farthest, nothing_seen);
-    std::ranges::fill(values_.farthest_in_cell, nothing_seen);
+    kernel_.clear(values_, std::uint32_t(PrimitiveId::none));
 }
 
 TileWork Tile::work(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept {
     return {triangles, places.data(), std::uint32_t(places.size()), samples_, values_, hierarchical_z_};
 }
 
-void Tile::draw(const Kernel& kernel, const Triangles& triangles,
-                std::span<const std::uint32_t> places) noexcept {
-    const auto draw = hierarchical_z_ == HierarchicalZ::blocks ? kernel.draw : kernel.draw_every_block;
+void Tile::draw(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept {
+    const auto draw = hierarchical_z_ == HierarchicalZ::blocks ? kernel_.draw : kernel_.draw_every_block;
     draw(work(triangles, places));
 }
 
-void Tile::draw_tallied(const Kernel& kernel, const Triangles& triangles,
-                        std::span<const std::uint32_t> places, Tally& tally) noexcept {
+void Tile::draw_tallied(const Triangles& triangles, std::span<const std::uint32_t> places,
+                        Tally& tally) noexcept {
     TileWork counted = work(triangles, places);
     counted.tally = &tally;
-    kernel.draw_tallied(counted);
+    kernel_.draw_tallied(counted);
 }
 
-void Tile::draw_shaded(const Kernel& kernel, const Triangles& triangles,
-                       std::span<const std::uint32_t> places, const FragmentShader& shader) {
+void Tile::draw_shaded(const Triangles& triangles, std::span<const std::uint32_t> places,
+                       const FragmentShader& shader) {
     TileWork shaded = work(triangles, places);
     shaded.shader = &shader;
-    kernel.draw_shaded(shaded);
+    kernel_.draw_shaded(shaded);
 }
 
-void Tile::resolve(const Kernel& kernel, Frame& frame) const noexcept {
+void Tile::resolve(Frame& frame) const noexcept {
     const auto first = std::size_t(pixels_.x0);
-    kernel.resolve({.pixels = values_,
-                    .depth = depth_,
-                    .camera_depth = frame.camera_depth.row(pixels_.y0).data() + first,
-                    .primitive = frame.primitive.row(pixels_.y0).data() + first,
-                    .stride = std::size_t(frame.size().width),
-                    .columns = pixels_.x1 - pixels_.x0,
-                    .rows = pixels_.y1 - pixels_.y0});
+    kernel_.resolve({.pixels = values_,
+                     .depth = depth_,
+                     .camera_depth = frame.camera_depth.row(pixels_.y0).data() + first,
+                     .primitive = frame.primitive.row(pixels_.y0).data() + first,
+                     .stride = std::size_t(frame.size().width),
+                     .columns = pixels_.x1 - pixels_.x0,
+                     .rows = pixels_.y1 - pixels_.y0});
 }
 
-TileCount::TileCount(const PixelRect& pixels, const ViewSetup& setup) noexcept
-    : pixels_(pixels), samples_(samples_of(pixels, setup)) {
-    std::ranges::fill(values_.primitive, 0u);
-    std::ranges::fill(values_.farthest, nothing_seen);
-    std::ranges::fill(values_.farthest_in_cell, nothing_seen);
+TileCount::TileCount(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup) noexcept
+    : kernel_(kernel), pixels_(pixels), samples_(samples_of(pixels, setup)) {
+    kernel_.clear(values_, 0);
 }
 
-void TileCount::add(const Kernel& kernel, const Triangles& triangles,
-                    std::span<const std::uint32_t> places) noexcept {
-    kernel.count({triangles, places.data(), std::uint32_t(places.size()), samples_, values_});
+void TileCount::add(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept {
+    kernel_.count({triangles, places.data(), std::uint32_t(places.size()), samples_, values_});
 }
 
 void TileCount::resolve(Plane<std::uint32_t>& fragments) const noexcept {

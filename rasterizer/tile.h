@@ -16,21 +16,21 @@ namespace zproof::rasterizer {
 class Tile {
   public:
     /// pixels: at most tile_size wide and high.
-    Tile(const PixelRect& pixels, const ViewSetup& setup) noexcept;
+    Tile(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup) noexcept;
 
-    void draw(const Kernel& kernel, const Triangles& triangles,
-              std::span<const std::uint32_t> places) noexcept;
+    void draw(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept;
     /// The same, and adds to the tally.
-    void draw_tallied(const Kernel& kernel, const Triangles& triangles, std::span<const std::uint32_t> places,
+    void draw_tallied(const Triangles& triangles, std::span<const std::uint32_t> places,
                       Tally& tally) noexcept;
     /// The same, and hands every fragment to the shader.
-    void draw_shaded(const Kernel& kernel, const Triangles& triangles, std::span<const std::uint32_t> places,
+    void draw_shaded(const Triangles& triangles, std::span<const std::uint32_t> places,
                      const FragmentShader& shader);
 
     /// Writes ids and camera depths of this tile's pixels.
-    void resolve(const Kernel& kernel, Frame& frame) const noexcept;
+    void resolve(Frame& frame) const noexcept;
 
   private:
+    const Kernel& kernel_;
     PixelRect pixels_;
     DepthFunctional depth_;
     TileWork work(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept;
@@ -43,13 +43,13 @@ class Tile {
 /// Instead of drawing: how many fragments each pixel of a tile gets, hidden or not.
 class TileCount {
   public:
-    TileCount(const PixelRect& pixels, const ViewSetup& setup) noexcept;
+    TileCount(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup) noexcept;
 
-    void add(const Kernel& kernel, const Triangles& triangles,
-             std::span<const std::uint32_t> places) noexcept;
+    void add(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept;
     void resolve(Plane<std::uint32_t>& fragments) const noexcept;
 
   private:
+    const Kernel& kernel_;
     PixelRect pixels_;
     TileSamples samples_;
     TilePixels values_;

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "math/bulk.h"
 #include "rasterizer/binned_run.h"
 #include "rasterizer/dispatch.h"
 #include "rasterizer/projected_vertices.h"
@@ -47,7 +48,7 @@ class TileBins {
     std::vector<BinnedRun> runs_;  ///< those in use first
     std::size_t used_ = 0;
     std::vector<SnappedPiece> pieces_;
-    std::vector<std::uint32_t> places_;
+    Bulk<std::uint32_t> places_;
     std::vector<std::size_t> first_;  ///< of places_: each tile's, and their end
 };
 

@@ -1,20 +1,25 @@
 // What is done where a triangle may be seen. `block` is called for blocks that a larger triangle may cover
-// and in which it may be nearer; `small_triangle` for a whole small one.
+// and in which it may be nearer; `small_triangles` for whole small ones.
 
-/// Calls fragment(bit, column, row, place) for the pixels that a small triangle covers; column and row are
-/// the tile's.
-template <class Fragment>
-[[gnu::always_inline]] inline void for_each_fragment(const Batch& batch, const SmallTriangles& small, int i,
-                                                     const Fragment& fragment) {
-    if (small.covered[i] == 0) return;  // its box may lie outside of the tile
-    const int* const of_column = places.of_column + batch.column0[i];
-    const int* const of_row = places.of_row + batch.row0[i];
-    for (auto left = unsigned(small.covered[i]); left != 0; left &= left - 1) {
-        const auto bit = unsigned(__builtin_ctz(left)), column = bit % small_side, row = bit / small_side;
-        fragment(bit, batch.column0[i] + int(column), batch.row0[i] + int(row),
-                 of_column[column] + of_row[row]);
-    }
+/// Calls visit(index) for the pixels that the small triangles from the one to before the other cover.
+template <class Visit>
+[[gnu::always_inline]] inline void for_each_fragment(const SmallTriangles& small, int from, int to,
+                                                     const Visit& visit) {
+    for (int f = small.first[from]; f < small.first[to]; ++f) visit(unsigned(small.fragment[f]));
 }
+
+/// A pixel that a small triangle covers.
+struct Fragment {
+    int column, row;  ///< of the tile
+    std::uint32_t id;
+
+    Fragment(const Batch& batch, unsigned index) {
+        const unsigned i = index % batch_size, pixel = index / batch_size;
+        column = batch.column0[i] + int(pixel) % small_side;
+        row = batch.row0[i] + int(pixel) / small_side;
+        id = batch.id[i];
+    }
+};
 
 /// Depth test of one pixel.
 bool draw_pixel(TilePixels& pixels, int place, float seen, std::uint32_t id) {
@@ -24,10 +29,13 @@ bool draw_pixel(TilePixels& pixels, int place, float seen, std::uint32_t id) {
     return true;
 }
 
-void draw_small(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) {
-    for_each_fragment(batch, small, i, [&](unsigned bit, int, int, int place) {
-        draw_pixel(pixels, place, small.seen[bit][i], batch.id[i]);
-    });
+bool draw_fragment(const Batch& batch, const SmallTriangles& small, unsigned index, TilePixels& pixels) {
+    return draw_pixel(pixels, small.place[index / batch_size][index % batch_size],
+                      small.seen[index / batch_size][index % batch_size], batch.id[index % batch_size]);
+}
+
+void draw_small(const Batch& batch, const SmallTriangles& small, int from, int to, TilePixels& pixels) {
+    for_each_fragment(small, from, to, [&](unsigned index) { draw_fragment(batch, small, index, pixels); });
 }
 
 struct Draw {
@@ -37,10 +45,12 @@ struct Draw {
     void leave_out(unsigned) const {}
     template <class Covered>
     void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& covered) const {
-        note_farthest(pixels, block.place, draw_block(pixels, block, seen, covered).held);
+        draw_block(pixels, block, seen, covered);
     }
-    void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
-        draw_small(batch, small, i, pixels);
+    void drawn(TilePixels& pixels, int place, unsigned blocks) const { note_farthest(pixels, place, blocks); }
+    void small_triangles(const Batch& batch, const SmallTriangles& small, int from, int to,
+                         TilePixels& pixels) const {
+        draw_small(batch, small, from, to, pixels);
     }
 };
 
@@ -54,8 +64,10 @@ struct DrawEveryBlock {
     void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& covered) const {
         draw_block(pixels, block, seen, covered);
     }
-    void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
-        draw_small(batch, small, i, pixels);
+    void drawn(TilePixels&, int, unsigned) const {}
+    void small_triangles(const Batch& batch, const SmallTriangles& small, int from, int to,
+                         TilePixels& pixels) const {
+        draw_small(batch, small, from, to, pixels);
     }
 };
 
@@ -89,14 +101,17 @@ struct DrawTallied {
         tally.blocks += 1;
         tally.fragments += count_of(won.covered & image);
         tally.written += count_of(won.nearer & image);
-        if (hierarchical_z == HierarchicalZ::blocks && won.covered != 0)
-            note_farthest(pixels, block.place, won.held);
     }
-    void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
-        tally.blocks += blocks_met(batch, i);
-        for_each_fragment(batch, small, i, [&](unsigned bit, int column, int row, int place) {
-            const bool is_nearer = draw_pixel(pixels, place, small.seen[bit][i], batch.id[i]);
-            if (!is_in_image(tile, column, row)) return;
+    void drawn(TilePixels& pixels, int place, unsigned blocks) const {
+        if (hierarchical_z == HierarchicalZ::blocks) note_farthest(pixels, place, blocks);
+    }
+    void small_triangles(const Batch& batch, const SmallTriangles& small, int from, int to,
+                         TilePixels& pixels) const {
+        for (int i = from; i < to; ++i) tally.blocks += blocks_met(batch, i);
+        for_each_fragment(small, from, to, [&](unsigned index) {
+            const bool is_nearer = draw_fragment(batch, small, index, pixels);
+            const Fragment fragment(batch, index);
+            if (!is_in_image(tile, fragment.column, fragment.row)) return;
             tally.fragments += 1;
             tally.written += is_nearer ? 1 : 0;
         });
@@ -130,14 +145,17 @@ struct DrawShaded {
             shade(block.id, block.x + i % 4, block.y + i / 4,
                   won.nearer >> i & 1 ? Fate::kept : Fate::discarded);
         }
-        if (hierarchical_z == HierarchicalZ::blocks && won.covered != 0)
-            note_farthest(pixels, block.place, won.held);
     }
-    void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
-        for_each_fragment(batch, small, i, [&](unsigned bit, int column, int row, int place) {
-            const bool is_nearer = draw_pixel(pixels, place, small.seen[bit][i], batch.id[i]);
-            if ((is_late() || is_nearer) && is_in_image(tile, column, row))
-                shade(batch.id[i], column, row, is_nearer ? Fate::kept : Fate::discarded);
+    void drawn(TilePixels& pixels, int place, unsigned blocks) const {
+        if (hierarchical_z == HierarchicalZ::blocks) note_farthest(pixels, place, blocks);
+    }
+    void small_triangles(const Batch& batch, const SmallTriangles& small, int from, int to,
+                         TilePixels& pixels) const {
+        for_each_fragment(small, from, to, [&](unsigned index) {
+            const bool is_nearer = draw_fragment(batch, small, index, pixels);
+            const Fragment fragment(batch, index);
+            if ((is_late() || is_nearer) && is_in_image(tile, fragment.column, fragment.row))
+                shade(fragment.id, fragment.column, fragment.row, is_nearer ? Fate::kept : Fate::discarded);
         });
     }
 };
@@ -152,7 +170,11 @@ struct Count {
         const unsigned covered = is_covered.covered();
         for (unsigned i = 0; i < 16; ++i) pixels.primitive[16 * block.place + int(i)] += covered >> i & 1;
     }
-    void small_triangle(const Batch& batch, const SmallTriangles& small, int i, TilePixels& pixels) const {
-        for_each_fragment(batch, small, i, [&](unsigned, int, int, int place) { ++pixels.primitive[place]; });
+    void drawn(TilePixels&, int, unsigned) const {}
+    void small_triangles(const Batch&, const SmallTriangles& small, int from, int to,
+                         TilePixels& pixels) const {
+        for_each_fragment(small, from, to, [&](unsigned index) {
+            ++pixels.primitive[small.place[index / batch_size][index % batch_size]];
+        });
     }
 };

@@ -147,7 +147,12 @@ void count(const TileWork& work) noexcept {
     for_each_covered(work, [&](int place, std::uint32_t, float) { ++work.pixels.primitive[place]; });
 }
 
-constexpr Kernel kernel{Isa::scalar, "plain", project, place, resolve, draw, count};
+void clear(TilePixels& pixels, std::uint32_t primitive) noexcept {
+    std::ranges::fill(pixels.nearness, nothing_seen);
+    std::ranges::fill(pixels.primitive, primitive);
+}
+
+constexpr Kernel kernel{Isa::scalar, "plain", project, place, clear, resolve, draw, count};
 
 }  // namespace plain
 
