@@ -39,8 +39,8 @@ void BinnedRun::fill(const Kernel& kernel, const Scene& scene, const ProjectedVe
     length_ = std::uint32_t(scene.triangles.size());
     tally_ = {.triangles = range.end - range.begin};
     pieces_.clear();
-    entries_.clear();
-    next_.assign(tiles_.count(), 0);
+    places_.clear();
+    stretches_.clear();
     const SnappedVertex* const v = projected.snapped().data();
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
         const glm::uvec3 index = scene.triangles[i];
@@ -53,6 +53,13 @@ void BinnedRun::fill(const Kernel& kernel, const Scene& scene, const ProjectedVe
             ++tally_.outside;
     }
     place_queue();
+    count_in_tiles();
+}
+
+void BinnedRun::count_in_tiles() {
+    end_stretch();
+    next_.assign(tiles_.count(), 0);
+    for (const auto& [tile, count] : stretches_) next_[tile] += count;
 }
 
 void BinnedRun::add_pieces(const Scene& scene, std::uint32_t triangle) {
@@ -77,6 +84,8 @@ void BinnedRun::add(const SnappedPoint& a, const SnappedPoint& b, const SnappedP
 
 void BinnedRun::place_queue() {
     const PlacedLanes placed = kernel_->place(*setup_, queue_.corners);
+    if (queue_.count == CornerLanes::count && placed.in_one_tile)
+        return add_queue_to_tile(tiles_.tile_at(placed.column0[0], placed.row0[0]), placed);
     for (int i = 0; i < queue_.count; ++i) {
         const std::uint32_t place = queue_.place[i] | placed.turn[i];
         tally_.facing_away += std::uint64_t(placed.faces_away[i]);
@@ -87,6 +96,16 @@ void BinnedRun::place_queue() {
         else
             add_to_tiles(i, placed, place);
     }
+    queue_.count = 0;
+}
+
+void BinnedRun::add_queue_to_tile(std::uint32_t tile, const PlacedLanes& placed) {
+    go_to(tile);
+    const std::size_t first = places_.size();
+    places_.resize(first + CornerLanes::count);
+    for (std::size_t i = 0; i < CornerLanes::count; ++i)
+        places_[first + i] = queue_.place[i] | placed.turn[i];
+    tally_.set_up += CornerLanes::count;
     queue_.count = 0;
 }
 
@@ -116,9 +135,16 @@ std::size_t BinnedRun::put_pieces_at(std::size_t first) {
 }
 
 void BinnedRun::write(std::span<std::uint32_t> places, std::span<SnappedPiece> pieces) {
-    for (const auto& [tile, place] : entries_) {
-        const bool is_piece = (place & ~turned) >= length_;
-        places[next_[tile]++] = is_piece ? place + std::uint32_t(first_piece_) : place;
+    const std::uint32_t length = length_, first_piece = std::uint32_t(first_piece_);
+    const std::uint32_t* from = places_.data();
+    for (const auto& [tile, count] : stretches_) {
+        std::uint32_t* const to = places.data() + next_[tile];
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool is_piece = (from[i] & ~turned) >= length;
+            to[i] = is_piece ? from[i] + first_piece : from[i];
+        }
+        next_[tile] += count;
+        from += count;
     }
     std::ranges::copy(pieces_, pieces.begin() + std::ptrdiff_t(first_piece_));
 }

@@ -38,8 +38,9 @@ class BinnedRun {
     const BinTally& tally() const { return tally_; }
 
   private:
-    struct Entry {
-        std::uint32_t tile, place;
+    /// Triangles one after the other in one tile.
+    struct Stretch {
+        std::uint32_t tile, count;
     };
     /// Triangles on their way, until there are enough to be placed together.
     struct Queue {
@@ -50,13 +51,25 @@ class BinnedRun {
     void add(const SnappedPoint& a, const SnappedPoint& b, const SnappedPoint& c, std::uint32_t place);
     void add_pieces(const Scene& scene, std::uint32_t triangle);
     void place_queue();
+    void add_queue_to_tile(std::uint32_t tile, const PlacedLanes& placed);
     void add_to_tiles(int lane, const PlacedLanes& placed, std::uint32_t place);
     void add_to_tiles_reached(int lane, const PlacedLanes& placed, std::uint32_t place);
     void add_to_tile(int column, int row, std::uint32_t place) {
-        const std::uint32_t tile = tiles_.tile_at(column, row);
-        entries_.push_back({tile, place});
-        ++next_[tile];
+        go_to(tiles_.tile_at(column, row));
+        places_.push_back(place);
     }
+    void go_to(std::uint32_t tile) {
+        if (stretches_.empty() || stretches_.back().tile != tile) begin_stretch(tile);
+    }
+    void begin_stretch(std::uint32_t tile) {
+        end_stretch();
+        stretches_.push_back({tile, 0});
+        stretch_begin_ = places_.size();
+    }
+    void end_stretch() {
+        if (!stretches_.empty()) stretches_.back().count = std::uint32_t(places_.size() - stretch_begin_);
+    }
+    void count_in_tiles();
 
     const Kernel* kernel_ = nullptr;
     const ViewSetup* setup_ = nullptr;
@@ -65,7 +78,9 @@ class BinnedRun {
         0;  ///< triangles of the scene; piece i of the run has the place length_ + i until write()
     Queue queue_;
     std::vector<SnappedPiece> pieces_;
-    std::vector<Entry> entries_;  ///< in the order of drawing
+    std::vector<std::uint32_t> places_;  ///< in the order of drawing, once for each tile
+    std::vector<Stretch> stretches_;     ///< of places_
+    std::size_t stretch_begin_ = 0;      ///< of the last one
     std::vector<std::size_t> next_;
     std::size_t first_piece_ = 0;
     BinTally tally_;

@@ -16,3 +16,21 @@ void put_side_by_side(const SnappedVertex* const (&vertex)[16], std::int32_t* x,
         _mm256_store_pd(nearness + i, _mm256_unpackhi_pd(even, odd));
     }
 }
+
+/// The other way.
+void put_one_by_one(const std::int32_t* x, const std::int32_t* y, const double* nearness,
+                    SnappedVertex* vertex) {
+    for (int i = 0; i < 16; i += 4) {
+        const __m128i xs = _mm_load_si128(reinterpret_cast<const __m128i*>(x + i));
+        const __m128i ys = _mm_load_si128(reinterpret_cast<const __m128i*>(y + i));
+        const __m128d first_points = _mm_castsi128_pd(_mm_unpacklo_epi32(xs, ys));
+        const __m128d last_points = _mm_castsi128_pd(_mm_unpackhi_epi32(xs, ys));
+        const __m128d first_nearness = _mm_load_pd(nearness + i),
+                      last_nearness = _mm_load_pd(nearness + i + 2);
+        auto* const to = reinterpret_cast<double*>(vertex + i);
+        _mm_storeu_pd(to, _mm_unpacklo_pd(first_points, first_nearness));
+        _mm_storeu_pd(to + 2, _mm_unpackhi_pd(first_points, first_nearness));
+        _mm_storeu_pd(to + 4, _mm_unpacklo_pd(last_points, last_nearness));
+        _mm_storeu_pd(to + 6, _mm_unpackhi_pd(last_points, last_nearness));
+    }
+}

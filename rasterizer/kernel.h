@@ -80,6 +80,7 @@ struct PlacedLanes {
     alignas(64) std::int32_t row0[CornerLanes::count], row1[CornerLanes::count];
     alignas(64) std::uint32_t turn[CornerLanes::count];       ///< `turned`, or 0
     alignas(64) std::int32_t faces_away[CornerLanes::count];  ///< 1 where that alone is why there are none
+    bool in_one_tile;                                         ///< all, in the same
 };
 
 /// A tile's pixels, to be written into a frame.

@@ -201,6 +201,12 @@ void put_side_by_side(const SnappedVertex* const (&vertex)[16], std::int32_t* x,
     }
 }
 
+/// The other way.
+void put_one_by_one(const std::int32_t* x, const std::int32_t* y, const double* nearness,
+                    SnappedVertex* vertex) {
+    for (int i = 0; i < 16; ++i) vertex[i] = {{x[i], y[i]}, nearness[i]};
+}
+
 #include "rasterizer/kernel.inl"
 
 }  // namespace

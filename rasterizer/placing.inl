@@ -9,6 +9,7 @@ PlacedLanes place(const ViewSetup& setup, const CornerLanes& corners) noexcept {
     const std::int32_t only_front = setup.facing == Facing::front ? 1 : 0;
     const auto& [a, b, c] = corners.corner;
     PlacedLanes placed;
+    std::int32_t differ = 0;
     for (int i = 0; i < CornerLanes::count; ++i) {
         const double doubled_area = double(b[i].x - a[i].x) * double(c[i].y - a[i].y) -
                                     double(b[i].y - a[i].y) * double(c[i].x - a[i].x);
@@ -30,5 +31,9 @@ PlacedLanes place(const ViewSetup& setup, const CornerLanes& corners) noexcept {
         placed.turn[i] = doubled_area < 0 ? turned : 0;
         placed.faces_away[i] = faces_away;
     }
+    for (int i = 0; i < CornerLanes::count; ++i)
+        differ |= (placed.column0[i] ^ placed.column1[i]) | (placed.row0[i] ^ placed.row1[i]) |
+                  (placed.column0[i] ^ placed.column0[0]) | (placed.row0[i] ^ placed.row0[0]);
+    placed.in_one_tile = differ == 0;
     return placed;
 }

@@ -5,25 +5,24 @@ constexpr int vertex_lanes = 16;
 struct VertexLanes {
     alignas(64) float p_world[3][vertex_lanes];
     alignas(64) double x_clip[vertex_lanes], y_clip[vertex_lanes], w[vertex_lanes], depth[vertex_lanes];
-    alignas(64) std::int32_t outcode[vertex_lanes], in_guard_band[vertex_lanes];
+    alignas(64) std::int32_t code[vertex_lanes], in_guard_band[vertex_lanes];
     alignas(64) std::int32_t x[vertex_lanes], y[vertex_lanes];
     alignas(64) double nearness[vertex_lanes];
 
-    void load(const glm::vec3* position_world, int last);
+    void load(const glm::vec3* position_world);
     void transform(const ClipTransform& clip_from_world);
     void find_outcodes(const ClipVolume& volume);
     void land(const ViewSetup& setup);
+    void store(SnappedVertex* snapped, std::uint8_t* to_outcode) const;
 
     ClipVertex clip_vertex(int i) const { return {x_clip[i], y_clip[i], w[i], depth[i]}; }
 };
 
-/// Lanes are filled up with the last vertex.
-void VertexLanes::load(const glm::vec3* position_world, int last) {
+void VertexLanes::load(const glm::vec3* position_world) {
     for (int i = 0; i < vertex_lanes; ++i) {
-        const glm::vec3& p = position_world[lesser(i, last)];
-        p_world[0][i] = p.x;
-        p_world[1][i] = p.y;
-        p_world[2][i] = p.z;
+        p_world[0][i] = position_world[i].x;
+        p_world[1][i] = position_world[i].y;
+        p_world[2][i] = position_world[i].z;
     }
 }
 
@@ -40,7 +39,7 @@ void VertexLanes::transform(const ClipTransform& clip_from_world) {
 
 void VertexLanes::find_outcodes(const ClipVolume& of_view) {
     const ClipVolume volume = of_view;
-    for (int i = 0; i < vertex_lanes; ++i) outcode[i] = outcode_of(clip_vertex(i), volume);
+    for (int i = 0; i < vertex_lanes; ++i) code[i] = outcode_of(clip_vertex(i), volume);
 }
 
 void VertexLanes::land(const ViewSetup& of_view) {
@@ -54,19 +53,37 @@ void VertexLanes::land(const ViewSetup& of_view) {
     }
 }
 
-void project(const VertexWork& work) noexcept {
+void VertexLanes::store(SnappedVertex* snapped, std::uint8_t* to_outcode) const {
+    put_one_by_one(x, y, nearness, snapped);
+    for (int i = 0; i < vertex_lanes; ++i) {
+        const bool is_lost = ((code[i] & outcode::needs_clip) == 0) & (in_guard_band[i] == 0);
+        to_outcode[i] = std::uint8_t(is_lost ? outcode::not_finite : code[i]);
+    }
+}
+
+/// As many vertices as there are lanes.
+void project_lanes(const ViewSetup& setup, const glm::vec3* position_world, SnappedVertex* snapped,
+                   std::uint8_t* outcode) {
     VertexLanes lanes;
-    for (std::size_t first = 0; first < work.count; first += vertex_lanes) {
-        const int last = lesser(vertex_lanes, std::int32_t(work.count - first)) - 1;
-        lanes.load(work.position_world + first, last);
-        lanes.transform(work.setup.clip_from_world);
-        lanes.find_outcodes(work.setup.volume);
-        lanes.land(work.setup);
-        for (int i = 0; i <= last; ++i) {
-            const std::int32_t code = lanes.outcode[i];
-            const bool is_lost = (code & outcode::needs_clip) == 0 && lanes.in_guard_band[i] == 0;
-            work.snapped[first + std::size_t(i)] = {{lanes.x[i], lanes.y[i]}, lanes.nearness[i]};
-            work.outcode[first + std::size_t(i)] = std::uint8_t(is_lost ? outcode::not_finite : code);
-        }
+    lanes.load(position_world);
+    lanes.transform(setup.clip_from_world);
+    lanes.find_outcodes(setup.volume);
+    lanes.land(setup);
+    lanes.store(snapped, outcode);
+}
+
+void project(const VertexWork& work) noexcept {
+    std::size_t first = 0;
+    for (; first + vertex_lanes <= work.count; first += vertex_lanes)
+        project_lanes(work.setup, work.position_world + first, work.snapped + first, work.outcode + first);
+    if (first == work.count) return;
+    glm::vec3 position_world[vertex_lanes] = {};
+    SnappedVertex snapped[vertex_lanes];
+    std::uint8_t outcode[vertex_lanes];
+    for (std::size_t i = first; i < work.count; ++i) position_world[i - first] = work.position_world[i];
+    project_lanes(work.setup, position_world, snapped, outcode);
+    for (std::size_t i = first; i < work.count; ++i) {
+        work.snapped[i] = snapped[i - first];
+        work.outcode[i] = outcode[i - first];
     }
 }
