@@ -19,8 +19,9 @@ alignas(64) constexpr double cell_y[16] = {0, 0, 0, 0, 16, 16, 16, 16, 32, 32, 3
 struct Square {
     int x, y;            ///< the first
     std::int32_t f[3];   ///< F there, or +-2^30
-    unsigned met = 0;    ///< blocks that may have covered pixels, bit by bit
-    unsigned whole = 0;  ///< blocks all of whose pixels are covered
+    unsigned met;        ///< blocks that may have covered pixels, bit by bit
+    unsigned whole;      ///< blocks all of whose pixels are covered
+    alignas(64) std::int32_t of_block[3][16];  ///< F at their first pixels; nothing where all are whole
 };
 
 /// The tile's cells.
@@ -31,20 +32,18 @@ struct Cells {
 
 /// The edges of one triangle.
 struct Cover {
-    /// F from the first pixel of a block to each; four times that, from the first block of a square to each.
-    alignas(64) std::int32_t of_pixel[3][16];
+    alignas(64) std::int32_t of_pixel[3][16];  ///< F from the first pixel of a block to each
+    alignas(64) std::int32_t of_block[3][16];  ///< four times that, from the first block of a square to each
     std::int32_t inwards[3], outwards[3];  ///< F from a block's first pixel to its greatest, its least
     double f[3], to_column[3], to_row[3];  ///< F at the tile's first pixel, and its steps
 
     Cover(const Edges& edges, int i);
     Cells cells() const;
-    Square square_of(const Cells& cells, int cell) const;
-    Square square_at(int x, int y) const;
+    void set_to_cell(Square& square, const Cells& cells, int cell) const;
+    void set_to_pixels_from(Square& square, int x, int y) const;
     /// Negative where a pixel is not covered.
     Ints inside(const Square& square, int block) const {
-        const auto edge = [&](int k) {
-            return all(square.f[k] + 4 * of_pixel[k][block]) + load(of_pixel[k]);
-        };
+        const auto edge = [&](int k) { return load(of_pixel[k]) + all(square.of_block[k][block]); };
         return edge(0) | edge(1) | edge(2);
     }
 
@@ -55,7 +54,9 @@ struct Cover {
 Cover::Cover(const Edges& edges, int i) {
     for (int k = 0; k < 3; ++k) {
         const std::int32_t column = edges.to_column[k][i], row = edges.to_row[k][i];
-        store(of_pixel[k], load(lane_column) * column + load(lane_row) * row);
+        const Ints of_pixels = load(lane_column) * column + load(lane_row) * row;
+        store(of_pixel[k], of_pixels);
+        store(of_block[k], of_pixels * 4);
         inwards[k] = 3 * (greater_of(column, 0) + greater_of(row, 0));
         outwards[k] = 3 * (lesser(column, 0) + lesser(row, 0));
         f[k] = edges.f[k][i];
@@ -84,31 +85,31 @@ Cells Cover::cells() const {
 void Cover::find_blocks(Square& square) const {
     Ints greatest = all(0), least = all(0);
     for (int k = 0; k < 3; ++k) {
-        const Ints of_blocks = load(of_pixel[k]) * 4;
-        greatest = greatest | (all(square.f[k] + inwards[k]) + of_blocks);
-        least = least | (all(square.f[k] + outwards[k]) + of_blocks);
+        const Ints of_blocks = load(of_block[k]) + all(square.f[k]);
+        store(square.of_block[k], of_blocks);
+        greatest = greatest | (of_blocks + all(inwards[k]));
+        least = least | (of_blocks + all(outwards[k]));
     }
     square.met = 0xFFFF & ~negative_lanes(greatest);
     square.whole = 0xFFFF & ~negative_lanes(least);
 }
 
-Square Cover::square_of(const Cells& cells, int cell) const {
-    Square square{cell % 4 * square_side,
-                  cell / 4 * square_side,
-                  {cells.f[0][cell], cells.f[1][cell], cells.f[2][cell]}};
+void Cover::set_to_cell(Square& square, const Cells& cells, int cell) const {
+    square.x = cell % 4 * square_side;
+    square.y = cell / 4 * square_side;
+    for (int k = 0; k < 3; ++k) square.f[k] = cells.f[k][cell];
     if (cells.whole >> cell & 1)
         square.met = square.whole = 0xFFFF;
     else
         find_blocks(square);
-    return square;
 }
 
-Square Cover::square_at(int x, int y) const {
-    const auto f_of = [&](int k) {
+void Cover::set_to_pixels_from(Square& square, int x, int y) const {
+    square.x = x;
+    square.y = y;
+    for (int k = 0; k < 3; ++k) {
         const double exact = (f[k] + to_column[k] * x) + to_row[k] * y;
-        return std::int32_t(greater_of(lesser(exact, most_of_f), -most_of_f));
-    };
-    Square square{x, y, {f_of(0), f_of(1), f_of(2)}};
+        square.f[k] = std::int32_t(greater_of(lesser(exact, most_of_f), -most_of_f));
+    }
     find_blocks(square);
-    return square;
 }

@@ -5,24 +5,25 @@ alignas(64) constexpr double lane_y[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3
 
 struct NearnessPlane {
     alignas(64) double of_pixel[3][16];  ///< E from the first pixel of a block to each
+    alignas(64) double of_block[3][16];  ///< four times that, from the first block of a square to each
     double e[3], a[3], b[3], weight[3];  ///< E at the tile's first pixel; its step to the next column, row
 
     NearnessPlane(const Batch& batch, const Edges& edges, const TileSamples& tile, int i);
 
-    /// E at a pixel of the tile.
+    /// E at the first pixels of a square's blocks.
     struct At {
-        double e[3];
+        alignas(64) double e[3][16];
     };
+    /// The square that begins at a pixel of the tile.
     At at(int x, int y) const {
-        const double column = x, row = y;
-        const auto edge = [&](int k) { return (e[k] + a[k] * column) + b[k] * row; };
-        return {{edge(0), edge(1), edge(2)}};
+        At square;
+        for (int k = 0; k < 3; ++k)
+            store(square.e[k], load(of_block[k]) + all((e[k] + a[k] * double(x)) + b[k] * double(y)));
+        return square;
     }
-    /// Of the 16 pixels of a block of the square that begins there, covered or not.
-    Floats of_block(const At& square, int block) const {
-        const auto term = [&](int k) {
-            return (all(square.e[k] + 4 * of_pixel[k][block]) + load(of_pixel[k])) * weight[k];
-        };
+    /// Of the 16 pixels of a block, covered or not.
+    Floats of_pixels(const At& square, int block) const {
+        const auto term = [&](int k) { return (all(square.e[k][block]) + load(of_pixel[k])) * weight[k]; };
         return rounded((term(0) + term(1)) + term(2));
     }
 };
@@ -34,6 +35,8 @@ NearnessPlane::NearnessPlane(const Batch& batch, const Edges& edges, const TileS
         a[k] = steps * edges.to_column[k][i];
         b[k] = steps * edges.to_row[k][i];
         weight[k] = batch.weight[k][i];
-        store(of_pixel[k], load(lane_x) * a[k] + load(lane_y) * b[k]);
+        const Doubles of_pixels = load(lane_x) * a[k] + load(lane_y) * b[k];
+        store(of_pixel[k], of_pixels);
+        store(of_block[k], of_pixels * 4.0);
     }
 }

@@ -59,9 +59,11 @@ enum class HiddenCells { passed_over, visited };
 
 /// Squares of a triangle that have open blocks.
 struct OpenSquares {
-    Square square[TilePixels::cells];
+    Square square[TilePixels::cells];  ///< the first `count`
     int count = 0;
     unsigned cells = 0;  ///< that they are in, bit by bit
+
+    Square& next() { return square[count]; }
 };
 
 /// A triangle in a tile, and what is to be done where it may be seen.
@@ -100,26 +102,30 @@ struct TriangleScan {
 
     void add_square(OpenSquares& squares, const Cover& cover, unsigned cells) const {
         const int x = first_x(), y = first_y();
-        Square square = cover.square_at(x, y);
+        Square& square = squares.next();
+        cover.set_to_pixels_from(square, x, y);
         square.met &= bits_of_box((batch.column0[i] - x) / 4, (batch.column1[i] - x) / 4,
                                   (batch.row0[i] - y) / 4, (batch.row1[i] - y) / 4);
-        add_if_open(squares, square, cells);
+        keep_if_open(squares, cells);
     }
 
     void add_cells(OpenSquares& squares, const Cover& cover, unsigned cells) const {
         const Cells found = cover.cells();
-        for (unsigned left = cells & found.met; left != 0; left &= left - 1)
-            add_if_open(squares, cover.square_of(found, __builtin_ctz(left)), left & -left);
+        for (unsigned left = cells & found.met; left != 0; left &= left - 1) {
+            cover.set_to_cell(squares.next(), found, __builtin_ctz(left));
+            keep_if_open(squares, left & -left);
+        }
     }
 
-    void add_if_open(OpenSquares& squares, Square square, unsigned cells) const {
+    void keep_if_open(OpenSquares& squares, unsigned cells) const {
+        Square& square = squares.next();
         const Floats farthest =
             load_square(work.pixels.farthest + block_at(square.x, square.y), blocks_in_row);
         const unsigned open = square.met & bits_of(greater(all(edges.nearest[i]), farthest));
         visit.leave_out(square.met & ~open);
-        square.met = open;
         if (open == 0) return;
-        squares.square[squares.count++] = square;
+        square.met = open;
+        squares.count += 1;
         squares.cells |= cells;
     }
 
@@ -133,11 +139,11 @@ struct TriangleScan {
         };
         for (unsigned left = square.met & square.whole; left != 0; left &= left - 1) {
             const int b = __builtin_ctz(left);
-            visit.block(work.pixels, block_of(b), nearness.of_block(at, b), Whole{});
+            visit.block(work.pixels, block_of(b), nearness.of_pixels(at, b), Whole{});
         }
         for (unsigned left = square.met & ~square.whole; left != 0; left &= left - 1) {
             const int b = __builtin_ctz(left);
-            visit.block(work.pixels, block_of(b), nearness.of_block(at, b), Partly{cover.inside(square, b)});
+            visit.block(work.pixels, block_of(b), nearness.of_pixels(at, b), Partly{cover.inside(square, b)});
         }
         visit.drawn(work.pixels, place, square.met);
     }
