@@ -103,7 +103,8 @@ struct Kernel {
     /// Nothing is seen yet, and `primitive` is the same everywhere.
     void (*clear)(TilePixels&, std::uint32_t primitive) noexcept = nullptr;
     void (*resolve)(const ResolveWork&) noexcept = nullptr;
-    void (*draw)(const TileWork&) noexcept = nullptr;   ///< depth test, depth and id of every covered pixel
+    void (*publish)() noexcept = nullptr;              ///< what this thread resolved, before another may look
+    void (*draw)(const TileWork&) noexcept = nullptr;  ///< depth test, depth and id of every covered pixel
     void (*count)(const TileWork&) noexcept = nullptr;  ///< one more in `primitive` of every covered pixel
     // The same pixels as draw, by `hierarchical_z`, and more beside; all but the first at leisure.
     void (*draw_every_block)(const TileWork&) noexcept = nullptr;  ///< without hierarchical z

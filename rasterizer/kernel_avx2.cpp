@@ -202,14 +202,14 @@ void stream_four(void* to, const void* four) {
     _mm_stream_si128(static_cast<__m128i*>(to), _mm_load_si128(static_cast<const __m128i*>(four)));
 }
 /// Before another thread may look.
-void finish_streams() { _mm_sfence(); }
+void publish() noexcept { _mm_sfence(); }
 
 #include "rasterizer/corners_avx.inl"
 #include "rasterizer/kernel.inl"
 
 }  // namespace
 
-const Kernel kernel{Isa::avx2, "AVX2", project,          place,        clear,      resolve,
+const Kernel kernel{Isa::avx2, "AVX2", project,          place,        clear,      resolve, publish,
                     draw,      count,  draw_every_block, draw_tallied, draw_shaded};
 
 }  // namespace zproof::rasterizer::avx2

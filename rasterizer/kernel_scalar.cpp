@@ -189,7 +189,7 @@ int put_bits(std::uint8_t* to, unsigned bits, int index) {
 /// Four pixels past the caches: nobody reads them soon, and no line is fetched to be overwritten. Here they
 /// go the ordinary way.
 void stream_four(void* to, const void* four) { __builtin_memcpy(to, four, 16); }
-void finish_streams() {}
+void publish() noexcept {}
 
 /// Sixteen vertices.
 void put_side_by_side(const SnappedVertex* const (&vertex)[16], std::int32_t* x, std::int32_t* y,
@@ -211,7 +211,7 @@ void put_one_by_one(const std::int32_t* x, const std::int32_t* y, const double* 
 
 }  // namespace
 
-const Kernel kernel{Isa::scalar, "scalar", project,          place,        clear,      resolve,
+const Kernel kernel{Isa::scalar, "scalar", project,          place,        clear,      resolve, publish,
                     draw,        count,    draw_every_block, draw_tallied, draw_shaded};
 
 }  // namespace zproof::rasterizer::scalar

@@ -1,5 +1,6 @@
 #include "rasterizer/pipeline.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -21,6 +22,16 @@ void clear(Frame& frame, const PixelRect& pixels) {
 
 }  // namespace
 
+/// In parallel. Frames that are resolved into are whole afterwards.
+template <class Visit>
+void Pipeline::for_each_tile(const Visit& visit) const {
+    const tbb::blocked_range<std::size_t> tiles{0, bins_.tiles().count()};
+    tbb::parallel_for(tiles, [&](const auto& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) visit(i);
+        kernel_.publish();
+    });
+}
+
 ViewSetup Pipeline::prepare(const Scene& scene, const View& view, const std::vector<Chunk>& chunks) {
     const ViewSetup setup(view, rules_, tricks_);
     if (need_chunks(tricks_)) {
@@ -38,7 +49,7 @@ const Frame& Pipeline::render(const Scene& scene, const View& view, const std::v
     const ViewSetup setup(view, rules_, tricks_);
     prepare(scene, view, chunks);
     if (frame_.size() != setup.size) frame_ = Frame::unwritten(setup.size);
-    tbb::parallel_for(std::size_t{0}, bins_.tiles().count(), [&](std::size_t i) {
+    for_each_tile([&](std::size_t i) {
         const PixelRect pixels = bins_.tiles().pixels(i, setup.size);
         if (bins_.places_in(i).empty()) return clear(frame_, pixels);
         Tile tile(kernel_, pixels, setup);
@@ -51,7 +62,7 @@ const Frame& Pipeline::render(const Scene& scene, const View& view, const std::v
 Plane<std::uint32_t> Pipeline::count_fragments(const Scene& scene, const View& view) {
     const ViewSetup setup = prepare(scene, view, {});
     Plane<std::uint32_t> fragments(setup.size);
-    tbb::parallel_for(std::size_t{0}, bins_.tiles().count(), [&](std::size_t i) {
+    for_each_tile([&](std::size_t i) {
         TileCount tile(kernel_, bins_.tiles().pixels(i, setup.size), setup);
         tile.add(bins_.triangles(), bins_.places_in(i));
         tile.resolve(fragments);
@@ -72,7 +83,7 @@ Work Pipeline::count_work(const Scene& scene, const View& view, const std::vecto
     work.pixels = setup.size.pixel_count();
     Frame frame(setup.size);
     std::vector<Tally> tallies(bins_.tiles().count());
-    tbb::parallel_for(std::size_t{0}, tallies.size(), [&](std::size_t i) {
+    for_each_tile([&](std::size_t i) {
         Tile tile(kernel_, bins_.tiles().pixels(i, setup.size), setup);
         tile.draw_tallied(bins_.triangles(), bins_.places_in(i), tallies[i]);
         tile.resolve(frame);
@@ -113,7 +124,7 @@ ShadedFrame Pipeline::render_shaded(const Scene& scene, const View& view, const 
     const Shader shader(scene, view, light);
     ShadedFrame frame{Picture(setup.size), 0};
     std::vector<std::uint64_t> shaded(bins_.tiles().count());
-    tbb::parallel_for(std::size_t{0}, shaded.size(), [&](std::size_t i) {
+    for_each_tile([&](std::size_t i) {
         Stage stage{shader, frame.picture};
         Tile tile(kernel_, bins_.tiles().pixels(i, setup.size), setup);
         tile.draw_shaded(bins_.triangles(), bins_.places_in(i), {Stage::shade, &stage, time});

@@ -60,6 +60,8 @@ class Pipeline {
                               const std::vector<Chunk>& chunks = {});
 
   private:
+    template <class Visit>
+    void for_each_tile(const Visit& visit) const;
     ViewSetup prepare(const Scene& scene, const View& view, const std::vector<Chunk>& chunks);
 
     Rules rules_;

@@ -33,5 +33,4 @@ void resolve(const ResolveWork& work) noexcept {
             }
         }
     }
-    finish_streams();
 }

@@ -152,7 +152,9 @@ void clear(TilePixels& pixels, std::uint32_t primitive) noexcept {
     std::ranges::fill(pixels.primitive, primitive);
 }
 
-constexpr Kernel kernel{Isa::scalar, "plain", project, place, clear, resolve, draw, count};
+void publish() noexcept {}
+
+constexpr Kernel kernel{Isa::scalar, "plain", project, place, clear, resolve, publish, draw, count};
 
 }  // namespace plain
 
