@@ -17,25 +17,25 @@ alignas(64) constexpr double cell_y[16] = {0, 0, 0, 0, 16, 16, 16, 16, 32, 32, 3
 
 /// 16 x 16 pixels of the tile.
 struct Square {
-    int x, y;            ///< the first
-    std::int32_t f[3];   ///< F there, or +-2^30
-    unsigned met;        ///< blocks that may have covered pixels, bit by bit
-    unsigned whole;      ///< blocks all of whose pixels are covered
-    alignas(64) std::int32_t of_block[3][16];  ///< F at their first pixels; nothing where all are whole
+    int x, y;                                  ///< the first
+    std::int32_t f[3];                         ///< F there, or +-2^30
+    unsigned met;                              ///< blocks that may have covered pixels, bit by bit
+    bool is_whole;                             ///< all of its pixels are covered
+    alignas(64) std::int32_t of_block[3][16];  ///< F at the blocks' first pixels; nothing where it is whole
 };
 
 /// The tile's cells.
 struct Cells {
     alignas(64) std::int32_t f[3][16];  ///< F at their first pixels, or +-2^30
-    unsigned met, whole;                ///< as of a square's blocks
+    unsigned met, whole;                ///< that may have covered pixels, that have no others; bit by bit
 };
 
 /// The edges of one triangle.
 struct Cover {
     alignas(64) std::int32_t of_pixel[3][16];  ///< F from the first pixel of a block to each
     alignas(64) std::int32_t of_block[3][16];  ///< four times that, from the first block of a square to each
-    std::int32_t inwards[3], outwards[3];  ///< F from a block's first pixel to its greatest, its least
-    double f[3], to_column[3], to_row[3];  ///< F at the tile's first pixel, and its steps
+    std::int32_t inwards[3], outwards[3];      ///< F from a block's first pixel to its greatest, its least
+    double f[3], to_column[3], to_row[3];      ///< F at the tile's first pixel, and its steps
 
     Cover(const Edges& edges, int i);
     Cells cells() const;
@@ -83,25 +83,23 @@ Cells Cover::cells() const {
 }
 
 void Cover::find_blocks(Square& square) const {
-    Ints greatest = all(0), least = all(0);
+    Ints greatest = all(0);
     for (int k = 0; k < 3; ++k) {
         const Ints of_blocks = load(of_block[k]) + all(square.f[k]);
         store(square.of_block[k], of_blocks);
         greatest = greatest | (of_blocks + all(inwards[k]));
-        least = least | (of_blocks + all(outwards[k]));
     }
     square.met = 0xFFFF & ~negative_lanes(greatest);
-    square.whole = 0xFFFF & ~negative_lanes(least);
+    square.is_whole = false;
 }
 
 void Cover::set_to_cell(Square& square, const Cells& cells, int cell) const {
     square.x = cell % 4 * square_side;
     square.y = cell / 4 * square_side;
     for (int k = 0; k < 3; ++k) square.f[k] = cells.f[k][cell];
-    if (cells.whole >> cell & 1)
-        square.met = square.whole = 0xFFFF;
-    else
-        find_blocks(square);
+    square.met = 0xFFFF;
+    square.is_whole = (cells.whole >> cell & 1) != 0;
+    if (!square.is_whole) find_blocks(square);
 }
 
 void Cover::set_to_pixels_from(Square& square, int x, int y) const {

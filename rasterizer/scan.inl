@@ -130,22 +130,21 @@ struct TriangleScan {
     }
 
     void draw(const Square& square, const Cover& cover, const NearnessPlane& nearness) const {
+        if (square.is_whole)
+            draw_blocks(square, nearness, [](int) { return Whole{}; });
+        else
+            draw_blocks(square, nearness, [&](int block) { return Partly{cover.inside(square, block)}; });
+        visit.drawn(work.pixels, block_at(square.x, square.y), square.met);
+    }
+
+    template <class CoveredOf>
+    void draw_blocks(const Square& square, const NearnessPlane& nearness, const CoveredOf& covered_of) const {
         const NearnessPlane::At at = nearness.at(square.x, square.y);
-        const int place = block_at(square.x, square.y);
-        const auto block_of = [&](int b) {
-            const int column = b % 4, row = b / 4;
-            return Block{square.x + 4 * column, square.y + 4 * row, place + column + blocks_in_row * row,
-                         batch.id[i]};
-        };
-        for (unsigned left = square.met & square.whole; left != 0; left &= left - 1) {
-            const int b = __builtin_ctz(left);
-            visit.block(work.pixels, block_of(b), nearness.of_pixels(at, b), Whole{});
+        for (unsigned left = square.met; left != 0; left &= left - 1) {
+            const int b = __builtin_ctz(left), x = square.x + b % 4 * 4, y = square.y + b / 4 * 4;
+            const Block block{x, y, block_at(x, y), batch.id[i]};
+            visit.block(work.pixels, block, nearness.of_pixels(at, b), covered_of(b));
         }
-        for (unsigned left = square.met & ~square.whole; left != 0; left &= left - 1) {
-            const int b = __builtin_ctz(left);
-            visit.block(work.pixels, block_of(b), nearness.of_pixels(at, b), Partly{cover.inside(square, b)});
-        }
-        visit.drawn(work.pixels, place, square.met);
     }
 };
 
