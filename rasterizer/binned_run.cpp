@@ -7,11 +7,20 @@
 namespace zproof::rasterizer {
 namespace {
 
-/// Can any sample of the rectangle be on the inner side? E is affine, so its corners decide.
-bool reaches(const EdgeFunction& edge, const PixelRect& pixels, const SubpixelGrid& grid) {
-    const int x = edge.a > 0 ? pixels.x1 - 1 : pixels.x0;
-    const int y = edge.b > 0 ? pixels.y1 - 1 : pixels.y0;
-    return edge.covers({grid.sample(x), grid.sample(y)});
+/// The first and the last sample of a column or row of tiles.
+struct Samples {
+    std::int32_t first, last;
+};
+
+Samples samples_of(int index, int image_pixels, const SubpixelGrid& grid) {
+    const int first = index * tile_size;
+    const int last = std::min(first + tile_size, image_pixels) - 1;
+    return {grid.sample(first), grid.sample(last)};
+}
+
+/// E is affine: at one of the ends a term of it is greatest.
+std::int64_t greatest(std::int64_t slope, const Samples& samples) {
+    return slope * (slope > 0 ? samples.last : samples.first);
 }
 
 /// Clockwise.
@@ -118,13 +127,17 @@ void BinnedRun::add_to_tiles(int lane, const PlacedLanes& placed, std::uint32_t 
         for (int column = column0; column <= column1; ++column) add_to_tile(column, row, place);
 }
 
+/// Those that have a sample on the inner side of each edge.
 void BinnedRun::add_to_tiles_reached(int lane, const PlacedLanes& placed, std::uint32_t place) {
     const auto edges = edges_of(corners_of(queue_.corners, lane, (place & turned) != 0), setup_->fill);
     for (int row = placed.row0[lane]; row <= placed.row1[lane]; ++row) {
+        const Samples y = samples_of(row, setup_->size.height, setup_->grid);
+        std::int64_t of_row[3];
+        for (std::size_t k = 0; k < 3; ++k) of_row[k] = greatest(edges[k].b, y) + edges[k].c - edges[k].least;
         for (int column = placed.column0[lane]; column <= placed.column1[lane]; ++column) {
-            const PixelRect pixels = tiles_.pixels(tiles_.tile_at(column, row), setup_->size);
-            const auto reaches_tile = [&](const EdgeFunction& e) { return reaches(e, pixels, setup_->grid); };
-            if (std::ranges::all_of(edges, reaches_tile)) add_to_tile(column, row, place);
+            const Samples x = samples_of(column, setup_->size.width, setup_->grid);
+            const auto is_reached = [&](std::size_t k) { return greatest(edges[k].a, x) + of_row[k] >= 0; };
+            if (is_reached(0) && is_reached(1) && is_reached(2)) add_to_tile(column, row, place);
         }
     }
 }
