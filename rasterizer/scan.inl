@@ -36,11 +36,13 @@ Won draw_block(TilePixels& pixels, const Block& block, const Floats& seen, const
     return {covered.covered(), bits_of(wins)};
 }
 
-/// In the rows of a square that have any of the blocks, bit by bit.
+/// In the rows of a square from the first to the last that has any of the blocks, bit by bit.
 void note_farthest(TilePixels& pixels, int place, unsigned blocks) {
-    for (; blocks != 0; blocks >>= 4, place += blocks_in_row)
-        if ((blocks & 0xF) != 0)
-            store_least_of_four(pixels.farthest + place, pixels.nearness + std::ptrdiff_t{16} * place);
+    const int first = __builtin_ctz(blocks) / 4, last = (31 - __builtin_clz(blocks)) / 4;
+    for (int row = first; row <= last; ++row) {
+        const int at = place + blocks_in_row * row;
+        store_least_of_four(pixels.farthest + at, pixels.nearness + std::ptrdiff_t{16} * at);
+    }
 }
 
 constexpr int block_at(int x, int y) { return y / 4 * blocks_in_row + x / 4; }
@@ -57,15 +59,6 @@ void note_farthest_in_cells(TilePixels& pixels, unsigned cells) {
 /// Cells in which nothing of a triangle can be seen.
 enum class HiddenCells { passed_over, visited };
 
-/// Squares of a triangle that have open blocks.
-struct OpenSquares {
-    Square square[TilePixels::cells];  ///< the first `count`
-    int count = 0;
-    unsigned cells = 0;  ///< that they are in, bit by bit
-
-    Square& next() { return square[count]; }
-};
-
 /// A triangle in a tile, and what is to be done where it may be seen.
 template <class Visit>
 struct TriangleScan {
@@ -81,15 +74,10 @@ struct TriangleScan {
             cells &= bits_of(greater(all(edges.nearest[i]), load(work.pixels.farthest_in_cell)));
         if (cells == 0) return;
         const Cover cover(edges, i);
-        OpenSquares squares;
-        if (is_in_a_square())
-            add_square(squares, cover, cells);
-        else
-            add_cells(squares, cover, cells);
-        if (squares.count == 0) return;
         const NearnessPlane nearness(batch, edges, work.samples, i);
-        for (int s = 0; s < squares.count; ++s) draw(squares.square[s], cover, nearness);
-        note_farthest_in_cells(work.pixels, squares.cells);
+        const unsigned drawn =
+            is_in_a_square() ? draw_square(cover, nearness, cells) : draw_cells(cover, nearness, cells);
+        note_farthest_in_cells(work.pixels, drawn);
     }
 
   private:
@@ -100,33 +88,37 @@ struct TriangleScan {
         return batch.column1[i] < first_x() + square_side && batch.row1[i] < first_y() + square_side;
     }
 
-    void add_square(OpenSquares& squares, const Cover& cover, unsigned cells) const {
+    // Of `cells`, bit by bit, those drawn into.
+
+    unsigned draw_square(const Cover& cover, const NearnessPlane& nearness, unsigned cells) const {
         const int x = first_x(), y = first_y();
-        Square& square = squares.next();
+        Square square;
         cover.set_to_pixels_from(square, x, y);
         square.met &= bits_of_box((batch.column0[i] - x) / 4, (batch.column1[i] - x) / 4,
                                   (batch.row0[i] - y) / 4, (batch.row1[i] - y) / 4);
-        keep_if_open(squares, cells);
+        return draw_if_open(square, cover, nearness) ? cells : 0;
     }
 
-    void add_cells(OpenSquares& squares, const Cover& cover, unsigned cells) const {
+    unsigned draw_cells(const Cover& cover, const NearnessPlane& nearness, unsigned cells) const {
         const Cells found = cover.cells();
+        unsigned drawn = 0;
         for (unsigned left = cells & found.met; left != 0; left &= left - 1) {
-            cover.set_to_cell(squares.next(), found, __builtin_ctz(left));
-            keep_if_open(squares, left & -left);
+            Square square;
+            cover.set_to_cell(square, found, __builtin_ctz(left));
+            if (draw_if_open(square, cover, nearness)) drawn |= left & -left;
         }
+        return drawn;
     }
 
-    void keep_if_open(OpenSquares& squares, unsigned cells) const {
-        Square& square = squares.next();
+    /// Where a block holds something farther. Returns whether there is any.
+    bool draw_if_open(Square& square, const Cover& cover, const NearnessPlane& nearness) const {
         const Floats farthest =
             load_square(work.pixels.farthest + block_at(square.x, square.y), blocks_in_row);
         const unsigned open = square.met & bits_of(greater(all(edges.nearest[i]), farthest));
         visit.leave_out(square.met & ~open);
-        if (open == 0) return;
         square.met = open;
-        squares.count += 1;
-        squares.cells |= cells;
+        if (open != 0) draw(square, cover, nearness);
+        return open != 0;
     }
 
     void draw(const Square& square, const Cover& cover, const NearnessPlane& nearness) const {
