@@ -139,6 +139,27 @@ void stream_four(void* to, const void* four) {
 /// Before another thread may look.
 void publish() noexcept { _mm_sfence(); }
 
+/// Sixteen vertices of 16 bytes each.
+void put_side_by_side(const SnappedVertex* const (&vertex)[16], std::int32_t* x, std::int32_t* y,
+                      double* nearness) {
+    const auto four_from = [&](int i) {
+        const auto part = [&](int k) {
+            return _mm_loadu_si128(reinterpret_cast<const __m128i*>(vertex[i + k]));
+        };
+        const __m512i two = _mm512_inserti32x4(_mm512_castsi128_si512(part(0)), part(1), 1);
+        return _mm512_inserti32x4(_mm512_inserti32x4(two, part(2), 2), part(3), 3);
+    };
+    const __m512i x_then_y = _mm512_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28, 1, 5, 9, 13, 17, 21, 25, 29);
+    const __m512i odd = _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15);
+    const __m512i a = four_from(0), b = four_from(4), c = four_from(8), d = four_from(12);
+    const __m512i first = _mm512_permutex2var_epi32(a, x_then_y, b),
+                  last = _mm512_permutex2var_epi32(c, x_then_y, d);
+    _mm512_store_si512(x, _mm512_shuffle_i64x2(first, last, 0x44));
+    _mm512_store_si512(y, _mm512_shuffle_i64x2(first, last, 0xEE));
+    _mm512_store_si512(nearness, _mm512_permutex2var_epi64(a, odd, b));
+    _mm512_store_si512(nearness + 8, _mm512_permutex2var_epi64(c, odd, d));
+}
+
 #include "rasterizer/corners_avx.inl"
 #include "rasterizer/kernel.inl"
 
