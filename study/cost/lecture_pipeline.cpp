@@ -64,16 +64,18 @@ void LecturePipeline::shade() {
 
 void LecturePipeline::rasterize() {
     bins_.fill(scene_, projected_, setup_);
+    const rasterizer::Kernel& kernel = rasterizer::widest_kernel();
     for (std::size_t i = 0; i < bins_.tiles().count(); ++i) {
         const rasterizer::PixelRect pixels = bins_.tiles().pixels(i, setup_.size);
         if (bins_.places_in(i).empty()) {
             clear(frame_, pixels);
             continue;
         }
-        rasterizer::Tile tile(pixels, setup_);
-        tile.draw(rasterizer::widest_kernel(), bins_.triangles(), bins_.places_in(i));
-        tile.resolve(rasterizer::widest_kernel(), frame_);
+        rasterizer::Tile tile(kernel, pixels, setup_);
+        tile.draw(bins_.triangles(), bins_.places_in(i));
+        tile.resolve(frame_);
     }
+    kernel.publish();
 }
 
 void LecturePipeline::run(Stages::Set stages) {
