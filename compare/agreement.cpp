@@ -81,9 +81,11 @@ class Comparison {
             look_up_laws(strip);
         }
         shown_.make_laws();
+        Presort::Largest largest{known(candidate_count_.largest, largest_.candidate),
+                                 known(reference_count_.largest, largest_.reference)};
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
-            presort(strip);
+            presort(largest, strip);
             hold(strip);
             if (scribes_) {
                 const auto width = std::size_t(tile.right - tile.left);
@@ -92,6 +94,8 @@ class Comparison {
             }
             settle(strip, open);
         }
+        raise(candidate_count_.largest, largest.candidate);
+        raise(reference_count_.largest, largest.reference);
         tell(candidate_count_.largest, largest_.candidate);
         tell(reference_count_.largest, largest_.reference);
     }
@@ -142,14 +146,10 @@ class Comparison {
     }
 
     /// Maps of errors want every ratio.
-    void presort(Strip& strip) {
+    void presort(Presort::Largest& largest, Strip& strip) {
         strip.sorted = 0;
         if (scribes_ || shown_.count() > many_laws) return;
-        Presort::Largest largest{known(candidate_count_.largest, largest_.candidate),
-                                 known(reference_count_.largest, largest_.reference)};
         presort_.sort(shown_.laws(), largest, strip);
-        raise(candidate_count_.largest, largest.candidate);
-        raise(reference_count_.largest, largest.reference);
     }
 
     /// The largest ratio, here or anywhere.

@@ -180,13 +180,12 @@ template <class Projected, class Triangles>
         highs[i] = high;
         slack[i] = here < within ? here : within;
     }
-    std::uint32_t certain = 0, exceeds = 0;
-    for (std::size_t i = 0; i < tile_columns; ++i) {
-        certain |= std::uint32_t(slack[i] >= 0) << i;
-        exceeds |= std::uint32_t(!(highs[i] <= seen.known_largest)) << i;
-    }
-    side.certain = certain;
-    side.may_exceed = exceeds;
+    std::uint32_t both = 0;  // side by side, to be gathered once
+    for (std::size_t i = 0; i < tile_columns; ++i)
+        both |= std::uint32_t(slack[i] >= 0) << i | std::uint32_t(!(highs[i] <= seen.known_largest))
+                                                        << (tile_columns + i);
+    side.certain = both & all_columns;
+    side.may_exceed = both >> tile_columns;
 }
 
 template <class Triangles>

@@ -32,16 +32,20 @@ namespace {
     return mask;
 }
 
+constexpr auto none_counted = [] {
+    TileRowOf<std::int32_t> bins{};
+    bins.fill(Strip::uncounted);
+    return bins;
+}();
+
 /// Those of some pixels; the others are not counted.
 void copy_bins(const EstimatedRow::Side& side, ColumnMask pixels, std::int32_t* bin) {
-    TileRowOf<std::int32_t> uncounted;
-    uncounted.fill(Strip::uncounted);
     if (pixels == all_columns)
         std::ranges::copy(side.bin, bin);
     else if (pixels == 0)
-        std::ranges::copy(uncounted, bin);
+        std::ranges::copy(none_counted, bin);
     else
-        std::ranges::copy(chosen(uncounted, side.bin, pixels), bin);
+        std::ranges::copy(chosen(none_counted, side.bin, pixels), bin);
 }
 
 /// Rounded down.

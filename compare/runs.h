@@ -14,8 +14,9 @@ template <std::size_t width, class ValueAt>
 auto spread_over_runs(std::uint64_t turns, const ValueAt& value_at) {
     using Value = decltype(value_at(std::size_t{0}));
     constexpr std::size_t step = 8;
-    std::array<Value, width + step> values{};  // written beyond a run's end, where the next one begins
-    while (turns != 0) {
+    std::array<Value, width + step> values;  // written beyond a run's end, where the next one begins
+    values.fill(value_at(0));
+    for (turns &= turns - 1; turns != 0;) {
         const auto first = std::size_t(std::countr_zero(turns));
         turns &= turns - 1;
         const std::size_t end = std::min(std::size_t(std::countr_zero(turns)), width);
