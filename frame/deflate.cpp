@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -19,6 +20,14 @@ constexpr std::size_t largest_piece = std::size_t{1} << 30;
 
 /// What is written at once.
 constexpr std::size_t room_bytes = std::size_t{1} << 16;
+
+/// igzip packs nothing before it has more than that, or is told to end.
+constexpr std::size_t buffered_bytes = IGZIP_HIST_SIZE;
+
+/// A table of codes takes some hundred bytes.
+constexpr std::size_t own_codes_from = 4096;
+
+enum class Ending { none, piece, stream };
 
 /// A piece of a long text: its first repetitions, which may not look back to what stands before, weigh
 /// little.
@@ -44,25 +53,49 @@ std::uint32_t adler_of_both(std::uint32_t before, const DeflatedPiece& piece) {
 
 struct Deflater::Stream {
     isal_zstream state;
-    std::unique_ptr<std::uint8_t[]> tables =
-        std::make_unique_for_overwrite<std::uint8_t[]>(ISAL_DEF_LVL2_LARGE);
+    isal_huff_histogram histogram;
+    isal_hufftables codes;
     std::unique_ptr<char[]> room = std::make_unique_for_overwrite<char[]>(room_bytes);
 
-    /// `wrapping`: IGZIP_ZLIB, or IGZIP_DEFLATE for bare blocks.
-    void begin(std::uint16_t wrapping, std::uint16_t flush) {
+    /// `wrapping`: IGZIP_ZLIB, or IGZIP_DEFLATE for bare blocks. Nothing in igzip's buffer is left of what
+    /// was packed before: it looks a few bytes further than there are.
+    void begin(std::uint16_t wrapping) {
+        std::memset(&state, 0, sizeof state);
         isal_deflate_init(&state);
-        state.level = 2;
-        state.level_buf = tables.get();
-        state.level_buf_size = ISAL_DEF_LVL2_LARGE;
         state.gzip_flag = wrapping;
-        state.flush = flush;
     }
 
-    /// Appends all that becomes of the bytes; `is_last`: nothing follows.
-    void pack(std::string_view bytes, std::uint16_t is_last, std::string& packed) {
+    /// Appends what becomes of all bytes. What igzip sees behind the last ones has to be its own buffer's,
+    /// not what follows them in the caller's memory: it takes all into that buffer where they are few, and
+    /// keeps the last of many there until it is told to end.
+    void pack(std::string_view bytes, Ending ending, std::string& packed) {
+        choose_codes(bytes.substr(0, largest_piece));
+        if (bytes.size() > buffered_bytes) {
+            for (std::size_t at = 0; at < bytes.size(); at += largest_piece)
+                write_all(bytes.substr(at, largest_piece), Ending::none, packed);
+            bytes = {};
+        }
+        write_all(bytes, ending, packed);
+    }
+
+    /// By how often each symbol will be written; few bytes get RFC 1951's fixed codes.
+    void choose_codes(std::string_view bytes) {
+        const bool are_own = bytes.size() >= own_codes_from;
+        if (are_own) {
+            std::memset(&histogram, 0, sizeof histogram);
+            isal_update_histogram(readable(bytes), static_cast<int>(bytes.size()), &histogram);
+            isal_create_hufftables(&codes, &histogram);
+        }
+        const int kind = are_own ? IGZIP_HUFFTABLE_CUSTOM : IGZIP_HUFFTABLE_STATIC;
+        if (isal_deflate_set_hufftables(&state, are_own ? &codes : nullptr, kind) != COMP_OK)
+            throw std::logic_error{"igzip refused codes of its own"};
+    }
+
+    void write_all(std::string_view bytes, Ending ending, std::string& packed) {
         state.next_in = readable(bytes);
         state.avail_in = static_cast<std::uint32_t>(bytes.size());
-        state.end_of_stream = is_last;
+        state.flush = ending == Ending::piece ? FULL_FLUSH : NO_FLUSH;
+        state.end_of_stream = ending == Ending::stream ? 1 : 0;
         for (std::size_t written = room_bytes; written == room_bytes;) {
             written = write();
             packed.append(room.get(), written);
@@ -86,12 +119,8 @@ Deflater& Deflater::operator=(Deflater&&) noexcept = default;
 
 std::string Deflater::deflated(std::string_view bytes) {
     std::string packed;
-    stream_->begin(IGZIP_ZLIB, NO_FLUSH);
-    do {
-        const std::string_view part = bytes.substr(0, largest_piece);
-        bytes.remove_prefix(part.size());
-        stream_->pack(part, bytes.empty(), packed);
-    } while (!bytes.empty());
+    stream_->begin(IGZIP_ZLIB);
+    stream_->pack(bytes, Ending::stream, packed);
     return packed;
 }
 
@@ -100,8 +129,8 @@ DeflatedPiece Deflater::piece(std::string_view bytes) {
     DeflatedPiece made{
         .bits = "", .adler = isal_adler32(1, readable(bytes), bytes.size()), .size = bytes.size()};
     if (bytes.empty()) return made;
-    stream_->begin(IGZIP_DEFLATE, FULL_FLUSH);
-    stream_->pack(bytes, 0, made.bits);
+    stream_->begin(IGZIP_DEFLATE);
+    stream_->pack(bytes, Ending::piece, made.bits);
     return made;
 }
 

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <random>
+#include <span>
 
 namespace zproof {
 namespace {
@@ -41,6 +43,39 @@ TEST(Deflate, DeflaterThatWasUsedBeforeGivesTheSameStream) {
     Deflater deflater;
     deflater.deflated(noise(100'000));
     EXPECT_EQ(deflater.deflated("twice twice twice"), deflated("twice twice twice"));
+}
+
+/// Bytes with repetitions.
+std::string prose(std::mt19937& random, std::size_t size) {
+    const std::size_t letters = 1 + random() % 81;
+    std::string bytes;
+    while (bytes.size() < size) {
+        const std::size_t length = bytes.size() > 50 && random() % 3 == 0 ? 3 + random() % 20 : 1;
+        const std::size_t back =
+            1 + random() % std::max<std::size_t>(1, std::min<std::size_t>(bytes.size(), 3000));
+        for (std::size_t i = 0; i < length; ++i)
+            bytes += length > 1 ? bytes[bytes.size() - back] : static_cast<char>(random() % letters);
+    }
+    bytes.resize(size);
+    return bytes;
+}
+
+/// igzip has levels at which one text of a thousand is packed in another way now and then.
+TEST(Deflate, SameBytesGiveTheSameStreamWhereverTheyStandAndWhateverWasPackedBefore) {
+    std::mt19937 random(1);
+    Deflater used;
+    int others = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const std::size_t size = i % 100 == 0 ? 20'000 + random() % 150'000 : 1 + random() % 400;
+        const std::string bytes = prose(random, size);
+        const std::string among_others = std::string(random() % 40, 'a') + bytes + bytes;
+        const std::string_view same =
+            std::string_view(among_others).substr(among_others.size() - 2 * size, size);
+        const DeflatedPiece piece = used.piece(bytes);
+        others += piece.bits != Deflater().piece(same).bits;
+        EXPECT_EQ(inflated(joined(std::span(&piece, 1)), size), bytes);
+    }
+    EXPECT_EQ(others, 0);
 }
 
 TEST(Deflate, PiecesAreOneStream) {
