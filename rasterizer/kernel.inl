@@ -37,14 +37,14 @@ constexpr bool is_top_left(std::int32_t dx, std::int32_t dy) { return (dy < 0) |
 #include "rasterizer/resolve.inl"
 // clang-format on
 
-constexpr std::int32_t fetched_ahead = 2 * batch_size;
+constexpr std::int64_t fetched_ahead = 2 * batch_size;
 
 /// Has the vertices of a triangle some way after the i-th fetched, and the corners of that as far again.
 /// Inlined, or gcc 12 takes it for a function without effects and leaves it out.
-[[gnu::always_inline]] inline void fetch_ahead(const TileWork& work, std::int32_t i) {
+[[gnu::always_inline]] inline void fetch_ahead(const TileWork& work, std::int64_t i) {
     const Triangles& triangles = work.triangles;
-    const auto corners_at = [&](std::int32_t at) __attribute__((always_inline))->const glm::uvec3* {
-        if (at < 0 || at >= std::int32_t(work.count)) return nullptr;
+    const auto corners_at = [&](std::int64_t at) __attribute__((always_inline))->const glm::uvec3* {
+        if (at < 0 || at >= work.count) return nullptr;
         const std::uint32_t place = work.places[at] & ~turned;
         return place < triangles.length ? triangles.corners + place : nullptr;
     };
@@ -58,7 +58,7 @@ constexpr std::int32_t fetched_ahead = 2 * batch_size;
 
 /// In the order of drawing.
 template <class Visit>
-void draw_batch(const TileWork& work, const Batch& batch, std::int32_t first, int count, const Visit& visit) {
+void draw_batch(const TileWork& work, const Batch& batch, std::int64_t first, int count, const Visit& visit) {
     const unsigned is_small = negative_lanes(load(batch.is_small));
     SmallTriangles small;
     if (is_small != 0) small.cover(batch, work.samples);
@@ -77,9 +77,9 @@ template <class Visit>
 void for_each_triangle(const TileWork& work) {
     const Visit visit(work);
     Batch batch;
-    for (std::int32_t i = -2 * fetched_ahead; i < 0; ++i) fetch_ahead(work, i);
-    for (std::int32_t first = 0; first < std::int32_t(work.count); first += batch_size) {
-        const int last = lesser(batch_size, std::int32_t(work.count) - first) - 1;
+    for (std::int64_t i = -2 * fetched_ahead; i < 0; ++i) fetch_ahead(work, i);
+    for (std::int64_t first = 0; first < work.count; first += batch_size) {
+        const int last = (work.count - first < batch_size ? int(work.count - first) : batch_size) - 1;
         batch.load(work.triangles, work.places + first, last);
         batch.set_up_box(work.samples);
         batch.set_up_weights();
