@@ -24,8 +24,9 @@ constexpr std::size_t room_bytes = std::size_t{1} << 16;
 /// igzip packs nothing before it has more than that, or is told to end.
 constexpr std::size_t buffered_bytes = IGZIP_HIST_SIZE;
 
-/// A table of codes takes some hundred bytes.
-constexpr std::size_t own_codes_from = 4096;
+/// A table of codes takes some hundred bytes. To count symbols in all of them takes a third of the time to
+/// pack them, and saves 2 % of the files.
+constexpr std::size_t own_codes_from = 4096, sample_bytes = 16384;
 
 enum class Ending { none, piece, stream };
 
@@ -69,7 +70,7 @@ struct Deflater::Stream {
     /// not what follows them in the caller's memory: it takes all into that buffer where they are few, and
     /// keeps the last of many there until it is told to end.
     void pack(std::string_view bytes, Ending ending, std::string& packed) {
-        choose_codes(bytes.substr(0, largest_piece));
+        choose_codes(bytes);
         if (bytes.size() > buffered_bytes) {
             for (std::size_t at = 0; at < bytes.size(); at += largest_piece)
                 write_all(bytes.substr(at, largest_piece), Ending::none, packed);
@@ -78,12 +79,13 @@ struct Deflater::Stream {
         write_all(bytes, ending, packed);
     }
 
-    /// By how often each symbol will be written; few bytes get RFC 1951's fixed codes.
+    /// By how often each symbol will be written in the first bytes; few bytes get RFC 1951's fixed codes.
     void choose_codes(std::string_view bytes) {
         const bool are_own = bytes.size() >= own_codes_from;
         if (are_own) {
+            const std::string_view sample = bytes.substr(0, sample_bytes);
             std::memset(&histogram, 0, sizeof histogram);
-            isal_update_histogram(readable(bytes), static_cast<int>(bytes.size()), &histogram);
+            isal_update_histogram(readable(sample), static_cast<int>(sample.size()), &histogram);
             isal_create_hufftables(&codes, &histogram);
         }
         const int kind = are_own ? IGZIP_HUFFTABLE_CUSTOM : IGZIP_HUFFTABLE_STATIC;
