@@ -26,10 +26,12 @@ def in_manual(zproof):
 
 
 def in_markdown(file):
+    """Not what a synopsis has: words in capitals and brackets, and what a command is for behind it."""
     for line in file.read_text().splitlines():
         found = re.match(r'    (?:build/release/)?(zproof .*)', line)
-        if found and '[' not in line:
-            yield found.group(1).split('  #')[0].strip()
+        example = found.group(1).split('  #')[0].strip() if found else ''
+        if example and not re.search(r'\[|\w\|\w|   |\b[A-Z]{3,}\b', example):
+            yield example
 
 
 def furnish(place, zproof, source):
