@@ -22,7 +22,7 @@ def in_manual(zproof):
     roff = subprocess.run([zproof, 'man'], check=True, stdout=subprocess.PIPE, text=True).stdout
     for line in roff.replace('\\-', '-').replace('\\e', '\\').splitlines():
         if line.startswith('  zproof '):
-            yield re.split(r'   +', line.strip())[0]
+            yield re.split(r'  +', line.strip())[0]
 
 
 def in_markdown(file):
