@@ -86,7 +86,8 @@ struct Deflater::Stream {
             const std::string_view sample = bytes.substr(0, sample_bytes);
             std::memset(&histogram, 0, sizeof histogram);
             isal_update_histogram(readable(sample), static_cast<int>(sample.size()), &histogram);
-            isal_create_hufftables(&codes, &histogram);
+            if (isal_create_hufftables(&codes, &histogram) != COMP_OK)
+                throw std::logic_error{"igzip makes no codes of what it counted"};
         }
         const int kind = are_own ? IGZIP_HUFFTABLE_CUSTOM : IGZIP_HUFFTABLE_STATIC;
         if (isal_deflate_set_hufftables(&state, are_own ? &codes : nullptr, kind) != COMP_OK)

@@ -26,7 +26,8 @@ class Tile {
     void draw_shaded(const Triangles& triangles, std::span<const std::uint32_t> places,
                      const FragmentShader& shader);
 
-    /// Writes ids and camera depths of this tile's pixels.
+    /// Writes ids and camera depths of this tile's pixels. Another thread may look when the kernel has
+    /// published them.
     void resolve(Frame& frame) const noexcept;
 
   private:
