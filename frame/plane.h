@@ -1,13 +1,14 @@
 /// A rectangle of per-pixel values: one AOV, or one map.
 #pragma once
 
-#include <boost/align/aligned_allocator.hpp>
 #include <cassert>
 #include <cstddef>
 #include <new>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include "math/bulk.h"
 
 namespace zproof {
 
@@ -21,13 +22,21 @@ struct Resolution {
 
 inline constexpr std::size_t cache_line_bytes = 64;
 
-/// Begins a cache line, and touches no memory before it is asked to.
+/// Begins a cache line, and touches no memory before it is asked to; many values stand in huge pages.
 template <class T>
-struct PlaneAllocator : boost::alignment::aligned_allocator<T, cache_line_bytes> {
+struct PlaneAllocator {
+    using value_type = T;
+
+    PlaneAllocator() = default;
     template <class U>
-    struct rebind {  // NOLINT(readability-identifier-naming): the standard names it
-        using other = PlaneAllocator<U>;
-    };
+    constexpr PlaneAllocator(const PlaneAllocator<U>&) noexcept {}
+
+    T* allocate(std::size_t count) {
+        return static_cast<T*>(allocate_bulk(count * sizeof(T), cache_line_bytes));
+    }
+    void deallocate(T* values, std::size_t count) noexcept { free_bulk(values, count * sizeof(T)); }
+    bool operator==(const PlaneAllocator&) const = default;
+
     template <class U, class... Arguments>
     void construct(U* at, Arguments&&... arguments) {
         ::new (static_cast<void*>(at)) U(std::forward<Arguments>(arguments)...);

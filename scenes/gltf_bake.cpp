@@ -11,6 +11,7 @@
 
 #include "math/bulk.h"
 #include "scenes/batch.h"
+#include "scenes/flat_triangles.h"
 #include "scenes/gltf_accessor.h"
 #include "scenes/gltf_corners.h"
 #include "scenes/gltf_limits.h"
@@ -54,13 +55,6 @@ std::uint32_t largest_coordinate(std::span<const glm::vec3> positions) {
                    magnitude_bits);
 }
 
-template <typename T, typename Allocator>
-void reserve_bulk(std::vector<T, Allocator>& attribute, std::size_t elements) {
-    if (attribute.capacity() >= elements) return;
-    attribute.reserve(elements);
-    prefer_huge_pages(attribute.data(), attribute.capacity() * sizeof(T));
-}
-
 static_assert(Batch::range_elements <= VectorBlock::capacity);
 
 /// The triangles and vertices that one primitive at one node became.
@@ -87,8 +81,8 @@ class Baker {
                 vertices += std::min(corners, vertex_count(primitive));
                 check_limits(triangles, vertices);
             }
-        reserve_bulk(scene_.triangles, triangles);
-        reserve_bulk(scene_.vertices.position_world, vertices);
+        scene_.triangles.reserve(triangles);
+        scene_.vertices.position_world.reserve(vertices);
         scene_.vertices.uv.reserve(limits::uv_sets);
     }
 
@@ -180,17 +174,16 @@ class Baker {
 
     /// Makes room for the vertices of the placement. Vertices before it that lack the attribute get
     /// `otherwise`.
-    template <typename T, typename Allocator>
-    void make_room(std::vector<T, Allocator>& attribute, const Placement& placement,
-                   const T& otherwise) const {
-        reserve_bulk(attribute, scene_.vertices.position_world.capacity());
+    template <typename T>
+    void make_room(Bulk<T>& attribute, const Placement& placement, const T& otherwise) const {
+        attribute.reserve(scene_.vertices.position_world.capacity());
         attribute.resize(placement.first_vertex, otherwise);
         attribute.resize(placement.first_vertex + placement.vertex_count);
     }
 
     /// Makes room, and has bake(element) written there for each vertex later.
     template <typename T, typename Bake>
-    void append(std::vector<T>& attribute, const Placement& placement, const T& otherwise, const Bake& bake) {
+    void append(Bulk<T>& attribute, const Placement& placement, const T& otherwise, const Bake& bake) {
         make_room(attribute, placement, otherwise);
         of_vertices_.add(placement.vertex_count,
                          [&attribute, &placement, bake](std::size_t i, std::size_t end) {
@@ -203,6 +196,11 @@ class Baker {
     static VectorBlock block_of(const Elements& elements, const Placement& placement, std::size_t from,
                                 std::size_t end) {
         VectorBlock block(end - from);
+        if (elements.component_type == component_type_float && elements.stride == sizeof(glm::vec3) &&
+            placement.corners.used().empty()) {
+            block.read(elements.first + from * sizeof(glm::vec3));
+            return block;
+        }
         for (std::size_t i = from; i < end; ++i) block.set(i - from, vec3_at(elements, placement.element(i)));
         return block;
     }
@@ -239,7 +237,7 @@ class Baker {
                    " overflows float32 in world space; scale the scene down");
     }
 
-    /// And counts those whose area is 0 as far as double can tell. They stay, since ids count them.
+    /// Triangles without area stay, since ids count them.
     void append_triangles(Placement& placement) {
         placement.first_triangle = scene_.triangles.size();
         scene_.triangles.resize(placement.first_triangle + placement.corners.triangle_count());
@@ -248,20 +246,10 @@ class Baker {
                 const std::span baked =
                     std::span(scene_.triangles).subspan(placement.first_triangle + from, end - from);
                 placement.corners.read(static_cast<std::uint32_t>(from), baked);
-                std::uint64_t flat = 0;
-                for (glm::uvec3& triangle : baked) {
+                for (glm::uvec3& triangle : baked)
                     triangle += static_cast<std::uint32_t>(placement.first_vertex);
-                    flat += is_flat(triangle);
-                }
-                tally_.flat += flat;
+                tally_.flat += flat_among(baked, scene_.vertices.position_world);
             });
-    }
-
-    bool is_flat(const glm::uvec3& t) const {
-        const auto corner = [this](std::uint32_t i) { return glm::dvec3(scene_.vertices.position_world[i]); };
-        const glm::dvec3 origin = corner(t.x), a = corner(t.y) - origin, b = corner(t.z) - origin;
-        // The cross product, of which hardly ever more than one component is asked.
-        return a.y * b.z == a.z * b.y && a.z * b.x == a.x * b.z && a.x * b.y == a.y * b.x;
     }
 
     void append_normals(const PlacedNode& placed, const tinygltf::Primitive& primitive,

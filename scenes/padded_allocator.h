@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstddef>
-#include <new>
+
+#include "math/bulk.h"
 
 namespace zproof {
 
 /// Allocates `padding` bytes more than asked for, so that the last element may be read by a 16-byte SSE load,
 /// as Embree does with shared vertex buffers (Embree API, rtcSetSharedGeometryBuffer). The content of the
-/// padding is unspecified.
+/// padding is unspecified. As with BulkAllocator, elements that nobody gives a value to stay unwritten.
 template <class T>
 struct PaddedAllocator {
     using value_type = T;
@@ -18,8 +19,12 @@ struct PaddedAllocator {
     template <class U>
     constexpr PaddedAllocator(const PaddedAllocator<U>&) noexcept {}
 
-    T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T) + padding)); }
-    void deallocate(T* values, std::size_t) noexcept { ::operator delete(values); }
+    T* allocate(std::size_t count) { return static_cast<T*>(allocate_bulk(count * sizeof(T) + padding)); }
+    void deallocate(T* values, std::size_t count) noexcept { free_bulk(values, count * sizeof(T) + padding); }
+    template <class U>
+    void construct(U* value) noexcept {
+        BulkAllocator<U>().construct(value);
+    }
     bool operator==(const PaddedAllocator&) const = default;
 };
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "math/bulk.h"
 #include "scenes/padded_allocator.h"
 
 namespace zproof {
@@ -66,9 +67,9 @@ using Positions = std::vector<glm::vec3, PaddedAllocator<glm::vec3>>;
 /// is that of positions (vertices without it hold the default: normal 0, uv 0, colour 1).
 struct Vertices {
     Positions position_world;
-    std::vector<glm::vec3> normal_world;
-    std::vector<std::vector<glm::vec2>> uv;  ///< by uv set
-    std::vector<glm::vec4> color;            ///< linear RGBA
+    Bulk<glm::vec3> normal_world;
+    std::vector<Bulk<glm::vec2>> uv;  ///< by uv set
+    Bulk<glm::vec4> color;            ///< linear RGBA
 };
 
 /// A run of triangles that came from one primitive of one mesh at one node.
@@ -82,9 +83,9 @@ struct Part {
 struct Scene {
     std::string name;
     Vertices vertices;
-    std::vector<glm::uvec3> triangles;  ///< vertex indices, all in range
-    std::vector<Part> parts;            ///< in triangle order, covering every triangle
-    std::vector<Material> materials;    ///< at least one where there are parts
+    Bulk<glm::uvec3> triangles;       ///< vertex indices, all in range
+    std::vector<Part> parts;          ///< in triangle order, covering every triangle
+    std::vector<Material> materials;  ///< at least one where there are parts
     std::vector<Image> images;
     std::vector<std::string> notes;  ///< what baking left out or chose, one line each, for the report
 };

@@ -1,20 +1,31 @@
 #include "scenes/vector_block.h"
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace zproof {
-
-void VectorBlock::multiply(const glm::dmat3& m) {
+[[gnu::target_clones("default", "avx2", "avx512f")]] void VectorBlock::read(const unsigned char* packed) {
+    std::array<float, 3 * capacity> numbers;
+    std::memcpy(numbers.data(), packed, 3 * size_ * sizeof(float));
     for (std::size_t i = 0; i < size_; ++i) {
-        const double x = x_[i], y = y_[i], z = z_[i];
-        x_[i] = m[0][0] * x + m[1][0] * y + m[2][0] * z;
-        y_[i] = m[0][1] * x + m[1][1] * y + m[2][1] * z;
-        z_[i] = m[0][2] * x + m[1][2] * y + m[2][2] * z;
+        x_[i] = double{numbers[3 * i]};
+        y_[i] = double{numbers[3 * i + 1]};
+        z_[i] = double{numbers[3 * i + 2]};
     }
 }
 
-void VectorBlock::add(const glm::dvec3& vector) {
+[[gnu::target_clones("default", "avx2", "avx512f")]] void VectorBlock::multiply(const glm::dmat3& matrix) {
+    const glm::dmat3 m = matrix;
+    for (std::size_t i = 0; i < size_; ++i) {
+        const double x = x_[i], y = y_[i], z = z_[i];
+        x_[i] = m[0].x * x + m[1].x * y + m[2].x * z;
+        y_[i] = m[0].y * x + m[1].y * y + m[2].y * z;
+        z_[i] = m[0].z * x + m[1].z * y + m[2].z * z;
+    }
+}
+
+[[gnu::target_clones("default", "avx2", "avx512f")]] void VectorBlock::add(const glm::dvec3& vector) {
     for (std::size_t i = 0; i < size_; ++i) {
         x_[i] += vector.x;
         y_[i] += vector.y;
@@ -22,7 +33,7 @@ void VectorBlock::add(const glm::dvec3& vector) {
     }
 }
 
-void VectorBlock::normalize() {
+[[gnu::target_clones("default", "avx2", "avx512f")]] void VectorBlock::normalize() {
     for (std::size_t i = 0; i < size_; ++i) {
         const double length = std::sqrt(x_[i] * x_[i] + y_[i] * y_[i] + z_[i] * z_[i]);
         const double x = x_[i] / length, y = y_[i] / length, z = z_[i] / length;
@@ -33,8 +44,13 @@ void VectorBlock::normalize() {
     }
 }
 
-void VectorBlock::write(std::span<glm::vec3> to) const {
-    for (std::size_t i = 0; i < to.size(); ++i) to[i] = {x_[i], y_[i], z_[i]};
+[[gnu::target_clones("default", "avx2", "avx512f")]] void VectorBlock::write(std::span<glm::vec3> to) const {
+    float* numbers = &to.data()->x;
+    for (std::size_t i = 0; i < size_; ++i) {
+        numbers[3 * i] = static_cast<float>(x_[i]);
+        numbers[3 * i + 1] = static_cast<float>(y_[i]);
+        numbers[3 * i + 2] = static_cast<float>(z_[i]);
+    }
 }
 
 }  // namespace zproof

@@ -22,6 +22,8 @@ class VectorBlock {
         z_[i] = vector.z;
     }
 
+    /// Takes them from packed floats.
+    void read(const unsigned char* packed);
     void multiply(const glm::dmat3& matrix);
     void add(const glm::dvec3& vector);
     /// Divides each by its length; those without a direction (length 0, infinite or no number) become 0.

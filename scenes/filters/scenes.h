@@ -42,7 +42,7 @@ class TexturedMesh {
 
     suite::MeshBuilder mesh_;
     std::uint32_t vertex_count_ = 0;
-    std::vector<glm::vec2> uv_;
+    Bulk<glm::vec2> uv_;
     std::vector<Texture> textures_;
 };
 

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "scenes/suite/random.h"
 #include "scenes/suite/scenes.h"
@@ -10,26 +12,78 @@ namespace {
 
 double smooth(double t) { return t * t * (3 - 2 * t); }
 
-/// Value noise in [0, 1], smooth between random lattice values.
-double noise(double x, double y, std::uint64_t seed) {
-    const double floor_x = std::floor(x), floor_y = std::floor(y);
-    const int i = static_cast<int>(floor_x), j = static_cast<int>(floor_y);
-    const double s = smooth(x - floor_x), t = smooth(y - floor_y);
-    const auto mix = [](double a, double b, double weight) { return a + (b - a) * weight; };
-    return mix(mix(lattice_value(i, j, seed), lattice_value(i + 1, j, seed), s),
-               mix(lattice_value(i, j + 1, seed), lattice_value(i + 1, j + 1, seed), s), t);
+double mix(double a, double b, double weight) { return a + (b - a) * weight; }
+
+/// A coordinate among those of a lattice: whole part, and what smooth() makes of the rest.
+struct Among {
+    int whole;
+    double weight;
+};
+
+Among among(double coordinate) {
+    const double floor = std::floor(coordinate);
+    return {static_cast<int>(floor), smooth(coordinate - floor)};
 }
 
-/// Four octaves of noise: hills of about 12 units, ridges of about 1 unit.
-double terrain_height(double x, double z) {
-    double height = 0, amplitude = 12, frequency = 1.0 / 32;
-    for (std::uint64_t octave = 0; octave < 4; ++octave) {
-        height += amplitude * noise(x * frequency, z * frequency, octave);
-        amplitude *= 0.4;
-        frequency *= 2.75;
-    }
-    return height;
+/// heights += amplitude * mix(upper, lower, weight).
+[[gnu::target_clones("default", "avx2", "avx512f")]] void add_mixed(const double* upper, const double* lower,
+                                                                    double weight, double amplitude,
+                                                                    std::span<double> heights) {
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        heights[i] += amplitude * (upper[i] + (lower[i] - upper[i]) * weight);
 }
+
+/// Value noise in [0, 1], smooth between random lattice values, over columns at some x and rows at any z
+/// between two: along each line of the lattice it is interpolated once for all rows.
+class Noise {
+  public:
+    Noise(std::span<const double> x, double low_z, double high_z, double frequency, std::uint64_t seed)
+        : frequency_(frequency), first_line_(among(low_z * frequency).whole) {
+        for (int line = first_line_; line <= among(high_z * frequency).whole + 1; ++line) {
+            std::vector<double>& values = lines_.emplace_back();
+            for (const double column : x) {
+                const auto [whole, weight] = among(column * frequency);
+                values.push_back(
+                    mix(lattice_value(whole, line, seed), lattice_value(whole + 1, line, seed), weight));
+            }
+        }
+    }
+
+    /// Of a row, times the amplitude.
+    void add_to(std::span<double> heights, double z, double amplitude) const {
+        const auto [whole, weight] = among(z * frequency_);
+        const auto upper = static_cast<std::size_t>(whole - first_line_);
+        add_mixed(lines_[upper].data(), lines_[upper + 1].data(), weight, amplitude, heights);
+    }
+
+  private:
+    double frequency_;
+    int first_line_;
+    std::vector<std::vector<double>> lines_;  ///< a value for each column
+};
+
+/// Four octaves of noise over some columns: hills of about 12 units, ridges of about 1 unit.
+class Terrain {
+  public:
+    Terrain(std::span<const double> x, double low_z, double high_z) {
+        double frequency = 1.0 / 32;
+        for (std::uint64_t octave = 0; octave < 4; ++octave, frequency *= 2.75)
+            octaves_.emplace_back(x, low_z, high_z, frequency, octave);
+    }
+
+    std::vector<double> heights(double z, std::size_t columns) const {
+        std::vector<double> sum(columns, 0.0);
+        double amplitude = 12;
+        for (const Noise& octave : octaves_) {
+            octave.add_to(sum, z, amplitude);
+            amplitude *= 0.4;
+        }
+        return sum;
+    }
+
+  private:
+    std::vector<Noise> octaves_;
+};
 
 /// A random triangle around camera depth `depth`, about 64 px across at 1080 rows for half_height 0.3.
 void add_shard(MeshBuilder& mesh, Random& random, ImageSize size) {
@@ -47,9 +101,15 @@ void add_shard(MeshBuilder& mesh, Random& random, ImageSize size) {
 Loaded million_triangles(ImageSize size) {
     MeshBuilder mesh("million_triangles");
     mesh.begin_part("terrain", {0.45, 0.5, 0.3});
-    add_sheet(mesh, {.across = 1000, .down = 500}, [](double s, double t) {
-        const double x = 200 * s - 100, z = 100 * t - 100;
-        return glm::dvec3{x, terrain_height(x, z), z};
+    constexpr Cells cells{.across = 1000, .down = 500};
+    std::vector<double> x;
+    for (int column = 0; column <= cells.across; ++column)
+        x.push_back(200 * (static_cast<double>(column) / cells.across) - 100);
+    const Terrain terrain(x, -100, 0);
+    add_sheet_by_rows(mesh, cells, [&](int row, std::span<glm::vec3> p_world) {
+        const double z = 100 * (static_cast<double>(row) / cells.down) - 100;
+        const std::vector<double> heights = terrain.heights(z, x.size());
+        for (std::size_t i = 0; i < x.size(); ++i) p_world[i] = glm::dvec3{x[i], heights[i], z};
     });
     return mesh.finish(
         {perspective_view("oblique", size, {.eye_world = {8, 62, 36}, .target_world = {-3, 4, -46}},

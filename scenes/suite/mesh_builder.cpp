@@ -53,6 +53,20 @@ void MeshBuilder::lone_quad(const std::array<glm::dvec3, 4>& p_world) {
     quad({a, a + 1, a + 2, a + 3});
 }
 
+MeshBuilder::Room MeshBuilder::room_for(std::size_t vertices, std::size_t triangles) {
+    assert(!scene_.parts.empty());
+    const auto grow = [](auto& values, std::size_t count) {
+        const std::size_t first = values.size();
+        values.reserve(first + count);
+        values.resize(first + count);
+        return std::span{values}.subspan(first);
+    };
+    Room room{static_cast<std::uint32_t>(scene_.vertices.position_world.size()),
+              grow(scene_.vertices.position_world, vertices), grow(scene_.triangles, triangles)};
+    scene_.parts.back().triangle_count += static_cast<std::uint32_t>(triangles);
+    return room;
+}
+
 Loaded MeshBuilder::finish(std::vector<View> views) {
     return {std::exchange(scene_, Scene{}), std::move(views)};
 }

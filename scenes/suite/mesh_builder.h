@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,15 @@ class MeshBuilder {
     /// The same with vertices of their own, shared with nobody.
     void lone_triangle(const std::array<glm::dvec3, 3>& p_world);
     void lone_quad(const std::array<glm::dvec3, 4>& p_world);
+
+    /// Vertices and triangles of the current part that nobody has written yet.
+    struct Room {
+        std::uint32_t first_vertex;
+        std::span<glm::vec3> p_world;  ///< to be rounded as vertex() does
+        std::span<glm::uvec3> triangles;
+    };
+    /// Makes room for so many at once. To be filled before anything else is added.
+    Room room_for(std::size_t vertices, std::size_t triangles);
 
     /// The scene, with the views to judge it from. The builder is empty afterwards.
     Loaded finish(std::vector<View> views);

@@ -1,5 +1,7 @@
 #include "scenes/suite/shapes.h"
 
+#include <tbb/parallel_for.h>
+
 #include <utility>
 
 #include "scenes/suite/unit_circle.h"
@@ -12,7 +14,30 @@ std::uint32_t place(MeshBuilder& mesh, const Placement& placement, const glm::dv
     return mesh.vertex(placement.centre + placement.axes * p_shape);
 }
 
+/// Two triangles for each cell of a row, as MeshBuilder::quad() makes them. `first`: the row's first vertex,
+/// `stride` before the one below it.
+void write_cells(std::uint32_t first, std::uint32_t stride, std::span<glm::uvec3> triangles) {
+    for (std::uint32_t a = first; !triangles.empty(); ++a, triangles = triangles.subspan(2)) {
+        triangles[0] = {a, a + stride, a + stride + 1};
+        triangles[1] = {a, a + stride + 1, a + 1};
+    }
+}
+
 }  // namespace
+
+void add_sheet_by_rows(MeshBuilder& mesh, Cells cells, const RowOfSheet& write_row) {
+    const std::size_t across = std::size_t(cells.across), down = std::size_t(cells.down), stride = across + 1;
+    const MeshBuilder::Room room = mesh.room_for(stride * (down + 1), 2 * across * down);
+    tbb::parallel_for(std::size_t{0}, down + 1, [&](std::size_t row) {
+        const std::span<glm::vec3> points = room.p_world.subspan(row * stride, stride);
+        write_row(static_cast<int>(row), points);
+        for (glm::vec3& p : points) p += 0.0f;  // never -0
+        if (row == down) return;
+        const std::uint32_t first = room.first_vertex + static_cast<std::uint32_t>(row * stride);
+        write_cells(first, static_cast<std::uint32_t>(stride),
+                    room.triangles.subspan(2 * across * row, 2 * across));
+    });
+}
 
 void add_sheet(MeshBuilder& mesh, Cells cells, const PointOnSheet& point_at) {
     std::uint32_t first = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "scenes/suite/mesh_builder.h"
 
@@ -23,6 +24,12 @@ using PointOnSheet = std::function<glm::dvec3(double s, double t)>;
 
 /// An open sheet of cells.across x cells.down quads, from point_at(0, 0) to point_at(1, 1).
 void add_sheet(MeshBuilder& mesh, Cells cells, const PointOnSheet& point_at);
+
+/// Writes the points of row `row` (0: t = 0), from s = 0 to s = 1, on any thread.
+using RowOfSheet = std::function<void(int row, std::span<glm::vec3> p_world)>;
+
+/// The same for many cells: rows are made side by side.
+void add_sheet_by_rows(MeshBuilder& mesh, Cells cells, const RowOfSheet& write_row);
 
 /// The closed unit sphere: across >= 3 segments, down >= 2 rings, 2 across (down - 1) triangles.
 void add_sphere(MeshBuilder& mesh, const Placement& placement, Cells cells);

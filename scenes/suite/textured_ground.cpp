@@ -24,7 +24,7 @@ Image checker() {
 
 /// One texture repeat to 4 scene units of the ground.
 void wrap_ground(Scene& scene) {
-    std::vector<glm::vec2> uv;
+    Bulk<glm::vec2> uv;
     uv.reserve(scene.vertices.position_world.size());
     for (const glm::vec3& p_world : scene.vertices.position_world)
         uv.emplace_back(p_world.x / 4, p_world.z / 4);

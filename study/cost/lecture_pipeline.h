@@ -42,7 +42,7 @@ class LecturePipeline {
     const Scene& scene_;
     rasterizer::ViewSetup setup_;
     glm::vec3 eye_world_;
-    std::vector<glm::vec3> normals_, bus_positions_, bus_normals_, colours_;
+    Bulk<glm::vec3> normals_, bus_positions_, bus_normals_, colours_;
     rasterizer::ProjectedVertices projected_;
     rasterizer::TileBins bins_;
     Frame frame_;

@@ -37,7 +37,7 @@ class Icosphere {
             if (is_new) found->second = add(points_[a] + points_[b]);
             return found->second;
         };
-        std::vector<glm::uvec3> finer;
+        Bulk<glm::uvec3> finer;
         for (const glm::uvec3& f : faces_) {
             const std::uint32_t ab = middle(f.x, f.y), bc = middle(f.y, f.z), ca = middle(f.z, f.x);
             for (const glm::uvec3& part : {glm::uvec3{f.x, ab, ca}, glm::uvec3{ab, f.y, bc},
@@ -85,7 +85,7 @@ class Icosphere {
     }
 
     std::vector<glm::dvec3> points_;
-    std::vector<glm::uvec3> faces_;
+    Bulk<glm::uvec3> faces_;
 };
 
 /// Where a ray from the eye first meets the unit sphere.

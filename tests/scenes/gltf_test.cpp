@@ -14,7 +14,7 @@
 namespace zproof {
 namespace {
 
-using Triangles = std::vector<glm::uvec3>;
+using Triangles = Bulk<glm::uvec3>;
 
 const std::vector<float> five_points{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
 
@@ -159,7 +159,7 @@ TEST(Gltf, ReadsInterleavedAttributes) {
     gltf.primitive()["attributes"]["NORMAL"] = 1;
     const Scene scene = load_gltf(gltf.write(folder)).scene;
     EXPECT_EQ(scene.vertices.position_world, (Positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
-    EXPECT_EQ(scene.vertices.normal_world, (std::vector<glm::vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
+    EXPECT_EQ(scene.vertices.normal_world, (Bulk<glm::vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
 }
 
 TEST(Gltf, RefusesAnElementThatEndsOneByteBeyondItsView) {
@@ -187,7 +187,7 @@ TEST(Gltf, ReadsNormalizedIntegers) {
     gltf.primitive()["attributes"]["TEXCOORD_0"] = 2;
     const Scene scene = load_gltf(gltf.write(folder)).scene;
     EXPECT_EQ(scene.vertices.color.at(0), glm::vec4(1, 0, 0.2f, 0));
-    EXPECT_EQ(scene.vertices.uv.at(0), (std::vector<glm::vec2>{{1, 0}, {0.2f, 0}, {0, 1}}));
+    EXPECT_EQ(scene.vertices.uv.at(0), (Bulk<glm::vec2>{{1, 0}, {0.2f, 0}, {0, 1}}));
 }
 
 /// -128 and -127 both stand for -1.
@@ -272,8 +272,7 @@ TEST(Gltf, PadsAttributesThatSomePrimitivesLack) {
     gltf.json["meshes"][0]["primitives"] = {plain, with_normal, plain};
     const Scene scene = load_gltf(gltf.write(folder)).scene;
     const glm::vec3 none(0), z(0, 0, 1);
-    EXPECT_EQ(scene.vertices.normal_world,
-              (std::vector<glm::vec3>{none, none, none, z, z, z, none, none, none}));
+    EXPECT_EQ(scene.vertices.normal_world, (Bulk<glm::vec3>{none, none, none, z, z, z, none, none, none}));
 }
 
 /// The arrow of TextureTransformTest: with rotation 22.5 degrees its tip, uv (7/9, 7/9), must show at the

@@ -9,6 +9,8 @@
 namespace zproof {
 namespace {
 
+constexpr std::uint32_t every_bit = 0xFFFF'FFFF;
+
 template <typename T>
 const unsigned char* bytes_of(const std::vector<T>& numbers) {
     return reinterpret_cast<const unsigned char*>(numbers.data());
@@ -21,12 +23,13 @@ TEST(Largest, FindsItWhereverItStands) {
             std::vector<std::uint16_t> narrow(count, 3);
             wide[at] = 0xFFFF'FFFE;
             narrow[at] = 0xFFFE;
-            ASSERT_EQ(largest<std::uint32_t>(bytes_of(wide), count), 0xFFFF'FFFE) << at << " of " << count;
-            ASSERT_EQ(largest<std::uint16_t>(bytes_of(narrow), count), 0xFFFE) << at << " of " << count;
+            ASSERT_EQ(largest(bytes_of(wide), count, every_bit), 0xFFFF'FFFE) << at << " of " << count;
+            ASSERT_EQ(largest(bytes_of(narrow), count, std::uint16_t(every_bit)), 0xFFFE)
+                << at << " of " << count;
         }
 }
 
-TEST(Largest, OfNothingIsZero) { EXPECT_EQ(largest<std::uint32_t>(nullptr, 0), 0u); }
+TEST(Largest, OfNothingIsZero) { EXPECT_EQ(largest(nullptr, 0, every_bit), 0u); }
 
 TEST(Largest, TellsWhatIsNotFinite) {
     const auto is_finite = [](float value) {

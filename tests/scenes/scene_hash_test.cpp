@@ -51,7 +51,7 @@ TEST(SceneHash, LeavesOutWhatHasNoSayInWhichTriangleIsSeen) {
     renamed.name = "other";
     renamed.notes = {"a note"};
     renamed.materials.resize(3);
-    renamed.vertices.normal_world.resize(4);
+    renamed.vertices.normal_world.assign(4, glm::vec3(0));
     EXPECT_EQ(sha256_of(renamed), sha256_of(square()));
 }
 

@@ -7,8 +7,10 @@
 #include <map>
 #include <vector>
 
+#include "scenes/scene_hash.h"
 #include "scenes/suite.h"
 #include "scenes/suite/random.h"
+#include "scenes/suite/shapes.h"
 #include "scenes/suite/unit_circle.h"
 
 namespace zproof {
@@ -163,8 +165,28 @@ TEST(GuardBand, HasAPaneWhoseCornersRoundUpByAUnitRoundoffInOneOverDepth) {
         }
 }
 
-TEST(MillionTriangles, AreExactlyThat) {
-    EXPECT_EQ(generate_suite_scene("million_triangles").scene.triangles.size(), 1'000'000u);
+TEST(MillionTriangles, AreExactlyThatAndTheSameOnEveryMachine) {
+    const Scene scene = generate_suite_scene("million_triangles").scene;
+    EXPECT_EQ(scene.triangles.size(), 1'000'000u);
+    EXPECT_EQ(sha256_of(scene), "64977e587e94ca956e4b462860040ce88d1305dc6c632ef8ea90217145bfaf19");
+}
+
+TEST(Sheet, ByRowsIsWhatItIsPointByPoint) {
+    constexpr suite::Cells cells{.across = 8, .down = 4};
+    const auto point = [](double s, double t) { return glm::dvec3{s / 3, -0.0, -t}; };
+    suite::MeshBuilder by_points("sheet"), by_rows("sheet");
+    for (suite::MeshBuilder* mesh : {&by_points, &by_rows}) {
+        mesh->begin_part("before", glm::vec3(1));
+        mesh->lone_triangle({glm::dvec3(0), glm::dvec3(1), glm::dvec3(2)});
+        mesh->begin_part("sheet", glm::vec3(1));
+    }
+    suite::add_sheet(by_points, cells, point);
+    suite::add_sheet_by_rows(by_rows, cells, [&](int row, std::span<glm::vec3> p_world) {
+        for (std::size_t i = 0; i < p_world.size(); ++i) p_world[i] = point(double(i) / 8, double(row) / 4);
+    });
+    const Scene expected = by_points.finish({}).scene, made = by_rows.finish({}).scene;
+    EXPECT_EQ(sha256_of(made), sha256_of(expected));
+    EXPECT_EQ(made.parts.back().triangle_count, expected.parts.back().triangle_count);
 }
 
 TEST(DeepOverdraw, IsTwentyDeepOnAverageAndNowhereThin) {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <vector>
@@ -54,6 +55,20 @@ TEST(VectorBlock, TransformsAsGlmDoes) {
                 block.add(translation);
             },
             [&](const glm::dvec3& v) { return matrix * v + translation; });
+}
+
+TEST(VectorBlock, ReadsFloatsThatLieAnywhere) {
+    for (const std::size_t size : {std::size_t{1}, std::size_t{7}, VectorBlock::capacity}) {
+        std::vector<glm::vec3> floats;
+        for (const glm::dvec3& v : assorted(size)) floats.emplace_back(v);
+        std::vector<unsigned char> bytes(1 + size * sizeof(glm::vec3));
+        std::memcpy(bytes.data() + 1, floats.data(), size * sizeof(glm::vec3));
+        VectorBlock block(size);
+        block.read(bytes.data() + 1);
+        std::vector<glm::vec3> found(size);
+        block.write(found);
+        for (std::size_t i = 0; i < size; ++i) ASSERT_EQ(bits(found[i]), bits(floats[i])) << "vector " << i;
+    }
 }
 
 TEST(VectorBlock, NormalizesAsGlmDoesAndKeepsSigns) {

@@ -11,7 +11,7 @@
 namespace zproof::study::projection {
 namespace {
 
-Scene scene_of(const std::vector<glm::vec3>& corners, const std::vector<glm::uvec3>& triangles) {
+Scene scene_of(const std::vector<glm::vec3>& corners, const Bulk<glm::uvec3>& triangles) {
     Scene scene;
     scene.name = "test";
     scene.vertices.position_world.assign(corners.begin(), corners.end());

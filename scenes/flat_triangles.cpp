@@ -1,0 +1,42 @@
+#include "scenes/flat_triangles.h"
+
+#include <cstring>
+
+namespace zproof {
+namespace {
+
+/// A vertex and whatever follows it in memory, side by side.
+typedef float Floats __attribute__((vector_size(16)));
+typedef double Doubles __attribute__((vector_size(32)));
+typedef std::int64_t Longs __attribute__((vector_size(32)));
+
+static_assert(sizeof(glm::vec3) + Positions::allocator_type::padding >= sizeof(Floats));
+
+/// Counted in each of the first three lanes; what the last one holds means nothing. Without a branch: in a
+/// box or a house every other triangle lies in a plane of the axes, so that one component alone tells
+/// nothing.
+inline __attribute__((always_inline)) std::uint64_t flat_side_by_side(std::span<const glm::uvec3> triangles,
+                                                                      const glm::vec3* positions) {
+    constexpr Longs yzx{1, 2, 0, 3}, zxy{2, 0, 1, 3};
+    Longs flat{};
+    for (const glm::uvec3& t : triangles) {
+        Floats corner[3];
+        for (int i = 0; i < 3; ++i) std::memcpy(&corner[i], positions + t[i], sizeof(Floats));
+        const Doubles origin = __builtin_convertvector(corner[0], Doubles);
+        const Doubles a = __builtin_convertvector(corner[1], Doubles) - origin;
+        const Doubles b = __builtin_convertvector(corner[2], Doubles) - origin;
+        const Longs zero = __builtin_shuffle(a, yzx) * __builtin_shuffle(b, zxy) ==
+                           __builtin_shuffle(a, zxy) * __builtin_shuffle(b, yzx);
+        flat -= zero & __builtin_shuffle(zero, yzx) & __builtin_shuffle(zero, zxy);
+    }
+    return static_cast<std::uint64_t>(flat[0]);
+}
+
+}  // namespace
+
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] std::uint64_t flat_among(
+    std::span<const glm::uvec3> triangles, const Positions& positions) {
+    return flat_side_by_side(triangles, positions.data());
+}
+
+}  // namespace zproof
