@@ -1,8 +1,11 @@
-/// The rays of 4 x 4 pixels at a time, as Embree takes them: what does not change from pixel to pixel is
-/// worked out once per view.
+/// The rays of 4 x 4 pixels at a time, as Embree takes them: what belongs to a view, a column or a row of
+/// pixels is worked out once per view.
 #pragma once
 
 #include <embree3/rtcore.h>
+
+#include <array>
+#include <vector>
 
 #include "oracle/primary_ray.h"
 
@@ -15,23 +18,28 @@ class BlockRays {
 
     explicit BlockRays(const View& view);
 
-    /// Fills origin, direction, tnear and tfar with the bits of primary_ray(view, left + lane % 4, top + lane
-    /// / 4), and the rest with what Embree wants of a fresh ray.
+    /// Fills what all rays of the view have in common, with their bits in primary_ray(): tnear, origins or
+    /// directions, and what Embree wants of a fresh ray but tfar.
+    void begin(RTCRay16& rays) const;
+
+    /// Fills the rest, for the pixels (left + lane % 4, top + lane / 4), with the bits of primary_ray():
+    /// directions or origins, and tfar, where Embree has left what it hit. left and top: multiples of 4, at
+    /// most 3 pixels beyond the image.
     void aim(int left, int top, RTCRay16& rays) const;
 
     /// As PrimaryRay has it; the same for all.
     double origin_depth() const { return any_.origin_depth; }
 
   private:
-    /// One coordinate of what varies, as primary_ray() adds it up.
+    /// One coordinate of what varies, as primary_ray() adds it up: (column + row) + last.
     struct Coordinate {
-        double first = 0, right = 0, up = 0, last = 0;
+        std::vector<double> of_column, of_row;
+        double last = 0;
     };
 
-    View view_;
     PrimaryRay any_;
     bool perspective_;
-    Coordinate varying_[3];
+    std::array<Coordinate, 3> varying_;
 };
 
 }  // namespace zproof::oracle

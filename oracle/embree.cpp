@@ -31,9 +31,13 @@ struct Packet {
     alignas(64) RTCRayHit16 rays;
 
     Packet() {
+        std::fill_n(rays.hit.instID[0], lane_count, RTC_INVALID_GEOMETRY_ID);
+        begin();
+    }
+    /// Asks for all lanes, and forgets what was hit.
+    void begin() {
         valid.fill(-1);
         std::fill_n(rays.hit.geomID, lane_count, RTC_INVALID_GEOMETRY_ID);
-        std::fill_n(rays.hit.instID[0], lane_count, RTC_INVALID_GEOMETRY_ID);
     }
     bool is_hit(int lane) const { return rays.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
 };
@@ -77,25 +81,36 @@ struct Found {
     alignas(64) std::array<float, lane_count> camera_depth;
 };
 
+/// Nearly all views begin at the eye: nothing is added there but to the sign of zero.
+float camera_depth_at(float t, double origin_depth) {
+    return origin_depth == 0 ? t + 0.0f : float(origin_depth + double{t});
+}
+
 Found found_by(const Packet& packet, double origin_depth) {
     Found found;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
         const bool is_hit = packet.is_hit(int(lane));
-        const auto depth = static_cast<float>(origin_depth + double{packet.rays.ray.tfar[lane]});
+        const float depth = camera_depth_at(packet.rays.ray.tfar[lane], origin_depth);
         found.primitive[lane] = is_hit ? PrimitiveId{packet.rays.hit.primID[lane]} : PrimitiveId::none;
         found.camera_depth[lane] = is_hit ? depth : background_depth;
     }
     return found;
 }
 
+/// Of a whole block: a number of values that the compiler knows.
+template <class T>
+void store_row(const T* values, int columns, T* to) {
+    if (columns == block_side)
+        std::copy_n(values, block_side, to);
+    else
+        std::copy_n(values, columns, to);
+}
+
 void store(const Found& found, const Block& block, const Part& part, Frame& frame) {
-    const int columns = part.columns;
     for (int row = 0; row < part.rows; ++row) {
-        const int first = row * block_side;
-        std::copy_n(&found.primitive[std::size_t(first)], columns,
-                    &frame.primitive.at(block.x, block.y + row));
-        std::copy_n(&found.camera_depth[std::size_t(first)], columns,
-                    &frame.camera_depth.at(block.x, block.y + row));
+        const auto first = std::size_t(row * block_side);
+        store_row(&found.primitive[first], part.columns, &frame.primitive.at(block.x, block.y + row));
+        store_row(&found.camera_depth[first], part.columns, &frame.camera_depth.at(block.x, block.y + row));
     }
 }
 
@@ -106,9 +121,10 @@ void intersect(RTCScene scene, Packet& packet) {
     rtcIntersect16(packet.valid.data(), scene, &context, &packet.rays);
 }
 
-void trace_block(RTCScene scene, const BlockRays& rays, const Block& block, Frame& frame) {
-    Packet packet;
+/// packet: begun for the view, and left as the block before had it.
+void trace_block(RTCScene scene, const BlockRays& rays, const Block& block, Packet& packet, Frame& frame) {
     const Part part = part_in(frame.size(), block);
+    packet.begin();
     if (!part.is_whole()) leave_out_what_is_beyond(packet, part);
     rays.aim(block.x, block.y, packet.rays.ray);
     intersect(scene, packet);
@@ -116,19 +132,27 @@ void trace_block(RTCScene scene, const BlockRays& rays, const Block& block, Fram
 }
 
 /// Of a Morton code: every second bit, from the lowest.
-int every_second_bit(unsigned code) {
+constexpr int every_second_bit(unsigned code) {
     int bits = 0;
     for (int i = 0; i < 16; ++i) bits |= int(code >> 2 * i & 1) << i;
     return bits;
 }
 
-/// A square of blocks, each near the one before it.
+/// Where a tile's blocks stand in it, each near the one before it.
+constexpr auto blocks_of_tile = [] {
+    std::array<Block, blocks_per_tile_side * blocks_per_tile_side> blocks{};
+    for (unsigned code = 0; code < blocks.size(); ++code)
+        blocks[code] = {every_second_bit(code) * block_side, every_second_bit(code >> 1) * block_side};
+    return blocks;
+}();
+
 void trace_tile(RTCScene scene, const BlockRays& rays, const Block& tile, Frame& frame) {
-    for (unsigned code = 0; code < blocks_per_tile_side * blocks_per_tile_side; ++code) {
-        const Block block{tile.x + every_second_bit(code) * block_side,
-                          tile.y + every_second_bit(code >> 1) * block_side};
+    Packet packet;
+    rays.begin(packet.rays.ray);
+    for (const Block& in_tile : blocks_of_tile) {
+        const Block block{tile.x + in_tile.x, tile.y + in_tile.y};
         if (block.x < frame.size().width && block.y < frame.size().height)
-            trace_block(scene, rays, block, frame);
+            trace_block(scene, rays, block, packet, frame);
     }
 }
 
