@@ -41,7 +41,7 @@ struct BoundedTriangle {
 class Acquaintance {
   public:
     /// much: triangles, of which one thread knows that many before it forgets; some 1 KiB each.
-    Acquaintance(const Scene& scene, const View& view, std::size_t much = 16384)
+    Acquaintance(const Scene& scene, const View& view, std::size_t much = 1024)
         : scene_(scene), view_(view), much_(much), filters_(view), any_(view, 0, 0) {}
 
     const KnownTriangle& of(std::uint32_t triangle) {

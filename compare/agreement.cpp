@@ -26,21 +26,39 @@ struct Tile {
     int left, top, right, bottom;
 };
 
-/// A record in the making. Neighbouring pixels often fall into one bin: they are counted side by side.
-struct Count {
-    static constexpr std::size_t lanes = 8;
-    std::array<std::array<std::uint64_t, Strip::uncounted + 1>, lanes> bins{};
-    Largest largest{};
-
-    void add(const Strip::Values<std::int32_t>& bin) {
+/// Both records in the making. What the two renderers' depths of a pixel fall into is counted as one:
+/// histograms are its sums. Neighbouring pixels often fall into the same: they are counted side by side.
+class Count {
+  public:
+    /// Of a strip, where both are uncounted or neither is; at most 2^32 pixels in all.
+    void add(const Strip::Values<std::int32_t>& ours, const Strip::Values<std::int32_t>& theirs) {
         for (std::size_t first = 0; first < Strip::width; first += lanes)
-            for (std::size_t i = 0; i < lanes; ++i) ++bins[i][std::size_t(bin[first + i])];
+            for (std::size_t i = 0; i < lanes; ++i)
+                ++pairs_[i][std::size_t(ours[first + i] * stride + theirs[first + i])];
     }
-    void add_to(BoundRecord& record) const {
-        for (const double l : largest) record.max_error_over_bound = std::max(record.max_error_over_bound, l);
-        for (const auto& lane : bins)
-            for (std::size_t i = 0; i < record.histogram.size(); ++i) record.histogram[i] += lane[i];
+    void add_to(Tally& tally) const {
+        for (const double l : candidate_largest) raise(tally.candidate, l);
+        for (const double l : reference_largest) raise(tally.reference, l);
+        for (const auto& lane : pairs_)
+            for (int a = 0; a < Strip::uncounted; ++a)
+                for (int b = 0; b < Strip::uncounted; ++b) {
+                    const std::uint32_t pixels = lane[std::size_t(a * stride + b)];
+                    tally.candidate.histogram[std::size_t(a)] += pixels;
+                    tally.reference.histogram[std::size_t(b)] += pixels;
+                }
     }
+
+    Largest candidate_largest{}, reference_largest{};
+
+  private:
+    static constexpr std::size_t lanes = 4;
+    static constexpr int stride = 32;  ///< a power of two above `uncounted`
+
+    static void raise(BoundRecord& record, double ratio) {
+        record.max_error_over_bound = std::max(record.max_error_over_bound, ratio);
+    }
+
+    std::array<std::array<std::uint32_t, (Strip::uncounted + 1) * stride>, lanes> pairs_{};
 };
 
 /// Fetches what the next tile will read of a row: tiles end long before the processor sees where they lead.
@@ -81,8 +99,8 @@ class Comparison {
             look_up_laws(strip);
         }
         shown_.make_laws();
-        Presort::Largest largest{known(candidate_count_.largest, largest_.candidate),
-                                 known(reference_count_.largest, largest_.reference)};
+        Presort::Largest largest{known(count_.candidate_largest, largest_.candidate),
+                                 known(count_.reference_largest, largest_.reference)};
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
             presort(largest, strip);
@@ -94,16 +112,15 @@ class Comparison {
             }
             settle(strip, open);
         }
-        raise(candidate_count_.largest, largest.candidate);
-        raise(reference_count_.largest, largest.reference);
-        tell(candidate_count_.largest, largest_.candidate);
-        tell(reference_count_.largest, largest_.reference);
+        raise(count_.candidate_largest, largest.candidate);
+        raise(count_.reference_largest, largest.reference);
+        tell(count_.candidate_largest, largest_.candidate);
+        tell(count_.reference_largest, largest_.reference);
     }
 
     Tally tally() const {
         Tally all = one_by_one_;
-        candidate_count_.add_to(all.candidate);
-        reference_count_.add_to(all.reference);
+        count_.add_to(all);
         return all;
     }
 
@@ -171,9 +188,8 @@ class Comparison {
     }
 
     void settle(Strip& strip, OpenTiles& open) {
-        sort_out(strip, candidate_count_.largest, reference_count_.largest);
-        candidate_count_.add(strip.candidate.bin);
-        reference_count_.add(strip.reference.bin);
+        sort_out(strip, count_.candidate_largest, count_.reference_largest);
+        count_.add(strip.candidate.bin, strip.reference.bin);
         for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
             if (strip.open[chunk] == 0) continue;
             const ColumnMask left = still_open(strip, chunk);
@@ -215,7 +231,7 @@ class Comparison {
     ShownTriangles shown_;
     Presort presort_;
     std::array<Strip, tile_height> strips_;
-    Count candidate_count_, reference_count_;
+    Count count_;
     Tally one_by_one_;
     PixelLook look_;
 };

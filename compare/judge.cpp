@@ -23,18 +23,19 @@ struct Kept {
     JudgedInFull* full;
 };
 
-/// The pixels that stay open; depths are counted into the verdict.
+/// The pixels that stay open; depths are counted into the verdict, and all pixels' classes say that they
+/// agree.
 OpenTiles first_pass(const Comparands& of, const Kept& kept) {
     OpenTiles open(of.view);
     LargestSoFar largest;
     const int rows = open.tiles().rows;
     std::vector<Tally> tallies(static_cast<std::size_t>(rows));
     tbb::parallel_for(0, rows, [&](int row) {
-        const int top = row * Tiles::side_px;
-        tallies[std::size_t(row)] = compare_rows(of.scene, of.candidate, of.reference,
-                                                 {top, std::min(top + Tiles::side_px, of.view.height),
-                                                  largest, kept.full ? &kept.full->errors : nullptr},
-                                                 open);
+        const int top = row * Tiles::side_px, bottom = std::min(top + Tiles::side_px, of.view.height);
+        for (int y = top; y < bottom; ++y) std::ranges::fill(kept.verdict.classes.row(y), PixelClass::agree);
+        tallies[std::size_t(row)] =
+            compare_rows(of.scene, of.candidate, of.reference,
+                         {top, bottom, largest, kept.full ? &kept.full->errors : nullptr}, open);
     });
     Tally sum;
     for (const Tally& tally : tallies) add(sum, tally);
@@ -149,7 +150,7 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     if (candidate.frame.size() != size || reference.frame.size() != size)
         throw std::invalid_argument("judge: both frames must have the view's size");
     Verdict verdict;
-    verdict.classes = Plane<PixelClass>(size, PixelClass::agree);
+    verdict.classes = Plane<PixelClass>::unwritten(size);
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
     const Comparands comparands{scene, view, ours, theirs};
     OpenTiles open = first_pass(comparands, {verdict, full});

@@ -1,31 +1,58 @@
 #include "compare/open_tiles.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace zproof {
 
+namespace {
+
+/// Calls visit(column, y, row) for the rows of a band's tiles that have open pixels, in raster order.
+template <class Band, class Visit>
+void for_each_row(Band& band, int tile_row, const Visit& visit) {
+    std::vector<decltype(band.data())> tiles;
+    for (auto& tile : band) tiles.push_back(&tile);
+    std::ranges::sort(tiles, {}, [](const auto* tile) { return tile->column; });
+    for (std::size_t y = 0; y < Tiles::side_px; ++y)
+        for (auto* const tile : tiles)
+            if (tile->rows[y].pixels != 0)
+                visit(tile->column, tile_row * Tiles::side_px + int(y), tile->rows[y]);
+}
+
+}  // namespace
+
 void OpenTiles::open(int column, int y, ColumnMask pixels, ColumnMask lawful) {
-    Row& row = row_[index(column, y)];
+    const int tile_row = y / Tiles::side_px;
+    Band& band = bands_[std::size_t(tile_row)];
+    std::uint16_t& place = place_[tiles_.index(column, tile_row)];
+    if (place == 0) {
+        band.push_back({.column = column});
+        place = std::uint16_t(band.size());
+    }
+    OpenTile& tile = band[place - 1u];
+    Row& row = tile.rows[std::size_t(y % Tiles::side_px)];
     row.pixels |= pixels;
     row.lawful |= lawful & pixels;
-    count_[tiles_.index(column, y / Tiles::side_px)] += std::uint32_t(std::popcount(pixels));
+    tile.count += std::uint32_t(std::popcount(pixels));
 }
 
 std::size_t OpenTiles::number() {
     std::uint32_t count = 0;
-    for (Row& row : row_) {
-        row.first = count;
-        if (row.pixels != 0) count += std::uint32_t(std::popcount(row.pixels));  // few are open anywhere
-    }
+    for (std::size_t i = 0; i < bands_.size(); ++i)
+        for_each_row(bands_[i], int(i), [&](int, int, Row& row) {
+            row.first = count;
+            count += std::uint32_t(std::popcount(row.pixels));
+        });
     return count;
 }
 
 std::vector<PixelPlace> OpenTiles::places() const {
     std::vector<PixelPlace> all;
-    for (int y = 0; y < height_; ++y)
-        for (int column = 0; column < tiles_.columns; ++column)
-            for (ColumnMask rest = row(column, y).pixels; rest != 0; rest &= rest - 1)
+    for (std::size_t i = 0; i < bands_.size(); ++i)
+        for_each_row(bands_[i], int(i), [&](int column, int y, const Row& row) {
+            for (ColumnMask rest = row.pixels; rest != 0; rest &= rest - 1)
                 all.push_back({column * Tiles::side_px + std::countr_zero(rest), y});
+        });
     return all;
 }
 

@@ -1,6 +1,8 @@
 /// The pixels that the first pass leaves open, by tile and row.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "compare/pixel_place.h"
@@ -21,7 +23,7 @@ class OpenTiles {
     };
 
     explicit OpenTiles(const View& view)
-        : tiles_(view), height_(view.height), row_(tiles_.count() * Tiles::side_px), count_(tiles_.count()) {}
+        : tiles_(view), place_(tiles_.count()), bands_(std::size_t(tiles_.rows)) {}
 
     /// Opens pixels of a row of a tile; `lawful` as Row has it. Several threads may open pixels of different
     /// rows of tiles. Places are known after number().
@@ -30,26 +32,41 @@ class OpenTiles {
     std::size_t number();
 
     const Tiles& tiles() const { return tiles_; }
-    const Row& row(int column, int y) const { return row_[index(column, y)]; }
+    const Row& row(int column, int y) const {
+        static constexpr Row nothing_open{};
+        const OpenTile* const tile = tile_at(column, y / Tiles::side_px);
+        return tile ? tile->rows[std::size_t(y % Tiles::side_px)] : nothing_open;
+    }
     /// Are both depths of an open pixel lawful for certain?
     bool is_lawful(const PixelPlace& pixel) const {
         const int column = pixel.x / Tiles::side_px;
         return (row(column, pixel.y).lawful >> (pixel.x - column * Tiles::side_px) & 1) != 0;
     }
     /// Open pixels of a tile.
-    std::uint32_t count(int column, int tile_row) const { return count_[tiles_.index(column, tile_row)]; }
+    std::uint32_t count(int column, int tile_row) const {
+        const OpenTile* const tile = tile_at(column, tile_row);
+        return tile ? tile->count : 0;
+    }
     /// All open pixels in raster order.
     std::vector<PixelPlace> places() const;
 
   private:
-    std::size_t index(int column, int y) const {
-        return std::size_t(y) * std::size_t(tiles_.columns) + std::size_t(column);
+    /// A tile with open pixels. Of most frames few are: the others take no memory.
+    struct OpenTile {
+        int column;
+        std::uint32_t count = 0;
+        std::array<Row, Tiles::side_px> rows{};
+    };
+    using Band = std::vector<OpenTile>;  ///< those of a row of tiles, as they were opened
+
+    const OpenTile* tile_at(int column, int tile_row) const {
+        const std::uint16_t place = place_[tiles_.index(column, tile_row)];
+        return place != 0 ? &bands_[std::size_t(tile_row)][place - 1u] : nullptr;
     }
 
     Tiles tiles_;
-    int height_;
-    std::vector<Row> row_;
-    std::vector<std::uint32_t> count_;  ///< by tile
+    std::vector<std::uint16_t> place_;  ///< by tile: in its band, counted from 1; 0 where nothing is open
+    std::vector<Band> bands_;
 };
 
 }  // namespace zproof
