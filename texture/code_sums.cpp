@@ -65,6 +65,15 @@ void scan(ConstSums columns, Sums out, int channels) {
     scan_rest(columns, out, 0, std::size_t(channels));
 }
 
+/// Adds a row's codes to the sums of its columns. Those of 8 bits gain from wider vectors.
+[[gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] void add_row(std::span<const std::uint8_t> codes,
+                                                                         Sums columns) {
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i] += codes[i];
+}
+void add_row(std::span<const std::uint16_t> codes, Sums columns) {
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i] += codes[i];
+}
+
 template <class Code>
 class Build {
   public:
@@ -85,16 +94,16 @@ class Build {
     using Columns = std::vector<std::uint32_t>;
 
     int first_row(int band, int count) const { return int(std::int64_t{codes_.height} * band / count); }
-    void add_row(int row, Columns& columns) const {
-        const Code* const codes = &codes_.values[std::size_t(row) * stride_];
-        for (std::size_t i = 0; i < stride_; ++i) columns[i] += codes[i];
+    std::span<const Code> row_at(int row) const {
+        return std::span(codes_.values).subspan(std::size_t(row) * stride_, stride_);
     }
     void add_rows(int band, int count, Columns& columns) const {
-        for (int row = first_row(band, count); row < first_row(band + 1, count); ++row) add_row(row, columns);
+        for (int row = first_row(band, count); row < first_row(band + 1, count); ++row)
+            add_row(row_at(row), columns);
     }
     void sum_band(int band, int count, Columns& columns) const {
         for (int row = first_row(band, count); row < first_row(band + 1, count); ++row) {
-            add_row(row, columns);
+            add_row(row_at(row), columns);
             scan(columns, sums_.subspan(std::size_t(row) * stride_, stride_), codes_.channels);
         }
     }
