@@ -11,8 +11,9 @@ std::string percent(double share) {
 }
 
 std::string extent_of(const Explanation& e, const Diagnosis& d) {
-    const std::string asked = e.asked < d.defects ? grouped(e.asked) + " of " : "";
-    return percent(explained_share(e)) + " of " + asked + counted(d.defects, "defect");
+    const std::string share = percent(explained_share(e)) + " of ";
+    if (e.asked == d.defects) return share + counted(d.defects, "defect");
+    return share + counted(e.asked, "defect") + " tried, of " + grouped(d.defects) + " in all";
 }
 
 std::string in_words(const Diagnosis& d) {

@@ -1,9 +1,12 @@
 #include "reports/html.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "reports/class_style.h"
 #include "reports/document/page.h"
+#include "reports/extent.h"
 #include "reports/html_parts.h"
 #include "reports/page_scripts.h"
 #include "reports/wording.h"
@@ -55,7 +58,7 @@ std::string headline(const Results& results) {
     add(Outcome::defective, "defective");
     add(Outcome::unreadable, "unreadable");
     add(Outcome::not_judged, "not judged");
-    return text + ", of " + counted(views, "view") + ".";
+    return text + ", of " + in_words(extent_of(results)) + ".";
 }
 
 std::string provenance(const Results& r) {
@@ -176,22 +179,29 @@ std::string study_section(const document::Document& study, const std::string& an
 
 }  // namespace
 
-std::string to_html(const Results& results, const std::filesystem::path& run_folder, std::size_t budget,
-                    std::span<const document::Document> studies) {
+Page html_page(const Results& results, const std::filesystem::path& run_folder, std::size_t budget,
+               std::span<const document::Document> studies) {
     const std::vector<PageView> pages = page_views(results, run_folder, picture_budget(budget));
     const std::string script = script_element(viewer_script());
     std::string sections;
     for (const PageView& one : pages) sections += html_view(one);
     for (std::size_t i = 0; i < studies.size(); ++i)
         sections += study_section(studies[i], anchor_of_study(i));
-    const std::string begin = head(results) + "<body>\n<header>\n<h1>" + escaped(headline(results)) +
-                              "</h1>\n" + provenance(results) + "</header>\n<main>\n" + summary(pages) +
-                              links_to(studies);
-    const std::string end = html_renderers(results) + legend() + sections + "</main>\n";
+    std::string begin = head(results) + "<body>\n<header>\n<h1>" + escaped(headline(results)) + "</h1>\n" +
+                        provenance(results) + "</header>\n<main>\n" + summary(pages) + links_to(studies);
+    std::string end = html_renderers(results) + legend() + sections + "</main>\n";
     const std::size_t spent =
         begin.size() + end.size() + script.size() + (1 + pages.size()) * reserve_per_view;
-    const PagePlanes planes = page_planes(pages, run_folder, budget > spent ? budget - spent : 0);
-    return begin + omissions(planes) + end + planes.elements + script + "</body>\n</html>\n";
+    PagePlanes planes = page_planes(pages, run_folder, budget > spent ? budget - spent : 0);
+    Page page{std::move(begin), omissions(planes), std::move(end)};
+    std::ranges::move(planes.elements, std::back_inserter(page));
+    page.emplace_back(script + "</body>\n</html>\n");
+    return page;
+}
+
+std::string to_html(const Results& results, const std::filesystem::path& run_folder, std::size_t budget,
+                    std::span<const document::Document> studies) {
+    return text_of(html_page(results, run_folder, budget, studies));
 }
 
 }  // namespace zproof

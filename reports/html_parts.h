@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/verdict.h"
+#include "reports/page_text.h"
 #include "reports/results.h"
 
 namespace zproof {
@@ -36,7 +37,7 @@ std::vector<PageView> page_views(const Results& results, const std::filesystem::
 /// What the viewer reads, as elements of the page: the run, and of each view's planes.zvp as much as the
 /// budget (bytes of the page) allows.
 struct PagePlanes {
-    std::string elements;
+    Page elements;
     std::size_t blocks_left_out = 0, bytes_left_out = 0;
 };
 PagePlanes page_planes(const std::vector<PageView>& pages, const std::filesystem::path& run_folder,

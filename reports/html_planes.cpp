@@ -1,7 +1,5 @@
 #include <algorithm>
 
-#include "frame/whole_file.h"
-#include "reports/base64.h"
 #include "reports/class_style.h"
 #include "reports/deep_link.h"
 #include "reports/html_parts.h"
@@ -29,42 +27,34 @@ int tier_of(const std::string& block) {
 struct Choice {
     const PageView* page = nullptr;
     std::filesystem::path file;
-    std::vector<std::string> names;
-    std::vector<std::string> guesses;  ///< the block that decoding takes besides; empty: none
-    std::vector<std::size_t> sizes;
-    std::vector<bool> taken;
+    planes::Directory directory;
+    std::vector<bool> taken;  ///< of the directory's blocks
 };
 
 Choice choice_for(const PageView& page, const std::filesystem::path& run_folder) {
-    Choice choice{.page = &page,
-                  .file = run_folder / page.view->folder / "planes.zvp",
-                  .names = {},
-                  .guesses = {},
-                  .sizes = {},
-                  .taken = {}};
+    Choice choice{
+        .page = &page, .file = run_folder / page.view->folder / "planes.zvp", .directory = {}, .taken = {}};
     if (page.view->folder.empty() || !std::filesystem::exists(choice.file)) return choice;
-    for (const planes::Block& block :
-         planes::unpacked(content_of(choice.file), choice.file.string()).blocks) {
-        choice.names.push_back(block.name);
-        choice.guesses.push_back(block.facts.value("beside", ""));
-        choice.sizes.push_back(block.content.size());
-    }
-    choice.taken.resize(choice.names.size(), false);
+    choice.directory = planes::directory_of(choice.file);
+    choice.taken.resize(choice.directory.blocks.size(), false);
     return choice;
 }
 
 /// Is there what decoding block i needs? Guesses stand before what is guessed from them.
 bool has_guess(const Choice& choice, std::size_t i) {
-    if (choice.guesses[i].empty()) return true;
-    const auto guess = std::ranges::find(choice.names, choice.guesses[i]);
-    return guess != choice.names.end() && choice.taken[std::size_t(guess - choice.names.begin())];
+    const std::vector<planes::BlockPlace>& blocks = choice.directory.blocks;
+    const std::string name = blocks[i].facts.value("beside", "");
+    if (name.empty()) return true;
+    const auto guess = std::ranges::find(blocks, name, &planes::BlockPlace::name);
+    return guess != blocks.end() && choice.taken[std::size_t(guess - blocks.begin())];
 }
 
 /// Takes what fits of one tier.
 void take(Choice& choice, int tier, std::size_t& budget) {
-    for (std::size_t i = 0; i < choice.names.size(); ++i) {
-        const std::size_t cost = (choice.sizes[i] + 2) / 3 * 4 + 200;  // base64, and its line in the header
-        if (choice.taken[i] || tier_of(choice.names[i]) != tier || cost > budget || !has_guess(choice, i))
+    for (std::size_t i = 0; i < choice.taken.size(); ++i) {
+        const planes::BlockPlace& block = choice.directory.blocks[i];
+        const std::size_t cost = (block.size + 2) / 3 * 4 + 200;  // base64, and its line in the header
+        if (choice.taken[i] || tier_of(block.name) != tier || cost > budget || !has_guess(choice, i))
             continue;
         choice.taken[i] = true;
         budget -= cost;
@@ -81,20 +71,30 @@ void choose(std::vector<Choice>& choices, std::size_t budget) {
         for (Choice& choice : choices) take(choice, tier, budget);
 }
 
-std::string planes_element(const Choice& choice) {
-    if (std::ranges::count(choice.taken, true) == 0) return "";
-    planes::Container all = planes::unpacked(content_of(choice.file), choice.file.string());
-    planes::Container kept{std::move(all.header), {}};
-    for (std::size_t i = 0; i < all.blocks.size(); ++i)
-        if (choice.taken[i]) kept.blocks.push_back(std::move(all.blocks[i]));
-    return "<script type=\"application/zvp\" id=\"planes-" + choice.page->anchor + "\">" +
-           base64(planes::packed(kept)) + "</script>\n";
+/// A container of the blocks that were taken.
+FileAsBase64 taken_from(const Choice& choice) {
+    FileAsBase64 bytes{.front = {}, .file = choice.file, .ranges = {}};
+    planes::Directory kept{choice.directory.header, {}};
+    for (std::size_t i = 0; i < choice.taken.size(); ++i) {
+        if (!choice.taken[i]) continue;
+        kept.blocks.push_back(choice.directory.blocks[i]);
+        bytes.ranges.push_back({kept.blocks.back().first, kept.blocks.back().size});
+    }
+    bytes.front = planes::packed_front(kept);
+    return bytes;
+}
+
+void append_planes(Page& page, const Choice& choice) {
+    if (std::ranges::count(choice.taken, true) == 0) return;
+    page.emplace_back("<script type=\"application/zvp\" id=\"planes-" + choice.page->anchor + "\">");
+    page.emplace_back(taken_from(choice));
+    page.emplace_back("</script>\n");
 }
 
 json left_out(const Choice& choice) {
     json names = json::array();
-    for (std::size_t i = 0; i < choice.names.size(); ++i)
-        if (!choice.taken[i]) names.push_back(choice.names[i]);
+    for (std::size_t i = 0; i < choice.taken.size(); ++i)
+        if (!choice.taken[i]) names.push_back(choice.directory.blocks[i].name);
     return names;
 }
 
@@ -114,7 +114,7 @@ json facts_of(const Choice& choice) {
                {"triangles", v.triangles},
                {"counts", v.counts},
                {"leftOut", left_out(choice)},
-               {"planes", !choice.names.empty()}};
+               {"planes", !choice.taken.empty()}};
     if (v.diagnosis && v.diagnosis->cause) facts["cause"] = one_line(v.diagnosis->cause->name);
     return facts;
 }
@@ -155,15 +155,17 @@ PagePlanes page_planes(const std::vector<PageView>& pages, const std::filesystem
     for (const PageView& page : pages) choices.push_back(choice_for(page, run_folder));
     json views = json::array();
     choose(choices, budget);
+    for (const Choice& choice : choices) views.push_back(facts_of(choice));
     PagePlanes planes;
+    planes.elements.emplace_back(json_element("run", {{"views", std::move(views)}, {"classes", classes()}}));
     for (const Choice& choice : choices) {
-        views.push_back(facts_of(choice));
-        planes.elements += planes_element(choice);
-        for (std::size_t i = 0; i < choice.names.size(); ++i)
-            if (!choice.taken[i]) ++planes.blocks_left_out, planes.bytes_left_out += choice.sizes[i];
+        append_planes(planes.elements, choice);
+        for (std::size_t i = 0; i < choice.taken.size(); ++i) {
+            if (choice.taken[i]) continue;
+            ++planes.blocks_left_out;
+            planes.bytes_left_out += choice.directory.blocks[i].size;
+        }
     }
-    planes.elements =
-        json_element("run", {{"views", std::move(views)}, {"classes", classes()}}) + planes.elements;
     return planes;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "reports/diagnosis_words.h"
+#include "reports/extent.h"
 #include "reports/waiver_standing.h"
 #include "reports/wording.h"
 
@@ -47,7 +48,7 @@ std::string headline(const Results& results) {
     };
     std::uint64_t waived = 0;
     for (const ViewResult& v : results.views) waived += waived_count(v);
-    std::string text = "## zproof: " + counted(results.views.size(), "view") + ", " +
+    std::string text = "## zproof: " + in_words(extent_of(results)) + ", " +
                        std::to_string(count(Outcome::proven)) + " proven";
     for (const Outcome outcome : {Outcome::defective, Outcome::unreadable, Outcome::not_judged})
         if (count(outcome) > 0)

@@ -1,6 +1,7 @@
 #include "reports/results.h"
 
 #include <algorithm>
+#include <cctype>
 
 namespace zproof {
 
@@ -36,9 +37,22 @@ std::string_view name_of(Outcome outcome) {
     return "not_judged";
 }
 
+std::string title_of(const RendererFacts& renderer) {
+    const auto& [name, version, precision] = renderer;
+    const auto alike = [](char a, char b) {
+        return std::tolower(std::uint8_t(a)) == std::tolower(std::uint8_t(b));
+    };
+    if (version.empty()) return name;
+    const bool repeats =
+        version.size() >= name.size() && std::equal(name.begin(), name.end(), version.begin(), alike);
+    return repeats ? version : name + " " + version;
+}
+
 bool was_judged(const ViewResult& view) {
     return view.outcome == Outcome::proven || view.outcome == Outcome::defective;
 }
+
+bool stands_for_a_scene(const ViewResult& view) { return view.view.empty() && !was_judged(view); }
 
 std::uint64_t defect_count(const ClassCounts& counts) {
     std::uint64_t sum = 0;

@@ -45,6 +45,9 @@ struct RendererFacts {
     std::string precision;  ///< what it declares, as JSON (frame/precision_text.h)
 };
 
+/// Name and version: "povray POV-Ray 3.7"; the version alone where it begins with the name, "Embree 4.3".
+std::string title_of(const RendererFacts& renderer);
+
 /// One more renderer, judged against the same reference. Its defects are its own: they do not fail the view.
 struct WitnessResult {
     std::string name;
@@ -87,6 +90,10 @@ struct ViewResult {
 
 /// Has the judge seen it? Only then do counts and depth records say something.
 bool was_judged(const ViewResult& view);
+
+/// Does it stand for a whole scene? One that could not be read or was not begun has views, nobody knows how
+/// many.
+bool stands_for_a_scene(const ViewResult& view);
 
 /// Pixels whose class fails the gate, waived or not.
 std::uint64_t defect_count(const ClassCounts& counts);

@@ -44,7 +44,7 @@ std::string count_changes(const ViewChange& c) {
 
 std::string pixel_line(std::string_view what, const std::optional<std::vector<DefectPixel>>& pixels) {
     if (!pixels || pixels->empty()) return "";
-    std::string text = "    " + std::string(what) + " " + counted(pixels->size(), "defect") + ":";
+    std::string text = "    " + counted(pixels->size(), std::string(what) + " defect") + ":";
     for (std::size_t i = 0; i < std::min(pixels_named, pixels->size()); ++i)
         text += " (" + std::to_string((*pixels)[i].x) + ", " + std::to_string((*pixels)[i].y) + ") " +
                 std::string(name_of((*pixels)[i].verdict));
@@ -54,7 +54,7 @@ std::string pixel_line(std::string_view what, const std::optional<std::vector<De
 std::string who(const Results& r) {
     std::string text = "zproof " + r.version + ", " + r.embree;
     for (const RendererFacts& facts : r.renderers)
-        text += "; " + facts.name + (facts.version.empty() ? "" : " " + facts.version);
+        if (title_of(facts) != r.embree) text += "; " + title_of(facts);
     return one_line(text);
 }
 

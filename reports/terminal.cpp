@@ -4,6 +4,7 @@
 #include <array>
 
 #include "reports/diagnosis_words.h"
+#include "reports/extent.h"
 #include "reports/renderer_record.h"
 #include "reports/wording.h"
 
@@ -92,7 +93,9 @@ std::string shortened(const std::string& name) {
     return name.substr(0, place(keep - 1)) + "…" + name.substr(place(width_of(name) - keep));
 }
 
-std::string title_of(const ViewResult& v) { return one_line(v.scene) + "/" + one_line(v.view); }
+std::string title_of(const ViewResult& v) {
+    return one_line(v.scene) + (stands_for_a_scene(v) ? "" : "/" + one_line(v.view));
+}
 
 /// "3 (2 waived)": the defects that fail the gate, and those that waivers let pass.
 std::string defects_cell(const ViewResult& v) {
@@ -104,7 +107,8 @@ std::string cell(const ViewResult& v, PixelClass c) { return grouped(v.counts[st
 
 Row row_of(const ViewResult& v) {
     Row row{verdict_text(v.outcome), shortened(title_of(v))};
-    row[12] = fixed(seconds(v.times), 2);
+    const bool was_begun = v.outcome != Outcome::not_judged || seconds(v.times) > 0;
+    if (was_begun) row[12] = fixed(seconds(v.times), 2);
     if (!was_judged(v)) return row;
     const std::uint64_t pixels = std::uint64_t(v.width) * std::uint64_t(v.height);
     return {row[0],
@@ -208,7 +212,7 @@ std::string witness_lines(const Results& results) {
 }
 
 std::string outcomes(const Results& results, Colour colour) {
-    std::string text = counted(results.views.size(), "view") + ":";
+    std::string text = in_words(extent_of(results)) + ":";
     for (const Outcome outcome :
          {Outcome::proven, Outcome::defective, Outcome::unreadable, Outcome::not_judged}) {
         const auto count = std::ranges::count(results.views, outcome, &ViewResult::outcome);

@@ -6,7 +6,8 @@
 /// The header's "blocks" lists them in order with "name" and "bytes", and whatever else decoding one needs.
 #pragma once
 
-#include <functional>
+#include <cstdint>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -31,5 +32,24 @@ std::string packed(const Container& container);
 
 /// Throws ReportError, naming `place`, where the text is no such container.
 Container unpacked(std::string_view text, const std::string& place);
+
+/// Where a block's content stands in a file.
+struct BlockPlace {
+    std::string name;
+    nlohmann::json facts;
+    std::uint64_t first = 0, size = 0;  ///< bytes
+};
+
+/// A container without what its blocks hold.
+struct Directory {
+    nlohmann::json header;
+    std::vector<BlockPlace> blocks;
+};
+
+/// Of the container in a file, whose blocks are not read. Throws ReportError, naming it, where it is none.
+Directory directory_of(const std::filesystem::path& file);
+
+/// All of packed() that stands before the contents of these blocks.
+std::string packed_front(const Directory& directory);
 
 }  // namespace zproof::planes

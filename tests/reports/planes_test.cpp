@@ -121,6 +121,20 @@ TEST(PlaneContainer, GivesBackHeaderAndBlocks) {
     EXPECT_EQ(back.blocks[1].content, "");
 }
 
+TEST(PlaneContainer, SaysWhereBlocksStandInAFile) {
+    const TemporaryFolder folder;
+    const Container container{{{"width", 8}}, {{"a", {{"coding", "bytes"}}, "1234"}, {"b", {}, "56"}}};
+    const std::string bytes = packed(container);
+    write_whole_file(folder.path() / "planes.zvp", bytes);
+    const Directory directory = directory_of(folder.path() / "planes.zvp");
+    EXPECT_EQ(directory.header, container.header);
+    ASSERT_EQ(directory.blocks.size(), 2u);
+    EXPECT_EQ(directory.blocks[0].facts, container.blocks[0].facts);
+    EXPECT_EQ(bytes.substr(directory.blocks[0].first, directory.blocks[0].size), "1234");
+    EXPECT_EQ(bytes.substr(directory.blocks[1].first, directory.blocks[1].size), "56");
+    EXPECT_EQ(packed_front(directory), bytes.substr(0, directory.blocks[0].first));
+}
+
 TEST(PlaneContainer, RefusesWhatIsNoneAndNamesThePlace) {
     const std::string good = packed({{{"width", 8}}, {{"a", {{"coding", "bytes"}}, "1234"}}});
     for (const std::string& bad :
@@ -131,6 +145,16 @@ TEST(PlaneContainer, RefusesWhatIsNoneAndNamesThePlace) {
             ADD_FAILURE() << bad.size() << " bytes were taken";
         } catch (const ReportError& e) {
             EXPECT_EQ(std::string(e.what()).rfind("run/planes.zvp: no planes of a view: ", 0), 0u)
+                << e.what();
+        }
+        const TemporaryFolder folder;
+        const std::filesystem::path file = folder.path() / "planes.zvp";
+        write_whole_file(file, bad);
+        try {
+            directory_of(file);
+            ADD_FAILURE() << bad.size() << " bytes of a file were taken";
+        } catch (const ReportError& e) {
+            EXPECT_EQ(std::string(e.what()).rfind(file.string() + ": no planes of a view: ", 0), 0u)
                 << e.what();
         }
     }

@@ -69,6 +69,29 @@ TEST(ResultsDiff, CountsDefectsThatMovedAsNew) {
     EXPECT_FALSE(is_worse(change(two, two)));
 }
 
+TEST(ResultsDiff, CountsNewAndFixedDefectsInWords) {
+    const std::vector<DefectPixel> one{{1, 1, PixelClass::hole}},
+        others{{2, 1, PixelClass::hole}, {3, 1, PixelClass::hole}};
+    const std::string table = differences_table(two, two, {change(two, two, &one, &others)});
+    EXPECT_NE(table.find("    2 new defects: (2, 1) hole"), std::string::npos) << table;
+    EXPECT_NE(table.find("    1 fixed defect: (1, 1) hole\n"), std::string::npos) << table;
+}
+
+TEST(ResultsDiff, NamesEmbreeOnce) {
+    Results before = two, after = two;
+    before.embree = "Embree 3.13.5", after.embree = "Embree 4.3.3";
+    before.renderers = {{"embree", before.embree, "{}"}, {"povray", "POV-Ray 3.7", "{}"}};
+    const std::string table = differences_table(before, after, {});
+    EXPECT_NE(table.find("before: zproof , Embree 3.13.5; povray POV-Ray 3.7\n"), std::string::npos) << table;
+}
+
+TEST(RendererFacts, AreTitledWithoutSayingTheNameTwice) {
+    EXPECT_EQ(title_of({"embree", "Embree 3.13.5 (AVX2)", ""}), "Embree 3.13.5 (AVX2)");
+    EXPECT_EQ(title_of({"povray", "POV-Ray 3.7", ""}), "povray POV-Ray 3.7");
+    EXPECT_EQ(title_of({"embree", "", ""}), "embree");
+    EXPECT_EQ(title_of({"embree", "Emb", ""}), "embree Emb");
+}
+
 TEST(ResultsDiff, TakesWaivedDefectsForPassing) {
     Results waived = three;
     waived.views[0].waived[hole] = 3;

@@ -54,6 +54,27 @@ TEST(Terminal, TellsTheLikelyCause) {
         std::string::npos);
 }
 
+TEST(Terminal, TellsHowManyDefectsWereTried) {
+    Results results = sample_results();
+    Diagnosis& diagnosis = *results.views[1].diagnosis;
+    diagnosis.defects = 16'000;
+    diagnosis.cause->asked = diagnosis.cause->explained = 1000;
+    EXPECT_NE(summary_table(results, Colour::plain)
+                  .find("(explains 100% of 1,000 defects tried, of 16,000 in all)\n"),
+              std::string::npos);
+}
+
+TEST(Terminal, CountsScenesWhoseViewsAreNotKnown) {
+    Results results = sample_results();
+    results.views.back().view = "";
+    results.views.back().times = {};
+    const std::vector<std::string> lines = lines_of(summary_table(results, Colour::plain));
+    EXPECT_TRUE(lines[4].starts_with("? not judged  empty  ")) << lines[4];
+    EXPECT_FALSE(lines[4].ends_with("0.00")) << lines[4];
+    EXPECT_TRUE(lines[lines.size() - 2].starts_with("3 views and 1 whole scene:  ✓ 1 proven"))
+        << lines.back();
+}
+
 TEST(Terminal, HasALinePerWitness) {
     const std::string text = summary_table(sample_results(), Colour::plain);
     EXPECT_NE(text.find("\npovray: 1 view, 5 defects, err/bound 0.125\n"), std::string::npos) << text;

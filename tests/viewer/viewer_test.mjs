@@ -127,6 +127,15 @@ describe('a deep link', () => {
         await page.close();
     });
 
+    it('forgets the pixel where another view is opened, also one that the page holds no planes of', async () => {
+        const page = await openReport(browser, failing, '#view=room-door&x=100&y=50');
+        await page.evaluate(() => document.querySelectorAll('script[id^=planes-]').forEach((element) => element.remove()));
+        await press(page, ']');
+        await says(page, 'holds no planes');
+        await page.waitForURL(/#view=room-floor$/);
+        await page.close();
+    });
+
     it('to what is not there is answered in words', async () => {
         const page = await browser.newPage();
         await page.goto(`file://${failing}/report.html#view=nowhere&x=1&y=1`);
@@ -220,6 +229,21 @@ describe('filters', () => {
         await page.evaluate(() => document.activeElement.blur());
         await press(page, 'x');
         assert.equal(await paneDigest(page, 0), before);
+        await page.close();
+    });
+
+    it('and their highlight outlive a change of the theme', async () => {
+        const page = await openReport(browser, failing, '#view=room-door');
+        await page.focus('#viewer canvas.histogram >> nth=0');
+        await page.keyboard.press('ArrowRight');
+        await page.keyboard.press('Enter');
+        const caption = () => page.textContent('#viewer .histogram-box p >> nth=0');
+        assert.match(await caption(), /shown alone/);
+        const shown = () => page.evaluate(() => document.querySelector('#viewer canvas.histogram').toDataURL());
+        const before = await shown();
+        await press(page, 't');
+        assert.match(await caption(), /shown alone/);
+        assert.notEqual(await shown(), before, 'drawn in the colours of the theme');
         await page.close();
     });
 

@@ -108,6 +108,7 @@ export class App {
         const {current} = this;
         current.index = index;
         current.planes = planes;
+        current.look = new Look(planes ?? view);  // without the pixel of the view before
         current.selection = null;
         delete this.root.dataset.view;
         this.list.setCurrent(index);
@@ -117,7 +118,6 @@ export class App {
         this.inspector.show(null, -1, -1);
         this.drawer.show();
         if (!planes) return this.notice.tell(view.message || 'This page holds no planes of this view.');
-        current.look = new Look(planes);
         current.look.fit(this.panes.size);
         const offered = new Set([...planes.names(), ...view.leftOut]);
         await Promise.all([
@@ -190,7 +190,7 @@ export class App {
     switchTheme(): void {
         toggleTheme();
         this.panes.redraw();
-        this.drawer.clearHistograms();
+        this.drawer.redraw();
     }
 
     async check(): Promise<void> {

@@ -54,9 +54,10 @@ export class Drawer {
 
     clearFilter(): void { this.filter(null, ''); }
 
-    clearHistograms(): void {
-        this.errors.clear();
-        this.ulps.clear();
+    /// In the colours of the theme.
+    redraw(): void {
+        this.errors.draw();
+        this.ulps.draw();
     }
 
     private chooseBin(which: Counted, bin: number): void {

@@ -83,7 +83,7 @@ export class Histogram {
         return `${grouped(all)} pixels; median ${quantile(0.5)}; 99 % up to ${quantile(0.99)}; largest ${quantile(1)}`;
     }
 
-    private draw(): void {
+    draw(): void {
         if (!this.bins || !this.canvas.clientWidth) return;
         const {context, scale} = fittedCanvas(this.canvas), {counts, bound} = this.bins;
         const width = this.canvas.width, height = this.canvas.height;
