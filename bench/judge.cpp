@@ -16,42 +16,41 @@ struct Stage {
     std::optional<Loaded> loaded;
     std::optional<oracle::Embree> embree;
 
-    void set(const std::string& scene) {
-        if (name == scene) return;
+    /// Is it set anew?
+    bool set(const std::string& scene) {
+        if (name == scene) return false;
         embree.reset();
         loaded = generate_suite_scene(scene, 1920, 1080);
         embree.emplace(loaded->scene);
         name = scene;
+        return true;
     }
 };
 
 void add_view(const std::shared_ptr<Stage>& stage, const std::string& scene, std::size_t index,
               const std::string& view_name) {
     const std::string name = "judge/" + scene + "-" + view_name;
-    add(name + "/Embree's rays", [=] {
-        stage->set(scene);
-        benchmark::DoNotOptimize(stage->embree->trace(stage->loaded->views[index]));
-    });
+    const auto set = [=] { return [=, is_new = new_once()] { return stage->set(scene) | is_new(); }; };
+    const auto rays = [=] { benchmark::DoNotOptimize(stage->embree->trace(stage->loaded->views[index])); };
+    add(name + "/Embree's rays", rays, {}, set());
     struct Frames {
         Frame candidate, reference;
     };
     const Lazy<Frames> frames{[=] {
-        stage->set(scene);
         const View& view = stage->loaded->views[index];
         return Frames{rasterizer::render(stage->loaded->scene, view), stage->embree->trace(view)};
     }};
     const auto judged = [=](const auto& judge) {
         return [=] {
             const auto& [candidate, reference] = *frames;
-            stage->set(scene);
             const View& view = stage->loaded->views[index];
             benchmark::DoNotOptimize(judge(stage->loaded->scene, view,
                                            Testimony{candidate, rasterizer::precision()},
                                            Testimony{reference, oracle::embree_precision()}));
         };
     };
-    add(name + "/zproof", judged(judge));
-    add(name + "/judge_in_full", judged(judge_in_full));
+    add(name + "/zproof", judged(judge), {}, set());
+    add(name + "/judge_in_full", judged(judge_in_full), {}, set());
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace zproof::bench {
 
@@ -17,19 +19,26 @@ void add_tables();
 void add_filters();
 void add_truth();
 
-/// Wall clock of the iteration, and processor time of all threads beside it. The first call makes what the
-/// work needs, and is not timed. `items`, where there are any, are counted per second.
+/// `count` are counted per second, where there are any.
 struct Items {
     std::string name;
     double count = 0;
 };
+
+/// Says that something is new the first time that it is asked.
+inline std::function<bool()> new_once() {
+    return [asked = std::make_shared<bool>(false)] { return !std::exchange(*asked, true); };
+}
+
+/// Wall clock of the iteration, and processor time of all threads beside it. `prepare` is called before every
+/// repetition, which others may have come before; where it says that what the work needs is new, the first
+/// call makes the rest of it. Neither is timed.
 template <class Work>
-void add(const std::string& name, const Work& work, const Items& items = {}) {
-    const auto is_warm = std::make_shared<bool>(false);
+void add(const std::string& name, const Work& work, const Items& items = {},
+         const std::function<bool()>& prepare = new_once()) {
     benchmark::RegisterBenchmark(name.c_str(),
                                  [=](benchmark::State& state) {
-                                     if (!*is_warm) work();
-                                     *is_warm = true;
+                                     if (prepare()) work();
                                      for (auto _ : state) work();
                                      if (items.count > 0)
                                          state.counters[items.name] = benchmark::Counter(
