@@ -10,6 +10,7 @@
 #include "cli/outcome_code.h"
 #include "cli/progress.h"
 #include "cli/times_table.h"
+#include "reports/extent.h"
 #include "reports/github.h"
 #include "reports/markdown.h"
 #include "reports/report_error.h"
@@ -48,14 +49,13 @@ void remark_on_waivers(const Results& results) {
                       << one_line(advice) << "\n";
 }
 
-/// "16 views"; where some were not judged, "8 of 16 views, 8 not judged".
+/// "16 views"; where some were not judged, "8 views; 6 views and 1 whole scene not judged".
 std::string judged_views(const Results& results) {
-    const auto left =
-        std::size_t(std::ranges::count(results.views, Outcome::not_judged, &ViewResult::outcome));
-    const std::string all = counted(results.views.size(), "view");
-    if (left == 0) return all;
-    return std::to_string(results.views.size() - left) + " of " + all + ", " + std::to_string(left) +
-           " not judged";
+    const auto was_left = [](const ViewResult& view) { return view.outcome == Outcome::not_judged; };
+    const auto was_tried = [&](const ViewResult& view) { return !was_left(view); };
+    const Extent left = extent_of(results, was_left);
+    const std::string tried = in_words(extent_of(results, was_tried));
+    return left.views + left.whole_scenes == 0 ? tried : tried + "; " + in_words(left) + " not judged";
 }
 
 /// Of all reports that were written, the one for people.

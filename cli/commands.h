@@ -61,10 +61,11 @@ ExitCode execute(const DoctorArguments& arguments);
 /// Prints the suite: each scene with its reason and the classes that it must show.
 ExitCode execute(const ListArguments& arguments);
 
-/// Writes suite scenes as NAME.glb and NAME.view.json.
+/// Writes suite scenes as NAME.glb and NAME.view.json. SceneError for a scene that there is not, before
+/// anything is written.
 ExitCode execute(const GenerateArguments& arguments);
 
-/// Holds texture filters to the truth, scene by scene, and writes a study (docs/filters.md). UsageError for a
+/// Holds texture filters to the truth, scene by scene, and writes a study (docs/filters.md). SceneError for a
 /// scene that there is not. An interrupt ends it after the method in hand; what was done is written.
 ExitCode execute(const FiltersRunArguments& arguments);
 
@@ -84,7 +85,7 @@ ExitCode execute(const FiltersCheckArguments& arguments);
 /// Writes the page that answers the lecture's questions about Crow 1984.
 ExitCode execute(const FiltersCrowArguments& arguments);
 
-/// Performs a study and writes its folder, terminal table included (cli/study/study.h). UsageError for a
+/// Performs a study and writes its folder, terminal table included (cli/study/study.h). SceneError for a
 /// scene that there is not. An interrupt ends it after the view in hand; what was done is written.
 ExitCode execute(const StudyArguments& arguments);
 

@@ -37,8 +37,16 @@ void note_interrupts() {
 bool interrupted() { return noted; }
 
 ExitCode say_interrupted(Share share, std::string_view unit, std::string_view how) {
-    std::cerr << "zproof: interrupted: " << share.done << " of " << share.all << " " << unit
-              << (share.all == 1 ? " " : "s ") << how << ", " << share.all - share.done << " not\n";
+    std::cerr << "zproof: interrupted: ";
+    if (share.all == 0)
+        std::cerr << "no " << unit << " " << how;
+    else
+        std::cerr << share.done << " of " << share.all << " " << unit << (share.all == 1 ? " " : "s ") << how
+                  << ", " << share.all - share.done << " not";
+    if (share.scenes_left > 0)
+        std::cerr << "; " << share.scenes_left << (share.scenes_left == 1 ? " scene" : " scenes")
+                  << " not begun";
+    std::cerr << "\n";
     return ExitCode::interrupted;
 }
 

@@ -18,10 +18,11 @@ bool interrupted();
 /// How much of some work was done.
 struct Share {
     std::size_t done, all;
+    std::size_t scenes_left = 0;  ///< not begun: how much they are of the work is not known
 };
 
 /// Says on stderr what is finished and what is not: "zproof: interrupted: 2 of 5 views judged and written, 3
-/// not". Returns ExitCode::interrupted.
+/// not; 4 scenes not begun". Returns ExitCode::interrupted.
 ExitCode say_interrupted(Share share, std::string_view unit, std::string_view how);
 
 }  // namespace zproof

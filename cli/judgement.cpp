@@ -13,25 +13,28 @@
 #include "cli/version.h"
 #include "oracle/embree.h"
 #include "oracle/oracle_error.h"
+#include "reports/extent.h"
 #include "reports/output_folder.h"
 
 namespace zproof {
 namespace {
 
-/// An interrupt that comes when everything is judged changes nothing any more.
-Ending judge_all(const std::vector<SceneSource>& sources, const Desk& desk, std::vector<ViewResult>& views) {
-    Ending ending = Ending::complete;
+/// An interrupt that comes when everything is judged changes nothing any more. Returns how many scenes it
+/// kept from being begun.
+std::size_t judge_all(const std::vector<SceneSource>& sources, const Desk& desk, Results& results) {
+    std::size_t left = 0;
     for (const SceneSource& source : sources) {
-        if (ending == Ending::interrupted || interrupted()) {
-            ending = Ending::interrupted;
-            views.push_back(left_by_interrupt(source));
+        if (results.ending == Ending::interrupted || interrupted()) {
+            results.ending = Ending::interrupted;
+            results.views.push_back(left_by_interrupt(source));
+            ++left;
             continue;
         }
         SceneReport report = run_scene(source, desk);
-        ending = report.ending;
-        std::ranges::move(report.views, std::back_inserter(views));
+        results.ending = report.ending;
+        std::ranges::move(report.views, std::back_inserter(results.views));
     }
-    return ending;
+    return left;
 }
 
 /// What an earlier run into this folder found; nothing where there was none, or one of another version.
@@ -65,9 +68,10 @@ std::vector<RendererFacts> roll_call(const Parties& parties) {
     return present;
 }
 
-/// A scene that was left counts as one view.
-Share judged_of(const Results& results) {
-    return {std::size_t(std::ranges::count_if(results.views, was_judged)), results.views.size()};
+/// Of the views that are known.
+Share judged_of(const Results& results, std::size_t scenes_left) {
+    return {std::size_t(std::ranges::count_if(results.views, was_judged)),
+            std::size_t(extent_of(results).views), scenes_left};
 }
 
 }  // namespace
@@ -92,18 +96,19 @@ ExitCode judge_and_report(const Assignment& assignment) {
     note_interrupts();
 
     FolderNames names;
+    std::size_t scenes_left = 0;
     {
         Progress progress{std::cerr, resolve(report.progress), expected_work(sources, report.out)};
         const Desk desk{settings.resolution, out.working(), names, progress, parties, gate,
                         report.pictures,     only_view};
         on_threads(settings.threads,
-                   [&, &scenes = sources] { results.ending = judge_all(scenes, desk, results.views); });
+                   [&, &scenes = sources] { scenes_left = judge_all(scenes, desk, results); });
     }
-    write_reports(out.working(), results, report.formats);
+    on_threads(settings.threads, [&] { write_reports(out.working(), results, report.formats); });
     out.publish();
     const ExitCode code = announce(results, report);
-    return code == ExitCode::interrupted ? say_interrupted(judged_of(results), "view", "judged and written")
-                                         : code;
+    if (code != ExitCode::interrupted) return code;
+    return say_interrupted(judged_of(results, scenes_left), "view", "judged and written");
 }
 
 }  // namespace zproof

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cli/commands.h"
+#include "cli/refusal.h"
 #include "cli/usage_error.h"
 
 namespace zproof {
@@ -17,17 +18,18 @@ ExitCode complain(std::string_view kind, const std::exception& e, ExitCode code)
 
 /// The one place where errors meet. A failing pixel is a result and is not among them.
 ExitCode guarded_run(int argc, const char* const* argv) {
+    std::string_view refusal = "cannot read the settings";
     try {
-        const ExitCode code = std::visit([](const auto& arguments) { return execute(arguments); },
-                                         parse_command_line(argc, argv, [](const std::string& name) {
-                                             return std::getenv(name.c_str());
-                                         }));
+        const Command command =
+            parse_command_line(argc, argv, [](const std::string& name) { return std::getenv(name.c_str()); });
+        refusal = refusal_of(command);
+        const ExitCode code = std::visit([](const auto& arguments) { return execute(arguments); }, command);
         if (!std::cout.flush()) throw std::runtime_error{"stdout: cannot be written; is the disk full?"};
         return code;
     } catch (const UsageError& e) {
         return complain("usage", e, ExitCode::usage);
     } catch (const std::runtime_error& e) {  // the world refused: nothing is said about the renderer
-        return complain("cannot judge", e, ExitCode::cannot_judge);
+        return complain(refusal, e, ExitCode::cannot_judge);
     } catch (const std::exception& e) {  // logic_error, bad_alloc: our own fault
         return complain("internal error", e, ExitCode::internal);
     }

@@ -18,12 +18,19 @@ std::string line_for(const ViewResult& view) {
     line += "  " + one_line(view.scene);
     if (!view.view.empty()) line += " / " + one_line(view.view);
     if (!view.message.empty()) line += ": " + one_line(view.message);
-    return line + "  " + fixed(seconds(view.times), 1) + " s";
+    const double took = seconds(view.times);
+    return took > 0 ? line + "  " + fixed(took, 1) + " s" : line;  // one that was not begun took none
 }
 
 double all_of(const std::vector<SceneWork>& scenes) {
     return std::accumulate(scenes.begin(), scenes.end(), 0.0,
                            [](double sum, const SceneWork& scene) { return sum + scene.work; });
+}
+
+/// Scenes differ by orders of magnitude: before they were measured, a few say nothing of the others.
+Estimate estimate_for(const std::vector<SceneWork>& scenes) {
+    const bool any = std::ranges::count(scenes, SceneWork::Known::measured, &SceneWork::known) > 0;
+    return any ? Estimate::from_the_start : Estimate::from_half_of_the_work;
 }
 
 }  // namespace
@@ -39,12 +46,16 @@ std::vector<SceneWork> expected_work(const std::vector<std::string>& scenes, con
     const double otherwise = count == 0 ? 1 : known / double(count);
     std::vector<SceneWork> work;
     for (const std::string& scene : scenes)
-        work.push_back({scene, took.contains(scene) ? took[scene] : otherwise});
+        work.push_back(took.contains(scene) ? SceneWork{scene, took[scene], SceneWork::Known::measured}
+                                            : SceneWork{scene, otherwise});
     return work;
 }
 
 Progress::Progress(std::ostream& out, ProgressStyle style, std::vector<SceneWork> scenes)
-    : out_(out), style_(style), scenes_(std::move(scenes)), work_(out, style, all_of(scenes_)) {}
+    : out_(out),
+      style_(style),
+      scenes_(std::move(scenes)),
+      work_(out, style, all_of(scenes_), estimate_for(scenes_)) {}
 
 void Progress::begin_scene(const std::string& name) {
     left_ = per_view_ = begun_ < scenes_.size() ? scenes_[begun_].work : 0;

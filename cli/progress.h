@@ -12,8 +12,10 @@ namespace zproof {
 
 /// A scene of the run, and about how much work it is, in any unit.
 struct SceneWork {
+    enum class Known { guessed, measured };
     std::string scene;
     double work = 1;
+    Known known = Known::guessed;
 };
 
 /// What each scene is taken to cost: the seconds that it took in an earlier run of the same output folder
@@ -30,7 +32,7 @@ class Progress {
     void begin_stage(const std::string& stage);  ///< "render main"
     void end_view();                             ///< its share of the work is done
     void finish_scene();                         ///< all of it, whatever came of its views
-    void tell(const ViewResult& view);           ///< also of a scene that could not be judged
+    void tell(const ViewResult& view);           ///< as soon as it is judged, or cannot be
 
   private:
     std::ostream& out_;

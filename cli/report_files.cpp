@@ -1,5 +1,7 @@
 #include "cli/report_files.h"
 
+#include <tbb/parallel_for_each.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -37,6 +39,14 @@ std::string file_of(ReportFormat format) {
     return "";
 }
 
+void write_report(const fs::path& folder, const Results& results, ReportFormat format) {
+    const fs::path file = folder / file_of(format);
+    if (format == ReportFormat::html)
+        write_page(file, html_page(results, folder));
+    else
+        write_text(file, report_text(format, results, folder));
+}
+
 fs::path file_of_results(const fs::path& file_or_folder) {
     return fs::is_directory(file_or_folder) ? file_or_folder / "results.json" : file_or_folder;
 }
@@ -71,10 +81,11 @@ ReportFormat format_from(const std::string& word) {
 }
 
 void write_reports(const fs::path& folder, const Results& results, const std::vector<ReportFormat>& formats) {
-    write_text(folder / file_of(ReportFormat::json), to_json(results));
+    std::vector<ReportFormat> with_files{ReportFormat::json};
     for (const ReportFormat format : formats)
-        if (format != ReportFormat::json && !file_of(format).empty())
-            write_text(folder / file_of(format), report_text(format, results, folder));
+        if (!file_of(format).empty() && std::ranges::count(with_files, format) == 0)
+            with_files.push_back(format);
+    tbb::parallel_for_each(with_files, [&](ReportFormat format) { write_report(folder, results, format); });
 }
 
 std::string report_text(ReportFormat format, const Results& results, const fs::path& run_folder) {

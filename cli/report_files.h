@@ -25,7 +25,8 @@ std::vector<ReportFormat> usual_formats();  ///< html, json, junit
 /// The format of that name. Throws UsageError with the one that was probably meant.
 ReportFormat format_from(const std::string& word);
 
-/// Writes results.json and a file for each of the formats that has one. Throws ReportError.
+/// Writes results.json and a file for each of the formats that has one, on the threads of the surrounding
+/// tbb::task_arena. Throws ReportError.
 void write_reports(const std::filesystem::path& folder, const Results& results,
                    const std::vector<ReportFormat>& formats);
 

@@ -1,11 +1,12 @@
 #include "cli/scene_run.h"
 
 #include <optional>
+#include <span>
 
 #include "cli/expectations.h"
 #include "cli/interrupt.h"
 #include "cli/shaded_pictures.h"
-#include "cli/stopwatch.h"
+#include "cli/stage_clock.h"
 #include "cli/usage_error.h"
 #include "cli/view_result.h"
 #include "cli/viewer_evidence.h"
@@ -30,6 +31,7 @@ struct Trial {
     const Docket& docket;
     Court& court;
     const Desk& desk;
+    StageClock& clock;
     bool is_last;  ///< of the scene
 };
 
@@ -72,43 +74,48 @@ std::vector<Statement> hear_witnesses(const Trial& trial, const JudgedPair& judg
     return statements;
 }
 
+/// Tells that a stage begins, and measures it.
+void begin(const Trial& trial, const char* what, double StageTimes::*stage) {
+    trial.clock.begin(stage);
+    trial.desk.progress.begin_stage(std::string{what} + " " + trial.docket.view.name);
+}
+
 /// nullopt: interrupted between two stages.
 std::optional<ViewResult> run_view(const Trial& trial) {
-    const auto& [docket, court, desk, is_last] = trial;
+    const auto& [docket, court, desk, clock, is_last] = trial;
     const auto& [source, scene, scene_sha256, view, parties] = docket;
-    StageTimes times;
-    Stopwatch watch;
 
-    desk.progress.begin_stage("trace " + view.name);
+    begin(trial, "trace", &StageTimes::reference);
     const Frame reference = ask(court.reference, trial);
-    times.reference = watch.lap();
     if (interrupted()) return std::nullopt;
 
-    desk.progress.begin_stage("render " + view.name);
+    begin(trial, "render", &StageTimes::render);
     const Frame candidate = ask(court.candidate, trial);
-    times.render = watch.lap();
     if (interrupted()) return std::nullopt;
 
-    desk.progress.begin_stage("judge " + view.name);
+    begin(trial, "judge", &StageTimes::judge);
     const Testimony ours{candidate, court.candidate.precision}, theirs{reference, court.reference.precision};
     auto [verdict, errors, rulings] = judge_in_full(scene, view, ours, theirs);
     ViewResult result = to_view_result(docket, verdict, desk.gate);
     result.diagnosis = diagnose(scene, view, ours, theirs, verdict);
-    times.judge = watch.lap();
 
-    desk.progress.begin_stage("write " + view.name);
+    begin(trial, "write", &StageTimes::write);
     result.folder = "scenes/" + desk.names.next(source.name, view.name);
     write_view_evidence(desk.run_folder / result.folder, candidate, reference, verdict);
-    times.write = watch.lap();
 
+    clock.begin(&StageTimes::witnesses);
     const std::vector<Statement> statements = hear_witnesses(trial, {ours, theirs, verdict}, result);
-    times.witnesses = watch.lap();
 
-    desk.progress.begin_stage("write " + view.name);
+    begin(trial, "write", &StageTimes::write);
     write_viewer_evidence(desk.run_folder / result.folder,
                           {docket, ours, theirs, verdict, std::move(errors), rulings, statements});
-    times.write += watch.lap();
-    result.times = times;
+    return result;
+}
+
+/// Stands for a view of which nothing was judged.
+ViewResult unjudged(const SceneSource& source, const View& view, Outcome outcome, const std::string& why) {
+    ViewResult result = unjudged(source, outcome, why);
+    result.view = view.name;
     return result;
 }
 
@@ -117,8 +124,7 @@ std::optional<ViewResult> run_view_or_say_why_not(const Trial& trial) {
     try {
         return run_view(trial);
     } catch (const OracleError& e) {
-        ViewResult result = unjudged(trial.docket.source, Outcome::unreadable, e.what());
-        result.view = trial.docket.view.name;
+        ViewResult result = unjudged(trial.docket.source, trial.docket.view, Outcome::unreadable, e.what());
         result.candidate = trial.court.candidate.name;
         result.reference = trial.court.reference.name;
         return result;
@@ -141,64 +147,108 @@ ViewResult without_triangles(const SceneSource& source, const Scene& scene) {
     return result;
 }
 
-/// Appends a result per judged view.
-Ending run_views(const SceneSource& source, const Desk& desk, std::vector<ViewResult>& results) {
-    Stopwatch watch;
+constexpr const char* left_words = "interrupted before it was judged";
+
+/// The scene's results in the making: each is told as soon as it is there.
+class Record {
+  public:
+    Record(const Desk& desk, std::vector<ViewResult>& results) : desk_(desk), results_(results) {}
+
+    void add(ViewResult result) {
+        desk_.progress.tell(result);
+        results_.push_back(std::move(result));
+    }
+
+    /// All the views from this one on.
+    void leave(const SceneSource& source, std::span<const View> views) {
+        for (const View& view : views) add(unjudged(source, view, Outcome::not_judged, left_words));
+    }
+
+  private:
+    const Desk& desk_;
+    std::vector<ViewResult>& results_;
+};
+
+/// A result per view, or one that says that there is nothing to see.
+Ending run_views(const SceneSource& source, const Desk& desk, StageClock& clock, Record& record) {
     desk.progress.begin_stage("load");
     const Loaded loaded = load(source, desk.resolution);
     const std::string scene_sha256 = sha256_of(loaded.scene);
-    const double load_time = watch.lap();
     if (loaded.scene.triangles.empty()) {
-        results.push_back(without_triangles(source, loaded.scene));
+        record.add(without_triangles(source, loaded.scene));
         return Ending::complete;
     }
-    if (interrupted()) return Ending::interrupted;
-
-    desk.progress.begin_stage("build");
-    Court court{open(desk.parties.candidate, loaded.scene), open(desk.parties.reference, loaded.scene),
-                summon(desk.parties.witnesses, loaded.scene)};
-    const double build_time = watch.lap();
-
     const std::vector<View> views = wanted_views(loaded, desk.only_view);
     desk.progress.expect_views(views.size());
-    for (const View& view : views) {
-        if (interrupted()) return Ending::interrupted;
-        const Docket docket{source, loaded.scene, scene_sha256, view, desk.parties};
-        std::optional<ViewResult> result = run_view_or_say_why_not(
-            {.docket = docket, .court = court, .desk = desk, .is_last = &view == &views.back()});
-        if (!result) return Ending::interrupted;
-        if (results.empty()) {
-            result->times.load = load_time;
-            result->times.reference_build = build_time;
-        }
-        results.push_back(std::move(*result));
+    const auto leave = [&](std::size_t from) {
+        record.leave(source, std::span{views}.subspan(from));
+        return Ending::interrupted;
+    };
+    if (interrupted()) return leave(0);
+
+    desk.progress.begin_stage("build");
+    clock.begin(&StageTimes::reference_build);
+    Court court{open(desk.parties.candidate, loaded.scene), open(desk.parties.reference, loaded.scene),
+                summon(desk.parties.witnesses, loaded.scene)};
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (interrupted()) return leave(i);
+        const Docket docket{source, loaded.scene, scene_sha256, views[i], desk.parties};
+        std::optional<ViewResult> result = run_view_or_say_why_not({.docket = docket,
+                                                                    .court = court,
+                                                                    .desk = desk,
+                                                                    .clock = clock,
+                                                                    .is_last = i + 1 == views.size()});
+        if (!result) return leave(i);
+        result->times = clock.take();
         desk.progress.end_view();
+        record.add(std::move(*result));
     }
     return Ending::complete;
+}
+
+/// Tells again of a view that was told proven, and is not for want of what the suite expects.
+void hold_to_expectations(const SceneSource& source, const Desk& desk, std::vector<ViewResult>& views) {
+    const Outcome told = views.back().outcome;
+    hold_to_expectations(source, views);
+    if (views.back().outcome != told) desk.progress.tell(views.back());
+}
+
+/// All views of a scene. One that cannot be read, or in which a renderer cannot begin, is a result.
+Ending run_views_or_say_why_not(const SceneSource& source, const Desk& desk,
+                                std::vector<ViewResult>& results) {
+    Record record{desk, results};
+    StageClock clock;
+    const auto refuse = [&](const std::exception& e) {
+        ViewResult result = unjudged(source, Outcome::unreadable, e.what());
+        result.times = clock.take();
+        desk.progress.finish_scene();
+        record.add(std::move(result));
+        return Ending::complete;
+    };
+    try {
+        const Ending ending = run_views(source, desk, clock, record);
+        if (ending == Ending::complete && desk.resolution == default_resolution &&
+            are_the_usual(desk.parties))
+            hold_to_expectations(source, desk, results);
+        return ending;
+    } catch (const SceneError& e) {
+        return refuse(e);
+    } catch (const OracleError& e) {
+        return refuse(e);
+    }
 }
 
 }  // namespace
 
 ViewResult left_by_interrupt(const SceneSource& source) {
-    return unjudged(source, Outcome::not_judged, "interrupted before it was judged");
+    return unjudged(source, Outcome::not_judged, left_words);
 }
 
 SceneReport run_scene(const SceneSource& source, const Desk& desk) {
     desk.progress.begin_scene(source.name);
     SceneReport report;
-    try {
-        report.ending = run_views(source, desk, report.views);
-        if (report.ending == Ending::interrupted)
-            report.views.push_back(left_by_interrupt(source));
-        else if (desk.resolution == default_resolution && are_the_usual(desk.parties))
-            hold_to_expectations(source, report.views);
-    } catch (const SceneError& e) {
-        report.views.push_back(unjudged(source, Outcome::unreadable, e.what()));
-    } catch (const OracleError& e) {
-        report.views.push_back(unjudged(source, Outcome::unreadable, e.what()));
-    }
+    report.ending = run_views_or_say_why_not(source, desk, report.views);
     desk.progress.finish_scene();
-    for (const ViewResult& view : report.views) desk.progress.tell(view);
     return report;
 }
 

@@ -28,18 +28,19 @@ struct Desk {
     std::string only_view = "";  ///< empty: all views
 };
 
-/// Stands in for a scene, or the rest of one, that an interrupt left unjudged.
+/// Stands in for a scene that an interrupt kept from being begun.
 ViewResult left_by_interrupt(const SceneSource& source);
 
 /// What came of one scene.
 struct SceneReport {
-    std::vector<ViewResult> views;  ///< at least one; an unreadable scene and one without triangles say so
+    std::vector<ViewResult> views;  ///< at least one; an unreadable scene and one without triangles say so,
+                                    ///< and so does each view that an interrupt left unjudged
     Ending ending = Ending::complete;
 };
 
-/// Judges the scene's views one by one; frames are dropped after each. Uses the surrounding tbb::task_arena.
-/// Throws FrameError or ReportError where evidence cannot be written or a stored frame does not fit,
-/// UsageError where there is no such view.
+/// Judges the scene's views one by one and tells of each; frames are dropped after each. Uses the surrounding
+/// tbb::task_arena. Throws FrameError or ReportError where evidence cannot be written or a stored frame does
+/// not fit, UsageError where there is no such view.
 SceneReport run_scene(const SceneSource& source, const Desk& desk);
 
 }  // namespace zproof

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <iostream>
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/nearest_word.h"
 #include "cli/work_progress.h"
 #include "reports/output_folder.h"
 #include "scenes/glb_writer.h"
@@ -15,6 +17,13 @@ std::vector<std::string> names_of_suite() {
     std::vector<std::string> names;
     for (const SuiteEntry& entry : suite_manifest()) names.push_back(entry.name);
     return names;
+}
+
+void require_known(const std::vector<std::string>& wished, const std::vector<std::string>& suite) {
+    for (const std::string& name : wished)
+        if (std::ranges::find(suite, name) == suite.end())
+            throw SceneError{name + ": no such scene in the suite" + did_you_mean(name, suite) +
+                             " (zproof list shows it)"};
 }
 
 }  // namespace
@@ -31,7 +40,9 @@ ExitCode execute(const ListArguments&) {
 }
 
 ExitCode execute(const GenerateArguments& arguments) {
-    const std::vector<std::string> names = arguments.names.empty() ? names_of_suite() : arguments.names;
+    const std::vector<std::string> suite = names_of_suite();
+    const std::vector<std::string> names = arguments.names.empty() ? suite : arguments.names;
+    require_known(names, suite);
     OutputFolder out{arguments.out};
     note_interrupts();
     WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(names.size())};

@@ -50,8 +50,15 @@ std::string time_left(double seconds) {
     return clock + ":" + two_digits(whole % 60) + " left";
 }
 
-WorkProgress::WorkProgress(std::ostream& out, ProgressStyle style, double work)
-    : out_(out), style_(style), all_(work) {}
+std::string left_in_words(const Measured& so_far, Estimate estimate) {
+    const auto& [seconds, done, all] = so_far;
+    if (done <= 0 || (estimate == Estimate::from_half_of_the_work && all - done > done)) return "";
+    const double left = seconds / done * (all - done);
+    return left < 0.5 ? "" : "  " + time_left(left);
+}
+
+WorkProgress::WorkProgress(std::ostream& out, ProgressStyle style, double work, Estimate estimate)
+    : out_(out), style_(style), all_(work), estimate_(estimate) {}
 
 WorkProgress::~WorkProgress() {
     if (style_ == ProgressStyle::bar) out_ << erase_line << std::flush;
@@ -80,9 +87,7 @@ void WorkProgress::say(std::ostream& results, const std::string& line) {
     results << line << std::flush;
 }
 
-std::string WorkProgress::left() const {
-    return done_ > 0 ? "  " + time_left(seconds_ / done_ * (all_ - done_)) : "";
-}
+std::string WorkProgress::left() const { return left_in_words({seconds_, done_, all_}, estimate_); }
 
 void WorkProgress::draw(const std::string& what) {
     const double share = all_ > 0 ? std::clamp(done_ / all_, 0.0, 1.0) : 0;

@@ -21,11 +21,24 @@ ProgressStyle beside_lines(ProgressStyle wish);
 /// "2:05 left"; "1:02:05 left" from an hour on.
 std::string time_left(double seconds);
 
+/// From when on the time left is told: at once where the units of work are alike; else where no more is
+/// extrapolated than was seen.
+enum class Estimate { from_the_start, from_half_of_the_work };
+
+/// What was measured so far.
+struct Measured {
+    double seconds = 0, done = 0, all = 0;
+};
+
+/// "  2:05 left"; empty where that is no estimate yet, and where it is less than half a second.
+std::string left_in_words(const Measured& so_far, Estimate estimate);
+
 /// Work is counted in units of any kind: each is taken to last as long as those before it did on the average.
 class WorkProgress {
   public:
     /// The stream must outlive this object. style: not automatic. `work`: all of it, as far as known.
-    WorkProgress(std::ostream& out, ProgressStyle style, double work);
+    WorkProgress(std::ostream& out, ProgressStyle style, double work,
+                 Estimate estimate = Estimate::from_the_start);
     ~WorkProgress();  ///< clears the bar
     WorkProgress(const WorkProgress&) = delete;
     WorkProgress& operator=(const WorkProgress&) = delete;
@@ -45,7 +58,7 @@ class WorkProgress {
     /// Prints a line of results; a bar makes way for it.
     void say(std::ostream& results, const std::string& line);
 
-    std::string left() const;  ///< "  2:05 left"; empty until some work is done
+    std::string left() const;  ///< left_in_words() of what was done
 
   private:
     void draw(const std::string& what);
@@ -54,6 +67,7 @@ class WorkProgress {
     std::ostream& out_;
     ProgressStyle style_;
     double all_, done_ = 0, in_hand_ = 0, seconds_ = 0;
+    Estimate estimate_;
     Stopwatch watch_;
     std::string whole_;
 };

@@ -63,12 +63,14 @@ class Bench {
   public:
     Bench(const FiltersCheckArguments& arguments, std::size_t scenes)
         : arguments_(arguments),
-          expected_(scenes * arguments.methods.size()),
-          progress_(std::cerr, beside_lines(ProgressStyle::automatic), double(expected_)) {}
+          scenes_left_(scenes),
+          progress_(std::cerr, beside_lines(ProgressStyle::automatic),
+                    double(scenes * arguments.methods.size())) {}
 
-    /// A scene has more views than the one that was expected of it.
-    void expect_views(std::size_t views) {
-        expected_ += (views - 1) * arguments_.methods.size();
+    /// The next scene: it may have more views than the one that progress expects of each.
+    void begin_scene(std::size_t views) {
+        --scenes_left_;
+        expected_ += views * arguments_.methods.size();
         progress_.expect_more(double((views - 1) * arguments_.methods.size()));
     }
 
@@ -91,8 +93,8 @@ class Bench {
         line << judged_ << (judged_ == 1 ? " picture: " : " pictures: ") << judged_ - failed_
              << " within the law of their method, " << failed_ << " not\n";
         progress_.say(std::cout, line.str());
-        if (std::size_t(judged_) < expected_)
-            return say_interrupted({std::size_t(judged_), expected_}, "picture", "judged");
+        if (std::size_t(judged_) < expected_ || scenes_left_ > 0)
+            return say_interrupted({std::size_t(judged_), expected_, scenes_left_}, "picture", "judged");
         if (judged_ == 0) return ExitCode::nothing;
         return failed_ == 0 ? ExitCode::proven : ExitCode::defect;
     }
@@ -100,7 +102,8 @@ class Bench {
   private:
     const FiltersCheckArguments& arguments_;
     int judged_ = 0, failed_ = 0;
-    std::size_t expected_;  ///< pictures, as far as the scenes are known
+    std::size_t expected_ = 0;  ///< pictures of the scenes that were begun
+    std::size_t scenes_left_;
     WorkProgress progress_;
 };
 
@@ -118,7 +121,7 @@ ExitCode execute(const FiltersCheckArguments& arguments) {
         const Loaded loaded = load(
             source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
         const std::vector<View> views = chosen_views(loaded, arguments.views);
-        bench.expect_views(views.size());
+        bench.begin_scene(views.size());
         views_judged += views.size();
         if (!arguments.picture.empty() && views_judged > 1)
             throw UsageError{"--picture: one view is expected; name it (--view)"};

@@ -37,9 +37,9 @@ class Workshop {
         : plan_(std::move(plan)), folder_(folder), progress_(progress), results_(results) {}
 
     /// Methods on views, as far as the views are known.
-    Share share() const { return {scored_, views_ * plan_.contestants.size()}; }
+    Share share() const { return {scored_, views_ * plan_.contestants.size(), scenes_left_}; }
 
-    void leave(const StudyScene&) { ++views_; }  ///< interrupted: not even loaded
+    void leave(const StudyScene&) { ++scenes_left_; }  ///< interrupted: not even loaded
 
     void study_scene(const StudyScene& source, const FiltersRunArguments& arguments) {
         const Resolution natural = natural_resolution(source);
@@ -81,7 +81,7 @@ class Workshop {
     WorkProgress& progress_;
     study::StudyResults& results_;
     FolderNames names_;
-    std::size_t scored_ = 0, views_ = 0;
+    std::size_t scored_ = 0, views_ = 0, scenes_left_ = 0;
 };
 
 study::StudyResults results_of(const FiltersRunArguments& arguments, const study::Plan& plan) {
@@ -124,7 +124,7 @@ ExitCode execute(const FiltersRunArguments& arguments) {
         });
         share = workshop.share();
     }
-    results.is_complete = share.done == share.all;
+    results.is_complete = share.done == share.all && share.scenes_left == 0;
     results.seconds = watch.lap();
     write_filters_results(out.working(), results);
     write_filters_figures(out.working(), results, {});

@@ -24,7 +24,7 @@ bool is_photograph(const std::string& word) {
 [[noreturn]] void refuse(const std::string& word, const std::vector<FilterSceneEntry>& built_in) {
     std::vector<std::string> names;
     for (const FilterSceneEntry& entry : built_in) names.push_back(entry.name);
-    throw UsageError{word + ": no such filter scene, suite scene or file" + did_you_mean(word, names) +
+    throw SceneError{word + ": no such filter scene, suite scene or file" + did_you_mean(word, names) +
                      " (zproof filters list shows the scenes)"};
 }
 

@@ -26,7 +26,7 @@ Vertices ground_vertices() {
     constexpr float side = 40, near = 0.25f, far = 60, texels_per_unit = 20;
     Vertices v;
     const std::array<glm::vec2, 4> corners{{{-side, near}, {side, near}, {side, far}, {-side, far}}};
-    std::vector<glm::vec2> uv;
+    Bulk<glm::vec2> uv;
     for (const glm::vec2& p : corners) {
         v.position_world.push_back({p.x, 0, -p.y});
         uv.push_back(glm::vec2{0.0263f, 0.0134f} + p * (texels_per_unit / 128));

@@ -5,13 +5,31 @@ namespace zproof {
 std::span<const Setting> known_settings() {
     using enum Setting::Kind;
     static const std::vector<Setting> all{
-        {"scenes", paths},   {"renderer", text},     {"precision", text}, {"oracle", list},
-        {"require", list},   {"time-limit", number}, {"width", number},   {"height", number},
-        {"threads", number}, {"out", path},          {"report", list},    {"pictures", flag},
-        {"waivers", path},   {"strict", flag},       {"now", text},       {"shard", text},
-        {"color", text},     {"progress", text},
+        {"scenes", paths},
+        {"renderer", text},
+        {"precision", text},
+        {"oracle", list},
+        {"require", list},
+        {"time-limit", number, {1, 86400, 600}},
+        {"width", number, {1, 32768, 1920}},
+        {"height", number, {1, 32768, 1080}},
+        {"threads", number, {1, 1024, 4}},
+        {"out", path},
+        {"report", list},
+        {"pictures", flag},
+        {"waivers", path},
+        {"strict", flag},
+        {"now", text},
+        {"shard", text},
+        {"color", text},
+        {"progress", text},
     };
     return all;
+}
+
+std::string in_words(const WholeRange& range) {
+    return "expected a whole number from " + std::to_string(range.least) + " to " +
+           std::to_string(range.most);
 }
 
 std::vector<std::string> setting_names() {

@@ -1,6 +1,7 @@
 #include "cli/settings/sources.h"
 
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 
 #include "cli/nearest_word.h"
@@ -50,11 +51,32 @@ std::string joined(const std::vector<std::string>& words) {
     return text;
 }
 
+/// Refused here, where file and line can be named together with what is right.
+std::string number_of(const TomlReader& table, const Setting& setting, const TomlValue& value) {
+    const auto* whole = std::get_if<std::int64_t>(&value.is);
+    if (whole != nullptr && setting.range.contains(*whole)) return std::to_string(*whole);
+    table.refuse(value, setting.name + ": " + in_words(setting.range) + ", found " +
+                            (whole == nullptr ? kind_of(value) : std::to_string(*whole)) +
+                            "; write such as: " + setting.name + " = " +
+                            std::to_string(setting.range.such_as));
+}
+
+/// The same in the environment.
+std::string number_of(const Setting& setting, const std::string& text) {
+    std::int64_t number = 0;
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc{} && stop == text.data() + text.size() && setting.range.contains(number))
+        return text;
+    const std::string name = environment_name(setting);
+    throw UsageError{name + ": " + in_words(setting.range) + ", found '" + text +
+                     "'; write such as: " + name + "=" + std::to_string(setting.range.such_as)};
+}
+
 /// As it would be typed.
 std::vector<std::string> words_of(const TomlReader& table, const Setting& setting, const TomlValue& value) {
     switch (setting.kind) {
         case Setting::Kind::number:
-            return {std::to_string(table.whole_of(value, setting.name, 1'000'000))};
+            return {number_of(table, setting, value)};
         case Setting::Kind::flag:
             if (const bool* truth = std::get_if<bool>(&value.is)) return {*truth ? "true" : "false"};
             table.refuse(value, setting.name + ": expected true or false, found " + kind_of(value));
@@ -134,6 +156,7 @@ SettingValues from_environment(const Environment& environment) {
         const auto value = read(environment, origin);
         if (!value) continue;
         std::vector<std::string> words{*value};
+        if (setting.kind == Setting::Kind::number) words = {number_of(setting, *value)};
         if (setting.kind == Setting::Kind::flag) words = {flag_word(*value, origin)};
         if (setting.kind == Setting::Kind::paths) {
             words.clear();

@@ -44,8 +44,7 @@ TEST(Filters, RunWritesTheWholeStudy) {
     const Ran ran = run(folder, small);
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_NE(ran.out.find("worked / phi-0"), std::string::npos) << ran.out;
-    EXPECT_NE(ran.err.find("[ 66%] worked / phi-0: trilinear-gl:bias=1  "), std::string::npos) << ran.err;
-    EXPECT_NE(ran.err.find(" left\n"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("[ 66%] worked / phi-0: trilinear-gl:bias=1"), std::string::npos) << ran.err;
     for (const char* file :
          {"filters.json", "filters.csv", "table.tex", "filters.html", "plots/worked-phi-0/pareto.svg",
           "plots/worked-phi-0/anisotropy.svg", "plots/worked-phi-0/angle.svg",
@@ -81,13 +80,13 @@ TEST(Filters, TableAndFigureReadAStudyAgain) {
 
 TEST(Filters, WhatIsMistypedIsNamedWithWhatIsNear) {
     const Folder folder;
-    const auto refused = [&](const Words& words, const std::string& said) {
+    const auto refused = [&](const Words& words, const std::string& said, int status = 2) {
         const Ran ran = run(folder, words);
-        EXPECT_EQ(ran.exit_code, 2) << ran.err;
+        EXPECT_EQ(ran.exit_code, status) << ran.err;
         EXPECT_NE(ran.err.find(said), std::string::npos) << ran.err;
     };
     refused({"filters"}, "'run', 'list', 'table', 'figure', 'check' or 'crow' expected");
-    refused({"filters", "run", "wroked"}, "did you mean 'worked'?");
+    refused({"filters", "run", "wroked"}, "did you mean 'worked'?", 3);
     refused({"filters", "run", "worked", "--methods", "nearst"}, "did you mean 'nearest'?");
     refused({"filters", "run", "worked", "--truth", "X"}, "--truth");
     refused({"filters", "run", "worked", "--view", "phi-1", "--methods", "nearest"}, "it has phi-0, phi-7.5");

@@ -94,7 +94,8 @@ TEST(Interrupt, WritesWhatWasJudgedAndMarksTheRest) {
         const Ran ran = interrupted_run(folder, two_scenes, Blocked::at_its_progress, signal_number);
         EXPECT_EQ(ran.exit_code, 130);
         EXPECT_THAT(ran.err, HasSubstr("finishing the piece in hand"));
-        EXPECT_THAT(ran.err, ContainsRegex("interrupted: [01] of 2 views judged and written, [12] not\n"));
+        EXPECT_THAT(ran.err, ContainsRegex("interrupted: ([01] of 1 view|no view) judged and written.*; "
+                                           "[12] scenes? not begun\n"));
         const auto views = nlohmann::json::parse(folder.read("zproof-out/results.json")).at("views");
         ASSERT_EQ(views.size(), 2u);
         EXPECT_EQ(views[1].at("scene"), "b");
@@ -139,18 +140,18 @@ const std::vector<Long> commands{
     {"Compare",
      {"compare", "frames/frame-all.exr", "a.gltf", "--progress", "bar"},
      Blocked::at_its_progress,
-     "0 of 1 view judged and written, 1 not",
+     "(0 of 1 view judged and written, 1 not|no view judged and written; 1 scene not begun)",
      "zproof-out"},
     {"FiltersRun",
      {"filters", "run", "worked", "--view", "phi-0", "--methods", "nearest,bilinear", "--width", "32",
       "--height", "32", "-o", "s"},
      Blocked::at_its_progress,
-     "0 of 2 pictures scored and written, 2 not",
+     "(0 of 2 pictures scored and written, 2 not|no picture scored and written; 1 scene not begun)",
      "s"},
     {"FiltersCheck",
      {"filters", "check", "nearest,bilinear", "worked", "--view", "phi-0", "--width", "32", "--height", "32"},
      Blocked::at_its_results,
-     "[01] of 2 pictures judged, [12] not",
+     "([01] of 2 pictures judged, [12] not|no picture judged; 1 scene not begun)",
      ""},
     {"FiltersCrow",
      {"filters", "crow", "--width", "32", "--height", "32"},
@@ -201,6 +202,34 @@ TEST(Interrupt, OfRenderLeavesTheViewsThatAreDone) {
     EXPECT_EQ(exit_code_of(pid), 130);
     EXPECT_FALSE(folder.read("out/door.exr").empty());
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/floor.exr"));
+}
+
+/// Of scenes that were not begun nobody knows how many views they have.
+TEST(Interrupt, CountsTheViewsThatAreKnown) {
+    const Folder folder;
+    folder.write("a.gltf", one_triangle());
+    make_fifo(folder);
+    const std::string fifo = folder.path().string() + "/fifo";
+    const int out = open((folder.path() / "out").c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
+    const int err = open((folder.path() / "err").c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
+    const pid_t pid = start(folder,
+                            {"run", "room", "guard_band", "a.gltf", "--oracle", "none", "--width", "48",
+                             "--height", "32", "--renderer", "cat " + fifo + "; : {out}"},
+                            {out, err});
+    const int gate = open(fifo.c_str(), O_WRONLY | O_CLOEXEC);  // waits for the renderer
+    kill(pid, SIGINT);
+    close(gate);
+    EXPECT_EQ(exit_code_of(pid), 130);
+    close(out);
+    close(err);
+    EXPECT_THAT(folder.read("err"),
+                HasSubstr("0 of 2 views judged and written, 2 not; 2 scenes not begun\n"));
+    EXPECT_THAT(folder.read("out"), HasSubstr("2 views and 2 whole scenes:"));
+    const auto views = nlohmann::json::parse(folder.read("zproof-out/results.json")).at("views");
+    ASSERT_EQ(views.size(), 4u);
+    EXPECT_EQ(views[0].at("view"), "door");
+    EXPECT_EQ(views[1].at("view"), "floor");
+    EXPECT_EQ(views[3].at("view"), "");
 }
 
 TEST(Interrupt, ASecondOneEndsTheRunAndTheRendererAtOnce) {

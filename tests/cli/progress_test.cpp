@@ -18,6 +18,19 @@ TEST(TimeLeft, InWords) {
     EXPECT_EQ(time_left(3723), "1:02:03 left");
 }
 
+TEST(TimeLeft, IsToldWhereItIsAnEstimate) {
+    const Measured none{.seconds = 0, .done = 0, .all = 4}, quarter{.seconds = 10, .done = 1, .all = 4},
+        half{.seconds = 20, .done = 2, .all = 4}, all{.seconds = 40, .done = 4, .all = 4},
+        nearly{.seconds = 40, .done = 99, .all = 100};
+    using enum Estimate;
+    EXPECT_EQ(left_in_words(none, from_the_start), "");
+    EXPECT_EQ(left_in_words(quarter, from_the_start), "  0:30 left");
+    EXPECT_EQ(left_in_words(quarter, from_half_of_the_work), "");
+    EXPECT_EQ(left_in_words(half, from_half_of_the_work), "  0:20 left");
+    EXPECT_EQ(left_in_words(all, from_the_start), "");
+    EXPECT_EQ(left_in_words(nearly, from_the_start), "") << "0:00 left";
+}
+
 TEST(WorkProgress, CountsWorkAndNotPieces) {
     std::ostringstream out;
     {
@@ -29,8 +42,8 @@ TEST(WorkProgress, CountsWorkAndNotPieces) {
         progress.begin("more");
     }
     EXPECT_THAT(out.str(), MatchesRegex("\\[  0%\\] room: long\n"
-                                        "\\[ 75%\\] room: short  [0-9:]+ left\n"
-                                        "\\[ 50%\\] room: more  [0-9:]+ left\n"));
+                                        "\\[ 75%\\] room: short(  [0-9:]+ left)?\n"
+                                        "\\[ 50%\\] room: more(  [0-9:]+ left)?\n"));
 }
 
 TEST(WorkProgress, ItsBarMakesWayForResultsAndGoes) {
@@ -71,6 +84,9 @@ TEST(ExpectedWork, IsWhatTheLastRunTook) {
     const auto work = [](double w) { return Field(&SceneWork::work, w); };
     EXPECT_THAT(expected_work({"b", "a", "new"}, earlier), ElementsAre(work(8), work(4), work(6)));
     EXPECT_THAT(expected_work({"b", "a"}, {}), ElementsAre(work(1), work(1)));
+    const auto known = [](SceneWork::Known k) { return Field(&SceneWork::known, k); };
+    EXPECT_THAT(expected_work({"b", "new"}, earlier),
+                ElementsAre(known(SceneWork::Known::measured), known(SceneWork::Known::guessed)));
 }
 
 /// The bar of a scene moves with its views.
@@ -87,7 +103,22 @@ TEST(RunProgress, SharesAScenesWorkOutAmongItsViews) {
         progress.begin_stage("trace main");
     }
     EXPECT_THAT(out.str(), testing::HasSubstr("[############............]  50%"));
-    EXPECT_THAT(out.str(), testing::HasSubstr("left  b: trace main"));
+    EXPECT_THAT(out.str(), testing::HasSubstr("  b: trace main"));
+}
+
+TEST(RunProgress, TellsNoTimeOfWhatWasNotBegun) {
+    std::ostringstream out;
+    Progress progress{out, ProgressStyle::lines, {{"a", 1}}};
+    progress.begin_scene("a");
+    progress.tell(view_of("a", 2));
+    ViewResult left = view_of("a", 0);
+    left.view = "main";
+    left.outcome = Outcome::not_judged;
+    left.message = "interrupted before it was judged";
+    progress.tell(left);
+    EXPECT_EQ(out.str(),
+              "[1/1] proven      a  2.0 s\n"
+              "[1/1] not_judged  a / main: interrupted before it was judged\n");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // What zproof run leaves behind, on the real program.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -94,7 +96,37 @@ TEST(Run, DoesNotCallProvenWhatWasNotJudged) {
                  R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{}]})");
     const Ran ran = run(folder, run_words({"a.gltf", "b.gltf", "-q"}));
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    EXPECT_EQ(ran.out, "proven: 1 of 2 views, 1 not judged; report: zproof-out/report.html\n");
+    EXPECT_EQ(ran.out, "proven: 1 view; 1 whole scene not judged; report: zproof-out/report.html\n");
+}
+
+/// The renderer reads what the run has told until it is asked for the scene's second view.
+TEST(Run, TellsAViewWhenItIsJudged) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, {"render", "room", "--width", "48", "--height", "32", "-o", "frames"}).exit_code,
+              0);
+    const std::string place = folder.path().string();
+    const int told = open((place + "/told").c_str(), O_CREAT | O_WRONLY | O_APPEND | O_CLOEXEC, 0600);
+    const pid_t pid = start(
+        folder,
+        {"run", "room", "--width", "48", "--height", "32", "--oracle", "none", "--progress", "lines",
+         "--renderer", "cp " + place + "/told " + place + "/seen; cp " + place + "/frames/door.exr {out}"},
+        {told, told});
+    exit_code_of(pid);
+    close(told);
+    EXPECT_EQ(folder.read("seen").find("[1/1] proven      room / door"), 0u) << folder.read("seen");
+    EXPECT_EQ(folder.read("seen").find("left"), std::string::npos) << "nothing is known of the scene's time";
+}
+
+/// A renderer that fails, or is killed, has taken its time.
+TEST(Run, CountsTheTimeOfAViewThatDidNotCome) {
+    const Folder folder;
+    folder.write("a.gltf", one_triangle());
+    EXPECT_EQ(
+        run(folder, run_words({"a.gltf", "--renderer", "sleep 5; : {out}", "--time-limit", "1"})).exit_code,
+        3);
+    const json view = json::parse(folder.read("zproof-out/results.json")).at("views").at(0);
+    EXPECT_EQ(view.at("outcome"), "unreadable");
+    EXPECT_GE(view.at("times").at("render"), 0.9);
 }
 
 TEST(Run, ColoursATerminalUnlessAskedNotTo) {

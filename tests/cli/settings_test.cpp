@@ -4,6 +4,7 @@
 #include <map>
 
 #include "cli/arguments.h"
+#include "cli/settings/setting.h"
 #include "cli/usage_error.h"
 #include "tests/cli/program.h"
 
@@ -114,7 +115,15 @@ TEST(Settings, AreRefusedWithWhereTheyStand) {
     };
     is_about(Place("\nwidht = 3").refusal({}), "zproof.toml:2:", "did you mean 'width'?");
     is_about(Place("width = \"3\"").refusal({}), "zproof.toml:1:", "whole number");
-    is_about(Place("width = 0").refusal({}), "zproof.toml:1:", "--width");
+    const std::string right = "height: expected a whole number from 1 to 32768, found ",
+                      mended = "; write such as: height = 1080";
+    is_about(Place("\nheight = 0").refusal({}), "zproof.toml:2:10: ", right + "0" + mended);
+    is_about(Place("height = 32769").refusal({}), "zproof.toml:1:10: ", right + "32769" + mended);
+    is_about(Place("height = 1.5").refusal({}), "zproof.toml:1:10: ", right + "a decimal number" + mended);
+    is_about(Place("[profiles.x]\nheight = -1").refusal({}), "zproof.toml:2:10: ", right + "-1" + mended);
+    is_about(Place("", {{"ZPROOF_HEIGHT", "40000"}}).refusal({}),
+             "ZPROOF_HEIGHT: expected a whole number from 1 to 32768",
+             "'40000'; write such as: ZPROOF_HEIGHT=1080");
     is_about(Place("strict = 1").refusal({}), "zproof.toml:1:", "true or false");
     is_about(Place("color = \"mauve\"").refusal({}), "zproof.toml:1:", "mauve");
     is_about(Place("report = [\"hmtl\"]").refusal({}), "zproof.toml:1:", "did you mean 'html'?");
@@ -123,6 +132,21 @@ TEST(Settings, AreRefusedWithWhereTheyStand) {
     is_about(Place("[profiles.ci]\n").refusal({"--profile", "cj"}), "zproof.toml", "did you mean 'ci'?");
     is_about(Place("", {{"ZPROOF_WIDTH", "wide"}}).refusal({}), "ZPROOF_WIDTH", "wide");
     is_about(Place("", {{"ZPROOF_STRICT", "maybe"}}).refusal({}), "ZPROOF_STRICT", "maybe");
+}
+
+/// What a file may say and what may be typed: one range.
+TEST(Settings, ThatAreNumbersHaveTheRangesOfTheirOptions) {
+    for (const Setting& setting : known_settings()) {
+        if (setting.kind != Setting::Kind::number) continue;
+        const auto [least, most, such_as] = setting.range;
+        EXPECT_TRUE(setting.range.contains(such_as)) << setting.name;
+        const auto typed = [&](std::int64_t number) {
+            return Place("").refusal({option_name(setting.name), std::to_string(number)});
+        };
+        for (const std::int64_t right : {least, most}) EXPECT_EQ(typed(right), "nothing was refused");
+        for (const std::int64_t wrong : {least - 1, most + 1})
+            EXPECT_NE(typed(wrong).find("not in range"), std::string::npos) << setting.name << typed(wrong);
+    }
 }
 
 TEST(Settings, ThatBearOnTheVerdictDoNotReachCommandsThatReportsName) {

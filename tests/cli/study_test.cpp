@@ -64,7 +64,6 @@ TEST(Study, WordsThatMeanNothingAreUsageErrors) {
     EXPECT_EQ(run(folder, {"study"}).exit_code, 2);
     EXPECT_EQ(run(folder, {"study", "projektion"}).exit_code, 2);
     EXPECT_EQ(run(folder, studied({"--view", "nowhere"})).exit_code, 2);
-    EXPECT_EQ(run(folder, {"study", "projection", "nothing-of-the-kind"}).exit_code, 2);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "zproof-study"));
 }
 

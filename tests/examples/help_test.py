@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
-"""Every worked example of the help, the manual page and README.md, run as it stands on small pictures.
+"""Every worked example of the helps, README.md and docs/cli.md, run as it stands on small pictures.
 
-    help_test.py ZPROOF SOURCE_FOLDER quick|long
+    help_test.py ZPROOF SOURCE_FOLDER RAYCASTER quick|long
+
+What an example speaks of (a model, a renderer, shards, waivers) is made before, most of it by zproof itself. An
+example that says nothing of the picture's size gets a small one.
 """
 import os
 import re
@@ -9,20 +12,35 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 # What takes minutes; `quick` leaves it to `long`.
-LONG = re.compile(r'zproof (selftest|filters check all|filters run worked|filters run checker_plane --view phi-45 --truth B -o)')
-# Sizes for those that would draw 1920 x 1080; an explained pixel must lie within the picture.
-SMALL = '--width 48 --height 32'
-SIZED = re.compile(r'zproof (run|render|filters run|filters check|filters crow)\b')
+LONG = re.compile(r'zproof (selftest|filters check all|filters run worked'
+                  r'|filters run checker_plane --view phi-45 --truth B -o)')
+# `zproof run` hears of a size by the environment; these are told. A picture of one's own has a size.
+SIZE = {'ZPROOF_WIDTH': '48', 'ZPROOF_HEIGHT': '32'}
+SIZED = re.compile(r'zproof (render|filters run|filters check|filters crow|study \w+)\b(?!.*--picture)')
+TODAY = '2026-11-21'  # a day on which the waivers of the examples hold
+
+# --- the examples ------------------------------------------------------------------------------------------
 
 
-def in_manual(zproof):
-    roff = subprocess.run([zproof, 'man'], check=True, stdout=subprocess.PIPE, text=True).stdout
-    for line in roff.replace('\\-', '-').replace('\\e', '\\').splitlines():
-        if line.startswith('  zproof '):
-            yield re.split(r'  +', line.strip())[0]
+def helps(zproof, *command):
+    """The help of a command and of those below it."""
+    text = subprocess.run([zproof, *command, '--help'], check=True, stdout=subprocess.PIPE, text=True).stdout
+    yield ' '.join(command), text
+    below = re.search(r'^Subcommands:\n((?:  .*\n)+)', text, re.MULTILINE)
+    for name in re.findall(r'^  ([a-z]\S*)', below.group(1), re.MULTILINE) if below else ():
+        yield from helps(zproof, *command, name)
+
+
+def in_helps(zproof):
+    for command, text in helps(zproof):
+        found = [re.split(r'  +', line.strip())[0] for line in text.splitlines() if line.startswith('  zproof ')]
+        if not found:
+            sys.exit(f'help_test: zproof {command} --help has no example')
+        yield from found
 
 
 def in_markdown(file):
@@ -34,68 +52,121 @@ def in_markdown(file):
             yield example
 
 
-def furnish(place, zproof, source):
-    def made(*words):
-        subprocess.run([zproof, *words], check=True, cwd=place, stdout=subprocess.DEVNULL)
-
-    wrapper = place / 'bin/zproof'
-    wrapper.parent.mkdir()
-    wrapper.write_text(f'#!/bin/sh\nexec {zproof} "$@"\n')
-    (place / 'mine').write_text(f'#!/bin/sh\nexec python3 {source}/examples/zbuffer.py "$1" "$2" "$5"\n')
-    for program in wrapper, place / 'mine':
-        program.chmod(0o755)
-    made('scenes', 'generate', 'textured_ground', 'guard_band', '-o', 'made')
-    (place / 'models').mkdir()
-    shutil.copy(place / 'made/guard_band.glb', place / 'models')
-    shutil.copy(place / 'made/textured_ground.glb', place / 'model.glb')
-    (place / 'path/to').mkdir(parents=True)
-    shutil.copy(place / 'model.glb', place / 'path/to')
-    shutil.copytree(place / 'models', place / 'path/to/models')
+# --- what they speak of ------------------------------------------------------------------------------------
 
 
-def view_of_model(place, zproof):
-    """The name of the model's first view, as --view of a wrong name tells it."""
-    told = subprocess.run([zproof, 'explain', 'model.glb', '0', '0', '--view', '?'], cwd=place, text=True,
-                          stderr=subprocess.PIPE).stderr
-    return re.search(r'has the views ([^,;\n]*)', told).group(1).strip()
+class Place:
+    """A folder in which zproof, and nothing else, is on PATH before what is there anyway."""
+
+    def __init__(self, folder, zproof):
+        self.folder, self.zproof = folder, zproof
+        (folder / 'bin').mkdir()
+        (folder / 'bin/zproof').symlink_to(zproof)
+        self.environment = dict(os.environ, **SIZE, ZPROOF_NOW=TODAY, PATH=f'{folder}/bin:{os.environ["PATH"]}')
+
+    def made(self, line, status=0, **environment):
+        """What the line wrote on stderr."""
+        ran = subprocess.run(['sh', '-c', line], cwd=self.folder, env=self.environment | environment, text=True,
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        if ran.returncode != status:
+            sys.exit(f'help_test: to furnish the examples: status {ran.returncode}: {line}\n{ran.stdout}{ran.stderr}')
+        return ran.stderr
+
+    def script(self, name, line):
+        (self.folder / name).parent.mkdir(exist_ok=True)
+        (self.folder / name).write_text(f'#!/bin/sh\nexec {line}\n')
+        (self.folder / name).chmod(0o755)
 
 
-def frames(place, zproof, view):
-    """Stored frames that the examples name, of the model's first view."""
-    subprocess.run([zproof, 'render', 'model.glb', '-o', 'stored'], check=True, cwd=place, stdout=subprocess.DEVNULL)
+def furnish_models(place):
+    place.made('zproof scenes generate textured_ground guard_band near_plane room -o made')
+    (place.folder / 'models').mkdir()
+    for name in 'guard_band', 'near_plane':
+        shutil.copy(place.folder / f'made/{name}.glb', place.folder / 'models')
+    shutil.copy(place.folder / 'made/textured_ground.glb', place.folder / 'model.glb')
+    shutil.copytree(place.folder / 'models', place.folder / 'path/to/models')
+    shutil.copy(place.folder / 'model.glb', place.folder / 'path/to')
+
+
+def furnish_frames(place):
+    """Stored frames of the model's first view, whose name is returned."""
+    told = place.made("zproof explain model.glb 0 0 --view '?'", status=2)
+    view = re.search(r'has the views ([^,;\n]*)', told).group(1).strip()
+    place.made('zproof render model.glb -o stored')
     for name in 'frame.exr', 'a.exr', 'b.exr':
-        shutil.copy(place / f'stored/{view}.exr', place / name)
-    subprocess.run([zproof, 'render', 'model.glb', '--filter', 'trilinear-gl', '-o', 'other'], check=True, cwd=place,
-                   stdout=subprocess.DEVNULL)
+        shutil.copy(place.folder / f'stored/{view}.exr', place.folder / name)
+    return view
+
+
+def furnish_results(place):
+    """Shards of one run; runs before and after a defect was mended; studies; a picture of a filter."""
+    for shard in 1, 2:
+        place.made(f'zproof run guard_band room --oracle none --shard hash:{shard}/2 -o shard-{shard}')
+    (place.folder / 'runs').mkdir()
+    place.made('zproof run guard_band --oracle none --precision ray,arithmetic=float64 -o runs/main/zproof-out', status=1)
+    place.made('zproof run guard_band --oracle none -o runs/mine/zproof-out')
+    for name, side in ('old', 'main'), ('new', 'mine'):
+        place.made(f'zproof report runs/{side}/zproof-out -o runs/{name}.json')
+    place.made('zproof study depth -o zproof-study')
+    place.made('zproof filters run worked --view phi-0 --methods nearest,ewa-true --width 64 --height 64 -o study')
+    place.made('zproof filters run worked --view phi-0 --methods trilinear-gl -o pictured')
+    shutil.copy(place.folder / 'pictured/pictures/worked-phi-0/trilinear-gl.exr', place.folder / 'mine.exr')
+
+
+def furnish_gate(place):
+    """A run whose every depth breaks its promise, in a picture that has the example's pixel; waivers that it needs."""
+    (place.folder / 'gate').mkdir()
+    place.made('cd gate && zproof run room --oracle none --precision ray,arithmetic=float64', status=1,
+               ZPROOF_WIDTH='820', ZPROOF_HEIGHT='348')
+    place.made('cd gate && zproof waive add --waivers waivers.toml --from zproof-out --scene room --view floor '
+               '--pixel 0,0 --reason "of the other view" --link https://example.org/11 --expires 2026-12-01')
+    shutil.copy(place.folder / 'gate/waivers.toml', place.folder)
+    (place.folder / 'zproof.toml').write_text('[profiles.ci]\ntime-limit = 60\n')
+
+
+def folder_of(line):
+    """Below the place: where this example finds a renderer or results that others find otherwise."""
+    if '--precision ray' in line:
+        return 'caster'
+    if line.startswith('zproof diff-results'):
+        return 'runs'
+    return 'gate' if line.startswith('zproof waive') else '.'
+
+
+# --- the test ----------------------------------------------------------------------------------------------
+
+def sized(line):
+    if not SIZED.match(line):
+        return line
+    words = f' --width {SIZE["ZPROOF_WIDTH"]} --height {SIZE["ZPROOF_HEIGHT"]}'
+    return line.replace(' > ', words + ' > ') if ' > ' in line else line + words
+
+
+def fails(line, view, place):
+    typed = sized(line.replace('--view cam', f'--view {view}'))
+    began = time.monotonic()
+    ran = subprocess.run(['sh', '-c', typed], cwd=place.folder / folder_of(line), env=place.environment, text=True,
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    print(f'{time.monotonic() - began:5.1f} s  {typed}', flush=True)
+    if ran.returncode != 0:
+        print(f'status {ran.returncode}\n{ran.stdout[-1500:]}', flush=True)
+    return ran.returncode != 0
 
 
 def main():
-    zproof, source, how = str(Path(sys.argv[1]).resolve()), Path(sys.argv[2]).resolve(), sys.argv[3]
-    lines = dict.fromkeys([*in_manual(zproof), *in_markdown(source / 'README.md'), *in_markdown(source / 'docs/cli.md')])
-    if len(lines) < 30:
-        sys.exit(f'help_test: only {len(lines)} examples were found')
+    zproof, source, raycaster = (Path(word).resolve() for word in sys.argv[1:4])
+    lines = dict.fromkeys([*in_helps(zproof), *in_markdown(source / 'README.md'), *in_markdown(source / 'docs/cli.md')])
+    chosen = [line for line in lines if bool(LONG.match(line)) == (sys.argv[4] == 'long')]
     with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder)
-        furnish(place, zproof, source)
-        view = view_of_model(place, zproof)
-        frames(place, zproof, view)
-        subprocess.run([zproof, 'filters', 'run', 'worked', '--view', 'phi-0', '--methods', 'nearest,ewa-true', '--width',
-                        '64', '--height', '64', '-o', 'study'], check=True, cwd=place, stdout=subprocess.DEVNULL)
-        environment = dict(os.environ, PATH=f'{place}/bin:{os.environ["PATH"]}')
-        failed = 0
-        for line in lines:
-            if bool(LONG.match(line)) != (how == 'long'):
-                continue
-            typed = line.replace('--view cam', f'--view {view}')
-            if SIZED.match(typed) and '--picture' not in typed:
-                typed = typed.replace(' > ', f' {SMALL} > ') if ' > ' in typed else f'{typed} {SMALL}'
-            print(typed, flush=True)
-            ran = subprocess.run(['sh', '-c', typed], cwd=place, env=environment, text=True, stdout=subprocess.PIPE,
-                                 stderr=subprocess.STDOUT)
-            if ran.returncode != 0:
-                print(f'status {ran.returncode}: {typed}\n{ran.stdout[-1500:]}', flush=True)
-                failed += 1
-        sys.exit(f'help_test: {failed} of {len(lines)} examples failed' if failed else 0)
+        place = Place(Path(folder), zproof)
+        place.script('mine', f'python3 {source}/examples/zbuffer.py "$1" "$2" "$5"')
+        place.script('caster/mine', f'{raycaster} "$1" "$2" "$5"')
+        furnish_models(place)
+        view = furnish_frames(place)
+        furnish_results(place)
+        furnish_gate(place)
+        failed = sum([fails(line, view, place) for line in chosen])
+        sys.exit(f'help_test: {failed} of {len(chosen)} examples failed' if failed else 0)
 
 
 if __name__ == '__main__':
