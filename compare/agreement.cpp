@@ -61,9 +61,9 @@ class Count {
     std::array<std::array<std::uint32_t, (Strip::uncounted + 1) * stride>, lanes> pairs_{};
 };
 
-/// Fetches what the next tile will read of a row: tiles end long before the processor sees where they lead.
+/// Fetches a strip of a row into the cache.
 template <class T>
-void fetch_ahead(std::span<const T> row, std::size_t first) {
+void fetch(std::span<const T> row, std::size_t first) {
     constexpr std::size_t step = 64 / sizeof(T);  // a line of the cache
     const std::size_t end = std::min(row.size(), first + Strip::width);
     for (std::size_t i = first; i < end; i += step) __builtin_prefetch(&row[i]);
@@ -103,6 +103,7 @@ class Comparison {
                                  known(count_.reference_largest, largest_.reference)};
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
+            fetch_ahead(tile.right, y);
             presort(largest, strip);
             hold(strip);
             if (scribes_) {
@@ -130,7 +131,6 @@ class Comparison {
         const auto left = std::size_t(tile.left), width = std::size_t(tile.right - tile.left);
         const auto take = [&](const auto& plane, auto& values, auto beyond) {
             const auto row = plane.row(y);
-            fetch_ahead(row, left + width);
             if (width == Strip::width) {  // nearly everywhere: so many that the compiler knows
                 std::memcpy(values.data(), &row[left], sizeof values);
             } else {
@@ -155,6 +155,14 @@ class Comparison {
             const PrimitiveId triangle = strip.reference.primitive[i];
             if (triangle != latest) latest = triangle, its_law = law_of(triangle);
             strip.reference.law[i] = its_law;
+        }
+    }
+
+    /// Of a row, what the next tile will read.
+    void fetch_ahead(int left, int y) const {
+        for (const Witness* const witness : {&candidate_, &reference_}) {
+            fetch(witness->frame().primitive.row(y), std::size_t(left));
+            fetch(witness->frame().camera_depth.row(y), std::size_t(left));
         }
     }
 
