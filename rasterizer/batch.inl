@@ -1,8 +1,6 @@
 // Sixteen triangles side by side, set up together. Loops over the lanes are plain: the compiler makes vectors
 // of them.
 
-constexpr int batch_size = 16;
-
 constexpr int small_side = 4;  ///< pixels of a small triangle's box, at most
 
 /// The longest side of a small triangle's box, grid steps. Differences of its vertices, and from its first

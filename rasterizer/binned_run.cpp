@@ -37,6 +37,7 @@ BinTally& BinTally::operator+=(const BinTally& other) {
     cut += other.cut;
     facing_away += other.facing_away;
     set_up += other.set_up;
+    box_px += other.box_px;
     return *this;
 }
 
@@ -91,8 +92,12 @@ void BinnedRun::add(const SnappedPoint& a, const SnappedPoint& b, const SnappedP
     if (queue_.count == CornerLanes::count) place_queue();
 }
 
+/// Lanes of the last queue that nobody is in hold a triangle without an area.
 void BinnedRun::place_queue() {
+    for (auto& corner : queue_.corners.corner)
+        std::fill(corner + queue_.count, corner + CornerLanes::count, SnappedPoint{});
     const PlacedLanes placed = kernel_->place(*setup_, queue_.corners);
+    tally_.box_px += placed.box_px;
     if (queue_.count == CornerLanes::count && placed.in_one_tile)
         return add_queue_to_tile(tiles_.tile_at(placed.column0[0], placed.row0[0]), placed);
     for (int i = 0; i < queue_.count; ++i) {

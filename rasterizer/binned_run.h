@@ -18,6 +18,7 @@ struct BinTally {
     std::uint64_t cut = 0;          ///< clipped by near, far or the guard band
     std::uint64_t facing_away = 0;  ///< left out by Facing::front, pieces included
     std::uint64_t set_up = 0;       ///< put into tiles, pieces included
+    std::uint64_t box_px = 0;  ///< pixels of the image in the boxes of those: twice what they cover, or more
 
     BinTally& operator+=(const BinTally& other);
 };

@@ -28,6 +28,17 @@ struct DepthFunctional {
     }
 };
 
+/// No pixel that a triangle covers gets more, of vertices with these: max N + 4u max |N| (u = 2^-53, of three
+/// roundings per term and the quotient's; what underflow adds is lost in the rounding to float32). 2^-50 is
+/// twice that, for this sum's own rounding. Rounding to float32 keeps the order.
+[[gnu::always_inline]] constexpr float nearest_pixel(double n0, double n1, double n2) {
+    const auto greater = [](double a, double b) { return a > b ? a : b; };
+    const auto magnitude = [](double a) { return a < 0 ? -a : a; };
+    const double most = greater(n0, greater(n1, n2));
+    const double largest = greater(magnitude(n0), greater(magnitude(n1), magnitude(n2)));
+    return static_cast<float>(most + 0x1p-50 * largest);
+}
+
 constexpr DepthFunctional depth_functional(Projection projection, const Rules& rules) {
     const bool affine_in_raster_space = projection == Projection::parallel;
     const bool reciprocal =

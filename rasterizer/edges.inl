@@ -52,16 +52,9 @@ void Edges::set_up_edge(int k, const Batch& batch, const TileSamples& tile) {
     }
 }
 
-/// A covered pixel gets at most max N + 4u max |N| (u = 2^-53, of three roundings per term and the
-/// quotient's; what underflow adds is lost in the rounding to float32). 2^-50 is twice that, for this sum's
-/// own rounding. Rounding to float32 keeps the order.
 void Edges::set_up_nearest(const Batch& batch) {
-    for (int i = 0; i < batch_size; ++i) {
-        const double n0 = batch.nearness[0][i], n1 = batch.nearness[1][i], n2 = batch.nearness[2][i];
-        const double most = greater_of(n0, greater_of(n1, n2));
-        const double largest = greater_of(magnitude(n0), greater_of(magnitude(n1), magnitude(n2)));
-        nearest[i] = float(most + 0x1p-50 * largest);
-    }
+    for (int i = 0; i < batch_size; ++i)
+        nearest[i] = nearest_pixel(batch.nearness[0][i], batch.nearness[1][i], batch.nearness[2][i]);
 }
 
 /// Of an empty box, any.

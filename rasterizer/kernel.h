@@ -46,7 +46,13 @@ struct FragmentShader {
     ShadingTime time = ShadingTime::after_the_test;
 };
 
-/// Some triangles, in the order of drawing, for one tile. They need an area and to be within the guard band.
+/// Of triangles that are equally near, whose pixel it is. The same where they come in the order of their ids.
+enum class Ties { first_to_come, least_id };
+
+/// So many triangles are set up together.
+inline constexpr int batch_size = 16;
+
+/// Some triangles for one tile, in the order of drawing. They need an area and to be within the guard band.
 struct TileWork {
     const Triangles& triangles;
     const std::uint32_t* places = nullptr;
@@ -54,6 +60,8 @@ struct TileWork {
     const TileSamples& samples;
     TilePixels& pixels;
     HierarchicalZ hierarchical_z = HierarchicalZ::blocks;
+    Ties ties = Ties::first_to_come;         ///< for draw and draw_tallied; others have that
+    const float* nearest_left = nullptr;     ///< for draw: TilePlaces has it (tile.h)
     Tally* tally = nullptr;                  ///< for draw_tallied
     const FragmentShader* shader = nullptr;  ///< for draw_shaded
 };
@@ -81,6 +89,7 @@ struct PlacedLanes {
     alignas(64) std::uint32_t turn[CornerLanes::count];       ///< `turned`, or 0
     alignas(64) std::int32_t faces_away[CornerLanes::count];  ///< 1 where that alone is why there are none
     bool in_one_tile;                                         ///< all, in the same
+    std::uint64_t box_px;  ///< pixels of the image in the boxes of those that have some, all together
 };
 
 /// A tile's pixels, to be written into a frame.

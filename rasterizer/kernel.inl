@@ -73,12 +73,19 @@ void draw_batch(const TileWork& work, const Batch& batch, std::int64_t first, in
     }
 }
 
+/// Is the tile nearer than all that is left from a batch on?
+bool is_finished(const TileWork& work, std::int64_t first) {
+    if (work.nearest_left == nullptr) return false;
+    return work.nearest_left[first / batch_size] < least_of(load(work.pixels.farthest_in_cell));
+}
+
 template <class Visit>
 void for_each_triangle(const TileWork& work) {
     const Visit visit(work);
     Batch batch;
     for (std::int64_t i = -2 * fetched_ahead; i < 0; ++i) fetch_ahead(work, i);
     for (std::int64_t first = 0; first < work.count; first += batch_size) {
+        if (Visit::hidden_cells == HiddenCells::passed_over && is_finished(work, first)) return;
         const int last = (work.count - first < batch_size ? int(work.count - first) : batch_size) - 1;
         batch.load(work.triangles, work.places + first, last);
         batch.set_up_box(work.samples);
@@ -94,8 +101,19 @@ void clear(TilePixels& pixels, std::uint32_t primitive) noexcept {
     for (float& farthest : pixels.farthest_in_cell) farthest = nothing_seen;
 }
 
-[[gnu::flatten]] void draw(const TileWork& work) noexcept { for_each_triangle<Draw>(work); }
+[[gnu::flatten, gnu::noinline]] void draw_in_order(const TileWork& work) noexcept {
+    for_each_triangle<Draw<Ties::first_to_come>>(work);
+}
+[[gnu::flatten, gnu::noinline]] void draw_in_any_order(const TileWork& work) noexcept {
+    for_each_triangle<Draw<Ties::least_id>>(work);
+}
+void draw(const TileWork& work) noexcept {
+    work.ties == Ties::first_to_come ? draw_in_order(work) : draw_in_any_order(work);
+}
 void count(const TileWork& work) noexcept { for_each_triangle<Count>(work); }
 void draw_every_block(const TileWork& work) noexcept { for_each_triangle<DrawEveryBlock>(work); }
-void draw_tallied(const TileWork& work) noexcept { for_each_triangle<DrawTallied>(work); }
+void draw_tallied(const TileWork& work) noexcept {
+    work.ties == Ties::first_to_come ? for_each_triangle<DrawTallied<Ties::first_to_come>>(work)
+                                     : for_each_triangle<DrawTallied<Ties::least_id>>(work);
+}
 void draw_shaded(const TileWork& work) { for_each_triangle<DrawShaded>(work); }

@@ -141,6 +141,29 @@ Mask greater(const Floats& a, const Floats& b) {
     return {_mm256_cmp_ps(a.low, b.low, _CMP_GT_OQ), _mm256_cmp_ps(a.high, b.high, _CMP_GT_OQ)};
 }
 
+Mask not_less(const Floats& a, const Floats& b) {
+    return {_mm256_cmp_ps(a.low, b.low, _CMP_GE_OQ), _mm256_cmp_ps(a.high, b.high, _CMP_GE_OQ)};
+}
+
+Mask equal(const Floats& a, const Floats& b) {
+    return {_mm256_cmp_ps(a.low, b.low, _CMP_EQ_OQ), _mm256_cmp_ps(a.high, b.high, _CMP_EQ_OQ)};
+}
+
+Mask operator|(const Mask& a, const Mask& b) {
+    return {_mm256_or_ps(a.low, b.low), _mm256_or_ps(a.high, b.high)};
+}
+
+/// Of some lanes those that hold more than `least`.
+Mask above(const Mask& where, const std::uint32_t* values, std::uint32_t least) {
+    const __m256i bound = _mm256_set1_epi32(static_cast<int>(least));
+    const auto half = [&](const std::uint32_t* of, const __m256& mask) {
+        const __m256i held = _mm256_load_si256(reinterpret_cast<const __m256i*>(of));
+        const __m256i at_most = _mm256_cmpeq_epi32(_mm256_min_epu32(held, bound), held);
+        return _mm256_andnot_ps(_mm256_castsi256_ps(at_most), mask);
+    };
+    return {half(values, where.low), half(values + 8, where.high)};
+}
+
 Floats rounded(const Doubles& a) {
     const auto pair = [&](int i) {
         return _mm256_set_m128(_mm256_cvtpd_ps(a.part[i + 1]), _mm256_cvtpd_ps(a.part[i]));

@@ -87,6 +87,15 @@ Ints clamped(const Doubles& a, double most) {
 }
 
 Mask greater(const Floats& a, const Floats& b) { return {_mm512_cmp_ps_mask(a.lanes, b.lanes, _CMP_GT_OQ)}; }
+Mask not_less(const Floats& a, const Floats& b) { return {_mm512_cmp_ps_mask(a.lanes, b.lanes, _CMP_GE_OQ)}; }
+Mask equal(const Floats& a, const Floats& b) { return {_mm512_cmp_ps_mask(a.lanes, b.lanes, _CMP_EQ_OQ)}; }
+Mask operator|(Mask a, Mask b) { return {_kor_mask16(a.lanes, b.lanes)}; }
+
+/// Of some lanes those that hold more than `least`.
+Mask above(Mask where, const std::uint32_t* values, std::uint32_t least) {
+    return {_mm512_mask_cmpgt_epu32_mask(where.lanes, _mm512_load_si512(values),
+                                         _mm512_set1_epi32(static_cast<int>(least)))};
+}
 
 Floats rounded(const Doubles& a) {
     const __m512 low = _mm512_castps256_ps512(_mm512_cvtpd_ps(a.low));

@@ -147,6 +147,27 @@ Mask greater(const Floats& a, const Floats& b) {
     return mask;
 }
 
+Mask not_less(const Floats& a, const Floats& b) {
+    Mask mask;
+    for (int i = 0; i < 16; ++i) mask.lanes |= unsigned{a.lane[i] >= b.lane[i]} << i;
+    return mask;
+}
+
+Mask equal(const Floats& a, const Floats& b) {
+    Mask mask;
+    for (int i = 0; i < 16; ++i) mask.lanes |= unsigned{a.lane[i] == b.lane[i]} << i;
+    return mask;
+}
+
+Mask operator|(Mask a, Mask b) { return {a.lanes | b.lanes}; }
+
+/// Of some lanes those that hold more than `least`.
+Mask above(Mask where, const std::uint32_t* values, std::uint32_t least) {
+    Mask mask;
+    for (int i = 0; i < 16; ++i) mask.lanes |= unsigned{values[i] > least} << i;
+    return {mask.lanes & where.lanes};
+}
+
 Floats rounded(const Doubles& a) {
     Floats f;
     for (int i = 0; i < 16; ++i) f.lane[i] = float(a.lane[i]);

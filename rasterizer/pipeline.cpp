@@ -45,15 +45,30 @@ ViewSetup Pipeline::prepare(const Scene& scene, const View& view, const std::vec
     return setup;
 }
 
+/// Is what was prepared to be drawn the nearest first?
+bool Pipeline::put_in_order(const ViewSetup& setup) {
+    const bool is_wanted =
+        tricks_.order == DrawOrder::nearest_first || (tricks_.order == DrawOrder::nearest_first_where_deep &&
+                                                      nearest_first_pays(bins_.tally(), setup.size));
+    if (!is_wanted || setup.hierarchical_z == HierarchicalZ::none) return false;
+    nearest_first_.fill(bins_);
+    return true;
+}
+
+TilePlaces Pipeline::places_in(std::size_t tile, bool nearest_first) {
+    const std::span<const std::uint32_t> places = bins_.places_in(tile);
+    return nearest_first ? nearest_first_.ordered(places) : TilePlaces{places};
+}
+
 const Frame& Pipeline::render(const Scene& scene, const View& view, const std::vector<Chunk>& chunks) {
-    const ViewSetup setup(view, rules_, tricks_);
-    prepare(scene, view, chunks);
+    const ViewSetup setup = prepare(scene, view, chunks);
+    const bool nearest_first = put_in_order(setup);
     if (frame_.size() != setup.size) frame_ = Frame::unwritten(setup.size);
     for_each_tile([&](std::size_t i) {
         const PixelRect pixels = bins_.tiles().pixels(i, setup.size);
         if (bins_.places_in(i).empty()) return clear(frame_, pixels);
         Tile tile(kernel_, pixels, setup);
-        tile.draw(bins_.triangles(), bins_.places_in(i));
+        tile.draw(bins_.triangles(), places_in(i, nearest_first));
         tile.resolve(frame_);
     });
     return frame_;
@@ -72,6 +87,7 @@ Plane<std::uint32_t> Pipeline::count_fragments(const Scene& scene, const View& v
 
 Work Pipeline::count_work(const Scene& scene, const View& view, const std::vector<Chunk>& chunks) {
     const ViewSetup setup = prepare(scene, view, chunks);
+    const bool nearest_first = put_in_order(setup);
     std::vector<Range> vertices{{0, std::uint32_t(scene.vertices.position_world.size())}};
     Work work;
     work.bins = bins_.tally();
@@ -85,7 +101,7 @@ Work Pipeline::count_work(const Scene& scene, const View& view, const std::vecto
     std::vector<Tally> tallies(bins_.tiles().count());
     for_each_tile([&](std::size_t i) {
         Tile tile(kernel_, bins_.tiles().pixels(i, setup.size), setup);
-        tile.draw_tallied(bins_.triangles(), bins_.places_in(i), tallies[i]);
+        tile.draw_tallied(bins_.triangles(), places_in(i, nearest_first), tallies[i]);
         tile.resolve(frame);
     });
     for (std::size_t i = 0; i < tallies.size(); ++i) {
@@ -127,7 +143,7 @@ ShadedFrame Pipeline::render_shaded(const Scene& scene, const View& view, const 
     for_each_tile([&](std::size_t i) {
         Stage stage{shader, frame.picture};
         Tile tile(kernel_, bins_.tiles().pixels(i, setup.size), setup);
-        tile.draw_shaded(bins_.triangles(), bins_.places_in(i), {Stage::shade, &stage, time});
+        tile.draw_shaded(bins_.triangles(), {bins_.places_in(i)}, {Stage::shade, &stage, time});
         shaded[i] = stage.shaded;
     });
     for (const std::uint64_t count : shaded) frame.shaded += count;

@@ -8,6 +8,7 @@
 #include "frame/picture.h"
 #include "rasterizer/dispatch.h"
 #include "rasterizer/draw_list.h"
+#include "rasterizer/nearest_first.h"
 #include "rasterizer/rules.h"
 #include "rasterizer/tile_bins.h"
 #include "rasterizer/view_setup.h"
@@ -36,8 +37,9 @@ struct ShadedFrame {
     std::uint64_t shaded = 0;  ///< fragments that were shaded
 };
 
-/// Vertices, then triangles into tiles, then tiles, each in parallel. Tiles share no pixel and draw in scene
-/// order, so the bits depend on scene, view and rules alone. What it allocates it keeps for the next frame.
+/// Vertices, then triangles into tiles, then tiles, each in parallel. Tiles share no pixel and draw as if in
+/// scene order, so the bits depend on scene, view and rules alone. What it allocates it keeps for the next
+/// frame.
 class Pipeline {
   public:
     explicit Pipeline(const Rules& rules, const Kernel& kernel = widest_kernel(), const Tricks& tricks = {})
@@ -63,6 +65,8 @@ class Pipeline {
     template <class Visit>
     void for_each_tile(const Visit& visit) const;
     ViewSetup prepare(const Scene& scene, const View& view, const std::vector<Chunk>& chunks);
+    bool put_in_order(const ViewSetup& setup);
+    TilePlaces places_in(std::size_t tile, bool nearest_first);
 
     Rules rules_;
     Kernel kernel_;
@@ -70,6 +74,7 @@ class Pipeline {
     DrawList list_;  ///< of the last prepare(), where tricks need chunks
     ProjectedVertices projected_;
     TileBins bins_;
+    NearestFirst nearest_first_;
     Frame frame_;
 };
 

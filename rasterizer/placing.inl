@@ -9,7 +9,9 @@ PlacedLanes place(const ViewSetup& setup, const CornerLanes& corners) noexcept {
     const std::int32_t only_front = setup.facing == Facing::front ? 1 : 0;
     const auto& [a, b, c] = corners.corner;
     PlacedLanes placed;
+    alignas(64) std::int32_t box_px[CornerLanes::count];
     std::int32_t differ = 0;
+    std::int64_t all_box_px = 0;
     for (int i = 0; i < CornerLanes::count; ++i) {
         const double doubled_area = double(b[i].x - a[i].x) * double(c[i].y - a[i].y) -
                                     double(b[i].y - a[i].y) * double(c[i].x - a[i].x);
@@ -30,10 +32,13 @@ PlacedLanes place(const ViewSetup& setup, const CornerLanes& corners) noexcept {
         placed.row1[i] = y1 / tile_size;
         placed.turn[i] = doubled_area < 0 ? turned : 0;
         placed.faces_away[i] = faces_away;
+        box_px[i] = is_drawn ? (x1 - x0 + 1) * (y1 - y0 + 1) : 0;  // at most 2^30
     }
     for (int i = 0; i < CornerLanes::count; ++i)
         differ |= (placed.column0[i] ^ placed.column1[i]) | (placed.row0[i] ^ placed.row1[i]) |
                   (placed.column0[i] ^ placed.column0[0]) | (placed.row0[i] ^ placed.row0[0]);
+    for (int i = 0; i < CornerLanes::count; ++i) all_box_px += box_px[i];
     placed.in_one_tile = differ == 0;
+    placed.box_px = std::uint64_t(all_box_px);
     return placed;
 }

@@ -25,12 +25,22 @@ struct Won {
     unsigned covered, nearer;
 };
 
+/// Where something no nearer than `nearest` may win a pixel.
+template <Ties ties>
+Mask may_win(float nearest, const Floats& farthest) {
+    return ties == Ties::least_id ? not_less(all(nearest), farthest) : greater(all(nearest), farthest);
+}
+
 /// Depth test, depth and id of the pixels of a block.
-template <class Covered>
+template <Ties ties, class Covered>
 Won draw_block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& covered) {
     const std::ptrdiff_t first = std::ptrdiff_t{16} * block.place;
     const Floats before = load(pixels.nearness + first);
-    const Mask wins = covered.of(greater(seen, before));
+    Mask wins = covered.of(greater(seen, before));
+    if (ties == Ties::least_id) {
+        const Mask tied = covered.of(equal(seen, before));
+        if (bits_of(tied) != 0) wins = wins | above(tied, pixels.primitive + first, block.id);
+    }
     store(pixels.nearness + first, chosen(wins, seen, before));
     put(pixels.primitive + first, wins, block.id);
     return {covered.covered(), bits_of(wins)};
@@ -71,7 +81,7 @@ struct TriangleScan {
     void scan() const {
         unsigned cells = edges.cells[i];
         if (Visit::hidden_cells == HiddenCells::passed_over)
-            cells &= bits_of(greater(all(edges.nearest[i]), load(work.pixels.farthest_in_cell)));
+            cells &= bits_of(may_win<Visit::ties>(edges.nearest[i], load(work.pixels.farthest_in_cell)));
         if (cells == 0) return;
         const Cover cover(edges, i);
         const NearnessPlane nearness(batch, edges, work.samples, i);
@@ -114,7 +124,7 @@ struct TriangleScan {
     bool draw_if_open(Square& square, const Cover& cover, const NearnessPlane& nearness) const {
         const Floats farthest =
             load_square(work.pixels.farthest + block_at(square.x, square.y), blocks_in_row);
-        const unsigned open = square.met & bits_of(greater(all(edges.nearest[i]), farthest));
+        const unsigned open = square.met & bits_of(may_win<Visit::ties>(edges.nearest[i], farthest));
         visit.leave_out(square.met & ~open);
         square.met = open;
         if (open != 0) draw(square, cover, nearness);

@@ -1,5 +1,8 @@
 #include "rasterizer/tile.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace zproof::rasterizer {
 namespace {
 
@@ -25,24 +28,44 @@ Tile::Tile(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup
     kernel_.clear(values_, std::uint32_t(PrimitiveId::none));
 }
 
-TileWork Tile::work(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept {
-    return {triangles, places.data(), std::uint32_t(places.size()), samples_, values_, hierarchical_z_};
+/// Nothing wins a pixel that is not the image's, so that the tile can be finished without it.
+void Tile::close_beyond_image() noexcept {
+    for (int y = 0; y < tile_size; ++y)
+        for (int x = y < samples_.rows ? samples_.columns : 0; x < tile_size; ++x)
+            values_.nearness[place_in_tile(x, y)] = std::numeric_limits<float>::infinity();
+    std::ranges::fill(values_.farthest_in_cell, std::numeric_limits<float>::infinity());
+    for (int block = 0; block < TilePixels::blocks; ++block) {
+        const float farthest = std::ranges::min(std::span(values_.nearness).subspan(16 * block, 16));
+        const int cell = block / blocks_in_row / 4 * 4 + block % blocks_in_row / 4;
+        values_.farthest[block] = farthest;
+        values_.farthest_in_cell[cell] = std::min(values_.farthest_in_cell[cell], farthest);
+    }
 }
 
-void Tile::draw(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept {
+TileWork Tile::work(const Triangles& triangles, const TilePlaces& places) noexcept {
+    return {.triangles = triangles,
+            .places = places.places.data(),
+            .count = std::uint32_t(places.places.size()),
+            .samples = samples_,
+            .pixels = values_,
+            .hierarchical_z = hierarchical_z_,
+            .ties = places.ties,
+            .nearest_left = places.nearest_left};
+}
+
+void Tile::draw(const Triangles& triangles, const TilePlaces& places) noexcept {
+    if (places.nearest_left != nullptr) close_beyond_image();
     const auto draw = hierarchical_z_ == HierarchicalZ::blocks ? kernel_.draw : kernel_.draw_every_block;
     draw(work(triangles, places));
 }
 
-void Tile::draw_tallied(const Triangles& triangles, std::span<const std::uint32_t> places,
-                        Tally& tally) noexcept {
+void Tile::draw_tallied(const Triangles& triangles, const TilePlaces& places, Tally& tally) noexcept {
     TileWork counted = work(triangles, places);
     counted.tally = &tally;
     kernel_.draw_tallied(counted);
 }
 
-void Tile::draw_shaded(const Triangles& triangles, std::span<const std::uint32_t> places,
-                       const FragmentShader& shader) {
+void Tile::draw_shaded(const Triangles& triangles, const TilePlaces& places, const FragmentShader& shader) {
     TileWork shaded = work(triangles, places);
     shaded.shader = &shader;
     kernel_.draw_shaded(shaded);

@@ -12,19 +12,25 @@
 
 namespace zproof::rasterizer {
 
+/// Triangles that may cover samples of a tile, in the order of drawing.
+struct TilePlaces {
+    std::span<const std::uint32_t> places{};
+    Ties ties = Ties::first_to_come;
+    /// Where it is known: of the i-th `batch_size` and of all that follow, no pixel is nearer than the i-th.
+    const float* nearest_left = nullptr;
+};
+
 /// The pixels of one tile while triangles are drawn into it, by a kernel.
 class Tile {
   public:
     /// pixels: at most tile_size wide and high.
     Tile(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup) noexcept;
 
-    void draw(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept;
+    void draw(const Triangles& triangles, const TilePlaces& places) noexcept;
     /// The same, and adds to the tally.
-    void draw_tallied(const Triangles& triangles, std::span<const std::uint32_t> places,
-                      Tally& tally) noexcept;
+    void draw_tallied(const Triangles& triangles, const TilePlaces& places, Tally& tally) noexcept;
     /// The same, and hands every fragment to the shader.
-    void draw_shaded(const Triangles& triangles, std::span<const std::uint32_t> places,
-                     const FragmentShader& shader);
+    void draw_shaded(const Triangles& triangles, const TilePlaces& places, const FragmentShader& shader);
 
     /// Writes ids and camera depths of this tile's pixels. Another thread may look when the kernel has
     /// published them.
@@ -34,7 +40,8 @@ class Tile {
     const Kernel& kernel_;
     PixelRect pixels_;
     DepthFunctional depth_;
-    TileWork work(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept;
+    TileWork work(const Triangles& triangles, const TilePlaces& places) noexcept;
+    void close_beyond_image() noexcept;
 
     TileSamples samples_;
     HierarchicalZ hierarchical_z_;

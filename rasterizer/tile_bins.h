@@ -35,6 +35,7 @@ class TileBins {
     std::span<const std::uint32_t> places_in(std::size_t tile) const {
         return std::span(places_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
     }
+    std::span<const SnappedPiece> pieces() const { return pieces_; }
     const TileGrid& tiles() const { return tiles_; }
     BinTally tally() const;
 

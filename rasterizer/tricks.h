@@ -1,5 +1,5 @@
-/// What saves a z-buffer work without changing its picture. As it stands, nothing but hierarchical
-/// z is on. Plain data only: kernels see it (kernel.h).
+/// What saves a z-buffer work without changing its picture. As it stands, hierarchical z is on, and what that
+/// hides most by, the nearest first. Plain data only: kernels see it (kernel.h).
 #pragma once
 
 namespace zproof::rasterizer {
@@ -23,6 +23,8 @@ enum class FrustumCulling {
 
 enum class DrawOrder {
     as_stored,
+    nearest_first,  ///< in each tile, triangle by triangle, where hierarchical z is on; every bit is kept
+    nearest_first_where_deep,  ///< that where triangles lie over each other so often that it pays
     front_to_back,  ///< chunk by chunk, by their boxes' nearest depth: of equal depths another may win
 };
 
@@ -30,7 +32,7 @@ struct Tricks {
     Facing facing = Facing::both;
     HierarchicalZ hierarchical_z = HierarchicalZ::blocks;
     FrustumCulling frustum_culling = FrustumCulling::triangles;
-    DrawOrder order = DrawOrder::as_stored;
+    DrawOrder order = DrawOrder::nearest_first_where_deep;
 };
 
 }  // namespace zproof::rasterizer

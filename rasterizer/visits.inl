@@ -22,52 +22,61 @@ struct Fragment {
 };
 
 /// Depth test of one pixel.
+template <Ties ties>
 bool draw_pixel(TilePixels& pixels, int place, float seen, std::uint32_t id) {
-    if (!(seen > pixels.nearness[place])) return false;
+    const float before = pixels.nearness[place];
+    const bool wins_tie = ties == Ties::least_id && seen == before && id < pixels.primitive[place];
+    if (!(seen > before) && !wins_tie) return false;
     pixels.nearness[place] = seen;
     pixels.primitive[place] = id;
     return true;
 }
 
+template <Ties ties>
 bool draw_fragment(const Batch& batch, const SmallTriangles& small, unsigned index, TilePixels& pixels) {
-    return draw_pixel(pixels, small.place[index / batch_size][index % batch_size],
-                      small.seen[index / batch_size][index % batch_size], batch.id[index % batch_size]);
+    return draw_pixel<ties>(pixels, small.place[index / batch_size][index % batch_size],
+                            small.seen[index / batch_size][index % batch_size], batch.id[index % batch_size]);
 }
 
+template <Ties ties>
 void draw_small(const Batch& batch, const SmallTriangles& small, int from, int to, TilePixels& pixels) {
-    for_each_fragment(small, from, to, [&](unsigned index) { draw_fragment(batch, small, index, pixels); });
+    for_each_fragment(small, from, to,
+                      [&](unsigned index) { draw_fragment<ties>(batch, small, index, pixels); });
 }
 
+template <Ties of_equal_depth>
 struct Draw {
     static constexpr HiddenCells hidden_cells = HiddenCells::passed_over;
+    static constexpr Ties ties = of_equal_depth;
 
     explicit Draw(const TileWork&) {}
     void leave_out(unsigned) const {}
     template <class Covered>
     void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& covered) const {
-        draw_block(pixels, block, seen, covered);
+        draw_block<ties>(pixels, block, seen, covered);
     }
     void drawn(TilePixels& pixels, int place, unsigned blocks) const { note_farthest(pixels, place, blocks); }
     void small_triangles(const Batch& batch, const SmallTriangles& small, int from, int to,
                          TilePixels& pixels) const {
-        draw_small(batch, small, from, to, pixels);
+        draw_small<ties>(batch, small, from, to, pixels);
     }
 };
 
 /// What is farthest is never noted, so that no block is hidden.
 struct DrawEveryBlock {
     static constexpr HiddenCells hidden_cells = HiddenCells::visited;
+    static constexpr Ties ties = Ties::first_to_come;
 
     explicit DrawEveryBlock(const TileWork&) {}
     void leave_out(unsigned) const {}
     template <class Covered>
     void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& covered) const {
-        draw_block(pixels, block, seen, covered);
+        draw_block<ties>(pixels, block, seen, covered);
     }
     void drawn(TilePixels&, int, unsigned) const {}
     void small_triangles(const Batch& batch, const SmallTriangles& small, int from, int to,
                          TilePixels& pixels) const {
-        draw_small(batch, small, from, to, pixels);
+        draw_small<ties>(batch, small, from, to, pixels);
     }
 };
 
@@ -82,8 +91,10 @@ unsigned within_image(const TileSamples& tile, const Block& block) {
 
 unsigned count_of(unsigned bits) { return unsigned(__builtin_popcount(bits)); }
 
+template <Ties of_equal_depth>
 struct DrawTallied {
     static constexpr HiddenCells hidden_cells = HiddenCells::visited;
+    static constexpr Ties ties = of_equal_depth;
     Tally& tally;
     HierarchicalZ hierarchical_z;
     const TileSamples& tile;
@@ -96,7 +107,7 @@ struct DrawTallied {
     }
     template <class Covered>
     void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& is_covered) const {
-        const Won won = draw_block(pixels, block, seen, is_covered);
+        const Won won = draw_block<ties>(pixels, block, seen, is_covered);
         const unsigned image = within_image(tile, block);
         tally.blocks += 1;
         tally.fragments += count_of(won.covered & image);
@@ -109,7 +120,7 @@ struct DrawTallied {
                          TilePixels& pixels) const {
         for (int i = from; i < to; ++i) tally.blocks += blocks_met(batch, i);
         for_each_fragment(small, from, to, [&](unsigned index) {
-            const bool is_nearer = draw_fragment(batch, small, index, pixels);
+            const bool is_nearer = draw_fragment<ties>(batch, small, index, pixels);
             const Fragment fragment(batch, index);
             if (!is_in_image(tile, fragment.column, fragment.row)) return;
             tally.fragments += 1;
@@ -125,6 +136,7 @@ struct DrawTallied {
 
 struct DrawShaded {
     static constexpr HiddenCells hidden_cells = HiddenCells::visited;
+    static constexpr Ties ties = Ties::first_to_come;
     const FragmentShader& shader;
     HierarchicalZ hierarchical_z;
     const TileSamples& tile;
@@ -138,7 +150,7 @@ struct DrawShaded {
     }
     template <class Covered>
     void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& is_covered) const {
-        const Won won = draw_block(pixels, block, seen, is_covered);
+        const Won won = draw_block<ties>(pixels, block, seen, is_covered);
         const unsigned shaded = (is_late() ? won.covered : won.nearer) & within_image(tile, block);
         for (unsigned left = shaded; left != 0; left &= left - 1) {
             const int i = __builtin_ctz(left);
@@ -152,7 +164,7 @@ struct DrawShaded {
     void small_triangles(const Batch& batch, const SmallTriangles& small, int from, int to,
                          TilePixels& pixels) const {
         for_each_fragment(small, from, to, [&](unsigned index) {
-            const bool is_nearer = draw_fragment(batch, small, index, pixels);
+            const bool is_nearer = draw_fragment<ties>(batch, small, index, pixels);
             const Fragment fragment(batch, index);
             if ((is_late() || is_nearer) && is_in_image(tile, fragment.column, fragment.row))
                 shade(fragment.id, fragment.column, fragment.row, is_nearer ? Fate::kept : Fate::discarded);
@@ -162,6 +174,7 @@ struct DrawShaded {
 
 struct Count {
     static constexpr HiddenCells hidden_cells = HiddenCells::visited;
+    static constexpr Ties ties = Ties::first_to_come;
 
     explicit Count(const TileWork&) {}
     void leave_out(unsigned) const {}

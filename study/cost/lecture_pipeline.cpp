@@ -72,7 +72,7 @@ void LecturePipeline::rasterize() {
             continue;
         }
         rasterizer::Tile tile(kernel, pixels, setup_);
-        tile.draw(bins_.triangles(), bins_.places_in(i));
+        tile.draw(bins_.triangles(), {bins_.places_in(i)});
         tile.resolve(frame_);
     }
     kernel.publish();

@@ -161,7 +161,8 @@ constexpr Kernel kernel{Isa::scalar, "plain", project, place, clear, resolve, pu
 /// Any kernel, on 1 to 3 threads.
 void expect_plain_bits(const Scene& scene, const View& view, const Rules& rules = lawful_rules) {
     const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 3);
-    const Frame expected = render_by(rules, scene, view, plain::kernel);
+    Pipeline in_scene_order(rules, plain::kernel, {.order = DrawOrder::as_stored});
+    const Frame& expected = in_scene_order.render(scene, view);
     const Plane<std::uint32_t> fragments = Pipeline(rules, plain::kernel).count_fragments(scene, view);
     for (const Kernel& kernel : available_kernels()) {
         SCOPED_TRACE(kernel.name);
@@ -172,6 +173,8 @@ void expect_plain_bits(const Scene& scene, const View& view, const Rules& rules 
                 EXPECT_TRUE(same_bits(expected, pipeline.render(scene, view))) << threads << " threads";
             });
         }
+        Pipeline nearest_first(rules, kernel, {.order = DrawOrder::nearest_first});
+        EXPECT_TRUE(same_bits(expected, nearest_first.render(scene, view))) << "the nearest first";
         Pipeline every_block(rules, kernel, {.hierarchical_z = HierarchicalZ::none});
         EXPECT_TRUE(same_bits(expected, every_block.render(scene, view))) << "without hierarchical z";
         EXPECT_TRUE(std::ranges::equal(fragments.pixels(), pipeline.count_fragments(scene, view).pixels()));
@@ -268,6 +271,34 @@ TEST(EveryIsa, DrawsLayersThatComeNearerByAnUlpLikeThePlainScan) {
         layers.push_back({glm::vec3{9, 9, -depth}, glm::vec3{-20, 9, -depth}, glm::vec3{9, -20, -depth}});
     }
     expect_plain_bits(scene_of(layers), {.name = "layers", .camera = {}, .width = 75, .height = 67});
+}
+
+/// Of the plane depth = 1 + x / 64 + y / 128. Legs of powers of two keep every pixel's depth exact.
+Triangle on_plane(float x, float y, float leg) {
+    Triangle triangle = at_pixels(x, y, x + leg, y, x, y + leg);
+    for (glm::vec3& p : triangle) p.z = -(1 + p.x / 64 - p.y / 128);
+    return triangle;
+}
+
+// Of equal depths the first of the scene wins, though the nearest are drawn first.
+TEST(EveryIsa, DrawsTrianglesOfOnePlaneLikeThePlainScan) {
+    for (const float leg : {4.0f, 32.0f}) {
+        std::mt19937 random(9);
+        std::vector<Triangle> triangles(5000);
+        for (Triangle& t : triangles) t = on_plane(float(random() % 128), float(random() % 64), leg);
+        expect_plain_bits(scene_of(triangles), raster_view(128, 64));
+    }
+}
+
+// The farthest pixel of a tile is as near as all that is left: the first of the scene still wins there.
+TEST(EveryIsa, DrawsWhatTiesWithTheFarthestPixelOfATileLikeThePlainScan) {
+    std::vector<Triangle> triangles{at_pixels(0, 0, 256, 0, 0, 256), on_plane(0, 0, 256)};
+    for (glm::vec3& p : triangles[0]) p.z = -(1 + 63.5f / 64 + 63.5f / 128);
+    for (int i = 0; i < 3 * batch_size - 1; ++i) triangles.push_back(on_plane(float(i), 0, 2));
+    expect_plain_bits(scene_of(triangles), raster_view(64, 64));
+    const Frame frame = render_by(lawful_rules, scene_of(triangles), raster_view(64, 64), plain::kernel);
+    EXPECT_EQ(frame.primitive.at(63, 63), PrimitiveId{0});
+    EXPECT_EQ(frame.primitive.at(62, 63), PrimitiveId{1});
 }
 
 // The first sample of the second tile is where a lower edge begins: an edge value of 0 is no -0, however it

@@ -52,6 +52,30 @@ TEST(Tricks, HierarchicalZAndFrustumCullingKeepEveryBit) {
     });
 }
 
+TEST(Tricks, NearestFirstKeepsEveryBitAndWritesLess) {
+    on_suite([](const Scene& scene, const View& view) {
+        const Frame expected = drawn(scene, view, {.order = DrawOrder::as_stored});
+        EXPECT_TRUE(same_bits(expected, drawn(scene, view, {.order = DrawOrder::nearest_first})));
+        EXPECT_TRUE(same_bits(expected, drawn(scene, view, {})));
+    });
+    const Loaded deep = generate_suite_scene("deep_overdraw", 960, 540);
+    const View& view = deep.views.front();
+    const Tally stored = counted(deep.scene, view, {.order = DrawOrder::as_stored}).tally;
+    const Tally nearest = counted(deep.scene, view, {.order = DrawOrder::nearest_first}).tally;
+    EXPECT_LT(nearest.fragments, stored.fragments / 2);
+    EXPECT_LT(nearest.written, stored.written);
+}
+
+TEST(Tricks, NearestFirstIsForWhatLiesDeep) {
+    const auto tally_of = [](const char* name) {
+        const Loaded loaded = generate_suite_scene(name, 960, 540);
+        return counted(loaded.scene, loaded.views.front(), {.order = DrawOrder::as_stored}).bins;
+    };
+    EXPECT_TRUE(nearest_first_pays(tally_of("deep_overdraw"), {960, 540}));
+    EXPECT_FALSE(nearest_first_pays(tally_of("room"), {960, 540}));
+    EXPECT_FALSE(nearest_first_pays(tally_of("closed_surfaces"), {960, 540}));
+}
+
 TEST(Tricks, FrontToBackKeepsEveryDepthAndChangesIdsInTiesOnly) {
     on_suite([](const Scene& scene, const View& view) {
         const Frame expected = render(scene, view);
@@ -106,7 +130,7 @@ TEST(Tricks, WhatLiesBesideTheWindowIsNotTransformed) {
 
 TEST(Tricks, CountsAreWhatTheyAreCalled) {
     on_suite([](const Scene& scene, const View& view) {
-        const Work work = counted(scene, view, plain), hierarchical = counted(scene, view, {});
+        const Work work = counted(scene, view, plain), hierarchical = counted(scene, view, {.order = DrawOrder::as_stored});
         const Plane<std::uint32_t> fragments = count_fragments(lawful_rules, scene, view);
         const std::uint64_t sum =
             std::accumulate(fragments.pixels().begin(), fragments.pixels().end(), std::uint64_t{0});
