@@ -34,8 +34,9 @@ constexpr int step_bits = 8;
 }  // namespace
 
 bool nearest_first_pays(const BinTally& tally, const Resolution& size) {
-    constexpr std::uint64_t deep = 8, large_px = 64;
-    return tally.box_px >= deep * size.pixel_count() && tally.box_px >= large_px * tally.set_up;
+    const double boxes_per_pixel = double(tally.box_px) / double(size.pixel_count());
+    const double px_per_box = double(tally.box_px) / double(std::max<std::uint64_t>(tally.set_up, 1));
+    return boxes_per_pixel >= 12 && boxes_per_pixel * px_per_box >= 2048;
 }
 
 void NearestFirst::fill(const TileBins& bins) {
