@@ -130,7 +130,8 @@ TEST(Tricks, WhatLiesBesideTheWindowIsNotTransformed) {
 
 TEST(Tricks, CountsAreWhatTheyAreCalled) {
     on_suite([](const Scene& scene, const View& view) {
-        const Work work = counted(scene, view, plain), hierarchical = counted(scene, view, {.order = DrawOrder::as_stored});
+        const Work work = counted(scene, view, plain),
+                   hierarchical = counted(scene, view, {.order = DrawOrder::as_stored});
         const Plane<std::uint32_t> fragments = count_fragments(lawful_rules, scene, view);
         const std::uint64_t sum =
             std::accumulate(fragments.pixels().begin(), fragments.pixels().end(), std::uint64_t{0});
