@@ -25,6 +25,9 @@ template <class Vector>
     return numbers;
 }
 
+// Vectors of 32 bytes are passed in other registers where a function is compiled for AVX2: whatever returns
+// one is part of put_side_by_side, in builds without optimization, too.
+
 /// Those of four pixels, two numbers of each at a time. The last pair is one number and what follows it.
 [[gnu::always_inline]] inline void put_planes(const DepthEstimate* const* triangles, std::size_t column,
                                               EstimateRow::Plane& row) {
@@ -58,7 +61,7 @@ template <class Vector>
     const std::size_t count =
         projection == Projection::perspective ? float_count : float_count - perspective_float_count;
     for (std::size_t i = 0; i < count; i += 4) {
-        const auto pair = [&](std::size_t pixel) -> Eight {
+        const auto pair = [&](std::size_t pixel) __attribute__((always_inline))->Eight {
             const std::size_t at = first_byte + i * sizeof(float);
             return __builtin_shufflevector(load<Four>(triangles[pixel], at),
                                            load<Four>(triangles[pixel + 4], at), 0, 1, 2, 3, 4, 5, 6, 7);

@@ -42,31 +42,31 @@ void Tile::close_beyond_image() noexcept {
     }
 }
 
-TileWork Tile::work(const Triangles& triangles, const TilePlaces& places) noexcept {
+TileWork Tile::work(const Triangles& triangles, const TilePlaces& drawn) noexcept {
     return {.triangles = triangles,
-            .places = places.places.data(),
-            .count = std::uint32_t(places.places.size()),
+            .places = drawn.places.data(),
+            .count = std::uint32_t(drawn.places.size()),
             .samples = samples_,
             .pixels = values_,
             .hierarchical_z = hierarchical_z_,
-            .ties = places.ties,
-            .nearest_left = places.nearest_left};
+            .ties = drawn.ties,
+            .nearest_left = drawn.nearest_left};
 }
 
-void Tile::draw(const Triangles& triangles, const TilePlaces& places) noexcept {
-    if (places.nearest_left != nullptr) close_beyond_image();
+void Tile::draw(const Triangles& triangles, const TilePlaces& drawn) noexcept {
+    if (drawn.nearest_left != nullptr) close_beyond_image();
     const auto draw = hierarchical_z_ == HierarchicalZ::blocks ? kernel_.draw : kernel_.draw_every_block;
-    draw(work(triangles, places));
+    draw(work(triangles, drawn));
 }
 
-void Tile::draw_tallied(const Triangles& triangles, const TilePlaces& places, Tally& tally) noexcept {
-    TileWork counted = work(triangles, places);
+void Tile::draw_tallied(const Triangles& triangles, const TilePlaces& drawn, Tally& tally) noexcept {
+    TileWork counted = work(triangles, drawn);
     counted.tally = &tally;
     kernel_.draw_tallied(counted);
 }
 
-void Tile::draw_shaded(const Triangles& triangles, const TilePlaces& places, const FragmentShader& shader) {
-    TileWork shaded = work(triangles, places);
+void Tile::draw_shaded(const Triangles& triangles, const TilePlaces& drawn, const FragmentShader& shader) {
+    TileWork shaded = work(triangles, drawn);
     shaded.shader = &shader;
     kernel_.draw_shaded(shaded);
 }

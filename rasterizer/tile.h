@@ -26,11 +26,11 @@ class Tile {
     /// pixels: at most tile_size wide and high.
     Tile(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup) noexcept;
 
-    void draw(const Triangles& triangles, const TilePlaces& places) noexcept;
+    void draw(const Triangles& triangles, const TilePlaces& drawn) noexcept;
     /// The same, and adds to the tally.
-    void draw_tallied(const Triangles& triangles, const TilePlaces& places, Tally& tally) noexcept;
+    void draw_tallied(const Triangles& triangles, const TilePlaces& drawn, Tally& tally) noexcept;
     /// The same, and hands every fragment to the shader.
-    void draw_shaded(const Triangles& triangles, const TilePlaces& places, const FragmentShader& shader);
+    void draw_shaded(const Triangles& triangles, const TilePlaces& drawn, const FragmentShader& shader);
 
     /// Writes ids and camera depths of this tile's pixels. Another thread may look when the kernel has
     /// published them.
@@ -40,7 +40,7 @@ class Tile {
     const Kernel& kernel_;
     PixelRect pixels_;
     DepthFunctional depth_;
-    TileWork work(const Triangles& triangles, const TilePlaces& places) noexcept;
+    TileWork work(const Triangles& triangles, const TilePlaces& drawn) noexcept;
     void close_beyond_image() noexcept;
 
     TileSamples samples_;
