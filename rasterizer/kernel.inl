@@ -18,7 +18,6 @@ constexpr std::int32_t lesser(std::int32_t a, std::int32_t b) { return a < b ? a
 constexpr std::int32_t greater_of(std::int32_t a, std::int32_t b) { return a > b ? a : b; }
 constexpr double greater_of(double a, double b) { return a > b ? a : b; }
 constexpr double lesser(double a, double b) { return a < b ? a : b; }
-constexpr double magnitude(double a) { return a < 0 ? -a : a; }
 
 /// Without branches, for vectors.
 constexpr bool is_top_left(std::int32_t dx, std::int32_t dy) { return (dy < 0) | ((dy == 0) & (dx > 0)); }
