@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
+
+#include "texture/sums/dispatch.h"
 
 namespace zproof::texture {
 namespace {
@@ -60,6 +63,42 @@ TYPED_TEST(CodeSumsOf, AreTheSameForAnyNumberOfThreads) {
     const auto one = summed(codes, 1);
     expect_definition(codes, one);
     for (const int threads : {2, 3, 8, 64}) EXPECT_EQ(summed(codes, threads), one) << threads;
+}
+
+void sum(const sums::Kernel& kernel, const sums::Rows<std::uint8_t>& rows, const sums::Table& table) {
+    kernel.sum_bytes(rows, table);
+}
+void sum(const sums::Kernel& kernel, const sums::Rows<std::uint16_t>& rows, const sums::Table& table) {
+    kernel.sum_words(rows, table);
+}
+
+/// Where a table begins in memory, whether it is streamed, and what is left of four rows: no matter.
+TYPED_TEST(CodeSumsOf, EveryKernelsAreThatOfTheDefinition) {
+    constexpr std::uint32_t untouched = 0xABCDEF01;
+    constexpr std::size_t most = 17;  // values before the table: more than any vector's
+    for (const sums::Kernel& kernel : sums::available_kernels())
+        for (const int channels : {1, 2, 3, 4, 5})
+            for (const int width : {1, 5, 16, 48, 80, 81})
+                for (const int height : {1, 4, 7})
+                    for (std::size_t before = 0; before < 2 * most; ++before) {
+                        const bool is_streamed = before >= most;
+                        const auto stride = std::size_t(width) * std::size_t(channels),
+                                   size = stride * std::size_t(height);
+                        const auto values = random_codes<TypeParam>(size);
+                        std::vector<std::uint32_t> memory(size + 2 * most, untouched), columns(stride);
+                        std::uint32_t* const table = &memory[before % most];
+                        sum(kernel,
+                            {values.data(), std::size_t(height), stride, stride, std::size_t(channels),
+                             columns.data()},
+                            {table, is_streamed});
+                        SCOPED_TRACE(testing::Message()
+                                     << kernel.name << ", " << channels << " channels, " << width << " x "
+                                     << height << ", from " << before % most
+                                     << (is_streamed ? ", streamed" : ""));
+                        expect_definition(Codes<TypeParam>{width, height, channels, values},
+                                          std::vector(table, table + size));
+                        ASSERT_EQ(std::ranges::count(memory, untouched), std::ptrdiff_t(2 * most));
+                    }
 }
 
 /// Direct sums over boxes, in 64 bits.
