@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstring>
 #include <optional>
 
 #include "compare/error_scribe.h"
@@ -26,22 +25,32 @@ struct Tile {
     int left, top, right, bottom;
 };
 
+constexpr int stride = 32;  // a power of two above `uncounted`
+
+/// Where pairs of bins are counted.
+[[gnu::target_clones("default", "avx2", "avx512f")]] void pair_up(const Strip::Values<std::int32_t>& ours,
+                                                                  const Strip::Values<std::int32_t>& theirs,
+                                                                  Strip::Values<std::uint32_t>& pair) {
+    for (std::size_t i = 0; i < Strip::width; ++i) pair[i] = std::uint32_t(ours[i] * stride + theirs[i]);
+}
+
 /// Both records in the making. What the two renderers' depths of a pixel fall into is counted as one:
 /// histograms are its sums. Neighbouring pixels often fall into the same: they are counted side by side.
 class Count {
   public:
     /// Of a strip, where both are uncounted or neither is; at most 2^32 pixels in all.
     void add(const Strip::Values<std::int32_t>& ours, const Strip::Values<std::int32_t>& theirs) {
+        Strip::Values<std::uint32_t> pair;
+        pair_up(ours, theirs, pair);
         for (std::size_t first = 0; first < Strip::width; first += lanes)
-            for (std::size_t i = 0; i < lanes; ++i)
-                ++pairs_[i][std::size_t(ours[first + i] * stride + theirs[first + i])];
+            for (std::size_t i = 0; i < lanes; ++i) ++pairs_[i][pair[first + i]];
     }
     void add_to(Tally& tally) const {
         for (const double l : candidate_largest) raise(tally.candidate, l);
         for (const double l : reference_largest) raise(tally.reference, l);
         for (const auto& lane : pairs_)
-            for (int a = 0; a < Strip::uncounted; ++a)
-                for (int b = 0; b < Strip::uncounted; ++b) {
+            for (int a = 0; a < SortedStrip::uncounted; ++a)
+                for (int b = 0; b < SortedStrip::uncounted; ++b) {
                     const std::uint32_t pixels = lane[std::size_t(a * stride + b)];
                     tally.candidate.histogram[std::size_t(a)] += pixels;
                     tally.reference.histogram[std::size_t(b)] += pixels;
@@ -52,13 +61,12 @@ class Count {
 
   private:
     static constexpr std::size_t lanes = 4;
-    static constexpr int stride = 32;  ///< a power of two above `uncounted`
 
     static void raise(BoundRecord& record, double ratio) {
         record.max_error_over_bound = std::max(record.max_error_over_bound, ratio);
     }
 
-    std::array<std::array<std::uint32_t, (Strip::uncounted + 1) * stride>, lanes> pairs_{};
+    std::array<std::array<std::uint32_t, (SortedStrip::uncounted + 1) * stride>, lanes> pairs_{};
 };
 
 /// Fetches a strip of a row into the cache.
@@ -94,22 +102,22 @@ class Comparison {
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
             strip.x = tile.left, strip.y = y;
-            fill(strip.candidate, candidate_, tile, y);
-            fill(strip.reference, reference_, tile, y);
+            look_at(strip.candidate, candidate_, tile, y, ragged_.candidate);
+            look_at(strip.reference, reference_, tile, y, ragged_.reference);
             look_up_laws(strip);
         }
         shown_.make_laws();
         Presort::Largest largest{known(count_.candidate_largest, largest_.candidate),
                                  known(count_.reference_largest, largest_.reference)};
         for (int y = tile.top; y < tile.bottom; ++y) {
-            Strip& strip = strips_[std::size_t(y - tile.top)];
+            const Strip& strip = strips_[std::size_t(y - tile.top)];
             fetch_ahead(tile.right, y);
             presort(largest, strip);
             hold(strip);
             if (scribes_) {
                 const auto width = std::size_t(tile.right - tile.left);
-                scribes_->candidate.write(strip.candidate, strip.x, y, width);
-                scribes_->reference.write(strip.reference, strip.x, y, width);
+                scribes_->candidate.write(strip.candidate, sorted_.candidate.ratio, {strip.x, y, width});
+                scribes_->reference.write(strip.reference, sorted_.reference.ratio, {strip.x, y, width});
             }
             settle(strip, open);
         }
@@ -126,20 +134,22 @@ class Comparison {
     }
 
   private:
-    /// Beyond the tile's right side both frames are bare.
-    void fill(Strip::Side& side, const Witness& witness, const Tile& tile, int y) {
+    /// Strips that reach beyond the image's right side, filled up: there both frames are bare.
+    struct Ragged {
+        std::array<Strip::Values<PrimitiveId>, tile_height> primitive;
+        std::array<Strip::Values<float>, tile_height> camera_depth;
+    };
+    static void look_at(Strip::Side& side, const Witness& witness, const Tile& tile, int y, Ragged& ragged) {
         const auto left = std::size_t(tile.left), width = std::size_t(tile.right - tile.left);
-        const auto take = [&](const auto& plane, auto& values, auto beyond) {
-            const auto row = plane.row(y);
-            if (width == Strip::width) {  // nearly everywhere: so many that the compiler knows
-                std::memcpy(values.data(), &row[left], sizeof values);
-            } else {
-                std::ranges::copy(row.subspan(left, width), values.begin());
-                std::fill(values.begin() + width, values.end(), beyond);
-            }
+        const auto look = [&](const auto& plane, auto& filled, auto beyond) -> const auto* {
+            const auto* const shown = &plane.row(y)[left];
+            if (width == Strip::width) return shown;
+            std::fill(std::copy_n(shown, width, filled.begin()), filled.end(), beyond);
+            return &filled[0];
         };
-        take(witness.frame().primitive, side.primitive, PrimitiveId::none);
-        take(witness.frame().camera_depth, side.camera_depth, background_depth);
+        const auto row = std::size_t(y - tile.top);
+        side.primitive = look(witness.frame().primitive, ragged.primitive[row], PrimitiveId::none);
+        side.camera_depth = look(witness.frame().camera_depth, ragged.camera_depth[row], background_depth);
     }
 
     /// Once for every run of pixels at which the candidate shows the same, and where the reference differs.
@@ -171,10 +181,10 @@ class Comparison {
     }
 
     /// Maps of errors want every ratio.
-    void presort(Presort::Largest& largest, Strip& strip) {
-        strip.sorted = 0;
+    void presort(Presort::Largest& largest, const Strip& strip) {
+        sorted_.sorted = 0;
         if (scribes_ || shown_.count() > many_laws) return;
-        presort_.sort(shown_.laws(), largest, strip);
+        presort_.sort(shown_.laws(), largest, strip, sorted_);
     }
 
     /// The largest ratio, here or anywhere.
@@ -190,28 +200,28 @@ class Comparison {
             anywhere.store(largest, std::memory_order_relaxed);
     }
 
-    void hold(Strip& strip) const {
+    void hold(const Strip& strip) {
         const bool perspective = candidate_.projection() == Projection::perspective;
-        (perspective ? hold_perspective : hold_parallel)(shown_.laws(), strip);
+        (perspective ? hold_perspective : hold_parallel)(shown_.laws(), strip, sorted_);
     }
 
-    void settle(Strip& strip, OpenTiles& open) {
-        sort_out(strip, count_.candidate_largest, count_.reference_largest);
-        count_.add(strip.candidate.bin, strip.reference.bin);
-        for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
-            if (strip.open[chunk] == 0) continue;
+    void settle(const Strip& strip, OpenTiles& open) {
+        sort_out(strip, sorted_, count_.candidate_largest, count_.reference_largest);
+        count_.add(sorted_.candidate.bin, sorted_.reference.bin);
+        for (std::size_t chunk = 0; chunk < sorted_.open.size(); ++chunk) {
+            if (sorted_.open[chunk] == 0) continue;
             const ColumnMask left = still_open(strip, chunk);
             if (left != 0)
-                open.open(strip.x / int(Strip::chunk) + int(chunk), strip.y, left, strip.lawful[chunk]);
+                open.open(strip.x / int(Strip::chunk) + int(chunk), strip.y, left, sorted_.lawful[chunk]);
         }
     }
 
     ColumnMask still_open(const Strip& strip, std::size_t chunk) {
-        ColumnMask open = strip.open[chunk];
+        ColumnMask open = sorted_.open[chunk];
         for (ColumnMask rest = open; rest != 0; rest &= rest - 1) {
             const std::size_t i = chunk * Strip::chunk + std::size_t(std::countr_zero(rest));
             const bool differ = strip.candidate.primitive[i] != strip.reference.primitive[i];
-            if (!differ && settles({strip.x + int(i), strip.y}, strip.reference.ratio[i]))
+            if (!differ && settles({strip.x + int(i), strip.y}, sorted_.reference.ratio[i]))
                 open &= ~(rest & -rest);
         }
         return open;
@@ -239,6 +249,10 @@ class Comparison {
     ShownTriangles shown_;
     Presort presort_;
     std::array<Strip, tile_height> strips_;
+    struct {
+        Ragged candidate, reference;
+    } ragged_;
+    SortedStrip sorted_;  ///< the strip at hand
     Count count_;
     Tally one_by_one_;
     PixelLook look_;

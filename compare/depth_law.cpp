@@ -170,24 +170,24 @@ class LatestLaw {
 };
 
 template <class Projected>
-void hold_strip(const LawsOfBoth& laws, Strip& strip) {
+void hold_strip(const LawsOfBoth& laws, const Strip& strip, SortedStrip& all) {
     LatestLaw candidate(laws.candidate), reference(laws.reference);
     for (std::size_t first = 0; first < Strip::width; first += four_count) {
-        if ((strip.sorted >> first / Strip::chunk & 1) != 0) continue;
+        if ((all.sorted >> first / Strip::chunk & 1) != 0) continue;
         const std::uint32_t *ours = &strip.candidate.law[first], *theirs = &strip.reference.law[first];
         candidate.turn_to(ours);
         reference.turn_to(theirs);
         if (candidate.is_of_nothing() && reference.is_of_nothing()) {
-            std::fill_n(&strip.candidate.ratio[first], four_count, unsettled);
-            std::fill_n(&strip.reference.ratio[first], four_count, unsettled);
+            std::fill_n(&all.candidate.ratio[first], four_count, unsettled);
+            std::fill_n(&all.reference.ratio[first], four_count, unsettled);
             continue;
         }
         const double x = strip.x + int(first);
         const Spot spot = candidate.spot<Projected>(x, strip.y);
         const bool is_shared = std::equal(ours, ours + four_count, theirs);
         const Spot other = is_shared ? spot : reference.spot<Projected>(x, strip.y);
-        candidate.hold<Projected>(spot, &strip.candidate.camera_depth[first], &strip.candidate.ratio[first]);
-        reference.hold<Projected>(other, &strip.reference.camera_depth[first], &strip.reference.ratio[first]);
+        candidate.hold<Projected>(spot, &strip.candidate.camera_depth[first], &all.candidate.ratio[first]);
+        reference.hold<Projected>(other, &strip.reference.camera_depth[first], &all.reference.ratio[first]);
     }
 }
 
@@ -223,13 +223,15 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
 /// Compiled once per instruction set, with everything that they call. No bit depends on which runs:
 /// contraction is off, and every pixel's operations keep their order.
 [[gnu::flatten, gnu::target_clones("default", "avx2")]] void hold_perspective(const LawsOfBoth& laws,
-                                                                              Strip& strip) {
-    hold_strip<Perspective>(laws, strip);
+                                                                              const Strip& strip,
+                                                                              SortedStrip& held) {
+    hold_strip<Perspective>(laws, strip, held);
 }
 
 [[gnu::flatten, gnu::target_clones("default", "avx2")]] void hold_parallel(const LawsOfBoth& laws,
-                                                                           Strip& strip) {
-    hold_strip<Parallel>(laws, strip);
+                                                                           const Strip& strip,
+                                                                           SortedStrip& held) {
+    hold_strip<Parallel>(laws, strip, held);
 }
 
 [[gnu::flatten, gnu::target_clones("default", "avx2")]] DepthRow depths_in_row(
@@ -238,26 +240,27 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
                                                  : hold_row<Parallel>(law, row, camera_depth);
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] void sort_out(Strip& strip, Largest& candidate,
-                                                                   Largest& reference) {
+[[gnu::target_clones("default", "avx2", "avx512f")]] void sort_out(const Strip& strip, SortedStrip& all,
+                                                                   Largest& candidate, Largest& reference) {
     constexpr float none = std::numeric_limits<float>::infinity();
-    Strip::Side &ours = strip.candidate, &theirs = strip.reference;
+    const Strip::Side &ours = strip.candidate, &theirs = strip.reference;
+    SortedStrip::Side &of_ours = all.candidate, &of_theirs = all.reference;
     Largest most = candidate, most_of_theirs = reference;
-    for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
-        if ((strip.sorted >> chunk & 1) != 0) continue;
+    for (std::size_t chunk = 0; chunk < all.open.size(); ++chunk) {
+        if ((all.sorted >> chunk & 1) != 0) continue;
         TileRowOf<std::uint32_t> what;  // 1: open; and from bit 16 on the same for what is lawful
         for (std::size_t first = 0; first < Strip::chunk; first += together)
             for (std::size_t lane = 0; lane < together; ++lane) {
                 const std::size_t i = chunk * Strip::chunk + first + lane;
-                const double a = ours.ratio[i], b = theirs.ratio[i];
+                const double a = of_ours.ratio[i], b = of_theirs.ratio[i];
                 const float our_depth = ours.camera_depth[i], their_depth = theirs.camera_depth[i];
                 const PrimitiveId shown = ours.primitive[i];
                 const bool agree = shown == theirs.primitive[i];
                 const bool is_counted = agree & (a >= 0) & (b >= 0);
                 const bool is_bare =
                     agree & (shown == PrimitiveId::none) & (our_depth == none) & (their_depth == none);
-                ours.bin[i] = is_counted ? bin_of(a) : Strip::uncounted;
-                theirs.bin[i] = is_counted ? bin_of(b) : Strip::uncounted;
+                of_ours.bin[i] = is_counted ? bin_of(a) : SortedStrip::uncounted;
+                of_theirs.bin[i] = is_counted ? bin_of(b) : SortedStrip::uncounted;
                 const std::uint32_t is_open = !(is_counted | is_bare), is_lawful = (a >= 0) & (b >= 0);
                 what[first + lane] = is_open | (is_open & is_lawful) << 16;
                 most[lane] = (is_counted & (a > most[lane])) ? a : most[lane];
@@ -265,8 +268,8 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
             }
         std::uint32_t masks = 0;
         for (std::size_t i = 0; i < Strip::chunk; ++i) masks |= what[i] << i;
-        strip.open[chunk] = masks & all_columns;
-        strip.lawful[chunk] = masks >> 16;
+        all.open[chunk] = masks & all_columns;
+        all.lawful[chunk] = masks >> 16;
     }
     candidate = most;
     reference = most_of_theirs;

@@ -46,8 +46,8 @@ struct LawsOfBoth {
 
 /// Fills in the ratios, where the pixels are not sorted yet: the same bits as TriangleDepth::at followed by
 /// error_over_bound, or `unsettled` where double precision does not hold the depth lawful for certain.
-void hold_perspective(const LawsOfBoth& laws, Strip& strip);
-void hold_parallel(const LawsOfBoth& laws, Strip& strip);
+void hold_perspective(const LawsOfBoth& laws, const Strip& strip, SortedStrip& held);
+void hold_parallel(const LawsOfBoth& laws, const Strip& strip, SortedStrip& held);
 
 /// Depths along a row held against one law: TriangleDepth::at and, as above, the ratio.
 struct DepthRow {
@@ -60,6 +60,6 @@ DepthRow depths_in_row(const DepthLaw& law, Projection projection, const RowPlac
 using Largest = std::array<double, 8>;
 
 /// Fills in bins and what is open, where the pixels are not sorted yet, and raises the largest.
-void sort_out(Strip& strip, Largest& candidate, Largest& reference);
+void sort_out(const Strip& strip, SortedStrip& held, Largest& candidate, Largest& reference);
 
 }  // namespace zproof

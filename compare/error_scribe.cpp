@@ -11,13 +11,14 @@ namespace {
 constexpr std::size_t remembered_triangles = 64;
 
 /// Every ratio as the map has it; `unsettled` stays what it is. Are there such?
-[[gnu::target_clones("default", "avx2", "avx512f")]] bool round_ratios(const Strip::Side& side,
+[[gnu::target_clones("default", "avx2", "avx512f")]] bool round_ratios(const PrimitiveId* shown,
+                                                                       const Strip::Values<double>& ratios,
                                                                        std::uint32_t triangle_count,
                                                                        Strip::Values<float>& errors) {
     std::uint32_t left = 0;
     for (std::size_t i = 0; i < Strip::width; ++i) {
-        const bool is_asked = std::uint32_t(side.primitive[i]) < triangle_count;
-        const auto ratio = float(side.ratio[i]);
+        const bool is_asked = std::uint32_t(shown[i]) < triangle_count;
+        const auto ratio = float(ratios[i]);
         errors[i] = is_asked ? ratio : std::numeric_limits<float>::quiet_NaN();
         left |= is_asked & (ratio < 0);
     }
@@ -32,12 +33,13 @@ ErrorScribe::ErrorScribe(const Witness& witness, std::size_t triangle_count, Pla
       map_(map),
       triangles_(remembered_triangles) {}
 
-void ErrorScribe::write(const Strip::Side& side, int x, int y, std::size_t width) {
+void ErrorScribe::write(const Strip::Side& shown, const Strip::Values<double>& ratio, const Pixels& pixels) {
     Strip::Values<float> errors;
-    const bool are_some_left = round_ratios(side, triangle_count_, errors);
-    for (std::size_t i = 0; are_some_left && i < width; ++i)
-        if (errors[i] == float(unsettled)) errors[i] = error_at(side.primitive[i], x + int(i), y);
-    std::copy_n(errors.begin(), width, map_.row(y).begin() + x);
+    const bool are_some_left = round_ratios(shown.primitive, ratio, triangle_count_, errors);
+    for (std::size_t i = 0; are_some_left && i < pixels.count; ++i)
+        if (errors[i] == float(unsettled))
+            errors[i] = error_at(shown.primitive[i], pixels.x + int(i), pixels.y);
+    std::copy_n(errors.begin(), pixels.count, map_.row(pixels.y).begin() + pixels.x);
 }
 
 float ErrorScribe::error_at(PrimitiveId primitive, int x, int y) {

@@ -13,8 +13,13 @@ class ErrorScribe {
     /// Pixels beyond the first `triangle_count` ids ask nothing. `map` has the view's size.
     ErrorScribe(const Witness& witness, std::size_t triangle_count, Plane<float>& map);
 
-    /// The first `width` pixels of a strip whose ratios are held, from pixel (x, y) on.
-    void write(const Strip::Side& side, int x, int y, std::size_t width);
+    /// A row's pixels from (x, y) on, at most a strip's.
+    struct Pixels {
+        int x, y;
+        std::size_t count;
+    };
+    /// Ratios of a strip whose first pixels those are.
+    void write(const Strip::Side& shown, const Strip::Values<double>& ratio, const Pixels& pixels);
 
   private:
     /// By itself: double precision does not hold the depth lawful for certain.

@@ -34,7 +34,7 @@ namespace {
 
 constexpr auto none_counted = [] {
     TileRowOf<std::int32_t> bins{};
-    bins.fill(Strip::uncounted);
+    bins.fill(SortedStrip::uncounted);
     return bins;
 }();
 
@@ -53,7 +53,7 @@ float times_20(double ratio) { return float(ratio * 20 * (1 - 0x1p-20)); }
 
 }  // namespace
 
-void Presort::sort(const LawsOfBoth& laws, Largest& largest, Strip& strip) {
+void Presort::sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip, SortedStrip& sorted) {
     known_.resize(std::max(known_.size(), laws.candidate.size()));
     const KnownLargest known{times_20(largest.candidate), times_20(largest.reference)};
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
@@ -61,9 +61,9 @@ void Presort::sort(const LawsOfBoth& laws, Largest& largest, Strip& strip) {
         const bool one =
             ((Strip::in_chunk(strip.turns, first) & but_first) | Strip::in_chunk(strip.differ, first)) == 0;
         const Source source{laws, known, largest, strip, first};
-        const bool is_sorted = one && strip.candidate.law[first] != 0 ? sort_one_law(source, strip)
-                                                                      : sort_some_laws(source, strip);
-        strip.sorted |= std::uint32_t(is_sorted) << first / Strip::chunk;
+        const bool is_sorted = one && strip.candidate.law[first] != 0 ? sort_one_law(source, sorted)
+                                                                      : sort_some_laws(source, sorted);
+        sorted.sorted |= std::uint32_t(is_sorted) << first / Strip::chunk;
     }
 }
 
@@ -152,28 +152,29 @@ EstimatedRow Presort::estimated(const Source& source) {
     return row;
 }
 
-bool Presort::sort_one_law(const Source& source, Strip& strip) {
+bool Presort::sort_one_law(const Source& source, SortedStrip& sorted) {
     const EstimatedRow row = estimated(source.strip.candidate.law[source.first], source);
-    return settle(row, {all_columns, all_columns}, source, strip);
+    return settle(row, {all_columns, all_columns}, source, sorted);
 }
 
-bool Presort::sort_some_laws(const Source& source, Strip& strip) {
-    const ColumnMask same = ~Strip::in_chunk(strip.differ, source.first) & all_columns;
-    const ColumnMask agreed = same & ~bare(strip, source.first);
-    if (agreed == 0 && same == all_columns) return settle({}, {same, agreed}, source, strip);
-    return settle(estimated(source), {same, agreed}, source, strip);
+bool Presort::sort_some_laws(const Source& source, SortedStrip& sorted) {
+    const ColumnMask same = ~Strip::in_chunk(source.strip.differ, source.first) & all_columns;
+    const ColumnMask agreed = same & ~bare(source.strip, source.first);
+    if (agreed == 0 && same == all_columns) return settle({}, {same, agreed}, source, sorted);
+    return settle(estimated(source), {same, agreed}, source, sorted);
 }
 
 /// Unless one of the pixels that agree is not certain.
-bool Presort::settle(const EstimatedRow& row, const Agreement& pixels, const Source& source, Strip& strip) {
+bool Presort::settle(const EstimatedRow& row, const Agreement& pixels, const Source& source,
+                     SortedStrip& sorted) {
     const ColumnMask certain = row.candidate.certain & row.reference.certain;
     if ((pixels.agreed & ~certain) != 0) return false;
     raise_largest(row, pixels.agreed, source);
     const std::size_t first = source.first, chunk = first / Strip::chunk;
-    copy_bins(row.candidate, pixels.agreed, &strip.candidate.bin[first]);
-    copy_bins(row.reference, pixels.agreed, &strip.reference.bin[first]);
-    strip.open[chunk] = ~pixels.same & all_columns;
-    strip.lawful[chunk] = strip.open[chunk] & certain;
+    copy_bins(row.candidate, pixels.agreed, &sorted.candidate.bin[first]);
+    copy_bins(row.reference, pixels.agreed, &sorted.reference.bin[first]);
+    sorted.open[chunk] = ~pixels.same & all_columns;
+    sorted.lawful[chunk] = sorted.open[chunk] & certain;
     return true;
 }
 

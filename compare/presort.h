@@ -22,7 +22,7 @@ class Presort {
 
     /// Fills in bins and what is open of whole chunks of the strip, and marks them as sorted; raises the
     /// largest. The laws are those of the tile.
-    void sort(const LawsOfBoth& laws, Largest& largest, Strip& strip);
+    void sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip, SortedStrip& sorted);
 
   private:
     struct Known {
@@ -57,9 +57,9 @@ class Presort {
     struct Agreement {
         ColumnMask same, agreed;  ///< both show the same; and are not bare
     };
-    bool settle(const EstimatedRow& row, const Agreement& pixels, const Source& source, Strip& strip);
-    bool sort_one_law(const Source& source, Strip& strip);
-    bool sort_some_laws(const Source& source, Strip& strip);
+    bool settle(const EstimatedRow& row, const Agreement& pixels, const Source& source, SortedStrip& sorted);
+    bool sort_one_law(const Source& source, SortedStrip& sorted);
+    bool sort_some_laws(const Source& source, SortedStrip& sorted);
 
     Projection projection_;
     std::uint64_t tile_ = 1;

@@ -22,12 +22,12 @@ using Ids = const PrimitiveId*;
 }  // namespace
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] void compare_ids(Strip& strip) {
-    const Ids shown = strip.candidate.primitive.data();
+    const Ids shown = strip.candidate.primitive;
     std::array<PrimitiveId, Strip::width> before;
     before[0] = shown[0];
     std::copy_n(shown, Strip::width - 1, before.begin() + 1);
     strip.turns = differing(shown, before.data()) | 1;
-    strip.differ = differing(shown, strip.reference.primitive.data());
+    strip.differ = differing(shown, strip.reference.primitive);
 }
 
 }  // namespace zproof

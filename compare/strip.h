@@ -9,7 +9,7 @@
 
 namespace zproof {
 
-/// 64 pixels of a row, as both frames show them.
+/// 64 pixels of a row, as both frames show them. It looks into the frames.
 struct Strip {
     static constexpr std::size_t width = 64;
     template <class T>
@@ -19,29 +19,39 @@ struct Strip {
 
     /// What one renderer shows.
     struct Side {
-        Values<PrimitiveId> primitive;
-        Values<float> camera_depth;
-        Values<std::uint32_t> law;  ///< of the triangle: a place among the laws
-        Values<double> ratio;       ///< error / bound, or `unsettled`
-        Values<std::int32_t>
-            bin;  ///< of the ratio, as BoundHistogram has it; `uncounted` where not both are settled
+        const PrimitiveId* primitive = nullptr;  ///< of the first pixel, and so on
+        const float* camera_depth = nullptr;     ///< the same
+        Values<std::uint32_t> law;               ///< of the triangle: a place among the laws
     };
-    static constexpr std::int32_t uncounted = 21;
     static constexpr std::size_t chunk = tile_columns;  ///< pixels that are sorted out together
 
     int x = 0, y = 0;  ///< of the first
     Side candidate, reference;
-    Pixels turns;              ///< the candidate shows another triangle than at the pixel before; the first
-    Pixels differ;             ///< the reference shows another triangle than the candidate
-    std::uint32_t sorted = 0;  ///< bit k: what becomes of the pixels from k * chunk on is known already
-    /// Of each chunk: to be looked at by themselves, neither settled nor bare in both.
-    std::array<ColumnMask, width / chunk> open;
-    std::array<ColumnMask, width / chunk> lawful;  ///< of those: both depths are so for certain
+    Pixels turns;   ///< the candidate shows another triangle than at the pixel before; the first
+    Pixels differ;  ///< the reference shows another triangle than the candidate
 
     /// Of a chunk, which begins at pixel `first`.
     static ColumnMask in_chunk(Pixels pixels, std::size_t first) {
         return ColumnMask(pixels >> first) & all_columns;
     }
+};
+
+/// What is found of a strip.
+struct SortedStrip {
+    static constexpr std::int32_t uncounted = 21;
+
+    /// Of one renderer.
+    struct Side {
+        Strip::Values<double> ratio;  ///< error / bound, or `unsettled`
+        /// Of the ratio, as BoundHistogram has it; `uncounted` where not both are settled.
+        Strip::Values<std::int32_t> bin;
+    };
+
+    Side candidate, reference;
+    std::uint32_t sorted = 0;  ///< bit k: what becomes of the pixels from k * chunk on is known already
+    /// Of each chunk: to be looked at by themselves, neither settled nor bare in both.
+    std::array<ColumnMask, Strip::width / Strip::chunk> open;
+    std::array<ColumnMask, Strip::width / Strip::chunk> lawful;  ///< of those: both depths are so for certain
 };
 
 /// Fills in where the candidate turns to another triangle and where the frames differ.

@@ -71,15 +71,18 @@ std::vector<double> held(const DepthLaw& law, const View& view, const Place& fro
     std::vector<double> ratios;
     for (std::size_t first = 0; first < depths.size(); first += Strip::width) {
         const auto here = depths.subspan(first, std::min(Strip::width, depths.size() - first));
+        Strip::Values<float> camera_depth{};
+        std::ranges::copy(here, camera_depth.begin());
         Strip strip{};
         strip.x = from.x + int(first), strip.y = from.y;
-        std::ranges::copy(here, strip.candidate.camera_depth.begin());
+        strip.candidate.camera_depth = camera_depth.data();
         std::fill_n(strip.candidate.law.begin(), here.size(), 1);
         strip.reference = strip.candidate;
-        (perspective ? hold_perspective : hold_parallel)(laws, strip);
-        EXPECT_EQ(strip.candidate.ratio, strip.reference.ratio);
-        ratios.insert(ratios.end(), strip.candidate.ratio.begin(),
-                      strip.candidate.ratio.begin() + std::ptrdiff_t(here.size()));
+        SortedStrip all;
+        (perspective ? hold_perspective : hold_parallel)(laws, strip, all);
+        EXPECT_EQ(all.candidate.ratio, all.reference.ratio);
+        ratios.insert(ratios.end(), all.candidate.ratio.begin(),
+                      all.candidate.ratio.begin() + std::ptrdiff_t(here.size()));
     }
     return ratios;
 }
@@ -136,24 +139,27 @@ TEST(DepthBound, OfNeighboursIsEachOnesOwnInOneStrip) {
             mixed.candidate.law[i] = std::uint32_t(shown % laws.candidate.size());
             mixed.reference.law[i] = std::uint32_t((shown + (i % 7 == 0)) % laws.candidate.size());
         }
-        mixed.candidate.camera_depth.fill(
-            s.around.neighbours.empty() ? 1 : float(s.around.neighbours[0].nearest));
-        mixed.reference.camera_depth = mixed.candidate.camera_depth;
-        hold(laws, mixed);
-        const auto of_each = [&](Strip::Side Strip::*side, std::uint32_t which) {
+        Strip::Values<float> camera_depth;
+        camera_depth.fill(s.around.neighbours.empty() ? 1 : float(s.around.neighbours[0].nearest));
+        mixed.candidate.camera_depth = mixed.reference.camera_depth = camera_depth.data();
+        SortedStrip together;
+        hold(laws, mixed, together);
+        for (std::uint32_t which = 0; which < laws.candidate.size(); ++which) {
             Strip alone = mixed;
             alone.candidate.law.fill(which);
             alone.reference.law.fill(which);
-            hold(laws, alone);
-            for (std::size_t i = 0; i < Strip::width; ++i) {
-                if ((mixed.*side).law[i] != which) continue;
-                EXPECT_EQ((mixed.*side).ratio[i], (alone.*side).ratio[i]) << i;
-                settled += (mixed.*side).ratio[i] != unsettled;
-            }
-        };
-        for (std::uint32_t which = 0; which < laws.candidate.size(); ++which) {
-            of_each(&Strip::candidate, which);
-            of_each(&Strip::reference, which);
+            SortedStrip by_itself;
+            hold(laws, alone, by_itself);
+            const auto expect_same = [&](const Strip::Side& shown, const SortedStrip::Side& here,
+                                         const SortedStrip::Side& there) {
+                for (std::size_t i = 0; i < Strip::width; ++i) {
+                    if (shown.law[i] != which) continue;
+                    EXPECT_EQ(here.ratio[i], there.ratio[i]) << i;
+                    settled += here.ratio[i] != unsettled;
+                }
+            };
+            expect_same(mixed.candidate, together.candidate, by_itself.candidate);
+            expect_same(mixed.reference, together.reference, by_itself.reference);
         }
     }
     EXPECT_GT(settled, 2000);

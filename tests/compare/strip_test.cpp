@@ -24,11 +24,14 @@ template <class Visit>
 void for_each_strip(const Visit& visit) {
     std::mt19937 random(1);
     for (int round = 0; round < 2000; ++round) {
+        Strip::Values<PrimitiveId> ours;
+        show_runs(random, ours);
+        Strip::Values<PrimitiveId> theirs = ours;
+        if (round % 2 != 0) show_runs(random, theirs);
+        if (round % 4 == 2) theirs[random() % Strip::width] = PrimitiveId{7};
         Strip strip{};
-        show_runs(random, strip.candidate.primitive);
-        strip.reference.primitive = strip.candidate.primitive;
-        if (round % 2 != 0) show_runs(random, strip.reference.primitive);
-        if (round % 4 == 2) strip.reference.primitive[random() % Strip::width] = PrimitiveId{7};
+        strip.candidate.primitive = ours.data();
+        strip.reference.primitive = theirs.data();
         compare_ids(strip);
         visit(strip);
         if (testing::Test::HasFatalFailure()) return;
@@ -37,7 +40,7 @@ void for_each_strip(const Visit& visit) {
 
 TEST(Strip, SaysWhereIdsTurnAndDiffer) {
     for_each_strip([](const Strip& strip) {
-        const auto &ours = strip.candidate.primitive, &theirs = strip.reference.primitive;
+        const PrimitiveId *const ours = strip.candidate.primitive, *const theirs = strip.reference.primitive;
         for (std::size_t i = 0; i < Strip::width; ++i) {
             ASSERT_EQ((strip.turns >> i & 1) != 0, i == 0 || ours[i] != ours[i - 1]) << i;
             ASSERT_EQ((strip.differ >> i & 1) != 0, ours[i] != theirs[i]) << i;
