@@ -25,25 +25,17 @@ struct Tile {
     int left, top, right, bottom;
 };
 
-constexpr int stride = 32;  // a power of two above `uncounted`
-
-/// Where pairs of bins are counted.
-[[gnu::target_clones("default", "avx2", "avx512f")]] void pair_up(const Strip::Values<std::int32_t>& ours,
-                                                                  const Strip::Values<std::int32_t>& theirs,
-                                                                  Strip::Values<std::uint32_t>& pair) {
-    for (std::size_t i = 0; i < Strip::width; ++i) pair[i] = std::uint32_t(ours[i] * stride + theirs[i]);
-}
-
 /// Both records in the making. What the two renderers' depths of a pixel fall into is counted as one:
 /// histograms are its sums. Neighbouring pixels often fall into the same: they are counted side by side.
 class Count {
   public:
     /// Of a strip, where both are uncounted or neither is; at most 2^32 pixels in all.
-    void add(const Strip::Values<std::int32_t>& ours, const Strip::Values<std::int32_t>& theirs) {
-        Strip::Values<std::uint32_t> pair;
-        pair_up(ours, theirs, pair);
-        for (std::size_t first = 0; first < Strip::width; first += lanes)
-            for (std::size_t i = 0; i < lanes; ++i) ++pairs_[i][pair[first + i]];
+    void add(const SortedStrip& strip) {
+        for (std::size_t chunk = 0; chunk < strip.bins.size(); ++chunk)
+            if (strip.bins[chunk] == SortedStrip::Bins::each)
+                add(&strip.candidate.bin[chunk * Strip::chunk], &strip.reference.bin[chunk * Strip::chunk]);
+            else if (strip.bins[chunk] == SortedStrip::Bins::first)
+                pairs_[0][0] += Strip::chunk;
     }
     void add_to(Tally& tally) const {
         for (const double l : candidate_largest) raise(tally.candidate, l);
@@ -61,6 +53,13 @@ class Count {
 
   private:
     static constexpr std::size_t lanes = 4;
+    static constexpr int stride = 32;  ///< a power of two above `uncounted`
+
+    void add(const std::int32_t* ours, const std::int32_t* theirs) {
+        std::array<std::int32_t, Strip::chunk> pair;
+        for (std::size_t i = 0; i < Strip::chunk; ++i) pair[i] = ours[i] * stride + theirs[i];
+        for (std::size_t i = 0; i < Strip::chunk; ++i) ++pairs_[i % lanes][std::size_t(pair[i])];
+    }
 
     static void raise(BoundRecord& record, double ratio) {
         record.max_error_over_bound = std::max(record.max_error_over_bound, ratio);
@@ -113,7 +112,7 @@ class Comparison {
             const Strip& strip = strips_[std::size_t(y - tile.top)];
             fetch_ahead(tile.right, y);
             presort(largest, strip);
-            hold(strip);
+            if (sorted_.sorted != SortedStrip::all_sorted) hold(strip);
             if (scribes_) {
                 const auto width = std::size_t(tile.right - tile.left);
                 scribes_->candidate.write(strip.candidate, sorted_.candidate.ratio, {strip.x, y, width});
@@ -206,8 +205,9 @@ class Comparison {
     }
 
     void settle(const Strip& strip, OpenTiles& open) {
-        sort_out(strip, sorted_, count_.candidate_largest, count_.reference_largest);
-        count_.add(sorted_.candidate.bin, sorted_.reference.bin);
+        if (sorted_.sorted != SortedStrip::all_sorted)
+            sort_out(strip, sorted_, count_.candidate_largest, count_.reference_largest);
+        count_.add(sorted_);
         for (std::size_t chunk = 0; chunk < sorted_.open.size(); ++chunk) {
             if (sorted_.open[chunk] == 0) continue;
             const ColumnMask left = still_open(strip, chunk);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compare/estimate_row.h"
+#include "compare/masks.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -60,6 +61,25 @@ DepthEstimate::Bound bound_of(const DepthLaw& law, const DepthEstimate& plane, P
             .plane_offset = float(law.plane_offset / (1 - largest_sum))};
 }
 
+/// The least that a place is displaced by, where nothing holds it back.
+double least_shift(const DepthEstimate::Bound& bound, const DepthEstimate& plane) {
+    if (bound.beyond == 0) return 0;
+    const double varying = double{bound.shift_base} + double{bound.shift_per} * plane.least;
+    return std::min(varying, double{bound.most_shift}) + double{bound.nearness_error};
+}
+
+/// See docs/truth.md.
+DepthEstimate::Quiet quiet_of(const DepthEstimate::Bound& bound, const DepthEstimate& plane,
+                              Projection projection, float known_largest) {
+    const double ceiling = std::min({1.0f, bound.top, known_largest});
+    const double share = (ceiling - double{bound.unsure}) / bins * (1 - 0x1p-16);
+    if (!(share > 0)) return {};
+    const double shift = least_shift(bound, plane), factor = bound.factor;
+    const double room = projection == Projection::perspective ? shift + double{bound.plane_offset}
+                                                              : shift * (1 - factor) + double{bound.absolute};
+    return {.shift = float(shift), .slope = float(share * factor), .room = float(share * room)};
+}
+
 /// A triangle's plane.
 struct Plane {
     double w_per_x, w_per_y, w_offset, least, most;
@@ -69,25 +89,47 @@ struct Plane {
 struct OneTriangle {
     const DepthEstimate& t;
     const DepthEstimate::Bound bound;
+    const DepthEstimate::Quiet quiet;
 
+    void put_bounds(Projection) {}
     [[gnu::always_inline]] Plane plane_at(std::size_t) const {
         return {t.w_per_x, t.w_per_y, t.w_offset, t.least, t.most};
     }
+    [[gnu::always_inline]] const DepthEstimate::Quiet& quiet_at(std::size_t) const { return quiet; }
     template <class Projected>
     [[gnu::always_inline]] DepthEstimate::Bound bound_at(std::size_t) const {
         return bound;
     }
 };
-struct OwnTriangles {
-    const EstimateRow::Side& side;
+/// One renderer's.
+struct Whose {
+    DepthEstimate::Bound DepthEstimate::*bound;
+    DepthEstimate::Quiet DepthEstimate::*quiet;
+};
+constexpr Whose of_candidate{&DepthEstimate::candidate, &DepthEstimate::candidate_quiet},
+    of_reference{&DepthEstimate::reference, &DepthEstimate::reference_quiet};
 
-    [[gnu::always_inline]] Plane plane_at(std::size_t i) const {
-        const EstimateRow::Plane& p = side.plane;
-        return {p.w_per_x[i], p.w_per_y[i], p.w_offset[i], p.least[i], p.most[i]};
+class OwnTriangles {
+  public:
+    struct Rows {
+        EstimateRow::Quiet quiet;
+        EstimateRow::Bound bound;
+    };
+    /// Into `rows`, which is only looked at.
+    OwnTriangles(const Estimates& triangles, const Whose& whose, Rows& rows)
+        : triangles_(triangles), whose_(whose), rows_(rows) {}
+
+    void put_quiet() { put_side_by_side(triangles_, whose_.quiet, rows_.quiet); }
+    void put_bounds(Projection projection) {
+        put_side_by_side(triangles_, whose_.bound, projection, rows_.bound);
+    }
+
+    [[gnu::always_inline]] DepthEstimate::Quiet quiet_at(std::size_t i) const {
+        return {rows_.quiet.shift[i], rows_.quiet.slope[i], rows_.quiet.room[i], 0};
     }
     template <class Projected>
     [[gnu::always_inline]] DepthEstimate::Bound bound_at(std::size_t i) const {
-        const EstimateRow::Bound& b = side.bound;
+        const EstimateRow::Bound& b = rows_.bound;
         DepthEstimate::Bound bound{b.shift_base[i],
                                    b.most_shift[i],
                                    b.nearness_error[i],
@@ -101,6 +143,19 @@ struct OwnTriangles {
         if constexpr (Projected::is_perspective)
             bound.shift_per = b.shift_per[i], bound.plane_offset = b.plane_offset[i];
         return bound;
+    }
+
+  private:
+    const Estimates& triangles_;
+    const Whose& whose_;
+    Rows& rows_;
+};
+struct OwnPlanes {
+    EstimateRow::Plane row;
+
+    explicit OwnPlanes(const Estimates& triangles) { put_side_by_side(triangles, row); }
+    [[gnu::always_inline]] Plane plane_at(std::size_t i) const {
+        return {row.w_per_x[i], row.w_per_y[i], row.w_offset[i], row.least[i], row.most[i]};
     }
 };
 
@@ -125,6 +180,7 @@ template <class Triangles>
 /// How far a depth is off, and by how much it may be, both over the same.
 struct Perspective {
     static constexpr bool is_perspective = true;
+    static constexpr Projection projection = Projection::perspective;
     static double error(double z, double nearness) { return z * nearness - 1; }
     static bool is_towards_most(float error) { return error < 0; }
     static float scaled(float error, float moved) { return error * moved; }
@@ -137,6 +193,7 @@ struct Perspective {
 };
 struct Parallel {
     static constexpr bool is_perspective = false;
+    static constexpr Projection projection = Projection::parallel;
     static double error(double z, double depth) { return z - depth; }
     static bool is_towards_most(float error) { return error > 0; }
     static float scaled(float error, float) { return error; }
@@ -150,15 +207,34 @@ struct Parallel {
 struct Seen {
     const float* depth;
     float known_largest;
+    ColumnMask asked;
+    bool may_be_quiet;
 };
+
+using Errors = TileRowOf<float>;
+
+/// Where errors are that small, and places between the corners.
+template <class Projected, class Triangles>
+[[gnu::always_inline]] inline ColumnMask quiet_ones(const Triangles& triangles, const Spots& spots,
+                                                    const Errors& errors) {
+    TileRowOf<float> slack;
+    for (std::size_t i = 0; i < tile_columns; ++i) {
+        const DepthEstimate::Quiet quiet = triangles.quiet_at(i);
+        const float w = spots.w_float[i];
+        const float error = Projected::scaled(std::abs(errors[i]), w + quiet.shift);
+        const float within = spots.to_least[i] < spots.to_most[i] ? spots.to_least[i] : spots.to_most[i];
+        const float left = quiet.slope * w + quiet.room - error;
+        slack[i] = within < left ? within : left;  // also where that is no number
+    }
+    return where_not_negative(slack.data());
+}
 
 /// The bins of one renderer's depths, and where they are certain.
 template <class Projected, class Triangles>
-[[gnu::always_inline]] inline void sort_side(const Triangles triangles, const Spots& spots, const Seen seen,
+[[gnu::always_inline]] inline void sort_loud(const Triangles& triangles, const Spots& spots,
+                                             const Errors& errors, float known_largest,
                                              EstimatedRow::Side& side) {
-    TileRowOf<float> errors, slack, highs;
-    for (std::size_t i = 0; i < tile_columns; ++i)
-        errors[i] = float(Projected::error(double(seen.depth[i]), spots.w[i]));
+    TileRowOf<float> slack, highs;
     for (std::size_t i = 0; i < tile_columns; ++i) {
         const DepthEstimate::Bound bound = triangles.template bound_at<Projected>(i);
         const float w = spots.w_float[i], error = errors[i];
@@ -180,26 +256,59 @@ template <class Projected, class Triangles>
         highs[i] = high;
         slack[i] = here < within ? here : within;
     }
-    std::uint32_t both = 0;  // side by side, to be gathered once
+    side.certain = where_not_negative(slack.data());
+    side.may_exceed = all_columns & ~where_at_most(highs.data(), known_largest);
+}
+
+template <class Projected, class Triangles>
+[[gnu::always_inline]] inline void sort_side(Triangles& triangles, const Spots& spots, const Seen& seen,
+                                             EstimatedRow::Side& side) {
+    Errors errors;
     for (std::size_t i = 0; i < tile_columns; ++i)
-        both |= std::uint32_t(slack[i] >= 0) << i | std::uint32_t(!(highs[i] <= seen.known_largest))
-                                                        << (tile_columns + i);
-    side.certain = both & all_columns;
-    side.may_exceed = both >> tile_columns;
+        errors[i] = float(Projected::error(double(seen.depth[i]), spots.w[i]));
+    side.is_quiet = false;
+    if (seen.may_be_quiet) {
+        const ColumnMask quiet = quiet_ones<Projected>(triangles, spots, errors);
+        side.is_quiet = (seen.asked & ~quiet) == 0;
+        if (side.is_quiet) {
+            side.bin.fill(0);
+            side.certain = quiet;
+            side.may_exceed = 0;
+            return;
+        }
+        triangles.put_bounds(Projected::projection);
+    }
+    sort_loud<Projected>(triangles, spots, errors, seen.known_largest, side);
 }
 
 template <class Triangles>
-[[gnu::always_inline]] inline void sort_side(Projection projection, const Triangles& triangles,
-                                             const Spots& spots, const Seen seen, EstimatedRow::Side& side) {
+[[gnu::always_inline]] inline void sort_side(Projection projection, Triangles triangles, const Spots& spots,
+                                             const Seen& seen, EstimatedRow::Side& side) {
     if (projection == Projection::perspective)
         sort_side<Perspective>(triangles, spots, seen, side);
     else
         sort_side<Parallel>(triangles, spots, seen, side);
 }
 
+Seen seen_of_candidate(const Asked& asked, const DepthsOfBoth& depths) {
+    return {depths.candidate, asked.known.candidate, asked.pixels, asked.may_be_quiet.candidate};
+}
+Seen seen_of_reference(const Asked& asked, const DepthsOfBoth& depths) {
+    return {depths.reference, asked.known.reference, asked.pixels, asked.may_be_quiet.reference};
+}
+
+/// What will be asked for first.
+void put_first(OwnTriangles& triangles, bool may_be_quiet, Projection projection) {
+    if (may_be_quiet)
+        triangles.put_quiet();
+    else
+        triangles.put_bounds(projection);
+}
+
 }  // namespace
 
-DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection) {
+DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
+                          const KnownLargest& known) {
     DepthEstimate t{};
     const bool perspective = projection == Projection::perspective;
     const double sign = perspective ? 1 : -1;
@@ -215,29 +324,37 @@ DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, 
     t.reference = bound_of(reference, t, projection);
     t.is_usable = t.candidate.top > 0 && t.reference.top > 0;
     if (!t.is_usable) t.candidate.top = t.reference.top = -1;
+    t.candidate_quiet = quiet_of(t.candidate, t, projection, known.candidate);
+    t.reference_quiet = quiet_of(t.reference, t, projection, known.reference);
     return t;
 }
 
-/// Compiled once per instruction set. No verdict depends on which runs: what is certain is so in any.
+// Compiled once per instruction set. No verdict depends on which runs: what is certain is so in any.
+
 [[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] void estimate(
-    const DepthEstimate& triangle, Projection projection, const DepthsOfBoth& depths,
-    const KnownLargest& known, EstimatedRow& estimated) {
-    const OneTriangle ours{triangle, triangle.candidate}, theirs{triangle, triangle.reference};
+    const DepthEstimate& triangle, const Asked& asked, const DepthsOfBoth& depths, EstimatedRow& estimated) {
+    const OneTriangle ours{triangle, triangle.candidate, triangle.candidate_quiet},
+        theirs{triangle, triangle.reference, triangle.reference_quiet};
     Spots spots;
     set_spots(ours, depths.place, spots);
-    sort_side(projection, ours, spots, {depths.candidate, known.candidate}, estimated.candidate);
-    sort_side(projection, theirs, spots, {depths.reference, known.reference}, estimated.reference);
+    sort_side(asked.projection, ours, spots, seen_of_candidate(asked, depths), estimated.candidate);
+    sort_side(asked.projection, theirs, spots, seen_of_reference(asked, depths), estimated.reference);
 }
 
 [[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] void estimate(
-    const EstimateRow& triangles, Projection projection, const DepthsOfBoth& depths,
-    const KnownLargest& known, EstimatedRow& estimated) {
-    const OwnTriangles ours{triangles.candidate}, theirs{triangles.reference};
+    const EstimatesOfBoth& triangles, const Asked& asked, const DepthsOfBoth& depths,
+    EstimatedRow& estimated) {
+    OwnTriangles::Rows of_ours, of_theirs;
+    OwnTriangles ours(triangles.ours, of_candidate, of_ours),
+        theirs(triangles.theirs, of_reference, of_theirs);
+    // Long before they are read, and in wider vectors.
+    put_first(ours, asked.may_be_quiet.candidate, asked.projection);
+    put_first(theirs, asked.may_be_quiet.reference, asked.projection);
     Spots spots;
-    set_spots(ours, depths.place, spots);
-    sort_side(projection, ours, spots, {depths.candidate, known.candidate}, estimated.candidate);
-    if (!triangles.is_one_plane) set_spots(theirs, depths.place, spots);
-    sort_side(projection, theirs, spots, {depths.reference, known.reference}, estimated.reference);
+    set_spots(OwnPlanes(triangles.ours), depths.place, spots);
+    sort_side(asked.projection, ours, spots, seen_of_candidate(asked, depths), estimated.candidate);
+    if (&triangles.ours != &triangles.theirs) set_spots(OwnPlanes(triangles.theirs), depths.place, spots);
+    sort_side(asked.projection, theirs, spots, seen_of_reference(asked, depths), estimated.reference);
 }
 
 }  // namespace zproof

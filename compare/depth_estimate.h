@@ -20,16 +20,29 @@ struct DepthEstimate {
         float shift_per, plane_offset;  ///< 0 for parallel projections
     };
 
+    /// Errors so small that no more need be known: |error| times (w + shift) for perspectives, |error| for
+    /// parallel projections, is at most slope w + room. Then the depth is lawful, in the first bin, and not
+    /// the largest, for certain. Never so where slope and room are negative.
+    struct Quiet {
+        float shift = 0, slope = -1, room = -1;
+        float unused = 0;
+    };
+
     double w_per_x, w_per_y, w_offset;
     double least, most;  ///< of w: the corners', widened
     Bound candidate, reference;
+    Quiet candidate_quiet, reference_quiet;
     bool is_usable = false;
 };
 
-struct EstimateRow;  // compare/estimate_row.h
+/// The largest ratios so far, times 20, rounded down.
+struct KnownLargest {
+    float candidate = 0, reference = 0;
+};
 
-/// Not usable where single precision says too little.
-DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection);
+/// Not usable where single precision says too little. What is quiet has to be so beside `known`.
+DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
+                          const KnownLargest& known);
 
 /// Of sixteen pixels.
 struct EstimatedRow {
@@ -37,13 +50,9 @@ struct EstimatedRow {
         TileRowOf<std::int32_t> bin;  ///< of the error over the bound, as BoundHistogram has it
         ColumnMask certain = 0;       ///< where the depth is lawful and that is its bin
         ColumnMask may_exceed = 0;    ///< where it may be more than the largest
+        bool is_quiet = false;        ///< what was asked about is, all of it
     };
     Side candidate, reference;
-};
-
-/// The largest ratios so far, times 20, rounded down.
-struct KnownLargest {
-    float candidate = 0, reference = 0;
 };
 
 /// The camera depths that both frames hold in the pixels from `place` on.
@@ -52,12 +61,30 @@ struct DepthsOfBoth {
     const float *candidate, *reference;
 };
 
-/// As if both frames showed the triangle there. Nothing is certain of one that is not usable.
-void estimate(const DepthEstimate& triangle, Projection projection, const DepthsOfBoth& depths,
-              const KnownLargest& known, EstimatedRow& estimated);
+/// What is asked about them.
+struct Asked {
+    Projection projection;
+    KnownLargest known;               ///< no less than when the estimates were made
+    ColumnMask pixels = all_columns;  ///< of the others nothing need be certain
+    /// Whose errors may be quiet, all of them: which is asked first. Where some are not, that was for
+    /// nothing.
+    struct {
+        bool candidate = true, reference = true;
+    } may_be_quiet{};
+};
 
-/// The same, each by its own triangle.
-void estimate(const EstimateRow& triangles, Projection projection, const DepthsOfBoth& depths,
-              const KnownLargest& known, EstimatedRow& estimated);
+/// As if both frames showed the triangle there. Nothing is certain of one that is not usable.
+void estimate(const DepthEstimate& triangle, const Asked& asked, const DepthsOfBoth& depths,
+              EstimatedRow& estimated);
+
+using Estimates = TileRowOf<const DepthEstimate*>;
+
+/// The same, each by its own triangle: `ours` is what the candidate shows, `theirs` the reference; one object
+/// where both show the same.
+struct EstimatesOfBoth {
+    const Estimates &ours, &theirs;
+};
+void estimate(const EstimatesOfBoth& triangles, const Asked& asked, const DepthsOfBoth& depths,
+              EstimatedRow& estimated);
 
 }  // namespace zproof

@@ -268,6 +268,7 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
             }
         std::uint32_t masks = 0;
         for (std::size_t i = 0; i < Strip::chunk; ++i) masks |= what[i] << i;
+        all.bins[chunk] = SortedStrip::Bins::each;
         all.open[chunk] = masks & all_columns;
         all.lawful[chunk] = masks >> 16;
     }

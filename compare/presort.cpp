@@ -5,6 +5,7 @@
 #include <bit>
 #include <limits>
 
+#include "compare/masks.h"
 #include "compare/runs.h"
 
 namespace zproof {
@@ -12,24 +13,11 @@ namespace zproof {
 namespace {
 
 /// Where the candidate shows nothing, and both have the depth of the background.
-[[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask bare(const Strip& strip, std::size_t first) {
-    constexpr float none = std::numeric_limits<float>::infinity();
-    const PrimitiveId* shown = &strip.candidate.primitive[first];
-    const float *our_depth = &strip.candidate.camera_depth[first],
-                *their_depth = &strip.reference.camera_depth[first];
-    std::uint32_t mask = 0;
-    for (std::size_t i = 0; i < Strip::chunk; ++i)
-        mask |=
-            std::uint32_t((shown[i] == PrimitiveId::none) & (our_depth[i] == none) & (their_depth[i] == none))
-            << i;
-    return mask;
-}
-
-[[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask equal_laws(const std::uint32_t* laws,
-                                                                           std::uint32_t law) {
-    std::uint32_t mask = 0;
-    for (std::size_t i = 0; i < Strip::chunk; ++i) mask |= std::uint32_t(laws[i] == law) << i;
-    return mask;
+ColumnMask bare(const Strip& strip, std::size_t first) {
+    const ColumnMask nothing = where_equal(&strip.candidate.primitive[first], PrimitiveId::none);
+    if (nothing == 0) return 0;
+    return nothing & where_equal(&strip.candidate.camera_depth[first], background_depth) &
+           where_equal(&strip.reference.camera_depth[first], background_depth);
 }
 
 constexpr auto none_counted = [] {
@@ -38,14 +26,22 @@ constexpr auto none_counted = [] {
     return bins;
 }();
 
-/// Those of some pixels; the others are not counted.
+/// Of some pixels; the others are not counted.
+SortedStrip::Bins bins_of(const EstimatedRow& row, ColumnMask pixels) {
+    if (pixels == 0) return SortedStrip::Bins::uncounted;
+    const bool are_first = pixels == all_columns && row.candidate.is_quiet && row.reference.is_quiet;
+    return are_first ? SortedStrip::Bins::first : SortedStrip::Bins::each;
+}
 void copy_bins(const EstimatedRow::Side& side, ColumnMask pixels, std::int32_t* bin) {
     if (pixels == all_columns)
         std::ranges::copy(side.bin, bin);
-    else if (pixels == 0)
-        std::ranges::copy(none_counted, bin);
     else
         std::ranges::copy(chosen(none_counted, side.bin, pixels), bin);
+}
+
+/// Where one chunk is not quiet, the next ones of the strip are hardly either.
+void expect_the_like_of(const EstimatedRow& row, Asked& asked) {
+    asked.may_be_quiet = {row.candidate.is_quiet, row.reference.is_quiet};
 }
 
 /// Rounded down.
@@ -55,23 +51,25 @@ float times_20(double ratio) { return float(ratio * 20 * (1 - 0x1p-20)); }
 
 void Presort::sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip, SortedStrip& sorted) {
     known_.resize(std::max(known_.size(), laws.candidate.size()));
-    const KnownLargest known{times_20(largest.candidate), times_20(largest.reference)};
+    Asked asked{projection_, {times_20(largest.candidate), times_20(largest.reference)}};
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
         constexpr ColumnMask but_first = all_columns & ~ColumnMask{1};
         const bool one =
             ((Strip::in_chunk(strip.turns, first) & but_first) | Strip::in_chunk(strip.differ, first)) == 0;
-        const Source source{laws, known, largest, strip, first};
+        const Source source{laws, asked, largest, strip, first};
         const bool is_sorted = one && strip.candidate.law[first] != 0 ? sort_one_law(source, sorted)
                                                                       : sort_some_laws(source, sorted);
         sorted.sorted |= std::uint32_t(is_sorted) << first / Strip::chunk;
     }
 }
 
-const DepthEstimate& Presort::estimate_by(const LawsOfBoth& laws, std::uint32_t law) {
+const DepthEstimate& Presort::estimate_by(const Source& source, std::uint32_t law) {
     Known& known = known_[law];
-    if (known.tile != tile_)
+    if (known.tile != tile_) {
+        const auto& [candidate, reference] = source.laws;
         known = {.tile = tile_,
-                 .estimate = estimate_of(laws.candidate[law], laws.reference[law], projection_)};
+                 .estimate = estimate_of(candidate[law], reference[law], projection_, source.asked.known)};
+    }
     return known.estimate;
 }
 
@@ -82,7 +80,7 @@ void Presort::raise_largest(const EstimatedRow& row, ColumnMask pixels, const So
     ColumnMask rest = pixels & (row.candidate.may_exceed | row.reference.may_exceed);
     while (rest != 0) {
         const std::uint32_t law = laws[std::countr_zero(rest)];
-        const ColumnMask here = rest & equal_laws(laws, law);
+        const ColumnMask here = rest & where_equal(laws, law);
         rest &= ~here;
         Known& known = known_[law];
         raise({source.laws.candidate[law], source.strip.candidate, here & row.candidate.may_exceed}, source,
@@ -115,10 +113,12 @@ DepthsOfBoth Presort::depths_of(const Source& source) {
 }
 
 /// As if all pixels showed that triangle.
-EstimatedRow Presort::estimated(std::uint32_t law, const Source& source) {
+EstimatedRow Presort::estimated_by_one(std::uint32_t law, const Source& source) {
     EstimatedRow row;
-    const DepthEstimate& triangle = estimate_by(source.laws, law);
-    if (triangle.is_usable) estimate(triangle, projection_, depths_of(source), source.known, row);
+    const DepthEstimate& triangle = estimate_by(source, law);
+    if (!triangle.is_usable) return row;
+    estimate(triangle, source.asked, depths_of(source), row);
+    expect_the_like_of(row, source.asked);
     return row;
 }
 
@@ -127,41 +127,42 @@ Estimates Presort::estimates_of_candidate(const Source& source) {
     const std::uint32_t* law = &source.strip.candidate.law[source.first];
     const ColumnMask turns = Strip::in_chunk(source.strip.turns, source.first) | 1;
     return spread_over_runs<tile_columns>(
-        turns, [&](std::size_t first) { return &estimate_by(source.laws, law[first]); });
+        turns, [&](std::size_t first) { return &estimate_by(source, law[first]); });
 }
 
 Estimates Presort::estimates_of_reference(const Estimates& of_candidate, const Source& source) {
     Estimates each = of_candidate;
     for (ColumnMask rest = Strip::in_chunk(source.strip.differ, source.first); rest != 0; rest &= rest - 1) {
         const auto i = std::size_t(std::countr_zero(rest));
-        each[i] = &estimate_by(source.laws, source.strip.reference.law[source.first + i]);
+        each[i] = &estimate_by(source, source.strip.reference.law[source.first + i]);
     }
     return each;
 }
 
-/// Each by what it shows.
-EstimatedRow Presort::estimated(const Source& source) {
+/// Each by what it shows; of the other pixels it does not matter.
+EstimatedRow Presort::estimated_by_each(ColumnMask pixels, const Source& source) {
+    Asked asked = source.asked;
+    asked.pixels = pixels;
     const Estimates ours = estimates_of_candidate(source);
-    EstimateRow triangles;
-    if (Strip::in_chunk(source.strip.differ, source.first) == 0)
-        put_side_by_side(projection_, ours, ours, triangles);
-    else
-        put_side_by_side(projection_, ours, estimates_of_reference(ours, source), triangles);
     EstimatedRow row;
-    estimate(triangles, projection_, depths_of(source), source.known, row);
+    if (Strip::in_chunk(source.strip.differ, source.first) == 0)
+        estimate({ours, ours}, asked, depths_of(source), row);
+    else
+        estimate({ours, estimates_of_reference(ours, source)}, asked, depths_of(source), row);
+    expect_the_like_of(row, source.asked);
     return row;
 }
 
 bool Presort::sort_one_law(const Source& source, SortedStrip& sorted) {
-    const EstimatedRow row = estimated(source.strip.candidate.law[source.first], source);
+    const EstimatedRow row = estimated_by_one(source.strip.candidate.law[source.first], source);
     return settle(row, {all_columns, all_columns}, source, sorted);
 }
 
 bool Presort::sort_some_laws(const Source& source, SortedStrip& sorted) {
     const ColumnMask same = ~Strip::in_chunk(source.strip.differ, source.first) & all_columns;
-    const ColumnMask agreed = same & ~bare(source.strip, source.first);
-    if (agreed == 0 && same == all_columns) return settle({}, {same, agreed}, source, sorted);
-    return settle(estimated(source), {same, agreed}, source, sorted);
+    const ColumnMask in_question = all_columns & ~(same & bare(source.strip, source.first));
+    if (in_question == 0) return settle({}, {same, 0}, source, sorted);
+    return settle(estimated_by_each(in_question, source), {same, same & in_question}, source, sorted);
 }
 
 /// Unless one of the pixels that agree is not certain.
@@ -171,8 +172,11 @@ bool Presort::settle(const EstimatedRow& row, const Agreement& pixels, const Sou
     if ((pixels.agreed & ~certain) != 0) return false;
     raise_largest(row, pixels.agreed, source);
     const std::size_t first = source.first, chunk = first / Strip::chunk;
-    copy_bins(row.candidate, pixels.agreed, &sorted.candidate.bin[first]);
-    copy_bins(row.reference, pixels.agreed, &sorted.reference.bin[first]);
+    sorted.bins[chunk] = bins_of(row, pixels.agreed);
+    if (sorted.bins[chunk] == SortedStrip::Bins::each) {
+        copy_bins(row.candidate, pixels.agreed, &sorted.candidate.bin[first]);
+        copy_bins(row.reference, pixels.agreed, &sorted.reference.bin[first]);
+    }
     sorted.open[chunk] = ~pixels.same & all_columns;
     sorted.lawful[chunk] = sorted.open[chunk] & certain;
     return true;

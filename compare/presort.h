@@ -41,17 +41,17 @@ class Presort {
     /// What a chunk is sorted by.
     struct Source {
         const LawsOfBoth& laws;
-        const KnownLargest& known;
+        Asked& asked;
         Largest& largest;
         const Strip& strip;
         std::size_t first;  ///< of the chunk's pixels in the strip
     };
-    const DepthEstimate& estimate_by(const LawsOfBoth& laws, std::uint32_t law);
+    const DepthEstimate& estimate_by(const Source& source, std::uint32_t law);
     static DepthsOfBoth depths_of(const Source& source);
-    EstimatedRow estimated(std::uint32_t law, const Source& source);
+    EstimatedRow estimated_by_one(std::uint32_t law, const Source& source);
     Estimates estimates_of_candidate(const Source& source);
     Estimates estimates_of_reference(const Estimates& of_candidate, const Source& source);
-    EstimatedRow estimated(const Source& source);
+    EstimatedRow estimated_by_each(ColumnMask pixels, const Source& source);
     void raise_largest(const EstimatedRow& row, ColumnMask pixels, const Source& source);
     void raise(const Exceeding& pixels, const Source& source, float& counted, double& largest) const;
     struct Agreement {

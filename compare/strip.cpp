@@ -1,6 +1,6 @@
 #include "compare/strip.h"
 
-#include <algorithm>
+#include "compare/masks.h"
 
 namespace zproof {
 
@@ -8,25 +8,27 @@ namespace {
 
 using Ids = const PrimitiveId*;
 
-/// Where two rows of ids differ. Compilers make vectors of it.
-[[gnu::always_inline]] inline Strip::Pixels differing(Ids a, Ids b) {
-    constexpr std::size_t half = Strip::width / 2;
-    const auto in_half = [&](std::size_t first) {
-        std::uint32_t mask = 0;
-        for (std::size_t i = 0; i < half; ++i) mask |= std::uint32_t(a[first + i] != b[first + i]) << i;
-        return mask;
-    };
-    return in_half(0) | Strip::Pixels{in_half(half)} << half;
+/// Where two rows of ids differ.
+Strip::Pixels differing(Ids a, Ids b) {
+    Strip::Pixels same = 0;
+    for (std::size_t first = 0; first < Strip::width; first += Strip::chunk)
+        same |= Strip::Pixels{where_equal(a + first, b + first)} << first;
+    return ~same;
+}
+
+/// Where a row of ids is not what it was a pixel before; not asked of the first.
+Strip::Pixels turning(Ids a) {
+    Strip::Pixels same = 1;
+    for (const std::size_t first : {0, 16, 32, 47})  // none reads behind the last pixel
+        same |= Strip::Pixels{where_equal(a + first + 1, a + first)} << (first + 1);
+    return ~same;
 }
 
 }  // namespace
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] void compare_ids(Strip& strip) {
+void compare_ids(Strip& strip) {
     const Ids shown = strip.candidate.primitive;
-    std::array<PrimitiveId, Strip::width> before;
-    before[0] = shown[0];
-    std::copy_n(shown, Strip::width - 1, before.begin() + 1);
-    strip.turns = differing(shown, before.data()) | 1;
+    strip.turns = turning(shown) | 1;
     strip.differ = differing(shown, strip.reference.primitive);
 }
 

@@ -39,6 +39,7 @@ struct Strip {
 /// What is found of a strip.
 struct SortedStrip {
     static constexpr std::int32_t uncounted = 21;
+    static constexpr std::uint32_t all_sorted = (1u << Strip::width / Strip::chunk) - 1;
 
     /// Of one renderer.
     struct Side {
@@ -47,7 +48,11 @@ struct SortedStrip {
         Strip::Values<std::int32_t> bin;
     };
 
+    /// What the bins of a chunk are: each pixel's own, or the same of all, and then they are not written.
+    enum class Bins : std::uint8_t { each, first, uncounted };
+
     Side candidate, reference;
+    std::array<Bins, Strip::width / Strip::chunk> bins;
     std::uint32_t sorted = 0;  ///< bit k: what becomes of the pixels from k * chunk on is known already
     /// Of each chunk: to be looked at by themselves, neither settled nor bare in both.
     std::array<ColumnMask, Strip::width / Strip::chunk> open;

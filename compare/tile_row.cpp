@@ -1,39 +1,35 @@
 #include "compare/tile_row.h"
 
+#include "compare/masks.h"
+
 namespace zproof {
 
 namespace {
 
 /// Compilers make vectors of it.
-template <class Word, class Test>
+template <class Test>
 [[gnu::always_inline]] inline ColumnMask mask_of(const Test& test) {
-    Word mask = 0;
-    for (std::size_t i = 0; i < tile_columns; ++i) mask |= test(i) ? Word{1} << i : Word{0};
+    std::uint64_t mask = 0;
+    for (std::size_t i = 0; i < tile_columns; ++i) mask |= test(i) ? std::uint64_t{1} << i : 0;
     return ColumnMask(mask);
 }
 
 }  // namespace
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask equal(const TileRowOf<PrimitiveId>& a,
-                                                                      const TileRowOf<PrimitiveId>& b) {
-    return mask_of<std::uint32_t>([&](std::size_t i) { return a[i] == b[i]; });
+ColumnMask equal(const TileRowOf<PrimitiveId>& a, const TileRowOf<PrimitiveId>& b) {
+    return where_equal(a.data(), b.data());
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask equal(const TileRowOf<PrimitiveId>& a,
-                                                                      PrimitiveId b) {
-    return mask_of<std::uint32_t>([&](std::size_t i) { return a[i] == b; });
-}
+ColumnMask equal(const TileRowOf<PrimitiveId>& a, PrimitiveId b) { return where_equal(a.data(), b); }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask equal(const TileRowOf<float>& a, float b) {
-    return mask_of<std::uint32_t>([&](std::size_t i) { return a[i] == b; });
-}
+ColumnMask equal(const TileRowOf<float>& a, float b) { return where_equal(a.data(), b); }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask above(const TileRow& a, const TileRow& b) {
-    return mask_of<std::uint64_t>([&](std::size_t i) { return a[i] > b[i]; });
+    return mask_of([&](std::size_t i) { return a[i] > b[i]; });
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask at_least_zero(const TileRow& a) {
-    return mask_of<std::uint64_t>([&](std::size_t i) { return a[i] >= 0; });
+    return mask_of([&](std::size_t i) { return a[i] >= 0; });
 }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] TileRow raised(const TileRow& a, const TileRow& b,

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "compare/depth_bound.h"
-#include "compare/estimate_row.h"
 #include "random_surroundings.h"
 
 namespace zproof {
@@ -67,6 +66,12 @@ void try_side(const EstimatedRow::Side& estimated, const Side& side, Projection 
     }
 }
 
+/// Rounded down.
+KnownLargest known_of(double largest) {
+    const auto known = float(20 * largest * (1 - 0x1p-20));
+    return {known, known};
+}
+
 TEST(DepthEstimate, IsCertainOnlyOfTheRightBin) {
     Tried ours, theirs;
     int usable = 0, asked = 0;
@@ -82,14 +87,13 @@ TEST(DepthEstimate, IsCertainOnlyOfTheRightBin) {
             const RowPlace at{0, s.y};
             const Side candidate(dice, s.view, precisions[dice.below(5)], n.p_world, at),
                 reference(dice, s.view, precisions[dice.below(5)], n.p_world, at);
-            const DepthEstimate estimate = estimate_of(candidate.law, reference.law, projection);
-            ++asked, usable += estimate.is_usable;
-            if (!estimate.is_usable) continue;
             const double largest = dice.between(0, 1);
-            const auto known = float(20 * largest * (1 - 0x1p-20));
+            const KnownLargest known = known_of(largest);
+            const DepthEstimate triangle = estimate_of(candidate.law, reference.law, projection, known);
+            ++asked, usable += triangle.is_usable;
+            if (!triangle.is_usable) continue;
             EstimatedRow row;
-            zproof::estimate(estimate, projection, {at, candidate.z.data(), reference.z.data()},
-                             {known, known}, row);
+            estimate(triangle, {projection, known}, {at, candidate.z.data(), reference.z.data()}, row);
             try_side(row.candidate, candidate, projection, largest, ours);
             try_side(row.reference, reference, projection, largest, theirs);
             if (HasFatalFailure()) return;
@@ -98,6 +102,87 @@ TEST(DepthEstimate, IsCertainOnlyOfTheRightBin) {
     EXPECT_GT(usable, asked / 4);
     EXPECT_GT(ours.certain, ours.lawful / 4);
     EXPECT_GT(theirs.certain, theirs.lawful / 4);
+}
+
+/// All depths are off by that share of their bounds, this way or that, to the nearest float.
+void set_depths(Dice& dice, double share, Side& side) {
+    for (std::size_t i = 0; i < tile_columns; ++i) {
+        const DepthBound bound = side.depth.at(side.at.left + int(i), side.at.y);
+        side.z[i] = float(bound.truth + share * ((dice.below(2) ? bound.low : bound.high) - bound.truth));
+    }
+}
+
+/// Errors about as large as the first bin is wide, and as the largest known: quiet ones are less than both.
+TEST(DepthEstimate, IsQuietOnlyOfTheFirstBin) {
+    int quiet[2] = {}, loud = 0;
+    for (std::uint32_t seed = 0; seed < 6000; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        Dice dice(seed);
+        const Precision precisions[] = {RasterPrecision{}, RayPrecision{}, PlaneRayPrecision{}};
+        const Projection projection = s.view.camera.projection;
+        for (const Neighbour& n : s.around.neighbours) {
+            const RowPlace at{0, s.y};
+            Side candidate(dice, s.view, precisions[dice.below(3)], n.p_world, at),
+                reference(dice, s.view, precisions[dice.below(3)], n.p_world, at);
+            const double largest = dice.below(2) ? dice.between(0.02, 0.06) : 1;
+            set_depths(dice, dice.between(0, 0.06), candidate);
+            set_depths(dice, dice.between(0, 0.06), reference);
+            const KnownLargest known = known_of(largest);
+            const DepthEstimate triangle = estimate_of(candidate.law, reference.law, projection, known);
+            if (!triangle.is_usable) continue;
+            EstimatedRow row;
+            estimate(triangle, {projection, known}, {at, candidate.z.data(), reference.z.data()}, row);
+            const auto look = [&](const EstimatedRow::Side& estimated, const Side& side) {
+                Tried tried;
+                try_side(estimated, side, projection, largest, tried);
+                ++(estimated.is_quiet ? quiet[projection == Projection::parallel] : loud);
+                if (!estimated.is_quiet) return;
+                EXPECT_EQ(tried.certain, int(tile_columns));
+                EXPECT_EQ(estimated.bin, TileRowOf<std::int32_t>{});
+                EXPECT_EQ(estimated.may_exceed, 0u);
+            };
+            look(row.candidate, candidate);
+            look(row.reference, reference);
+            if (HasFailure()) return;
+        }
+    }
+    EXPECT_GT(quiet[0], 500);
+    EXPECT_GT(quiet[1], 100);
+    EXPECT_GT(loud, 1000);
+}
+
+/// A wall at depth 4 whose depth may be off by `absolute`, seen along an axis.
+DepthLaw wall_law(double absolute, Projection projection) {
+    DepthLaw law{};
+    law.nearness_offset = projection == Projection::perspective ? 0.25 : -4;
+    law.least = law.highest = 0.25;
+    law.amplification = 1;
+    law.depth_factor = law.relative = 0x1p-23;
+    law.absolute = absolute;
+    law.nearest = law.farthest = 4;
+    return law;
+}
+
+/// Of pixels that nobody asks about it does not matter how large they are.
+TEST(DepthEstimate, IsQuietWhereItIsAsked) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        const DepthLaw law = wall_law(0x1p-20, projection);
+        const KnownLargest known{20, 20};
+        TileRowOf<float> z;
+        z.fill(4);
+        z[3] = 5, z[9] = std::numeric_limits<float>::quiet_NaN();
+        const auto is_quiet = [&](ColumnMask asked) {
+            EstimatedRow row;
+            const DepthEstimate wall = estimate_of(law, law, projection, known);
+            estimate(wall, {projection, known, asked}, {{0, 0}, z.data(), z.data()}, row);
+            return row.candidate.is_quiet && row.reference.is_quiet;
+        };
+        EXPECT_FALSE(is_quiet(all_columns));
+        EXPECT_FALSE(is_quiet(all_columns & ~8u));
+        EXPECT_FALSE(is_quiet(all_columns & ~(1u << 9)));
+        EXPECT_TRUE(is_quiet(all_columns & ~(8u | 1u << 9)));
+    }
 }
 
 /// The column of one is that of the other, as far as anything is certain of it.
@@ -122,7 +207,7 @@ TEST(DepthEstimate, OfTrianglesSideBySideIsThatOfEach) {
         for (const Neighbour& n : s.around.neighbours) {
             const Side candidate(dice, s.view, RasterPrecision{}, n.p_world, at),
                 reference(dice, s.view, RayPrecision{}, n.p_world, at);
-            estimates.push_back(estimate_of(candidate.law, reference.law, projection));
+            estimates.push_back(estimate_of(candidate.law, reference.law, projection, {5, 5}));
             sides.push_back(dice.below(2) ? candidate : reference);
         }
         const bool are_same = dice.below(3) == 0;
@@ -134,15 +219,19 @@ TEST(DepthEstimate, OfTrianglesSideBySideIsThatOfEach) {
             ours[i] = &estimates[one], theirs[i] = &estimates[other];
             our_depth[i] = sides[one].z[i], their_depth[i] = sides[other].z[i];
         }
-        EstimateRow row;
-        put_side_by_side(projection, ours, theirs, row);
         const DepthsOfBoth depths{at, our_depth.data(), their_depth.data()};
+        const Asked asked{.projection = projection,
+                          .known = {5, 5},
+                          .may_be_quiet = {dice.below(2) != 0, dice.below(2) != 0}};
         EstimatedRow together;
-        estimate(row, projection, depths, {5, 5}, together);
+        if (are_same)
+            estimate({ours, ours}, asked, depths, together);
+        else
+            estimate({ours, theirs}, asked, depths, together);
         for (std::size_t i = 0; i < tile_columns; ++i) {
             EstimatedRow alone, other_alone;
-            estimate(*ours[i], projection, depths, {5, 5}, alone);
-            estimate(*theirs[i], projection, depths, {5, 5}, other_alone);
+            estimate(*ours[i], asked, depths, alone);
+            estimate(*theirs[i], asked, depths, other_alone);
             expect_same(together.candidate, alone.candidate, i);
             expect_same(together.reference, other_alone.reference, i);
             certain += int(together.candidate.certain >> i & 1);
@@ -157,24 +246,12 @@ TEST(DepthEstimate, OfTrianglesSideBySideIsThatOfEach) {
     EXPECT_GT(unusable, 300);
 }
 
-/// A wall at depth 4 whose depth may be off by `absolute`, seen along an axis.
-DepthLaw wall_law(double absolute, Projection projection) {
-    DepthLaw law{};
-    law.nearness_offset = projection == Projection::perspective ? 0.25 : -4;
-    law.least = law.highest = 0.25;
-    law.amplification = 1;
-    law.depth_factor = law.relative = 0x1p-23;
-    law.absolute = absolute;
-    law.nearest = law.farthest = 4;
-    return law;
-}
-
 TEST(DepthEstimate, LeavesBoundsThatReachBehindTheViewer) {
     for (const Projection projection : {Projection::perspective, Projection::parallel}) {
         const DepthLaw near = wall_law(0x1p-20, projection), far = wall_law(8, projection);
-        EXPECT_TRUE(estimate_of(near, near, projection).is_usable);
-        EXPECT_FALSE(estimate_of(near, far, projection).is_usable);
-        EXPECT_FALSE(estimate_of(far, near, projection).is_usable);
+        EXPECT_TRUE(estimate_of(near, near, projection, {}).is_usable);
+        EXPECT_FALSE(estimate_of(near, far, projection, {}).is_usable);
+        EXPECT_FALSE(estimate_of(far, near, projection, {}).is_usable);
     }
 }
 
@@ -184,7 +261,9 @@ TEST(DepthEstimate, KnowsTheBinsOfAWall) {
         TileRowOf<float> z;
         for (std::size_t i = 0; i < tile_columns; ++i) z[i] = 4 + float(i) * 0x1p-22f;
         EstimatedRow row;
-        estimate(estimate_of(law, law, projection), projection, {{0, 0}, z.data(), z.data()}, {20, 20}, row);
+        const KnownLargest known{20, 20};
+        estimate(estimate_of(law, law, projection, known), {projection, known}, {{0, 0}, z.data(), z.data()},
+                 row);
         const DepthRow exact = depths_in_row(law, projection, {0, 0}, z);
         ColumnMask lawful = 0;
         for (std::size_t i = 0; i < tile_columns; ++i)
