@@ -32,28 +32,27 @@ struct Memories {
     Memory<std::uint32_t, LawOfBoth> laws{1024};
 };
 
-/// One renderer's row of a tile.
+/// A row of a tile; beyond the image is what is given.
+template <class T>
+TileRowOf<T> taken(const Plane<T>& plane, const RowPlace& at, T beyond) {
+    TileRowOf<T> row;
+    const std::span<const T> rest = plane.row(at.y).subspan(std::size_t(at.left));
+    if (rest.size() >= tile_columns) {
+        std::copy_n(rest.begin(), tile_columns, row.begin());
+    } else {
+        row.fill(beyond);
+        std::ranges::copy(rest, row.begin());
+    }
+    return row;
+}
+
+/// One renderer's row of a tile. Few ask for depths.
 struct Shown {
-    TileRowOf<PrimitiveId> primitive;
-    TileRowOf<float> camera_depth;
+    const Frame& frame;
+    RowPlace at;
+    TileRowOf<PrimitiveId> primitive = taken(frame.primitive, at, PrimitiveId::none);
 
-    Shown(const Frame& frame, const RowPlace& at) {
-        take(frame.primitive.row(at.y), at.left, PrimitiveId::none, primitive);
-        take(frame.camera_depth.row(at.y), at.left, background_depth, camera_depth);
-    }
-
-  private:
-    /// Beyond the image nothing shows.
-    template <class T>
-    static void take(std::span<const T> row, int left, T beyond, TileRowOf<T>& taken) {
-        const std::span<const T> rest = row.subspan(std::size_t(left));
-        if (rest.size() >= tile_columns) {
-            std::copy_n(rest.begin(), tile_columns, taken.begin());
-        } else {
-            taken.fill(beyond);
-            std::ranges::copy(rest, taken.begin());
-        }
-    }
+    TileRowOf<float> camera_depth() const { return taken(frame.camera_depth, at, background_depth); }
 };
 
 /// What both show of the same row.
@@ -62,15 +61,13 @@ struct ShownByBoth {
     Shown ours, theirs;
 
     ShownByBoth(const Comparands& of, const RowPlace& row)
-        : at(row), ours(of.candidate.frame(), row), theirs(of.reference.frame(), row) {}
+        : at(row), ours{of.candidate.frame(), row}, theirs{of.reference.frame(), row} {}
 };
 
-/// Has what both show fetched. Inlined, or gcc 12 takes it for a function without effects and leaves it out.
+/// Has fetched what both show. Inlined, or gcc 12 takes it for a function without effects and leaves it out.
 [[gnu::always_inline]] inline void fetch(const Comparands& of, const RowPlace& row) {
-    for (const Frame* const frame : {&of.candidate.frame(), &of.reference.frame()}) {
+    for (const Frame* const frame : {&of.candidate.frame(), &of.reference.frame()})
         __builtin_prefetch(&frame->primitive.row(row.y)[std::size_t(row.left)]);
-        __builtin_prefetch(&frame->camera_depth.row(row.y)[std::size_t(row.left)]);
-    }
 }
 
 /// Along a row: pixels at which one renderer's, or both's, answers are tied, and visible.
@@ -157,10 +154,14 @@ class LayeredPass {
         return open_.row(at.left / Tiles::side_px, at.y);
     }
 
+    /// A row that will be asked about: one of the next tile with each of this one.
+    void fetch_open(const RowPlace& at) const {
+        if (pixels_of(at).pixels != 0) fetch(of_, at);
+    }
+
     void settle_tile(int column, int row, const TrianglesByTile& near, Band& band) {
         if (open_.count(column, row) == 0) return;
-        for (int y = 0; y < Tiles::side_px; ++y)
-            if (const RowPlace at = row_of(column, row, y); pixels_of(at).pixels != 0) fetch(of_, at);
+        const bool is_next_open = column + 1 < open_.tiles().columns && open_.count(column + 1, row) != 0;
         Memories& memories = memories_.local();
         memories.acquaintance.forget_if_much();
         std::optional<Layers> layers;
@@ -171,6 +172,7 @@ class LayeredPass {
         const bool may_ask = layers && layers->are_known() && layers->widest_px() <= reach_px;
         for (int y = 0; y < Tiles::side_px; ++y) {
             const RowPlace at = row_of(column, row, y);
+            if (is_next_open) fetch_open(row_of(column + 1, row, y));
             const OpenTiles::Row& pixels = pixels_of(at);
             if (pixels.pixels == 0) continue;
             const ColumnMask settled = may_ask ? settle_row(*layers, at, pixels, band.counts) : 0;
@@ -219,10 +221,12 @@ class LayeredPass {
     /// One renderer's.
     ColumnMask lawful_by_laws(DepthLaw LawOfBoth::*law, const RowPlace& at, const Shown& shown,
                               ColumnMask pixels) {
+        if (pixels == 0) return 0;
+        const TileRowOf<float> camera_depth = shown.camera_depth();
         ColumnMask lawful = 0;
         for_each_shown(shown.primitive, pixels, [&](PrimitiveId triangle, ColumnMask here) {
             const DepthRow depth =
-                depths_in_row(law_of(triangle).*law, of_.candidate.projection(), at, shown.camera_depth);
+                depths_in_row(law_of(triangle).*law, of_.candidate.projection(), at, camera_depth);
             lawful |= here & at_least_zero(depth.ratio);
         });
         return lawful;
@@ -233,6 +237,7 @@ class LayeredPass {
         const RowPlace& at = shown.at;
         const Shown &ours = shown.ours, &theirs = shown.theirs;
         const TileRow eps_px = layers.eps_px(0);
+        const TileRowOf<float> our_depth = ours.camera_depth(), their_depth = theirs.camera_depth();
         TileRowOf<std::uint32_t> place;
         std::uint32_t next = row.first;
         for (std::size_t i = 0; i < tile_columns; ++i) {
@@ -241,14 +246,14 @@ class LayeredPass {
         }
         for_each_shown(ours.primitive, settled, [&](PrimitiveId triangle, ColumnMask here) {
             const DepthRow depth =
-                depths_in_row(law_of(triangle).candidate, of_.candidate.projection(), at, ours.camera_depth);
+                depths_in_row(law_of(triangle).candidate, of_.candidate.projection(), at, our_depth);
             for (; here != 0; here &= here - 1) {
                 const auto i = std::size_t(std::countr_zero(here));
                 findings_[place[i]] = {.x = at.left + int(i),
                                        .y = at.y,
                                        .verdict = classes_.at(at.left + int(i), at.y),
-                                       .candidate = {triangle, ours.camera_depth[i]},
-                                       .reference = {theirs.primitive[i], theirs.camera_depth[i]},
+                                       .candidate = {triangle, our_depth[i]},
+                                       .reference = {theirs.primitive[i], their_depth[i]},
                                        .eps_px = eps_px[i],
                                        .candidate_depth = {depth.low[i], depth.truth[i], depth.high[i]},
                                        .error_over_bound = depth.ratio[i]};
