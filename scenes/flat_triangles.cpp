@@ -1,5 +1,6 @@
 #include "scenes/flat_triangles.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace zproof {
@@ -12,6 +13,9 @@ typedef std::int64_t Longs __attribute__((vector_size(32)));
 
 static_assert(sizeof(glm::vec3) + Positions::allocator_type::padding >= sizeof(Floats));
 
+/// So many triangles: their vertices were just written, often by another core.
+constexpr std::size_t fetched_ahead = 16;
+
 /// Counted in each of the first three lanes; what the last one holds means nothing. Without a branch: in a
 /// box or a house every other triangle lies in a plane of the axes, so that one component alone tells
 /// nothing.
@@ -19,7 +23,10 @@ inline __attribute__((always_inline)) std::uint64_t flat_side_by_side(std::span<
                                                                       const glm::vec3* positions) {
     constexpr Longs yzx{1, 2, 0, 3}, zxy{2, 0, 1, 3};
     Longs flat{};
-    for (const glm::uvec3& t : triangles) {
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+        const glm::uvec3& t = triangles[k];
+        const glm::uvec3& later = triangles[std::min(k + fetched_ahead, triangles.size() - 1)];
+        for (int i = 0; i < 3; ++i) __builtin_prefetch(positions + later[i]);
         Floats corner[3];
         for (int i = 0; i < 3; ++i) std::memcpy(&corner[i], positions + t[i], sizeof(Floats));
         const Doubles origin = __builtin_convertvector(corner[0], Doubles);
