@@ -25,21 +25,30 @@ struct Tile {
     int left, top, right, bottom;
 };
 
-/// Both records in the making. What the two renderers' depths of a pixel fall into is counted as one:
-/// histograms are its sums. Neighbouring pixels often fall into the same: they are counted side by side.
+/// Both records in the making. Where both renderers' depths of a chunk fall into many bins, they are counted
+/// as one: histograms are the sums of those pairs. Neighbouring pixels often fall into the same: they are
+/// counted side by side.
 class Count {
   public:
     /// Of a strip, where both are uncounted or neither is; at most 2^32 pixels in all.
     void add(const SortedStrip& strip) {
-        for (std::size_t chunk = 0; chunk < strip.bins.size(); ++chunk)
-            if (strip.bins[chunk] == SortedStrip::Bins::each)
-                add(&strip.candidate.bin[chunk * Strip::chunk], &strip.reference.bin[chunk * Strip::chunk]);
-            else if (strip.bins[chunk] == SortedStrip::Bins::first)
-                pairs_[0][0] += Strip::chunk;
+        for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
+            const SortedStrip::Bins ours = strip.candidate.bins[chunk], theirs = strip.reference.bins[chunk];
+            const std::int32_t *our_bin = &strip.candidate.bin[chunk * Strip::chunk],
+                               *their_bin = &strip.reference.bin[chunk * Strip::chunk];
+            if (ours == SortedStrip::Bins::each && theirs == SortedStrip::Bins::each) {
+                add_pairs(our_bin, their_bin);
+            } else {
+                candidate_.add(ours, our_bin);
+                reference_.add(theirs, their_bin);
+            }
+        }
     }
     void add_to(Tally& tally) const {
         for (const double l : candidate_largest) raise(tally.candidate, l);
         for (const double l : reference_largest) raise(tally.reference, l);
+        candidate_.add_to(tally.candidate);
+        reference_.add_to(tally.reference);
         for (const auto& lane : pairs_)
             for (int a = 0; a < SortedStrip::uncounted; ++a)
                 for (int b = 0; b < SortedStrip::uncounted; ++b) {
@@ -55,16 +64,32 @@ class Count {
     static constexpr std::size_t lanes = 4;
     static constexpr int stride = 32;  ///< a power of two above `uncounted`
 
-    void add(const std::int32_t* ours, const std::int32_t* theirs) {
-        std::array<std::int32_t, Strip::chunk> pair;
-        for (std::size_t i = 0; i < Strip::chunk; ++i) pair[i] = ours[i] * stride + theirs[i];
-        for (std::size_t i = 0; i < Strip::chunk; ++i) ++pairs_[i % lanes][std::size_t(pair[i])];
-    }
+    /// One renderer's, by themselves.
+    class Side {
+      public:
+        void add(SortedStrip::Bins bins, const std::int32_t* bin) {
+            if (bins == SortedStrip::Bins::first) lanes_[0][0] += Strip::chunk;
+            if (bins != SortedStrip::Bins::each) return;
+            for (std::size_t i = 0; i < Strip::chunk; ++i) ++lanes_[i % lanes][std::size_t(bin[i])];
+        }
+        void add_to(BoundRecord& record) const {
+            for (const auto& lane : lanes_)
+                for (std::size_t i = 0; i < record.histogram.size(); ++i) record.histogram[i] += lane[i];
+        }
 
+      private:
+        std::array<std::array<std::uint32_t, stride>, lanes> lanes_{};
+    };
+
+    void add_pairs(const std::int32_t* ours, const std::int32_t* theirs) {
+        for (std::size_t i = 0; i < Strip::chunk; ++i)
+            ++pairs_[i % lanes][std::size_t(ours[i] * stride + theirs[i])];
+    }
     static void raise(BoundRecord& record, double ratio) {
         record.max_error_over_bound = std::max(record.max_error_over_bound, ratio);
     }
 
+    Side candidate_, reference_;
     std::array<std::array<std::uint32_t, (SortedStrip::uncounted + 1) * stride>, lanes> pairs_{};
 };
 
@@ -154,8 +179,10 @@ class Comparison {
     /// Once for every run of pixels at which the candidate shows the same, and where the reference differs.
     void look_up_laws(Strip& strip) {
         compare_ids(strip);
-        strip.candidate.law = spread_over_runs<Strip::width>(
-            strip.turns, [&](std::size_t first) { return law_of(strip.candidate.primitive[first]); });
+        spread_over_runs<Strip::width>(
+            strip.turns, [&](std::size_t first) { return law_of(strip.candidate.primitive[first]); },
+            strip.candidate.law);
+        if (strip.differ == 0) return;
         strip.reference.law = strip.candidate.law;
         PrimitiveId latest = PrimitiveId::none;
         std::uint32_t its_law = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "compare/depth_law.h"
+#include "compare/runs.h"
 #include "compare/tile_row.h"
 
 namespace zproof {
@@ -77,7 +78,8 @@ struct Asked {
 void estimate(const DepthEstimate& triangle, const Asked& asked, const DepthsOfBoth& depths,
               EstimatedRow& estimated);
 
-using Estimates = TileRowOf<const DepthEstimate*>;
+/// Of a tile's columns.
+using Estimates = SpreadValues<const DepthEstimate*, tile_columns>;
 
 /// The same, each by its own triangle: `ours` is what the candidate shows, `theirs` the reference; one object
 /// where both show the same.

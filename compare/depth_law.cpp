@@ -172,9 +172,10 @@ class LatestLaw {
 template <class Projected>
 void hold_strip(const LawsOfBoth& laws, const Strip& strip, SortedStrip& all) {
     LatestLaw candidate(laws.candidate), reference(laws.reference);
+    const auto& law_of_theirs = strip.differ == 0 ? strip.candidate.law : strip.reference.law;
     for (std::size_t first = 0; first < Strip::width; first += four_count) {
         if ((all.sorted >> first / Strip::chunk & 1) != 0) continue;
-        const std::uint32_t *ours = &strip.candidate.law[first], *theirs = &strip.reference.law[first];
+        const std::uint32_t *ours = &strip.candidate.law[first], *theirs = &law_of_theirs[first];
         candidate.turn_to(ours);
         reference.turn_to(theirs);
         if (candidate.is_of_nothing() && reference.is_of_nothing()) {
@@ -268,7 +269,7 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
             }
         std::uint32_t masks = 0;
         for (std::size_t i = 0; i < Strip::chunk; ++i) masks |= what[i] << i;
-        all.bins[chunk] = SortedStrip::Bins::each;
+        of_ours.bins[chunk] = of_theirs.bins[chunk] = SortedStrip::Bins::each;
         all.open[chunk] = masks & all_columns;
         all.lawful[chunk] = masks >> 16;
     }

@@ -27,16 +27,15 @@ constexpr auto none_counted = [] {
 }();
 
 /// Of some pixels; the others are not counted.
-SortedStrip::Bins bins_of(const EstimatedRow& row, ColumnMask pixels) {
-    if (pixels == 0) return SortedStrip::Bins::uncounted;
-    const bool are_first = pixels == all_columns && row.candidate.is_quiet && row.reference.is_quiet;
-    return are_first ? SortedStrip::Bins::first : SortedStrip::Bins::each;
-}
-void copy_bins(const EstimatedRow::Side& side, ColumnMask pixels, std::int32_t* bin) {
-    if (pixels == all_columns)
-        std::ranges::copy(side.bin, bin);
-    else
-        std::ranges::copy(chosen(none_counted, side.bin, pixels), bin);
+void copy_bins(const EstimatedRow::Side& from, ColumnMask pixels, std::size_t chunk, SortedStrip::Side& to) {
+    std::int32_t* const bin = &to.bin[chunk * Strip::chunk];
+    to.bins[chunk] = pixels == 0 ? SortedStrip::Bins::uncounted : SortedStrip::Bins::each;
+    if (pixels == all_columns && from.is_quiet)
+        to.bins[chunk] = SortedStrip::Bins::first;
+    else if (pixels == all_columns)
+        std::ranges::copy(from.bin, bin);
+    else if (pixels != 0)
+        std::ranges::copy(chosen(none_counted, from.bin, pixels), bin);
 }
 
 /// Where one chunk is not quiet, the next ones of the strip are hardly either.
@@ -123,11 +122,11 @@ EstimatedRow Presort::estimated_by_one(std::uint32_t law, const Source& source) 
 }
 
 /// Once for every run of pixels that show the same.
-Estimates Presort::estimates_of_candidate(const Source& source) {
+void Presort::set_estimates_of_candidate(const Source& source, Estimates& each) {
     const std::uint32_t* law = &source.strip.candidate.law[source.first];
     const ColumnMask turns = Strip::in_chunk(source.strip.turns, source.first) | 1;
-    return spread_over_runs<tile_columns>(
-        turns, [&](std::size_t first) { return &estimate_by(source, law[first]); });
+    spread_over_runs<tile_columns>(
+        turns, [&](std::size_t first) { return &estimate_by(source, law[first]); }, each);
 }
 
 Estimates Presort::estimates_of_reference(const Estimates& of_candidate, const Source& source) {
@@ -143,7 +142,8 @@ Estimates Presort::estimates_of_reference(const Estimates& of_candidate, const S
 EstimatedRow Presort::estimated_by_each(ColumnMask pixels, const Source& source) {
     Asked asked = source.asked;
     asked.pixels = pixels;
-    const Estimates ours = estimates_of_candidate(source);
+    Estimates ours;
+    set_estimates_of_candidate(source, ours);
     EstimatedRow row;
     if (Strip::in_chunk(source.strip.differ, source.first) == 0)
         estimate({ours, ours}, asked, depths_of(source), row);
@@ -171,12 +171,9 @@ bool Presort::settle(const EstimatedRow& row, const Agreement& pixels, const Sou
     const ColumnMask certain = row.candidate.certain & row.reference.certain;
     if ((pixels.agreed & ~certain) != 0) return false;
     raise_largest(row, pixels.agreed, source);
-    const std::size_t first = source.first, chunk = first / Strip::chunk;
-    sorted.bins[chunk] = bins_of(row, pixels.agreed);
-    if (sorted.bins[chunk] == SortedStrip::Bins::each) {
-        copy_bins(row.candidate, pixels.agreed, &sorted.candidate.bin[first]);
-        copy_bins(row.reference, pixels.agreed, &sorted.reference.bin[first]);
-    }
+    const std::size_t chunk = source.first / Strip::chunk;
+    copy_bins(row.candidate, pixels.agreed, chunk, sorted.candidate);
+    copy_bins(row.reference, pixels.agreed, chunk, sorted.reference);
     sorted.open[chunk] = ~pixels.same & all_columns;
     sorted.lawful[chunk] = sorted.open[chunk] & certain;
     return true;

@@ -49,7 +49,7 @@ class Presort {
     const DepthEstimate& estimate_by(const Source& source, std::uint32_t law);
     static DepthsOfBoth depths_of(const Source& source);
     EstimatedRow estimated_by_one(std::uint32_t law, const Source& source);
-    Estimates estimates_of_candidate(const Source& source);
+    void set_estimates_of_candidate(const Source& source, Estimates& each);
     Estimates estimates_of_reference(const Estimates& of_candidate, const Source& source);
     EstimatedRow estimated_by_each(ColumnMask pixels, const Source& source);
     void raise_largest(const EstimatedRow& row, ColumnMask pixels, const Source& source);

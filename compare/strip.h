@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "compare/runs.h"
 #include "compare/tile_row.h"
 #include "frame/frame.h"
 
@@ -21,14 +22,14 @@ struct Strip {
     struct Side {
         const PrimitiveId* primitive = nullptr;  ///< of the first pixel, and so on
         const float* camera_depth = nullptr;     ///< the same
-        Values<std::uint32_t> law;               ///< of the triangle: a place among the laws
+        SpreadValues<std::uint32_t, width> law;  ///< of the triangle: a place among the laws
     };
     static constexpr std::size_t chunk = tile_columns;  ///< pixels that are sorted out together
 
-    int x = 0, y = 0;  ///< of the first
-    Side candidate, reference;
-    Pixels turns;   ///< the candidate shows another triangle than at the pixel before; the first
-    Pixels differ;  ///< the reference shows another triangle than the candidate
+    int x = 0, y = 0;           ///< of the first
+    Side candidate, reference;  ///< the reference's laws are unwritten where the frames nowhere differ
+    Pixels turns;               ///< the candidate shows another triangle than at the pixel before; the first
+    Pixels differ;              ///< the reference shows another triangle than the candidate
 
     /// Of a chunk, which begins at pixel `first`.
     static ColumnMask in_chunk(Pixels pixels, std::size_t first) {
@@ -41,18 +42,18 @@ struct SortedStrip {
     static constexpr std::int32_t uncounted = 21;
     static constexpr std::uint32_t all_sorted = (1u << Strip::width / Strip::chunk) - 1;
 
+    /// What the bins of a chunk are: each pixel's own, or the same of all, and then they are not written.
+    enum class Bins : std::uint8_t { each, first, uncounted };
+
     /// Of one renderer.
     struct Side {
         Strip::Values<double> ratio;  ///< error / bound, or `unsettled`
         /// Of the ratio, as BoundHistogram has it; `uncounted` where not both are settled.
         Strip::Values<std::int32_t> bin;
+        std::array<Bins, Strip::width / Strip::chunk> bins;
     };
 
-    /// What the bins of a chunk are: each pixel's own, or the same of all, and then they are not written.
-    enum class Bins : std::uint8_t { each, first, uncounted };
-
     Side candidate, reference;
-    std::array<Bins, Strip::width / Strip::chunk> bins;
     std::uint32_t sorted = 0;  ///< bit k: what becomes of the pixels from k * chunk on is known already
     /// Of each chunk: to be looked at by themselves, neither settled nor bare in both.
     std::array<ColumnMask, Strip::width / Strip::chunk> open;

@@ -134,6 +134,7 @@ TEST(DepthBound, OfNeighboursIsEachOnesOwnInOneStrip) {
         const auto hold = perspective ? hold_perspective : hold_parallel;
         Strip mixed{};
         mixed.x = 3, mixed.y = s.y;
+        mixed.differ = ~Strip::Pixels{0};
         for (std::size_t i = 0; i < Strip::width; ++i) {
             const std::size_t shown = i < 24 ? i : i / 11;
             mixed.candidate.law[i] = std::uint32_t(shown % laws.candidate.size());

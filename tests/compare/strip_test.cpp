@@ -51,8 +51,9 @@ TEST(Strip, SaysWhereIdsTurnAndDiffer) {
 TEST(Runs, AreFilledWithWhatTheirFirstPixelGives) {
     for_each_strip([](const Strip& strip) {
         std::size_t asked = 0;
-        const auto values = spread_over_runs<Strip::width>(
-            strip.turns, [&](std::size_t first) { return ++asked, std::uint32_t(100 + first); });
+        SpreadValues<std::uint32_t, Strip::width> values;
+        spread_over_runs<Strip::width>(
+            strip.turns, [&](std::size_t first) { return ++asked, std::uint32_t(100 + first); }, values);
         ASSERT_EQ(asked, std::size_t(std::popcount(strip.turns)));
         std::uint32_t expected = 0;
         for (std::size_t i = 0; i < Strip::width; ++i) {
@@ -64,8 +65,9 @@ TEST(Runs, AreFilledWithWhatTheirFirstPixelGives) {
 
 TEST(Runs, EndWithTheChunkThatTheyAreSpreadOver) {
     for (std::uint32_t turns = 1; turns < 1u << tile_columns; turns += 2) {
-        const auto values =
-            spread_over_runs<tile_columns>(turns, [](std::size_t first) { return int(first); });
+        SpreadValues<int, tile_columns> values;
+        spread_over_runs<tile_columns>(
+            turns, [](std::size_t first) { return int(first); }, values);
         for (int i = 0, first = 0; i < int(tile_columns); ++i) {
             if ((turns >> i & 1) != 0) first = i;
             ASSERT_EQ(values[std::size_t(i)], first);
