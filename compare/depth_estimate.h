@@ -1,12 +1,13 @@
-/// The bins that depths' errors over their bounds fall into, in single precision where that is certain: the
-/// way of most pixels (docs/truth.md, "Estimates").
+/// What single precision needs of a triangle to tell which bins its depths' errors over their bounds fall
+/// into (docs/truth.md, "Estimates").
 #pragma once
 
 #include "compare/depth_law.h"
-#include "compare/runs.h"
-#include "compare/tile_row.h"
 
 namespace zproof {
+
+/// Bins are that many to a ratio of 1.
+inline constexpr float bins_per_ratio = 20;
 
 /// One triangle, as both renderers have it. A place along the depth axis, `w`, is nearness for perspectives
 /// and depth for parallel projections; it is affine in the image.
@@ -44,49 +45,5 @@ struct KnownLargest {
 /// Not usable where single precision says too little. What is quiet has to be so beside `known`.
 DepthEstimate estimate_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
                           const KnownLargest& known);
-
-/// Of sixteen pixels.
-struct EstimatedRow {
-    struct Side {
-        TileRowOf<std::int32_t> bin;  ///< of the error over the bound, as BoundHistogram has it
-        ColumnMask certain = 0;       ///< where the depth is lawful and that is its bin
-        ColumnMask may_exceed = 0;    ///< where it may be more than the largest
-        bool is_quiet = false;        ///< what was asked about is, all of it
-    };
-    Side candidate, reference;
-};
-
-/// The camera depths that both frames hold in the pixels from `place` on.
-struct DepthsOfBoth {
-    RowPlace place;
-    const float *candidate, *reference;
-};
-
-/// What is asked about them.
-struct Asked {
-    Projection projection;
-    KnownLargest known;               ///< no less than when the estimates were made
-    ColumnMask pixels = all_columns;  ///< of the others nothing need be certain
-    /// Whose errors may be quiet, all of them: which is asked first. Where some are not, that was for
-    /// nothing.
-    struct {
-        bool candidate = true, reference = true;
-    } may_be_quiet{};
-};
-
-/// As if both frames showed the triangle there. Nothing is certain of one that is not usable.
-void estimate(const DepthEstimate& triangle, const Asked& asked, const DepthsOfBoth& depths,
-              EstimatedRow& estimated);
-
-/// Of a tile's columns.
-using Estimates = SpreadValues<const DepthEstimate*, tile_columns>;
-
-/// The same, each by its own triangle: `ours` is what the candidate shows, `theirs` the reference; one object
-/// where both show the same.
-struct EstimatesOfBoth {
-    const Estimates &ours, &theirs;
-};
-void estimate(const EstimatesOfBoth& triangles, const Asked& asked, const DepthsOfBoth& depths,
-              EstimatedRow& estimated);
 
 }  // namespace zproof

@@ -3,8 +3,13 @@
 #pragma once
 
 #include "compare/depth_estimate.h"
+#include "compare/runs.h"
+#include "compare/tile_row.h"
 
 namespace zproof {
+
+/// Of a tile's columns.
+using Estimates = SpreadValues<const DepthEstimate*, tile_columns>;
 
 struct EstimateRow {
     struct Plane {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "compare/estimate_row.h"
+#include "compare/depth_bins.h"
 
 namespace zproof {
 

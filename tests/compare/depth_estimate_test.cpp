@@ -1,5 +1,5 @@
 /// What single precision calls certain must be what double precision finds.
-#include "compare/depth_estimate.h"
+#include "compare/depth_bins.h"
 
 #include <gtest/gtest.h>
 
