@@ -50,11 +50,11 @@ class Count {
         candidate_.add_to(tally.candidate);
         reference_.add_to(tally.reference);
         for (const auto& lane : pairs_)
-            for (int a = 0; a < SortedStrip::uncounted; ++a)
-                for (int b = 0; b < SortedStrip::uncounted; ++b) {
-                    const std::uint32_t pixels = lane[std::size_t(a * stride + b)];
-                    tally.candidate.histogram[std::size_t(a)] += pixels;
-                    tally.reference.histogram[std::size_t(b)] += pixels;
+            for (std::size_t a = 0; a < SortedStrip::uncounted; ++a)
+                for (std::size_t b = 0; b < SortedStrip::uncounted; ++b) {
+                    const std::uint32_t pixels = lane[a * stride + b];
+                    tally.candidate.histogram[a] += pixels;
+                    tally.reference.histogram[b] += pixels;
                 }
     }
 
@@ -62,7 +62,7 @@ class Count {
 
   private:
     static constexpr std::size_t lanes = 4;
-    static constexpr int stride = 32;  ///< a power of two above `uncounted`
+    static constexpr std::size_t stride = 32;  ///< a power of two above `uncounted`
 
     /// One renderer's, by themselves.
     class Side {
@@ -83,7 +83,7 @@ class Count {
 
     void add_pairs(const std::int32_t* ours, const std::int32_t* theirs) {
         for (std::size_t i = 0; i < Strip::chunk; ++i)
-            ++pairs_[i % lanes][std::size_t(ours[i] * stride + theirs[i])];
+            ++pairs_[i % lanes][std::size_t(ours[i]) * stride + std::size_t(theirs[i])];
     }
     static void raise(BoundRecord& record, double ratio) {
         record.max_error_over_bound = std::max(record.max_error_over_bound, ratio);

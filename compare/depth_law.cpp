@@ -162,11 +162,11 @@ class LatestLaw {
     }
 
   private:
-    const std::vector<DepthLaw>& laws_;
-    bool is_one_ = true;
-    std::uint32_t which_ = 0;
     Law law_;
+    const std::vector<DepthLaw>& laws_;
+    std::uint32_t which_ = 0;
     Relative kind_ = Relative::everywhere;
+    bool is_one_ = true;
 };
 
 template <class Projected>

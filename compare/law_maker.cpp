@@ -118,11 +118,11 @@ LawMaker::LawMaker(const Scene& scene, const Witness& candidate, const Witness& 
     const View& view = candidate.view();
     lens_ = {.first_pixel = in_four(Sight<double>(view, 0, 0)),
              .gauge = candidate.bounds().gauge<Four>(),
-             .size = {view.width, view.height},
              .near_depth = everywhere<Four>(view.camera.near_depth),
              .far_depth = everywhere<Four>(view.camera.far_depth),
              .candidate = side_of(candidate.bounds()),
-             .reference = side_of(reference.bounds())};
+             .reference = side_of(reference.bounds()),
+             .size = {view.width, view.height}};
     is_common_ = lens_.candidate.terms.index() != 0 && lens_.reference.terms.index() != 0;
 }
 

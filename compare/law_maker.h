@@ -19,22 +19,22 @@ class LawMaker {
     struct Lens {
         Sight<Four> first_pixel;
         Gauge<Four> gauge;
-        Resolution size;
         Four near_depth, far_depth;
         struct Side {
             CommonTerms terms;
             KeepsToCorners keeps;
         };
         Side candidate, reference;
+        Resolution size;
     };
 
   private:
     void make_one_by_one(std::span<const PrimitiveId> triangles, std::size_t first_place,
                          LawsOfBoth& laws) const;
 
+    Lens lens_;
     const Scene& scene_;
     const Witness &candidate_, &reference_;
-    Lens lens_;
     bool is_common_;  ///< have both witnesses terms that hold for every triangle?
 };
 

@@ -65,7 +65,7 @@ class Sights {
 
     Number left_, top_, u_per_px_, v_per_px_;
     Vector3<Number> right_, up_, back_;
-    Sight<Number> common_;
+    Sight<Number> common_{};
 };
 
 template <class Number>

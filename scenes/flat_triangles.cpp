@@ -21,7 +21,6 @@ constexpr std::size_t fetched_ahead = 16;
 /// nothing.
 inline __attribute__((always_inline)) std::uint64_t flat_side_by_side(std::span<const glm::uvec3> triangles,
                                                                       const glm::vec3* positions) {
-    constexpr Longs yzx{1, 2, 0, 3}, zxy{2, 0, 1, 3};
     Longs flat{};
     for (std::size_t k = 0; k < triangles.size(); ++k) {
         const glm::uvec3& t = triangles[k];
@@ -32,9 +31,11 @@ inline __attribute__((always_inline)) std::uint64_t flat_side_by_side(std::span<
         const Doubles origin = __builtin_convertvector(corner[0], Doubles);
         const Doubles a = __builtin_convertvector(corner[1], Doubles) - origin;
         const Doubles b = __builtin_convertvector(corner[2], Doubles) - origin;
-        const Longs zero = __builtin_shuffle(a, yzx) * __builtin_shuffle(b, zxy) ==
-                           __builtin_shuffle(a, zxy) * __builtin_shuffle(b, yzx);
-        flat -= zero & __builtin_shuffle(zero, yzx) & __builtin_shuffle(zero, zxy);
+        const Longs zero =
+            __builtin_shufflevector(a, a, 1, 2, 0, 3) * __builtin_shufflevector(b, b, 2, 0, 1, 3) ==
+            __builtin_shufflevector(a, a, 2, 0, 1, 3) * __builtin_shufflevector(b, b, 1, 2, 0, 3);
+        flat -= zero & __builtin_shufflevector(zero, zero, 1, 2, 0, 3) &
+                __builtin_shufflevector(zero, zero, 2, 0, 1, 3);
     }
     return static_cast<std::uint64_t>(flat[0]);
 }

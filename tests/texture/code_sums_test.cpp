@@ -127,7 +127,8 @@ void expect_boxes(const Codes<Code>& codes, const std::vector<std::uint32_t>& su
 }
 
 TEST(CodeSums, OfBoxesAreExactBeyondThirtyTwoBits) {
-    const auto values = random_codes<std::uint16_t>(1024 * 700 * 3);  // all sums together: 10 times 2^32
+    const auto values =
+        random_codes<std::uint16_t>(std::size_t{1024} * 700 * 3);  // all sums together: 10 times 2^32
     const Codes<std::uint16_t> codes{1024, 700, 3, values};
     expect_boxes(codes, summed(codes, 2), 60);
 }
