@@ -43,7 +43,7 @@ class OwnTriangles {
         EstimateRow::Quiet quiet;
         EstimateRow::Bound bound;
     };
-    /// Into `rows`, which is only looked at.
+    /// Writes into `rows` what is put, no sooner.
     OwnTriangles(const Estimates& triangles, const Whose& whose, Rows& rows)
         : triangles_(triangles), whose_(whose), rows_(rows) {}
 
@@ -157,7 +157,7 @@ template <class Projected, class Triangles>
     return where_not_negative(slack.data());
 }
 
-/// The bins_per_ratio of one renderer's depths, and where they are certain.
+/// The bins of one renderer's depths, and where they are certain.
 template <class Projected, class Triangles>
 [[gnu::always_inline]] inline void sort_loud(const Triangles& triangles, const Spots& spots,
                                              const Errors& errors, float known_largest,
