@@ -91,6 +91,8 @@ struct OwnPlanes {
 struct Spots {
     TileRow w;
     TileRowOf<float> w_float, to_least, to_most;
+
+    float within(std::size_t i) const { return to_least[i] < to_most[i] ? to_least[i] : to_most[i]; }
 };
 
 template <class Triangles>
@@ -150,7 +152,7 @@ template <class Projected, class Triangles>
         const DepthEstimate::Quiet quiet = triangles.quiet_at(i);
         const float w = spots.w_float[i];
         const float error = Projected::scaled(std::abs(errors[i]), w + quiet.shift);
-        const float within = spots.to_least[i] < spots.to_most[i] ? spots.to_least[i] : spots.to_most[i];
+        const float within = spots.within(i);
         const float left = quiet.slope * w + quiet.room - error;
         slack[i] = within < left ? within : left;  // also where that is no number
     }
@@ -179,7 +181,7 @@ template <class Projected, class Triangles>
         const auto whole = std::int32_t(at_most > 0 ? at_most : 0);
         side.bin[i] = whole;
         const float above = (low > 0 ? low : 0) - float(whole);
-        const float within = spots.to_least[i] < spots.to_most[i] ? spots.to_least[i] : spots.to_most[i];
+        const float within = spots.within(i);
         const float here = high < bound.top ? above : -1;
         highs[i] = high;
         slack[i] = here < within ? here : within;
