@@ -10,6 +10,7 @@
 
 #include "compare/layered_choice.h"
 #include "compare/layers.h"
+#include "compare/masks.h"
 
 namespace zproof {
 
@@ -78,7 +79,7 @@ template <class Visit>
 void for_each_shown(const TileRowOf<PrimitiveId>& shown, ColumnMask pixels, const Visit& visit) {
     while (pixels != 0) {
         const PrimitiveId triangle = shown[std::size_t(std::countr_zero(pixels))];
-        const ColumnMask here = pixels & equal(shown, triangle);
+        const ColumnMask here = pixels & where_equal(shown.data(), triangle);
         pixels &= ~here;
         visit(triangle, here);
     }
@@ -188,7 +189,8 @@ class LayeredPass {
                           ClassCounts& counts) {
         const ShownByBoth shown(of_, at);
         const Shown &ours = shown.ours, &theirs = shown.theirs;
-        const ColumnMask open = layers.turn_to(at.y, row.pixels & ~equal(ours.primitive, theirs.primitive));
+        const ColumnMask open =
+            layers.turn_to(at.y, row.pixels & ~where_equal(ours.primitive.data(), theirs.primitive.data()));
         if (open == 0) return 0;
         const Standings candidate = standings(layers, 0, ours, open);
         const Standings reference = standings(layers, 1, theirs, candidate.tied | candidate.visible);

@@ -95,7 +95,7 @@ void Presort::raise(const Exceeding& pixels, const Source& source, float& counte
     TileRowOf<float> depth;
     std::copy_n(&pixels.shown.camera_depth[source.first], tile_columns, depth.begin());
     const bool is_level = pixels.law.nearness_per_x == 0 && pixels.law.nearness_per_y == 0;
-    const ColumnMask asked = is_level ? pixels.mask & ~equal(depth, counted) : pixels.mask;
+    const ColumnMask asked = is_level ? pixels.mask & ~where_equal(depth.data(), counted) : pixels.mask;
     if (asked == 0) return;
     const RowPlace place{source.strip.x + int(source.first), source.strip.y};
     const TileRow ratio = depths_in_row(pixels.law, projection_, place, depth).ratio;

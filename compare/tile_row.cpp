@@ -1,7 +1,5 @@
 #include "compare/tile_row.h"
 
-#include "compare/masks.h"
-
 namespace zproof {
 
 namespace {
@@ -15,14 +13,6 @@ template <class Test>
 }
 
 }  // namespace
-
-ColumnMask equal(const TileRowOf<PrimitiveId>& a, const TileRowOf<PrimitiveId>& b) {
-    return where_equal(a.data(), b.data());
-}
-
-ColumnMask equal(const TileRowOf<PrimitiveId>& a, PrimitiveId b) { return where_equal(a.data(), b); }
-
-ColumnMask equal(const TileRowOf<float>& a, float b) { return where_equal(a.data(), b); }
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] ColumnMask above(const TileRow& a, const TileRow& b) {
     return mask_of([&](std::size_t i) { return a[i] > b[i]; });

@@ -24,10 +24,6 @@ struct RowPlace {
     int left = 0, y = 0;
 };
 
-/// Where two are the same.
-ColumnMask equal(const TileRowOf<PrimitiveId>& a, const TileRowOf<PrimitiveId>& b);
-ColumnMask equal(const TileRowOf<PrimitiveId>& a, PrimitiveId b);
-ColumnMask equal(const TileRowOf<float>& a, float b);
 /// Where a > b.
 ColumnMask above(const TileRow& a, const TileRow& b);
 /// Where a >= 0.
