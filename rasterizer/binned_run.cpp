@@ -152,11 +152,12 @@ std::size_t BinnedRun::put_pieces_at(std::size_t first) {
     return pieces_.size();
 }
 
-void BinnedRun::write(std::span<std::uint32_t> places, std::span<SnappedPiece> pieces) {
+void BinnedRun::write(std::span<const std::size_t> first, std::span<std::uint32_t> places,
+                      std::span<SnappedPiece> pieces) {
     const std::uint32_t length = length_, first_piece = std::uint32_t(first_piece_);
     const std::uint32_t* from = places_.data();
     for (const auto& [tile, count] : stretches_) {
-        std::uint32_t* const to = places.data() + next_[tile];
+        std::uint32_t* const to = places.data() + first[tile] + next_[tile];
         for (std::size_t i = 0; i < count; ++i) {
             const bool is_piece = (from[i] & ~turned) >= length;
             to[i] = is_piece ? from[i] + first_piece : from[i];

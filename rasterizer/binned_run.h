@@ -29,12 +29,15 @@ class BinnedRun {
     void fill(const Kernel& kernel, const Scene& scene, const ProjectedVertices& projected,
               const ViewSetup& setup, const Range& range);
 
-    /// For each tile: after fill() how many of them are in it; for write() where the first of those goes.
-    std::span<std::size_t> next() { return next_; }
+    /// For each tile: after fill() how many of them are in it; for write() which of the tile's places is the
+    /// first of those.
+    std::span<std::uint32_t> next() { return next_; }
     /// Where the first of the run's pieces goes, for write(). Returns how many there are.
     std::size_t put_pieces_at(std::size_t first);
-    /// Writes the run's part of both: places by tile, in order within a tile, and pieces.
-    void write(std::span<std::uint32_t> places, std::span<SnappedPiece> pieces);
+    /// Writes the run's part of both: places by tile, in order within a tile, and pieces. `first` has each
+    /// tile's first place.
+    void write(std::span<const std::size_t> first, std::span<std::uint32_t> places,
+               std::span<SnappedPiece> pieces);
 
     const BinTally& tally() const { return tally_; }
 
@@ -82,7 +85,7 @@ class BinnedRun {
     std::vector<std::uint32_t> places_;  ///< in the order of drawing, once for each tile
     std::vector<Stretch> stretches_;     ///< of places_
     std::size_t stretch_begin_ = 0;      ///< of the last one
-    std::vector<std::size_t> next_;
+    std::vector<std::uint32_t> next_;
     std::size_t first_piece_ = 0;
     BinTally tally_;
 };

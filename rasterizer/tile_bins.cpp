@@ -38,7 +38,8 @@ void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, cons
         throw std::length_error("a view of 2^31 triangles and pieces of triangles, or more");
     triangles_ = {projected.snapped().data(), scene.triangles.data(), pieces_.data(),
                   std::uint32_t(scene.triangles.size())};
-    tbb::parallel_for(std::size_t{0}, used_, [&](std::size_t r) { runs_[r].write(places_, pieces_); });
+    tbb::parallel_for(std::size_t{0}, used_,
+                      [&](std::size_t r) { runs_[r].write(first_, places_, pieces_); });
 }
 
 /// By tile, and within a tile by run.
@@ -47,7 +48,9 @@ void TileBins::lay_out() {
     first_.resize(tiles_.count() + 1);
     for (std::size_t tile = 0; tile < tiles_.count(); ++tile) {
         first_[tile] = places;
-        for (std::size_t r = 0; r < used_; ++r) places += std::exchange(runs_[r].next()[tile], places);
+        std::uint32_t in_tile = 0;
+        for (std::size_t r = 0; r < used_; ++r) in_tile += std::exchange(runs_[r].next()[tile], in_tile);
+        places += in_tile;
     }
     first_.back() = places;
     for (std::size_t r = 0; r < used_; ++r) pieces += runs_[r].put_pieces_at(pieces);
