@@ -12,7 +12,7 @@ namespace zproof {
 struct Easel {
     const Docket& docket;
     const Frame& candidate;
-    const Plane<PixelClass>& candidate_classes;
+    const ClassMap& candidate_classes;
     std::filesystem::path folder;  ///< the view's evidence
 };
 

@@ -163,7 +163,7 @@ auto Hearing::docket_of_all() const -> Docket {
     const Tiles tiles(view_);
     const std::size_t count = pleas_.size();
     Docket docket{std::vector<std::uint32_t>(count), std::vector<double>(count), std::vector<double>(count),
-                  std::vector<std::size_t>(tiles.count() + 2)};
+                  std::vector<std::uint32_t>(tiles.count() + 2)};
     // counted two places ahead, so that filling leaves each tile's end where the next one's first belongs
     for (const Plea& plea : pleas_) ++docket.first[tiles.of(plea.x, plea.y) + 2];
     for (std::size_t t = 2; t < docket.first.size(); ++t) docket.first[t] += docket.first[t - 1];
@@ -197,7 +197,7 @@ auto Hearing::left_over(const Docket& docket, const std::vector<double>& lacking
             left.own_eps_px.push_back(docket.own_eps_px[i]);
             left.reach_px.push_back(lacking[i]);
         }
-        left.first.push_back(left.plea.size());
+        left.first.push_back(std::uint32_t(left.plea.size()));
     }
     return left;
 }

@@ -45,7 +45,7 @@ class Hearing {
     struct Docket {
         std::vector<std::uint32_t> plea;  ///< a place among pleas_
         std::vector<double> own_eps_px, reach_px;
-        std::vector<std::size_t> first;  ///< by tile; one more at the end
+        std::vector<std::uint32_t> first;  ///< by tile; one more at the end
     };
     /// What one thread remembers of a hearing.
     struct Memories;

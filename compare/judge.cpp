@@ -23,8 +23,7 @@ struct Kept {
     JudgedInFull* full;
 };
 
-/// The pixels that stay open; depths are counted into the verdict, and all pixels' classes say that they
-/// agree.
+/// The pixels that stay open; depths are counted into the verdict.
 OpenTiles first_pass(const Comparands& of, const Kept& kept) {
     OpenTiles open(of.view);
     LargestSoFar largest;
@@ -32,7 +31,6 @@ OpenTiles first_pass(const Comparands& of, const Kept& kept) {
     std::vector<Tally> tallies(static_cast<std::size_t>(rows));
     tbb::parallel_for(0, rows, [&](int row) {
         const int top = row * Tiles::side_px, bottom = std::min(top + Tiles::side_px, of.view.height);
-        for (int y = top; y < bottom; ++y) std::ranges::fill(kept.verdict.classes.row(y), PixelClass::agree);
         tallies[std::size_t(row)] =
             compare_rows(of.scene, of.candidate, of.reference,
                          {top, bottom, largest, kept.full ? &kept.full->errors : nullptr}, open);
@@ -42,6 +40,17 @@ OpenTiles first_pass(const Comparands& of, const Kept& kept) {
     kept.verdict.candidate_depth = sum.candidate;
     kept.verdict.reference_depth = sum.reference;
     return open;
+}
+
+/// All agree, and other classes may be written where pixels are open.
+ClassMap room_for(const OpenTiles& open, Resolution size) {
+    ClassMap classes(size);
+    classes.reserve(open.tiles_open());
+    const Tiles& tiles = open.tiles();
+    for (int row = 0; row < tiles.rows; ++row)
+        for (int column = 0; column < tiles.columns; ++column)
+            if (open.count(column, row) != 0) classes.open(column, row);
+    return classes;
 }
 
 bool reference_is_wrong(const OpenPixel& open, const Ruling& ruling) {
@@ -107,7 +116,7 @@ class Record {
                 pixel.finding.verdict = word;
                 pixel.finding.eps_px = ruling.candidate.eps_px;
                 verdict.findings[ruled.places[i]] = pixel.finding;
-                verdict.classes.at(at.x, at.y) = word;
+                verdict.classes.in_open(at.x, at.y) = word;
                 sum.add(pixel, ruling);
             }
             return sum;
@@ -150,11 +159,11 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
     if (candidate.frame.size() != size || reference.frame.size() != size)
         throw std::invalid_argument("judge: both frames must have the view's size");
     Verdict verdict;
-    verdict.classes = Plane<PixelClass>::unwritten(size);
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
     const Comparands comparands{scene, view, ours, theirs};
     OpenTiles open = first_pass(comparands, {verdict, full});
     const std::size_t open_count = open.number();
+    verdict.classes = room_for(open, size);
     if (full) verdict.findings.resize(open_count);
     LayeredFindings layered = settle_layers(comparands, open, verdict.classes, verdict.findings);
     if (!full) {

@@ -89,7 +89,8 @@ AskedBoxes boxes_worth_layers(const Comparands& of, const OpenTiles& open, doubl
         }
     });
     const std::size_t sum = std::accumulate(pixels.begin(), pixels.end(), std::size_t(0));
-    return triangles_per_pixel * sum >= of.scene.triangles.size() ? asked : AskedBoxes(tiles.count());
+    if (triangles_per_pixel * sum < of.scene.triangles.size()) return AskedBoxes(tiles.count());
+    return asked;
 }
 
 }  // namespace zproof

@@ -87,8 +87,7 @@ void for_each_shown(const TileRowOf<PrimitiveId>& shown, ColumnMask pixels, cons
 
 class LayeredPass {
   public:
-    LayeredPass(const Comparands& of, const OpenTiles& open, Plane<PixelClass>& classes,
-                std::span<Finding> findings)
+    LayeredPass(const Comparands& of, const OpenTiles& open, ClassMap& classes, std::span<Finding> findings)
         : of_(of), open_(open), classes_(classes), findings_(findings), sights_(of.view), memories_([&] {
               return Memories(of);
           }) {}
@@ -265,8 +264,9 @@ class LayeredPass {
 
     void write(PixelClass verdict, const RowPlace& at, ColumnMask pixels, ClassCounts& counts) {
         counts[std::size_t(verdict)] += std::uint64_t(std::popcount(pixels));
-        const std::span<PixelClass> row = classes_.row(at.y).subspan(std::size_t(at.left));
-        for (; pixels != 0; pixels &= pixels - 1) row[std::size_t(std::countr_zero(pixels))] = verdict;
+        if (pixels == 0) return;
+        PixelClass* const row = &classes_.in_open(at.left, at.y);
+        for (; pixels != 0; pixels &= pixels - 1) row[std::countr_zero(pixels)] = verdict;
     }
 
     const LawOfBoth& law_of(PrimitiveId primitive) {
@@ -279,7 +279,7 @@ class LayeredPass {
 
     const Comparands& of_;
     const OpenTiles& open_;
-    Plane<PixelClass>& classes_;
+    ClassMap& classes_;
     std::span<Finding> findings_;
     Sights<double> sights_;
     AskedBoxes asked_{0};  ///< of tiles that are worth it
@@ -288,7 +288,7 @@ class LayeredPass {
 
 }  // namespace
 
-LayeredFindings settle_layers(const Comparands& of, const OpenTiles& open, Plane<PixelClass>& classes,
+LayeredFindings settle_layers(const Comparands& of, const OpenTiles& open, ClassMap& classes,
                               std::span<Finding> findings) {
     return LayeredPass(of, open, classes, findings).settle();
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "compare/class_map.h"
 #include "compare/open_tiles.h"
 #include "compare/witness.h"
 
@@ -19,8 +20,9 @@ struct LayeredFindings {
 
 /// Decides those of the open pixels that it can, as the admissible set does, and writes their classes; and
 /// their findings, in the same bits, where there is a place for each open pixel; `findings` may be empty.
-/// `classes` has the view's size, `open` is numbered. Runs on all threads.
-LayeredFindings settle_layers(const Comparands& of, const OpenTiles& open, Plane<PixelClass>& classes,
+/// `classes` has the view's size and all tiles open that have open pixels; `open` is numbered. Runs on all
+/// threads.
+LayeredFindings settle_layers(const Comparands& of, const OpenTiles& open, ClassMap& classes,
                               std::span<Finding> findings);
 
 }  // namespace zproof

@@ -46,6 +46,12 @@ std::size_t OpenTiles::number() {
     return count;
 }
 
+std::size_t OpenTiles::tiles_open() const {
+    std::size_t count = 0;
+    for (const Band& band : bands_) count += band.size();
+    return count;
+}
+
 std::vector<PixelPlace> OpenTiles::places() const {
     std::vector<PixelPlace> all;
     for (std::size_t i = 0; i < bands_.size(); ++i)

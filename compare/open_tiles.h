@@ -42,6 +42,8 @@ class OpenTiles {
         const int column = pixel.x / Tiles::side_px;
         return (row(column, pixel.y).lawful >> (pixel.x - column * Tiles::side_px) & 1) != 0;
     }
+    /// Tiles with open pixels.
+    std::size_t tiles_open() const;
     /// Open pixels of a tile.
     std::uint32_t count(int column, int tile_row) const {
         const OpenTile* const tile = tile_at(column, tile_row);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "compare/corner_cells.h"
@@ -18,8 +19,8 @@ namespace {
 /// Triangles that are searched together: long runs share more of their corners, short ones more threads.
 std::size_t chunk_triangles(std::size_t count) { return std::clamp<std::size_t>(count / 64, 4096, 32768); }
 
-/// How many cells before a place, row by row, hold anything that is asked about: any in a rectangle by four
-/// look-ups.
+/// How many cells above and left of a place hold anything that is asked about, modulo 2^16: any in a
+/// rectangle by four look-ups, where it has fewer cells than that.
 class AskedCells {
   public:
     AskedCells(const Cells& cells, const Tiles& tiles, const AskedBoxes& asked)
@@ -28,27 +29,29 @@ class AskedCells {
             for (const Box& box : asked.of(tile)) mark(cells, box);
         for (int row = 0; row < cells.rows; ++row)
             for (int column = 0; column < cells.columns; ++column)
-                at(column + 1, row + 1) += at(column, row + 1) + at(column + 1, row) - at(column, row);
+                at(column + 1, row + 1) += Sum(at(column, row + 1) + at(column + 1, row) - at(column, row));
     }
-    /// Both ends included.
+    /// Both ends included. A rectangle of 2^16 cells and more is taken to hold some.
     bool any(int left, int top, int right, int bottom) const {
-        return at(right + 1, bottom + 1) - at(left, bottom + 1) - at(right + 1, top) + at(left, top) != 0;
+        const int cells = (right - left + 1) * (bottom - top + 1);
+        const int sum = at(right + 1, bottom + 1) - at(left, bottom + 1) - at(right + 1, top) + at(left, top);
+        return Sum(sum) != 0 || cells > int{std::numeric_limits<Sum>::max()};
     }
 
   private:
+    using Sum = std::uint16_t;
+
     void mark(const Cells& cells, const Box& box) {
         const int right = cells.column_of(box.right), bottom = cells.row_of(box.bottom);
         for (int row = cells.row_of(box.top); row <= bottom; ++row)
             for (int column = cells.column_of(box.left); column <= right; ++column)
                 at(column + 1, row + 1) = 1;
     }
-    std::uint32_t& at(int column, int row) { return sums_[std::size_t(row) * width_ + std::size_t(column)]; }
-    std::uint32_t at(int column, int row) const {
-        return sums_[std::size_t(row) * width_ + std::size_t(column)];
-    }
+    Sum& at(int column, int row) { return sums_[std::size_t(row) * width_ + std::size_t(column)]; }
+    Sum at(int column, int row) const { return sums_[std::size_t(row) * width_ + std::size_t(column)]; }
 
     std::size_t width_;
-    std::vector<std::uint32_t> sums_;
+    std::vector<Sum> sums_;
 };
 
 struct IndexRange {
@@ -168,8 +171,9 @@ class TileSearch {
 
 void AskedBoxes::add(std::size_t tile, const Box& square, double reach_px) {
     constexpr std::size_t most = 8;
-    std::vector<Box>& boxes = boxes_[tile];
-    reach_px_[tile] = std::max(reach_px_[tile], reach_px);
+    if (!tiles_[tile]) tiles_[tile] = std::make_unique<Asked>();
+    auto& [boxes, reach_of_all_px] = *tiles_[tile];
+    reach_of_all_px = std::max(reach_of_all_px, reach_px);
     const auto has_its_place = [&](const Box& b) {
         return b.middle_x() == square.middle_x() && b.middle_y() == square.middle_y();
     };
@@ -179,10 +183,15 @@ void AskedBoxes::add(std::size_t tile, const Box& square, double reach_px) {
         boxes.push_back(square);
 }
 
-double AskedBoxes::reach_px() const { return reach_px_.empty() ? 0 : std::ranges::max(reach_px_); }
+double AskedBoxes::reach_px() const {
+    double largest = 0;
+    for (const auto& tile : tiles_)
+        if (tile) largest = std::max(largest, tile->reach_px);
+    return largest;
+}
 
 TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const AskedBoxes& asked)
-    : first_(Tiles(view).count() + 1) {
+    : first_(Tiles(view).count() + 2) {
     const TileSearch tile_search(scene, view, asked);
     const std::size_t count = scene.triangles.size();
     const std::size_t length = chunk_triangles(count);
@@ -191,13 +200,14 @@ TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const Ask
         const std::size_t first = chunk * length;
         tile_search.search(first, std::min(count, first + length), chunks[chunk]);
     });
+    // counted two places ahead, so that filling leaves each tile's end where the next one's first belongs
     for (const auto& chunk : chunks)
-        for (const Meeting& m : chunk) ++first_[m.tile + 1];
-    for (std::size_t t = 1; t < first_.size(); ++t) first_[t] += first_[t - 1];
+        for (const Meeting& m : chunk) ++first_[m.tile + 2];
+    for (std::size_t t = 2; t < first_.size(); ++t) first_[t] += first_[t - 1];
     triangles_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
     for (const auto& chunk : chunks)
-        for (const Meeting& m : chunk) triangles_[next[m.tile]++] = m.triangle;
+        for (const Meeting& m : chunk) triangles_[first_[m.tile + 1]++] = m.triangle;
+    first_.pop_back();
 }
 
 }  // namespace zproof

@@ -2,44 +2,36 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "compare/image_box.h"
+#include "compare/tiles.h"
 #include "scenes/scene.h"
 
 namespace zproof {
 
-/// The image cut into squares.
-struct Tiles {
-    static constexpr int side_px = 16;
-
-    int columns = 0, rows = 0;
-
-    explicit Tiles(const View& view)
-        : columns((view.width + side_px - 1) / side_px), rows((view.height + side_px - 1) / side_px) {}
-    std::size_t count() const { return std::size_t(columns) * std::size_t(rows); }
-    std::size_t index(int column, int row) const {
-        return std::size_t(row) * std::size_t(columns) + std::size_t(column);
-    }
-    std::size_t of(int x, int y) const { return index(x / side_px, y / side_px); }
-};
-
 /// What is asked about: a few boxes for each tile.
 class AskedBoxes {
   public:
-    explicit AskedBoxes(std::size_t tile_count) : boxes_(tile_count), reach_px_(tile_count) {}
+    explicit AskedBoxes(std::size_t tile_count) : tiles_(tile_count) {}
 
     /// A square that reaches beyond its tile by at most reach_px. Several threads may add to different tiles.
     void add(std::size_t tile, const Box& square, double reach_px);
 
-    std::span<const Box> of(std::size_t tile) const { return boxes_[tile]; }
+    std::span<const Box> of(std::size_t tile) const {
+        return tiles_[tile] ? std::span<const Box>(tiles_[tile]->boxes) : std::span<const Box>();
+    }
     /// The largest of all.
     double reach_px() const;
 
   private:
-    std::vector<std::vector<Box>> boxes_;
-    std::vector<double> reach_px_;
+    struct Asked {
+        std::vector<Box> boxes;
+        double reach_px = 0;
+    };
+    std::vector<std::unique_ptr<Asked>> tiles_;  ///< most are asked nothing about
 };
 
 /// Lists of triangles, one per tile, each ascending.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "compare/class_map.h"
 #include "compare/pixel_class.h"
 #include "frame/frame.h"
 #include "math/bulk.h"
@@ -43,7 +44,7 @@ struct BoundRecord {
 };
 
 struct Verdict {
-    Plane<PixelClass> classes;
+    ClassMap classes;
     ClassCounts counts{};
     /// In raster order: from judge() the pixels that fail the gate, from judge_in_full() all that do not
     /// `agree`.

@@ -83,8 +83,8 @@ void write_view_evidence(const fs::path& folder, const Frame& candidate, const F
         [&] { write_ids(folder, "id", candidate.primitive); },
         [&] { write_ids(folder, "reference-id", reference.primitive); },
         [&] { write_depths(folder, "depth", candidate.camera_depth); },
-        [&] { write_class_map(folder / "class.png", verdict.classes); },
-        [&] { write_class_map(folder / "class-small.png", small_class_map(verdict.classes)); },
+        [&] { write_class_map(folder / "class.png", verdict.classes.plane()); },
+        [&] { write_class_map(folder / "class-small.png", small_class_map(verdict.classes.plane())); },
         [&] { write_findings_file(folder / "findings.csv", verdict); });
 }
 

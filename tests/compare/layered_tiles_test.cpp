@@ -52,6 +52,14 @@ OpenTiles opened(const Scene& scene, const View& view, const Witness& ours, cons
     return open;
 }
 
+ClassMap open_map() {
+    ClassMap classes({width, height});
+    const Tiles tiles(classes.size());
+    for (int row = 0; row < tiles.rows; ++row)
+        for (int column = 0; column < tiles.columns; ++column) classes.open(column, row);
+    return classes;
+}
+
 void expect_same(const Finding& a, const Finding& b) {
     EXPECT_EQ(a.x, b.x);
     EXPECT_EQ(a.y, b.y);
@@ -78,14 +86,14 @@ TEST(LayeredTiles, AreSettledAsOnePixelAfterTheOther) {
             theirs(c.scene, c.view, {c.reference, ray_precision()});
         const OpenTiles tiles = opened(c.scene, c.view, ours, theirs);
         const std::vector<PixelPlace> open = tiles.places();
-        Plane<PixelClass> classes({width, height}, PixelClass::agree), alone = classes;
+        ClassMap classes = open_map(), alone = classes;
         std::vector<Finding> findings(open.size());
         const Comparands comparands{c.scene, c.view, ours, theirs};
         const LayeredFindings layered = settle_layers(comparands, tiles, classes, findings);
         const LayeredFindings unlisted = settle_layers(comparands, tiles, alone, {});
         EXPECT_EQ(unlisted.places, layered.places);
         EXPECT_EQ(unlisted.counts, layered.counts);
-        EXPECT_TRUE(std::ranges::equal(alone.pixels(), classes.pixels()));
+        EXPECT_TRUE(std::ranges::equal(alone.plane().pixels(), classes.plane().pixels()));
         const Rulings rulings = rule_on(c.scene, c.view, ours, theirs, open);
         PixelLook look(c.scene, ours, theirs);
         const std::set<std::uint32_t> still_open(layered.places.begin(), layered.places.end());
@@ -144,7 +152,7 @@ TEST(LayeredTiles, LeaveSquaresThatReachBeyondTheSearch) {
                                 {ours, RasterPrecision{.subpixel_bits = subpixel_bits}}),
             reference(walls.scene, walls.view, {theirs, ray_precision()});
         const OpenTiles open = opened(walls.scene, walls.view, candidate, reference);
-        Plane<PixelClass> classes({width, height}, PixelClass::agree);
+        ClassMap classes = open_map();
         const LayeredFindings layered =
             settle_layers({walls.scene, walls.view, candidate, reference}, open, classes, {});
         EXPECT_EQ(layered.left.size(), subpixel_bits == 8 ? 0 : open.places().size());

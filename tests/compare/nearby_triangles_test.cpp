@@ -85,6 +85,18 @@ TEST(NearbyTriangles, AreTheSameHoweverFarApartTheirIndicesAre) {
     }
 }
 
+/// Of 256 x 256 cells each is asked about: as many as a sum of them forgets.
+TEST(NearbyTriangles, OneThatCoversEverythingIsFoundEverywhere) {
+    constexpr int side = 1024;
+    const View view = pixel_view(Projection::parallel, side, side);
+    const Scene scene = scene_of(view, {{{{-64, -64, 4}, {4 * side, -64, 4}, {-64, 4 * side, 4}}}});
+    std::vector<Site> sites;
+    for (int y = 8; y < side; y += 16)
+        for (int x = 8; x < side; x += 16) sites.push_back({x, y, 7.75, {}});
+    find_nearby_triangles(scene, view, sites);
+    for (const Site& site : sites) ASSERT_EQ(site.triangles, std::vector<std::uint32_t>{0});
+}
+
 TEST(NearbyTriangles, ManyChunksComeInOrder) {
     const View view = pixel_view(Projection::parallel, 4, 4);
     const Scene scene = scene_of(view, std::vector<Triangle>(10'000, wall(4)));

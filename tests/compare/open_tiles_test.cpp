@@ -66,6 +66,7 @@ TEST(OpenTiles, CountWhatIsOpenInEach) {
     for (int round = 0; round < 200; ++round) {
         const Opened opened(random);
         const Tiles& tiles = opened.tiles.tiles();
+        std::size_t with_any = 0;
         for (int row = 0; row < tiles.rows; ++row)
             for (int column = 0; column < tiles.columns; ++column) {
                 std::uint32_t expected = 0;
@@ -74,7 +75,9 @@ TEST(OpenTiles, CountWhatIsOpenInEach) {
                          ++x)
                         expected += opened.plane.at(x, y).is_open ? 1 : 0;
                 ASSERT_EQ(opened.tiles.count(column, row), expected);
+                with_any += expected != 0 ? 1 : 0;
             }
+        ASSERT_EQ(opened.tiles.tiles_open(), with_any);
     }
 }
 

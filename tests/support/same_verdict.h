@@ -18,7 +18,7 @@ inline void expect_same_counts(const Verdict& one, const Verdict& other) {
     EXPECT_EQ(one.reference_defects, other.reference_defects);
     EXPECT_EQ(one.adjudicated, other.adjudicated);
     EXPECT_EQ(one.exact, other.exact);
-    EXPECT_TRUE(std::ranges::equal(one.classes.pixels(), other.classes.pixels()));
+    EXPECT_TRUE(std::ranges::equal(one.classes.plane().pixels(), other.classes.plane().pixels()));
 }
 
 }  // namespace zproof

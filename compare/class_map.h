@@ -1,0 +1,63 @@
+/// What was said about every pixel of a view.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "compare/pixel_class.h"
+#include "compare/tiles.h"
+#include "frame/plane.h"
+#include "math/bulk.h"
+
+namespace zproof {
+
+/// A class for each pixel. A tile in which all agree takes no memory beside its place.
+class ClassMap {
+  public:
+    ClassMap() = default;
+    /// All pixels agree. Valid: whatever a Plane may be.
+    explicit ClassMap(Resolution size) : size_(size), tiles_(size), place_(tiles_.count()) {}
+
+    Resolution size() const { return size_; }
+    PixelClass at(int x, int y) const {
+        assert(x >= 0 && x < size_.width && y >= 0 && y < size_.height);
+        const std::uint32_t place = place_[tiles_.of(x, y)];
+        return place != 0 ? open_[place - 1][in_tile(x, y)] : PixelClass::agree;
+    }
+    /// The same, pixel by pixel.
+    Plane<PixelClass> plane() const;
+
+    /// Makes open() of so many tiles take no memory beyond theirs.
+    void reserve(std::size_t tiles) { open_.reserve(tiles); }
+    /// Makes room in a tile for other classes. For one thread; references to pixels end.
+    void open(int column, int row);
+    /// Of a pixel in an open tile; several threads may write to different pixels.
+    PixelClass& in_open(int x, int y) {
+        assert(x >= 0 && x < size_.width && y >= 0 && y < size_.height && place_[tiles_.of(x, y)] != 0);
+        return open_[place_[tiles_.of(x, y)] - 1][in_tile(x, y)];
+    }
+
+    /// Opens the pixel's tile where it is not. For one thread.
+    void set(int x, int y, PixelClass c) {
+        open(x / Tiles::side_px, y / Tiles::side_px);
+        in_open(x, y) = c;
+    }
+
+  private:
+    using Tile = std::array<PixelClass, std::size_t(Tiles::side_px* Tiles::side_px)>;
+    static_assert(PixelClass{} == PixelClass::agree);
+
+    static std::size_t in_tile(int x, int y) {
+        return std::size_t(y % Tiles::side_px * Tiles::side_px + x % Tiles::side_px);
+    }
+
+    Resolution size_;
+    Tiles tiles_;
+    std::vector<std::uint32_t> place_;  ///< by tile: in open_, counted from 1; 0 where all agree
+    Bulk<Tile> open_;
+};
+
+}  // namespace zproof
