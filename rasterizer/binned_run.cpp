@@ -37,7 +37,7 @@ BinTally& BinTally::operator+=(const BinTally& other) {
     cut += other.cut;
     facing_away += other.facing_away;
     set_up += other.set_up;
-    box_px += other.box_px;
+    cover_px += other.cover_px;
     return *this;
 }
 
@@ -97,7 +97,7 @@ void BinnedRun::place_queue() {
     for (auto& corner : queue_.corners.corner)
         std::fill(corner + queue_.count, corner + CornerLanes::count, SnappedPoint{});
     const PlacedLanes placed = kernel_->place(*setup_, queue_.corners);
-    tally_.box_px += placed.box_px;
+    tally_.cover_px += placed.cover_px;
     if (queue_.count == CornerLanes::count && placed.in_one_tile)
         return add_queue_to_tile(tiles_.tile_at(placed.column0[0], placed.row0[0]), placed);
     for (int i = 0; i < queue_.count; ++i) {

@@ -18,7 +18,9 @@ struct BinTally {
     std::uint64_t cut = 0;          ///< clipped by near, far or the guard band
     std::uint64_t facing_away = 0;  ///< left out by Facing::front, pieces included
     std::uint64_t set_up = 0;       ///< put into tiles, pieces included
-    std::uint64_t box_px = 0;  ///< pixels of the image in the boxes of those: twice what they cover, or more
+    /// About what those cover: of each its area in whole pixels, or the image's pixels in its box where that
+    /// is less.
+    std::uint64_t cover_px = 0;
 
     BinTally& operator+=(const BinTally& other);
 };

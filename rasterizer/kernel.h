@@ -89,7 +89,7 @@ struct PlacedLanes {
     alignas(64) std::uint32_t turn[CornerLanes::count];       ///< `turned`, or 0
     alignas(64) std::int32_t faces_away[CornerLanes::count];  ///< 1 where that alone is why there are none
     bool in_one_tile;                                         ///< all, in the same
-    std::uint64_t box_px;  ///< pixels of the image in the boxes of those that have some, all together
+    std::uint64_t cover_px;                                   ///< all together, as BinTally has it
 };
 
 /// A tile's pixels, to be written into a frame.

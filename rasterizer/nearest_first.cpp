@@ -29,14 +29,14 @@ void for_each_in_parallel(std::size_t count, const Visit& visit) {
     });
 }
 
-constexpr int step_bits = 8;
+constexpr int most_step_bits = 8;
 
 }  // namespace
 
 bool nearest_first_pays(const BinTally& tally, const Resolution& size) {
-    const double boxes_per_pixel = double(tally.box_px) / double(size.pixel_count());
-    const double px_per_box = double(tally.box_px) / double(std::max<std::uint64_t>(tally.set_up, 1));
-    return boxes_per_pixel >= 12 && boxes_per_pixel * px_per_box >= 2048;
+    const double layers = double(tally.cover_px) / double(size.pixel_count());
+    const double px_per_triangle = double(tally.cover_px) / double(std::max<std::uint64_t>(tally.set_up, 1));
+    return layers >= 1.75 && layers * px_per_triangle >= 128;
 }
 
 void NearestFirst::fill(const TileBins& bins) {
@@ -71,9 +71,12 @@ void NearestFirst::put_in_order(std::span<const std::uint32_t> places, Ordered& 
         least = std::min(least, distance);
         most = std::max(most, distance);
     }
+    const int step_bits = std::min(int(std::bit_width(places.size())) + 1, most_step_bits);
     const int shift = std::max(0, int(std::bit_width(most - least)) - step_bits);
     const auto step_of = [&](std::size_t i) { return (ordered.distance[i] - least) >> shift; };
-    std::array<std::uint32_t, 1 << step_bits> next{};
+    std::array<std::uint32_t, 1 << most_step_bits> room;
+    const auto next = std::span(room).first(std::size_t{1} << step_bits);
+    std::ranges::fill(next, 0);
     for (std::size_t i = 0; i < places.size(); ++i) ++next[step_of(i)];
     std::uint32_t first = 0;
     for (std::uint32_t& of_step : next) first += std::exchange(of_step, first);

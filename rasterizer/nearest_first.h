@@ -23,8 +23,8 @@ class NearestFirst {
     /// from the time before.
     void fill(const TileBins& bins);
 
-    /// A tile's places in order, roughly: in 256 steps from its nearest triangle to its farthest. Valid until
-    /// this thread asks for another tile's.
+    /// A tile's places in order, roughly: in up to 256 steps from its nearest triangle to its farthest. Valid
+    /// until this thread asks for another tile's.
     TilePlaces ordered(std::span<const std::uint32_t> places);
 
   private:

@@ -6,12 +6,13 @@
 PlacedLanes place(const ViewSetup& setup, const CornerLanes& corners) noexcept {
     const SubpixelGrid grid = setup.grid;
     const std::int32_t width = setup.size.width, height = setup.size.height;
+    const double px_per_doubled_area = 0.5 / double(std::int64_t{1} << 2 * grid.bits);
     const std::int32_t only_front = setup.facing == Facing::front ? 1 : 0;
     const auto& [a, b, c] = corners.corner;
     PlacedLanes placed;
-    alignas(64) std::int32_t box_px[CornerLanes::count];
+    alignas(64) std::int32_t cover_px[CornerLanes::count];
     std::int32_t differ = 0;
-    std::int64_t all_box_px = 0;
+    std::int64_t all_cover_px = 0;
     for (int i = 0; i < CornerLanes::count; ++i) {
         const double doubled_area = double(b[i].x - a[i].x) * double(c[i].y - a[i].y) -
                                     double(b[i].y - a[i].y) * double(c[i].x - a[i].x);
@@ -32,13 +33,15 @@ PlacedLanes place(const ViewSetup& setup, const CornerLanes& corners) noexcept {
         placed.row1[i] = y1 / tile_size;
         placed.turn[i] = doubled_area < 0 ? turned : 0;
         placed.faces_away[i] = faces_away;
-        box_px[i] = is_drawn ? (x1 - x0 + 1) * (y1 - y0 + 1) : 0;  // at most 2^30
+        const std::int32_t box_px = is_drawn ? (x1 - x0 + 1) * (y1 - y0 + 1) : 0;  // at most 2^30
+        const double area_px = px_per_doubled_area * (doubled_area < 0 ? -doubled_area : doubled_area);
+        cover_px[i] = std::int32_t(lesser(area_px, double(box_px)));
     }
     for (int i = 0; i < CornerLanes::count; ++i)
         differ |= (placed.column0[i] ^ placed.column1[i]) | (placed.row0[i] ^ placed.row1[i]) |
                   (placed.column0[i] ^ placed.column0[0]) | (placed.row0[i] ^ placed.row0[0]);
-    for (int i = 0; i < CornerLanes::count; ++i) all_box_px += box_px[i];
+    for (int i = 0; i < CornerLanes::count; ++i) all_cover_px += cover_px[i];
     placed.in_one_tile = differ == 0;
-    placed.box_px = std::uint64_t(all_box_px);
+    placed.cover_px = std::uint64_t(all_cover_px);
     return placed;
 }

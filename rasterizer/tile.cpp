@@ -30,6 +30,7 @@ Tile::Tile(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup
 
 /// Nothing wins a pixel that is not the image's, so that the tile can be finished without it.
 void Tile::close_beyond_image() noexcept {
+    if (samples_.columns == tile_size && samples_.rows == tile_size) return;
     for (int y = 0; y < tile_size; ++y)
         for (int x = y < samples_.rows ? samples_.columns : 0; x < tile_size; ++x)
             values_.nearness[place_in_tile(x, y)] = std::numeric_limits<float>::infinity();
