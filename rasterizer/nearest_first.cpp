@@ -33,10 +33,10 @@ constexpr int most_step_bits = 8;
 
 }  // namespace
 
-bool nearest_first_pays(const BinTally& tally, const Resolution& size) {
-    const double layers = double(tally.cover_px) / double(size.pixel_count());
+bool nearest_first_pays(const BinTally& tally) {
+    const double layers = double(tally.cover_px) / double(std::max<std::uint64_t>(tally.reached_px, 1));
     const double px_per_triangle = double(tally.cover_px) / double(std::max<std::uint64_t>(tally.set_up, 1));
-    return layers >= 1.75 && layers * px_per_triangle >= 128;
+    return layers >= 1.75 && layers * px_per_triangle >= 32;
 }
 
 void NearestFirst::fill(const TileBins& bins) {

@@ -15,7 +15,7 @@ namespace zproof::rasterizer {
 
 /// Does it save more than it costs? Putting a triangle in order costs about as much as drawing a small one,
 /// which it saves where it has many pixels and others hide most of them: measured in docs/performance.md.
-bool nearest_first_pays(const BinTally& tally, const Resolution& size);
+bool nearest_first_pays(const BinTally& tally);
 
 class NearestFirst {
   public:

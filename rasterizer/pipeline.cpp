@@ -48,8 +48,8 @@ ViewSetup Pipeline::prepare(const Scene& scene, const View& view, const std::vec
 /// Is what was prepared to be drawn the nearest first?
 bool Pipeline::put_in_order(const ViewSetup& setup) {
     const bool is_wanted =
-        tricks_.order == DrawOrder::nearest_first || (tricks_.order == DrawOrder::nearest_first_where_deep &&
-                                                      nearest_first_pays(bins_.tally(), setup.size));
+        tricks_.order == DrawOrder::nearest_first ||
+        (tricks_.order == DrawOrder::nearest_first_where_deep && nearest_first_pays(bins_.tally()));
     if (!is_wanted || setup.hierarchical_z == HierarchicalZ::none) return false;
     nearest_first_.fill(bins_);
     return true;

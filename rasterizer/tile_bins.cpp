@@ -28,7 +28,8 @@ void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, cons
 
 void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup,
                     std::span<const Range> ranges) {
-    tiles_ = TileGrid(setup.size);
+    size_ = setup.size;
+    tiles_ = TileGrid(size_);
     used_ = ranges.size();
     if (runs_.size() < used_) runs_.resize(used_);
     tbb::parallel_for(std::size_t{0}, used_,
@@ -61,6 +62,8 @@ void TileBins::lay_out() {
 BinTally TileBins::tally() const {
     BinTally sum;
     for (std::size_t r = 0; r < used_; ++r) sum += runs_[r].tally();
+    for (std::size_t tile = 0; tile < tiles_.count(); ++tile)
+        if (!places_in(tile).empty()) sum.reached_px += tiles_.pixels(tile, size_).count();
     return sum;
 }
 

@@ -43,6 +43,7 @@ class TileBins {
     void lay_out();
 
     Kernel kernel_;
+    Resolution size_;
     TileGrid tiles_;
     Triangles triangles_;
     std::vector<Range> ranges_;

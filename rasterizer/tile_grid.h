@@ -12,6 +12,8 @@ namespace zproof::rasterizer {
 /// Pixels [x0, x1) x [y0, y1).
 struct PixelRect {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+    std::uint64_t count() const { return std::uint64_t(x1 - x0) * std::uint64_t(y1 - y0); }
 };
 
 struct TileGrid {

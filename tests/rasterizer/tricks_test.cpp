@@ -71,10 +71,20 @@ TEST(Tricks, NearestFirstIsForWhatLiesDeep) {
         const Loaded loaded = generate_suite_scene(name, 960, 540);
         return counted(loaded.scene, loaded.views.front(), {.order = DrawOrder::as_stored}).bins;
     };
-    EXPECT_TRUE(nearest_first_pays(tally_of("deep_overdraw"), {960, 540}));
-    EXPECT_TRUE(nearest_first_pays(tally_of("room"), {960, 540}));
-    EXPECT_FALSE(nearest_first_pays(tally_of("shared_edges"), {960, 540})) << "nothing lies over anything";
-    EXPECT_FALSE(nearest_first_pays(tally_of("closed_surfaces"), {960, 540})) << "small triangles";
+    EXPECT_TRUE(nearest_first_pays(tally_of("deep_overdraw")));
+    EXPECT_TRUE(nearest_first_pays(tally_of("room")));
+    EXPECT_FALSE(nearest_first_pays(tally_of("shared_edges"))) << "nothing lies over anything";
+    EXPECT_FALSE(nearest_first_pays(tally_of("closed_surfaces"))) << "small triangles";
+}
+
+TEST(Tricks, ReachedIsWhatTilesHaveOfTheImage) {
+    const Triangle first = at_pixels(1, 1, 1, 7, 7, 1), second = at_pixels(65, 1, 65, 7, 70, 1);
+    const auto reached_px = [](const std::vector<Triangle>& triangles) {
+        return counted(scene_of(triangles), raster_view(100, 40), {}).bins.reached_px;
+    };
+    EXPECT_EQ(reached_px({first}), 64u * 40u);
+    EXPECT_EQ(reached_px({second, second}), 36u * 40u);
+    EXPECT_EQ(reached_px({first, second}), 100u * 40u);
 }
 
 TEST(Tricks, CoverIsAnAreaOrWhatTheImageHasOfItsBox) {
