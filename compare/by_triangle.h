@@ -22,7 +22,7 @@ class ByTriangle {
         if (2 * (count_ + 1) > slots_.size()) grow();
         Slot& slot = slot_of(triangle);
         if (!slot.value) {
-            slot = {triangle, add(make())};
+            slot = {triangle, &add(make())};
             ++count_;
         }
         return *slot.value;
@@ -44,10 +44,10 @@ class ByTriangle {
         return slots_[at];
     }
 
-    const Value* add(Value&& value) {
+    const Value& add(Value&& value) {
         if (blocks_.empty() || blocks_.back().size() == block_size)
             blocks_.emplace_back().reserve(block_size);
-        return &blocks_.back().emplace_back(std::move(value));
+        return blocks_.back().emplace_back(std::move(value));
     }
 
     void grow() {

@@ -51,7 +51,7 @@ class ClassMap {
     static_assert(PixelClass{} == PixelClass::agree);
 
     static std::size_t in_tile(int x, int y) {
-        return std::size_t(y % Tiles::side_px * Tiles::side_px + x % Tiles::side_px);
+        return std::size_t(y % Tiles::side_px) * Tiles::side_px + std::size_t(x % Tiles::side_px);
     }
 
     Resolution size_;

@@ -11,6 +11,7 @@ namespace {
 template <class Band, class Visit>
 void for_each_row(Band& band, int tile_row, const Visit& visit) {
     std::vector<decltype(band.data())> tiles;
+    tiles.reserve(band.size());
     for (auto& tile : band) tiles.push_back(&tile);
     std::ranges::sort(tiles, {}, [](const auto* tile) { return tile->column; });
     for (std::size_t y = 0; y < Tiles::side_px; ++y)

@@ -36,7 +36,8 @@ void Tile::close_beyond_image() noexcept {
             values_.nearness[place_in_tile(x, y)] = std::numeric_limits<float>::infinity();
     std::ranges::fill(values_.farthest_in_cell, std::numeric_limits<float>::infinity());
     for (int block = 0; block < TilePixels::blocks; ++block) {
-        const float farthest = std::ranges::min(std::span(values_.nearness).subspan(16 * block, 16));
+        const float* const first = values_.nearness + std::ptrdiff_t{16} * block;
+        const float farthest = *std::min_element(first, first + 16);
         const int cell = block / blocks_in_row / 4 * 4 + block % blocks_in_row / 4;
         values_.farthest[block] = farthest;
         values_.farthest_in_cell[cell] = std::min(values_.farthest_in_cell[cell], farthest);

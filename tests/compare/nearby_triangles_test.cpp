@@ -30,6 +30,7 @@ TEST(NearbyTriangles, NoneThatComesWithinReachIsMissing) {
         const Surroundings s = random_surroundings(seed);
         Dice dice(seed);
         std::vector<Site> sites;
+        sites.reserve(4);
         for (int i = 0; i < 4; ++i)
             sites.push_back({i ? dice.below(16) : s.x, i ? dice.below(16) : s.y, dice.below(2) * 0x1p-9, {}});
         find_nearby_triangles(s.scene, s.view, sites);
