@@ -21,11 +21,11 @@ class ByTriangle {
     const Value& operator()(std::uint32_t triangle, const Make& make) {
         if (2 * (count_ + 1) > slots_.size()) grow();
         Slot& slot = slot_of(triangle);
-        if (!slot.value) {
-            slot = {triangle, &add(make())};
-            ++count_;
-        }
-        return *slot.value;
+        if (slot.value) return *slot.value;
+        const Value& made = add(make());
+        slot = {triangle, &made};
+        ++count_;
+        return made;
     }
 
     std::size_t count() const { return count_; }
