@@ -38,7 +38,6 @@ BinTally& BinTally::operator+=(const BinTally& other) {
     facing_away += other.facing_away;
     set_up += other.set_up;
     cover_px += other.cover_px;
-    reached_px += other.reached_px;
     return *this;
 }
 

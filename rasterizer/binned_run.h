@@ -21,7 +21,7 @@ struct BinTally {
     /// About what those cover: of each its area in whole pixels, or the image's pixels in its box where that
     /// is less.
     std::uint64_t cover_px = 0;
-    std::uint64_t reached_px = 0;  ///< pixels of the image in tiles that any of those is in
+    std::uint64_t reached_px = 0;  ///< the image's, in tiles that any of those is in; TileBins::tally() knows
 
     BinTally& operator+=(const BinTally& other);
 };

@@ -77,15 +77,15 @@ void write_findings_file(const fs::path& file, const Verdict& verdict) {
 void write_view_evidence(const fs::path& folder, const Frame& candidate, const Frame& reference,
                          const Verdict& verdict) {
     make_folder(folder);
-    tbb::parallel_invoke(
-        [&] { write_exr(folder / "candidate.exr", candidate); },
-        [&] { write_exr(folder / "reference.exr", reference); },
-        [&] { write_ids(folder, "id", candidate.primitive); },
-        [&] { write_ids(folder, "reference-id", reference.primitive); },
-        [&] { write_depths(folder, "depth", candidate.camera_depth); },
-        [&] { write_class_map(folder / "class.png", verdict.classes.plane()); },
-        [&] { write_class_map(folder / "class-small.png", small_class_map(verdict.classes.plane())); },
-        [&] { write_findings_file(folder / "findings.csv", verdict); });
+    const Plane<PixelClass> classes = verdict.classes.plane();
+    tbb::parallel_invoke([&] { write_exr(folder / "candidate.exr", candidate); },
+                         [&] { write_exr(folder / "reference.exr", reference); },
+                         [&] { write_ids(folder, "id", candidate.primitive); },
+                         [&] { write_ids(folder, "reference-id", reference.primitive); },
+                         [&] { write_depths(folder, "depth", candidate.camera_depth); },
+                         [&] { write_class_map(folder / "class.png", classes); },
+                         [&] { write_class_map(folder / "class-small.png", small_class_map(classes)); },
+                         [&] { write_findings_file(folder / "findings.csv", verdict); });
 }
 
 void write_witness_frame(const fs::path& folder, const std::string& witness, const Frame& frame) {

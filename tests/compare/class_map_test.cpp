@@ -8,7 +8,7 @@
 namespace zproof {
 namespace {
 
-/// No multiples of a tile's side, and less than one.
+/// Less than a tile, one, and more, whole or not.
 constexpr Resolution sizes[] = {{1, 1}, {15, 40}, {16, 16}, {33, 17}, {150, 70}};
 
 TEST(ClassMap, AgreesUntilSomethingElseIsSaid) {
