@@ -4,7 +4,6 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "compare/pixel_class.h"
