@@ -5,6 +5,7 @@
 #include <bit>
 #include <optional>
 
+#include "compare/depth_histograms.h"
 #include "compare/error_scribe.h"
 #include "compare/pixel_look.h"
 #include "compare/presort.h"
@@ -19,79 +20,6 @@ constexpr int tile_width = Strip::width, tile_height = 16;
 
 /// Of a tile: more than that, and few pixels share a law.
 constexpr std::size_t many_laws = 128;
-
-/// Pixels [left, right) x [top, bottom).
-struct Tile {
-    int left, top, right, bottom;
-};
-
-/// Both records in the making. Where both renderers' depths of a chunk fall into many bins, they are counted
-/// as one: histograms are the sums of those pairs. Neighbouring pixels often fall into the same: they are
-/// counted side by side.
-class Count {
-  public:
-    /// Of a strip, where both are uncounted or neither is; at most 2^32 pixels in all.
-    void add(const SortedStrip& strip) {
-        for (std::size_t chunk = 0; chunk < strip.open.size(); ++chunk) {
-            const SortedStrip::Bins ours = strip.candidate.bins[chunk], theirs = strip.reference.bins[chunk];
-            const std::int32_t *our_bin = &strip.candidate.bin[chunk * Strip::chunk],
-                               *their_bin = &strip.reference.bin[chunk * Strip::chunk];
-            if (ours == SortedStrip::Bins::each && theirs == SortedStrip::Bins::each) {
-                add_pairs(our_bin, their_bin);
-            } else {
-                candidate_.add(ours, our_bin);
-                reference_.add(theirs, their_bin);
-            }
-        }
-    }
-    void add_to(Tally& tally) const {
-        for (const double l : candidate_largest) raise(tally.candidate, l);
-        for (const double l : reference_largest) raise(tally.reference, l);
-        candidate_.add_to(tally.candidate);
-        reference_.add_to(tally.reference);
-        for (const auto& lane : pairs_)
-            for (std::size_t a = 0; a < SortedStrip::uncounted; ++a)
-                for (std::size_t b = 0; b < SortedStrip::uncounted; ++b) {
-                    const std::uint32_t pixels = lane[a * stride + b];
-                    tally.candidate.histogram[a] += pixels;
-                    tally.reference.histogram[b] += pixels;
-                }
-    }
-
-    Largest candidate_largest{}, reference_largest{};
-
-  private:
-    static constexpr std::size_t lanes = 4;
-    static constexpr std::size_t stride = 32;  ///< a power of two above `uncounted`
-
-    /// One renderer's, by themselves.
-    class Side {
-      public:
-        void add(SortedStrip::Bins bins, const std::int32_t* bin) {
-            if (bins == SortedStrip::Bins::first) lanes_[0][0] += Strip::chunk;
-            if (bins != SortedStrip::Bins::each) return;
-            for (std::size_t i = 0; i < Strip::chunk; ++i) ++lanes_[i % lanes][std::size_t(bin[i])];
-        }
-        void add_to(BoundRecord& record) const {
-            for (const auto& lane : lanes_)
-                for (std::size_t i = 0; i < record.histogram.size(); ++i) record.histogram[i] += lane[i];
-        }
-
-      private:
-        std::array<std::array<std::uint32_t, stride>, lanes> lanes_{};
-    };
-
-    void add_pairs(const std::int32_t* ours, const std::int32_t* theirs) {
-        for (std::size_t i = 0; i < Strip::chunk; ++i)
-            ++pairs_[i % lanes][std::size_t(ours[i]) * stride + std::size_t(theirs[i])];
-    }
-    static void raise(BoundRecord& record, double ratio) {
-        record.max_error_over_bound = std::max(record.max_error_over_bound, ratio);
-    }
-
-    Side candidate_, reference_;
-    std::array<std::array<std::uint32_t, (SortedStrip::uncounted + 1) * stride>, lanes> pairs_{};
-};
 
 /// Fetches a strip of a row into the cache.
 template <class T>
@@ -113,16 +41,18 @@ class Comparison {
           presort_(candidate.projection()),
           look_(scene, candidate, reference) {}
 
-    /// Has the depth errors of what is compared from now on written down.
+    /// Has the errors of depth of what is compared from now on counted,
+    void keep_histograms() { histograms_.emplace(); }
+    /// or written down.
     void keep_errors(ErrorMaps& errors) {
         scribes_.emplace(Scribes{{candidate_, triangle_count_, errors.candidate},
                                  {reference_, triangle_count_, errors.reference}});
     }
 
     /// Compares the pixels of a tile.
-    void compare(const Tile& tile, OpenTiles& open) {
+    void compare(const PixelBox& tile, OpenTiles& open) {
         shown_.clear();
-        presort_.clear();
+        presort_.turn_to(tile);
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
             strip.x = tile.left, strip.y = y;
@@ -131,8 +61,8 @@ class Comparison {
             look_up_laws(strip);
         }
         shown_.make_laws();
-        Presort::Largest largest{known(count_.candidate_largest, largest_.candidate),
-                                 known(count_.reference_largest, largest_.reference)};
+        Presort::Largest largest{known(candidate_largest_, largest_.candidate),
+                                 known(reference_largest_, largest_.reference)};
         for (int y = tile.top; y < tile.bottom; ++y) {
             const Strip& strip = strips_[std::size_t(y - tile.top)];
             fetch_ahead(tile.right, y);
@@ -140,20 +70,22 @@ class Comparison {
             if (sorted_.sorted != SortedStrip::all_sorted) hold(strip);
             if (scribes_) {
                 const auto width = std::size_t(tile.right - tile.left);
-                scribes_->candidate.write(strip.candidate, sorted_.candidate.ratio, {strip.x, y, width});
-                scribes_->reference.write(strip.reference, sorted_.reference.ratio, {strip.x, y, width});
+                scribes_->candidate.write(strip.candidate, sorted_.ratio.candidate, {strip.x, y, width});
+                scribes_->reference.write(strip.reference, sorted_.ratio.reference, {strip.x, y, width});
             }
             settle(strip, open);
         }
-        raise(count_.candidate_largest, largest.candidate);
-        raise(count_.reference_largest, largest.reference);
-        tell(count_.candidate_largest, largest_.candidate);
-        tell(count_.reference_largest, largest_.reference);
+        raise(candidate_largest_, largest.candidate);
+        raise(reference_largest_, largest.reference);
+        tell(candidate_largest_, largest_.candidate);
+        tell(reference_largest_, largest_.reference);
     }
 
     Tally tally() const {
         Tally all = one_by_one_;
-        count_.add_to(all);
+        raise(all.candidate, std::ranges::max(candidate_largest_));
+        raise(all.reference, std::ranges::max(reference_largest_));
+        if (histograms_) histograms_->add_to(all);
         return all;
     }
 
@@ -163,7 +95,8 @@ class Comparison {
         std::array<Strip::Values<PrimitiveId>, tile_height> primitive;
         std::array<Strip::Values<float>, tile_height> camera_depth;
     };
-    static void look_at(Strip::Side& side, const Witness& witness, const Tile& tile, int y, Ragged& ragged) {
+    static void look_at(Strip::Side& side, const Witness& witness, const PixelBox& tile, int y,
+                        Ragged& ragged) {
         const auto left = std::size_t(tile.left), width = std::size_t(tile.right - tile.left);
         const auto look = [&](const auto& plane, auto& filled, auto beyond) -> const auto* {
             const auto* const shown = &plane.row(y)[left];
@@ -206,11 +139,18 @@ class Comparison {
         return std::size_t(triangle) < triangle_count_ ? shown_.place_of(triangle) : 0;
     }
 
-    /// Maps of errors want every ratio.
+    /// Histograms and maps of errors want every ratio.
     void presort(Presort::Largest& largest, const Strip& strip) {
         sorted_.sorted = 0;
-        if (scribes_ || shown_.count() > many_laws) return;
+        if (histograms_ || scribes_ || shown_.count() > many_laws) return;
         presort_.sort(shown_.laws(), largest, strip, sorted_);
+    }
+
+    void tell(BoundRecord& record, double error_over_bound) const {
+        histograms_ ? count(record, error_over_bound) : raise(record, error_over_bound);
+    }
+    static void raise(BoundRecord& record, double error_over_bound) {
+        record.max_error_over_bound = std::max(record.max_error_over_bound, error_over_bound);
     }
 
     /// The largest ratio, here or anywhere.
@@ -233,8 +173,8 @@ class Comparison {
 
     void settle(const Strip& strip, OpenTiles& open) {
         if (sorted_.sorted != SortedStrip::all_sorted)
-            sort_out(strip, sorted_, count_.candidate_largest, count_.reference_largest);
-        count_.add(sorted_);
+            sort_out(strip, sorted_, candidate_largest_, reference_largest_);
+        if (histograms_) histograms_->add(strip, sorted_.ratio);
         for (std::size_t chunk = 0; chunk < sorted_.open.size(); ++chunk) {
             if (sorted_.open[chunk] == 0) continue;
             const ColumnMask left = still_open(strip, chunk);
@@ -248,7 +188,7 @@ class Comparison {
         for (ColumnMask rest = open; rest != 0; rest &= rest - 1) {
             const std::size_t i = chunk * Strip::chunk + std::size_t(std::countr_zero(rest));
             const bool differ = strip.candidate.primitive[i] != strip.reference.primitive[i];
-            if (!differ && settles({strip.x + int(i), strip.y}, sorted_.reference.ratio[i]))
+            if (!differ && settles({strip.x + int(i), strip.y}, sorted_.ratio.reference[i]))
                 open &= ~(rest & -rest);
         }
         return open;
@@ -259,8 +199,8 @@ class Comparison {
         const OpenPixel pixel = look_.at(place.x, place.y, known_reference_ratio);
         const bool is_bare = pixel.finding.candidate.primitive == PrimitiveId::none;
         if (!is_bare && !pixel.candidate_invalid && !pixel.reference_invalid) {
-            count(one_by_one_.candidate, pixel.finding.error_over_bound);
-            count(one_by_one_.reference, pixel.reference_error_over_bound);
+            tell(one_by_one_.candidate, pixel.finding.error_over_bound);
+            tell(one_by_one_.reference, pixel.reference_error_over_bound);
         }
         return is_settled(pixel);
     }
@@ -272,6 +212,7 @@ class Comparison {
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
     LargestSoFar& largest_;
+    std::optional<DepthHistograms> histograms_;
     std::optional<Scribes> scribes_;
     ShownTriangles shown_;
     Presort presort_;
@@ -280,7 +221,7 @@ class Comparison {
         Ragged candidate, reference;
     } ragged_;
     SortedStrip sorted_;  ///< the strip at hand
-    Count count_;
+    Largest candidate_largest_{}, reference_largest_{};
     Tally one_by_one_;
     PixelLook look_;
 };
@@ -305,6 +246,7 @@ void add(Tally& sum, const Tally& part) {
 Tally compare_rows(const Scene& scene, const Witness& candidate, const Witness& reference, const Rows& rows,
                    OpenTiles& open) {
     Comparison comparison(scene, candidate, reference, rows.largest);
+    if (rows.histograms) comparison.keep_histograms();
     if (rows.errors) comparison.keep_errors(*rows.errors);
     const int width = candidate.view().width;
     for (int top = rows.top; top < rows.bottom; top += tile_height)

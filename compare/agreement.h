@@ -26,6 +26,7 @@ struct LargestSoFar {
 struct Rows {
     int top, bottom;
     LargestSoFar& largest;
+    bool histograms = false;      ///< whether those of the depths are filled in
     ErrorMaps* errors = nullptr;  ///< where there are some, what these rows of them hold is written
 };
 

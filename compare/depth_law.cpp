@@ -179,16 +179,16 @@ void hold_strip(const LawsOfBoth& laws, const Strip& strip, SortedStrip& all) {
         candidate.turn_to(ours);
         reference.turn_to(theirs);
         if (candidate.is_of_nothing() && reference.is_of_nothing()) {
-            std::fill_n(&all.candidate.ratio[first], four_count, unsettled);
-            std::fill_n(&all.reference.ratio[first], four_count, unsettled);
+            std::fill_n(&all.ratio.candidate[first], four_count, unsettled);
+            std::fill_n(&all.ratio.reference[first], four_count, unsettled);
             continue;
         }
         const double x = strip.x + int(first);
         const Spot spot = candidate.spot<Projected>(x, strip.y);
         const bool is_shared = std::equal(ours, ours + four_count, theirs);
         const Spot other = is_shared ? spot : reference.spot<Projected>(x, strip.y);
-        candidate.hold<Projected>(spot, &strip.candidate.camera_depth[first], &all.candidate.ratio[first]);
-        reference.hold<Projected>(other, &strip.reference.camera_depth[first], &all.reference.ratio[first]);
+        candidate.hold<Projected>(spot, &strip.candidate.camera_depth[first], &all.ratio.candidate[first]);
+        reference.hold<Projected>(other, &strip.reference.camera_depth[first], &all.ratio.reference[first]);
     }
 }
 
@@ -212,12 +212,6 @@ DepthRow hold_row(const DepthLaw& law, const RowPlace& row, const TileRowOf<floa
 
 constexpr std::size_t together = 8;
 static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == together);
-
-/// 0 to 20.
-[[gnu::always_inline]] inline std::int32_t bin_of(double ratio) {
-    const double scaled = ratio * 20;
-    return std::int32_t(scaled < 20 ? scaled : 20);
-}
 
 }  // namespace
 
@@ -245,7 +239,6 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
                                                                    Largest& candidate, Largest& reference) {
     constexpr float none = std::numeric_limits<float>::infinity();
     const Strip::Side &ours = strip.candidate, &theirs = strip.reference;
-    SortedStrip::Side &of_ours = all.candidate, &of_theirs = all.reference;
     Largest most = candidate, most_of_theirs = reference;
     for (std::size_t chunk = 0; chunk < all.open.size(); ++chunk) {
         if ((all.sorted >> chunk & 1) != 0) continue;
@@ -253,15 +246,13 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
         for (std::size_t first = 0; first < Strip::chunk; first += together)
             for (std::size_t lane = 0; lane < together; ++lane) {
                 const std::size_t i = chunk * Strip::chunk + first + lane;
-                const double a = of_ours.ratio[i], b = of_theirs.ratio[i];
+                const double a = all.ratio.candidate[i], b = all.ratio.reference[i];
                 const float our_depth = ours.camera_depth[i], their_depth = theirs.camera_depth[i];
                 const PrimitiveId shown = ours.primitive[i];
                 const bool agree = shown == theirs.primitive[i];
                 const bool is_counted = agree & (a >= 0) & (b >= 0);
                 const bool is_bare =
                     agree & (shown == PrimitiveId::none) & (our_depth == none) & (their_depth == none);
-                of_ours.bin[i] = is_counted ? bin_of(a) : SortedStrip::uncounted;
-                of_theirs.bin[i] = is_counted ? bin_of(b) : SortedStrip::uncounted;
                 const std::uint32_t is_open = !(is_counted | is_bare), is_lawful = (a >= 0) & (b >= 0);
                 what[first + lane] = is_open | (is_open & is_lawful) << 16;
                 most[lane] = (is_counted & (a > most[lane])) ? a : most[lane];
@@ -269,7 +260,6 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
             }
         std::uint32_t masks = 0;
         for (std::size_t i = 0; i < Strip::chunk; ++i) masks |= what[i] << i;
-        of_ours.bins[chunk] = of_theirs.bins[chunk] = SortedStrip::Bins::each;
         all.open[chunk] = masks & all_columns;
         all.lawful[chunk] = masks >> 16;
     }

@@ -59,7 +59,7 @@ DepthRow depths_in_row(const DepthLaw& law, Projection projection, const RowPlac
 /// The largest ratios that were counted, side by side.
 using Largest = std::array<double, 8>;
 
-/// Fills in bins and what is open, where the pixels are not sorted yet, and raises the largest.
+/// Fills in what is open, where the pixels are not sorted yet, and raises the largest.
 void sort_out(const Strip& strip, SortedStrip& held, Largest& candidate, Largest& reference);
 
 }  // namespace zproof

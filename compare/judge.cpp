@@ -20,6 +20,7 @@ namespace {
 /// What comes of judging; all of it only where somebody wants that.
 struct Kept {
     Verdict& verdict;
+    bool histograms;
     JudgedInFull* full;
 };
 
@@ -31,9 +32,13 @@ OpenTiles first_pass(const Comparands& of, const Kept& kept) {
     std::vector<Tally> tallies(static_cast<std::size_t>(rows));
     tbb::parallel_for(0, rows, [&](int row) {
         const int top = row * Tiles::side_px, bottom = std::min(top + Tiles::side_px, of.view.height);
-        tallies[std::size_t(row)] =
-            compare_rows(of.scene, of.candidate, of.reference,
-                         {top, bottom, largest, kept.full ? &kept.full->errors : nullptr}, open);
+        tallies[std::size_t(row)] = compare_rows(of.scene, of.candidate, of.reference,
+                                                 {.top = top,
+                                                  .bottom = bottom,
+                                                  .largest = largest,
+                                                  .histograms = kept.histograms,
+                                                  .errors = kept.full ? &kept.full->errors : nullptr},
+                                                 open);
     });
     Tally sum;
     for (const Tally& tally : tallies) add(sum, tally);
@@ -153,15 +158,24 @@ std::vector<RuledPlace> placed(std::span<const PixelPlace> places, const Rulings
     return ruled;
 }
 
-Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference,
+/// What is wanted of errors of depth.
+enum class Depths { largest, histograms };
+
+/// A renderer on trial, and whom it is held against.
+struct Parties {
+    const Testimony &candidate, &reference;
+};
+
+Verdict judge(const Scene& scene, const View& view, const Parties& parties, Depths depths,
               JudgedInFull* full) {
+    const auto& [candidate, reference] = parties;
     const Resolution size{view.width, view.height};
     if (candidate.frame.size() != size || reference.frame.size() != size)
         throw std::invalid_argument("judge: both frames must have the view's size");
     Verdict verdict;
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
     const Comparands comparands{scene, view, ours, theirs};
-    OpenTiles open = first_pass(comparands, {verdict, full});
+    OpenTiles open = first_pass(comparands, {verdict, depths == Depths::histograms, full});
     const std::size_t open_count = open.number();
     verdict.classes = room_for(open, size);
     if (full) verdict.findings.resize(open_count);
@@ -193,14 +207,19 @@ Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, 
 }  // namespace
 
 Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference) {
-    return judge(scene, view, candidate, reference, nullptr);
+    return judge(scene, view, {candidate, reference}, Depths::largest, nullptr);
+}
+
+Verdict judge_with_histograms(const Scene& scene, const View& view, const Testimony& candidate,
+                              const Testimony& reference) {
+    return judge(scene, view, {candidate, reference}, Depths::histograms, nullptr);
 }
 
 JudgedInFull judge_in_full(const Scene& scene, const View& view, const Testimony& candidate,
                            const Testimony& reference) {
     const Resolution size{view.width, view.height};
     JudgedInFull judged{{}, {Plane<float>::unwritten(size), Plane<float>::unwritten(size)}, {}};
-    judged.verdict = judge(scene, view, candidate, reference, &judged);
+    judged.verdict = judge(scene, view, {candidate, reference}, Depths::histograms, &judged);
     return judged;
 }
 

@@ -1,10 +1,11 @@
-/// The first look at a strip: pixels whose ids and depths plainly agree are sorted into bins by estimates.
+/// The first look at a strip: pixels whose ids and depths plainly agree are settled by tolerances.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
-#include "compare/depth_bins.h"
+#include "compare/certain_depths.h"
 
 namespace zproof {
 
@@ -13,57 +14,72 @@ class Presort {
   public:
     explicit Presort(Projection projection) : projection_(projection) {}
 
-    /// Forgets the laws of a tile.
-    void clear() { ++tile_; }
+    /// Turns to another tile, and forgets the laws of the last.
+    void turn_to(const PixelBox& tile) {
+        tile_ = tile;
+        ++tile_number_;
+    }
     /// The largest ratio of each renderer.
     struct Largest {
         double candidate = 0, reference = 0;
     };
 
-    /// Fills in bins and what is open of whole chunks of the strip, and marks them as sorted; raises the
-    /// largest. The laws are those of the tile.
+    /// Fills in what is open of whole chunks of the strip, and marks them as sorted; raises the largest. The
+    /// laws are those of the tile.
     void sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip, SortedStrip& sorted);
 
   private:
+    /// The depth of a triangle that lies at one depth all over the image, and its ratio; no number at first.
+    struct Level {
+        float depth = std::numeric_limits<float>::quiet_NaN();
+        double ratio = 0;
+    };
     struct Known {
         std::uint64_t tile = 0;
-        DepthEstimate estimate{};
-        /// Depths whose ratios the largest have met already; none at first.
-        float candidate_counted = std::numeric_limits<float>::quiet_NaN(),
-              reference_counted = std::numeric_limits<float>::quiet_NaN();
-    };
-    /// Pixels whose ratios may exceed the largest.
-    struct Exceeding {
-        const DepthLaw& law;
-        const Strip::Side& shown;
-        ColumnMask mask;
+        DepthTolerance tolerance{};
+        Level candidate, reference;
     };
     /// What a chunk is sorted by.
     struct Source {
         const LawsOfBoth& laws;
-        Asked& asked;
         Largest& largest;
         const Strip& strip;
-        std::size_t first;  ///< of the chunk's pixels in the strip
+        std::size_t first;                   ///< of the chunk's pixels in the strip
+        const std::uint32_t *ours, *theirs;  ///< the laws of its pixels
+
+        RowPlace place() const { return {strip.x + int(first), strip.y}; }
+        AtMost at_most() const { return {largest.candidate, largest.reference}; }
     };
-    const DepthEstimate& estimate_by(const Source& source, std::uint32_t law);
-    static DepthsOfBoth depths_of(const Source& source);
-    EstimatedRow estimated_by_one(std::uint32_t law, const Source& source);
-    void set_estimates_of_candidate(const Source& source, Estimates& each);
-    Estimates estimates_of_reference(const Estimates& of_candidate, const Source& source);
-    EstimatedRow estimated_by_each(ColumnMask pixels, const Source& source);
-    void raise_largest(const EstimatedRow& row, ColumnMask pixels, const Source& source);
-    void raise(const Exceeding& pixels, const Source& source, float& counted, double& largest) const;
-    struct Agreement {
-        ColumnMask same, agreed;  ///< both show the same; and are not bare
+    /// One renderer's part in it.
+    struct Part {
+        const DepthLaw& law;
+        const float* camera_depth;
+        Level& level;
+        double& largest;
+
+        void raise(double ratio) const { largest = std::max(largest, ratio); }
+        void raise(const TileRow& ratio, ColumnMask pixels) const;
     };
-    bool settle(const EstimatedRow& row, const Agreement& pixels, const Source& source, SortedStrip& sorted);
+    struct PartsOfBoth {
+        Part candidate, reference;
+    };
+    Known& known_by(std::uint32_t law, const LawsOfBoth& laws);
+    static PartsOfBoth parts_of(const Source& source, std::uint32_t law, Known& known);
+    static ColumnsOfBoth level_ones(const PartsOfBoth& parts);
+    ColumnsOfBoth lawful_by(std::uint32_t law, const ColumnsOfBoth& here, const Source& source);
+    ColumnsOfBoth certain_by(const DepthTolerance& tolerance, const Source& source) const;
+    ColumnsOfBoth certain_here(std::uint32_t law, const Source& source) const;
+    ColumnsOfBoth lawful_in_full(const ColumnsOfBoth& here, const ColumnsOfBoth& asked,
+                                 const PartsOfBoth& parts, const RowPlace& place) const;
+    ColumnMask unlawful_in_full(const Part& part, ColumnMask asked, const RowPlace& place,
+                                TileRow& ratio) const;
     bool sort_one_law(const Source& source, SortedStrip& sorted);
     bool sort_some_laws(const Source& source, SortedStrip& sorted);
 
     Projection projection_;
-    std::uint64_t tile_ = 1;
-    std::vector<Known> known_;  ///< by law; of this tile where its tile is the present one
+    PixelBox tile_{};
+    std::uint64_t tile_number_ = 0;
+    std::vector<Known> known_;  ///< by law; of this tile where its number is the present one
 };
 
 }  // namespace zproof

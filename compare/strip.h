@@ -39,21 +39,13 @@ struct Strip {
 
 /// What is found of a strip.
 struct SortedStrip {
-    static constexpr std::int32_t uncounted = 21;
     static constexpr std::uint32_t all_sorted = (1u << Strip::width / Strip::chunk) - 1;
 
-    /// What the bins of a chunk are: each pixel's own, or the same of all, and then they are not written.
-    enum class Bins : std::uint8_t { each, first, uncounted };
-
-    /// Of one renderer.
-    struct Side {
-        Strip::Values<double> ratio;  ///< error / bound, or `unsettled`
-        /// Of the ratio, as BoundHistogram has it; `uncounted` where not both are settled.
-        Strip::Values<std::int32_t> bin;
-        std::array<Bins, Strip::width / Strip::chunk> bins;
+    /// Error / bound, or `unsettled`; of chunks that were sorted otherwise, unwritten.
+    struct Ratios {
+        Strip::Values<double> candidate, reference;
     };
-
-    Side candidate, reference;
+    Ratios ratio;
     std::uint32_t sorted = 0;  ///< bit k: what becomes of the pixels from k * chunk on is known already
     /// Of each chunk: to be looked at by themselves, neither settled nor bare in both.
     std::array<ColumnMask, Strip::width / Strip::chunk> open;

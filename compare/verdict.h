@@ -49,7 +49,9 @@ struct Verdict {
     /// In raster order: from judge() the pixels that fail the gate, from judge_in_full() all that do not
     /// `agree`.
     Bulk<Finding> findings;
-    BoundRecord candidate_depth, reference_depth;  ///< where both answers name the same triangle
+    /// Where both answers name the same triangle. Their histograms are empty from judge(), filled in from
+    /// judge_with_histograms() and judge_in_full().
+    BoundRecord candidate_depth, reference_depth;
     /// Displacement over eps, where the two differ and an answer is lawful by its place but not right at the
     /// centre (compare/displacement.h).
     BoundRecord candidate_edges, reference_edges;

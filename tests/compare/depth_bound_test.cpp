@@ -80,9 +80,9 @@ std::vector<double> held(const DepthLaw& law, const View& view, const Place& fro
         strip.reference = strip.candidate;
         SortedStrip all;
         (perspective ? hold_perspective : hold_parallel)(laws, strip, all);
-        EXPECT_EQ(all.candidate.ratio, all.reference.ratio);
-        ratios.insert(ratios.end(), all.candidate.ratio.begin(),
-                      all.candidate.ratio.begin() + std::ptrdiff_t(here.size()));
+        EXPECT_EQ(all.ratio.candidate, all.ratio.reference);
+        ratios.insert(ratios.end(), all.ratio.candidate.begin(),
+                      all.ratio.candidate.begin() + std::ptrdiff_t(here.size()));
     }
     return ratios;
 }
@@ -151,16 +151,16 @@ TEST(DepthBound, OfNeighboursIsEachOnesOwnInOneStrip) {
             alone.reference.law.fill(which);
             SortedStrip by_itself;
             hold(laws, alone, by_itself);
-            const auto expect_same = [&](const Strip::Side& shown, const SortedStrip::Side& here,
-                                         const SortedStrip::Side& there) {
+            const auto expect_same = [&](const Strip::Side& shown, const Strip::Values<double>& here,
+                                         const Strip::Values<double>& there) {
                 for (std::size_t i = 0; i < Strip::width; ++i) {
                     if (shown.law[i] != which) continue;
-                    EXPECT_EQ(here.ratio[i], there.ratio[i]) << i;
-                    settled += here.ratio[i] != unsettled;
+                    EXPECT_EQ(here[i], there[i]) << i;
+                    settled += here[i] != unsettled;
                 }
             };
-            expect_same(mixed.candidate, together.candidate, by_itself.candidate);
-            expect_same(mixed.reference, together.reference, by_itself.reference);
+            expect_same(mixed.candidate, together.ratio.candidate, by_itself.ratio.candidate);
+            expect_same(mixed.reference, together.ratio.reference, by_itself.ratio.reference);
         }
     }
     EXPECT_GT(settled, 2000);

@@ -1,5 +1,5 @@
-/// Pixels that are sorted by estimates must be counted as those that are not: error maps want every ratio, so
-/// judge_in_full() has nothing estimated.
+/// Pixels that are settled by tolerances must be judged as those that are not: histograms want every ratio,
+/// so judge_with_histograms() and judge_in_full() settle none so.
 #include "compare/presort.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ std::uint64_t number(const BoundRecord& record, std::size_t first_bin) {
     return sum;
 }
 
-TEST(Presort, CountsEveryPixelAsInFull) {
+TEST(Presort, JudgesEveryPixelAsInFull) {
     std::uint64_t right = 0, wrong = 0, invalid = 0;
     for (std::uint32_t seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE(seed);
@@ -57,10 +57,16 @@ TEST(Presort, CountsEveryPixelAsInFull) {
         else
             show_runs(reference, dice, view, scene);
         const Testimony ours{candidate, raster_precision()}, theirs{reference, ray_precision()};
-        const Verdict verdict = judge(scene, view, ours, theirs);
-        expect_same_counts(verdict, judge_in_full(scene, view, ours, theirs).verdict);
-        right += number(verdict.candidate_depth, 1) - number(verdict.candidate_depth, 20);
-        wrong += number(verdict.candidate_depth, 20);
+        const Verdict in_full = judge_in_full(scene, view, ours, theirs).verdict,
+                      verdict = judge(scene, view, ours, theirs),
+                      with_histograms = judge_with_histograms(scene, view, ours, theirs);
+        expect_same_counts(verdict, in_full);
+        EXPECT_EQ(verdict.candidate_depth.histogram, BoundHistogram{});
+        EXPECT_EQ(verdict.reference_depth.histogram, BoundHistogram{});
+        expect_same_counts(with_histograms, in_full);
+        expect_same_histograms(with_histograms, in_full);
+        right += number(in_full.candidate_depth, 1) - number(in_full.candidate_depth, 20);
+        wrong += number(in_full.candidate_depth, 20);
         invalid += verdict.counts[std::size_t(PixelClass::invalid)];
         if (testing::Test::HasFailure()) return;
     }

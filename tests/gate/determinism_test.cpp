@@ -30,7 +30,7 @@ bool same_finding(const Finding& a, const Finding& b) {
 
 struct Outcome {
     Frame candidate, reference;
-    Verdict verdict, in_full;
+    Verdict verdict, with_histograms, in_full;
 };
 
 Outcome run_on(int threads, const Loaded& loaded) {
@@ -44,6 +44,7 @@ Outcome run_on(int threads, const Loaded& loaded) {
         const Testimony ours{run.candidate, rasterizer::precision()},
             theirs{run.reference, oracle::embree_precision()};
         run.verdict = judge(loaded.scene, view, ours, theirs);
+        run.with_histograms = judge_with_histograms(loaded.scene, view, ours, theirs);
         run.in_full = judge_in_full(loaded.scene, view, ours, theirs).verdict;
     });
     return run;
@@ -61,6 +62,7 @@ TEST_P(Determinism, FramesAndVerdictsDoNotDependOnThreadsOrRuns) {
         EXPECT_TRUE(same_bits(one.reference, other.reference));
         expect_same_counts(one.verdict, other.verdict);
         expect_same_counts(one.in_full, other.in_full);
+        expect_same_histograms(one.in_full, other.in_full);
         EXPECT_TRUE(std::ranges::equal(one.in_full.findings, other.in_full.findings, same_finding));
     }
 }
@@ -68,10 +70,13 @@ TEST_P(Determinism, FramesAndVerdictsDoNotDependOnThreadsOrRuns) {
 TEST_P(Determinism, AVerdictIsTheSameInFull) {
     const Outcome run = run_on(2, generate_suite_scene(GetParam(), 640, 360));
     expect_same_counts(run.verdict, run.in_full);
+    expect_same_counts(run.with_histograms, run.in_full);
+    expect_same_histograms(run.with_histograms, run.in_full);
     std::vector<Finding> failing;
     std::ranges::copy_if(run.in_full.findings, std::back_inserter(failing),
                          [](const Finding& f) { return !passes(f.verdict); });
     EXPECT_TRUE(std::ranges::equal(run.verdict.findings, failing, same_finding));
+    EXPECT_TRUE(std::ranges::equal(run.with_histograms.findings, failing, same_finding));
 }
 
 INSTANTIATE_TEST_SUITE_P(Suite, Determinism,

@@ -1,0 +1,51 @@
+#include "compare/certain_depths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/masks.h"
+
+namespace zproof {
+
+namespace {
+
+struct Perspective {
+    static double error(double z, double nearness) { return std::abs(z * nearness - 1); }
+};
+struct Parallel {
+    static double error(double z, double depth) { return std::abs(z - depth); }
+};
+
+/// Up to that an error is.
+double most_error(const DepthTolerance& t, const DepthTolerance::Bound& bound, double at_most) {
+    return std::min(std::min(bound.lawful, at_most) * bound.room - t.unsure, t.largest);
+}
+
+template <class Projected>
+[[gnu::always_inline]] inline ColumnsOfBoth certain(const DepthTolerance& t, const DepthsOfBoth& depths,
+                                                    const AtMost& at_most) {
+    const double w_per_x = t.w_per_x, w_of_row = t.w_per_y * depths.place.y, w_offset = t.w_offset,
+                 least = t.least, most = t.most;
+    const double our_most = most_error(t, t.candidate, at_most.candidate),
+                 their_most = most_error(t, t.reference, at_most.reference);
+    TileRowOf<std::uint32_t> ours, theirs;
+    for (std::size_t i = 0; i < tile_columns; ++i) {
+        const double w = w_per_x * double(depths.place.left + int(i)) + w_of_row + w_offset;
+        const bool is_between = (w >= least) & (w <= most);
+        ours[i] = is_between & (Projected::error(double(depths.candidate[i]), w) <= our_most);
+        theirs[i] = is_between & (Projected::error(double(depths.reference[i]), w) <= their_most);
+    }
+    return {where_equal(ours.data(), 1u), where_equal(theirs.data(), 1u)};
+}
+
+}  // namespace
+
+// Compiled once per instruction set. No verdict depends on which runs: what is certain is so in any.
+[[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] ColumnsOfBoth certain_depths(
+    const DepthTolerance& triangle, Projection projection, const DepthsOfBoth& depths,
+    const AtMost& at_most) {
+    return projection == Projection::perspective ? certain<Perspective>(triangle, depths, at_most)
+                                                 : certain<Parallel>(triangle, depths, at_most);
+}
+
+}  // namespace zproof

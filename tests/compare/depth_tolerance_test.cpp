@@ -1,0 +1,212 @@
+/// What a tolerance calls certain must be what the whole formula finds.
+#include "compare/depth_tolerance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "compare/certain_depths.h"
+#include "compare/depth_bound.h"
+#include "random_surroundings.h"
+
+namespace zproof {
+namespace {
+
+/// A depth near the ends of what is asked for or lawful, or at random within twice the bound, or none at all.
+float some_depth(Dice& dice, const DepthBound& bound, double at_most) {
+    constexpr float none[] = {std::numeric_limits<float>::quiet_NaN(),
+                              std::numeric_limits<float>::infinity(),
+                              -1,
+                              0,
+                              std::numeric_limits<float>::max(),
+                              1e-40f};
+    if (dice.below(20) == 0) return none[dice.below(6)];
+    const bool nearer = dice.below(2) != 0;
+    const double shares[] = {at_most, 1, dice.between(0, 2), 0};
+    const double end = nearer ? bound.low : bound.high;
+    const auto depth = float(bound.truth + shares[dice.below(4)] * (end - bound.truth));
+    const int step = dice.below(3);
+    return step == 0 ? depth : std::nextafter(depth, step == 1 ? 0.0f : 1e30f);
+}
+
+struct Side {
+    RowPlace at;
+    DepthLaw law;
+    TriangleDepth depth;
+    TileRowOf<float> z;
+
+    Side(const View& view, const Precision& precision, const CornersWorld& p, const RowPlace& row)
+        : at(row),
+          law(depth_law_of(TriangleInView(view, ViewBounds(view, precision), p),
+                           ViewBounds(view, precision))),
+          depth(depth_of(TriangleInView(view, ViewBounds(view, precision), p), ViewBounds(view, precision))),
+          z{} {}
+
+    void set_depths(Dice& dice, double at_most) {
+        for (std::size_t i = 0; i < tile_columns; ++i)
+            z[i] = some_depth(dice, depth.at(at.left + int(i), at.y), at_most);
+    }
+};
+
+struct Tried {
+    int certain = 0, lawful = 0;
+};
+
+/// Counts what is certain, all of which must be so.
+void try_side(ColumnMask certain, const Side& side, Projection projection, double at_most, Tried& tried) {
+    const DepthRow exact = depths_in_row(side.law, projection, side.at, side.z);
+    for (std::size_t i = 0; i < tile_columns; ++i) {
+        tried.lawful += exact.ratio[i] >= 0 && exact.ratio[i] <= at_most;
+        if ((certain >> i & 1) == 0) continue;
+        ++tried.certain;
+        ASSERT_GE(exact.ratio[i], 0) << side.z[i];
+        ASSERT_LE(exact.ratio[i], at_most) << side.z[i];
+    }
+}
+
+/// The row by itself, or with others above, below and beside it.
+PixelBox part_around(Dice& dice, const RowPlace& row) {
+    const int left = row.left - dice.below(20), top = row.y - dice.below(8);
+    if (dice.below(2) != 0) return {row.left, row.y, row.left + int(tile_columns), row.y + 1};
+    return {left, top, row.left + int(tile_columns) + dice.below(20), row.y + 1 + dice.below(8)};
+}
+
+TEST(DepthTolerance, IsOfLawfulDepthsThatErrNoMore) {
+    Tried ours, theirs;
+    int usable = 0, asked = 0;
+    for (std::uint32_t seed = 0; seed < 6000; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        Dice dice(seed);
+        const Precision precisions[] = {RasterPrecision{},
+                                        RayPrecision{},
+                                        PlaneRayPrecision{},
+                                        RasterPrecision{.subpixel_bits = 4, .depth_roundings = 5},
+                                        RasterPrecision{.subpixel_bits = 0, .depth_roundings = 4000},
+                                        RasterPrecision{.depth_buffer = DepthBuffer::reversed_z}};
+        const Projection projection = s.view.camera.projection;
+        for (const Neighbour& n : s.around.neighbours) {
+            const RowPlace at{0, s.y};
+            Side candidate(s.view, precisions[dice.below(6)], n.p_world, at),
+                reference(s.view, precisions[dice.below(6)], n.p_world, at);
+            const AtMost at_most{dice.below(2) != 0 ? dice.between(0, 1) : 1,
+                                 dice.below(2) != 0 ? dice.between(0, 0.1) : 1};
+            candidate.set_depths(dice, at_most.candidate);
+            reference.set_depths(dice, at_most.reference);
+            const PixelBox part = part_around(dice, at);
+            for (const Reach reach : {Reach::but_corners, Reach::all}) {
+                const DepthTolerance triangle =
+                    tolerance_of(candidate.law, reference.law, projection, part, reach);
+                ++asked, usable += triangle.is_usable;
+                if (!triangle.is_usable) continue;
+                const ColumnsOfBoth certain = certain_depths(
+                    triangle, projection, {at, candidate.z.data(), reference.z.data()}, at_most);
+                try_side(certain.candidate, candidate, projection, at_most.candidate, ours);
+                try_side(certain.reference, reference, projection, at_most.reference, theirs);
+                if (HasFatalFailure()) return;
+            }
+        }
+    }
+    EXPECT_GT(usable, asked / 4);
+    EXPECT_GT(ours.certain, ours.lawful / 4);
+    EXPECT_GT(theirs.certain, theirs.lawful / 4);
+}
+
+/// A wall at depth 4 whose depth may be off by `absolute` and by the share `relative`, seen along an axis.
+DepthLaw wall_law(double absolute, double relative, Projection projection) {
+    DepthLaw law{};
+    law.nearness_offset = projection == Projection::perspective ? 0.25 : -4;
+    law.least = law.highest = 0.25;
+    law.amplification = 1;
+    law.depth_factor = relative / (1 + relative);
+    law.relative = relative;
+    law.absolute = absolute;
+    law.nearest = law.farthest = 4;
+    return law;
+}
+
+constexpr PixelBox a_row{0, 0, int(tile_columns), 1};
+
+/// Bounds that reach behind the viewer, and beyond twice the depth.
+TEST(DepthTolerance, HoldsOfWideBounds) {
+    Tried tried;
+    Dice dice(1);
+    for (int round = 0; round < 20'000; ++round) {
+        SCOPED_TRACE(round);
+        const Projection projection = dice.below(2) != 0 ? Projection::perspective : Projection::parallel;
+        const double absolute = std::ldexp(1.0, dice.below(30) - 26),
+                     relative = std::ldexp(1.0, dice.below(30) - 26);
+        DepthLaw law = wall_law(absolute, relative, projection);
+        law.own_error = std::ldexp(dice.between(0, 1), -20 - dice.below(30));
+        if (dice.below(2) != 0) {
+            law.gradient = 1;  // however small the steps from pixel to pixel are
+            law.base = law.most = std::ldexp(dice.between(0, 1), -dice.below(20));
+            law.least = 0.125, law.highest = 0.5, law.nearest = 2, law.farthest = 8;
+            if (dice.below(2) != 0)
+                law.nearest = -std::numeric_limits<double>::infinity(), law.farthest = -law.nearest;
+        }
+        TileRowOf<float> z;
+        for (float& depth : z) depth = float(4 + std::ldexp(dice.between(-1, 1), dice.below(30) - 25));
+        const DepthRow exact = depths_in_row(law, projection, {0, 0}, z);
+        const double at_most = dice.below(2) != 0 ? 1 : dice.between(0, 1);
+        for (const Reach reach : {Reach::but_corners, Reach::all}) {
+            const DepthTolerance wall = tolerance_of(law, law, projection, a_row, reach);
+            if (!wall.is_usable) continue;
+            const ColumnMask certain =
+                certain_depths(wall, projection, {{0, 0}, z.data(), z.data()}, {at_most, at_most}).candidate;
+            for (std::size_t i = 0; i < tile_columns; ++i) {
+                tried.lawful += exact.ratio[i] >= 0 && exact.ratio[i] <= at_most;
+                if ((certain >> i & 1) == 0) continue;
+                ++tried.certain;
+                ASSERT_GE(exact.ratio[i], 0) << z[i];
+                ASSERT_LE(exact.ratio[i], at_most) << z[i];
+            }
+        }
+    }
+    EXPECT_GT(tried.certain, tried.lawful / 2);
+}
+
+/// Whoever has an error that is nearly the largest has it found nearly everywhere.
+TEST(DepthTolerance, OfAWallIsNearlyItsBound) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel})
+        for (const Reach reach : {Reach::but_corners, Reach::all}) {
+            const DepthLaw law = wall_law(0x1p-20, 0x1p-23, projection);
+            TileRowOf<float> z;
+            for (std::size_t i = 0; i < tile_columns; ++i) z[i] = 4 + float(i) * 0x1p-22f;
+            const ColumnsOfBoth certain = certain_depths(tolerance_of(law, law, projection, a_row, reach),
+                                                         projection, {{0, 0}, z.data(), z.data()}, {1, 0.5});
+            const DepthRow exact = depths_in_row(law, projection, {0, 0}, z);
+            ColumnMask lawful = 0, half = 0;
+            for (std::size_t i = 0; i < tile_columns; ++i) {
+                lawful |= ColumnMask(exact.ratio[i] >= 0 && exact.ratio[i] < 0.999) << i;
+                half |= ColumnMask(exact.ratio[i] >= 0 && exact.ratio[i] < 0.499) << i;
+            }
+            EXPECT_NE(lawful, half);
+            EXPECT_EQ(certain.candidate, lawful);
+            EXPECT_EQ(certain.reference, half);
+        }
+}
+
+TEST(DepthTolerance, SaysNothingBeyondItsPart) {
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        DepthLaw law = wall_law(0x1p-20, 0x1p-10, projection);
+        const double sign = projection == Projection::perspective ? 1 : -1;
+        law.nearness_per_x = sign * 0x1p-8;
+        law.least = 0x1p-6, law.highest = 16, law.nearest = 0x1p-4, law.farthest = 64;
+        TileRowOf<float> z;
+        for (std::size_t i = 0; i < tile_columns; ++i) {
+            const double nearness = law.nearness_offset + law.nearness_per_x * double(i);
+            z[i] = float(projection == Projection::perspective ? 1 / nearness : -nearness);
+        }
+        const PixelBox part{4, 0, 8, 1};
+        const ColumnsOfBoth certain =
+            certain_depths(tolerance_of(law, law, projection, part, Reach::but_corners), projection,
+                           {{0, 0}, z.data(), z.data()}, {});
+        EXPECT_EQ(certain.candidate, 0xf0u);
+        EXPECT_EQ(certain.reference, 0xf0u);
+    }
+}
+
+}  // namespace
+}  // namespace zproof
