@@ -21,21 +21,55 @@ double most_error(const DepthTolerance& t, const DepthTolerance::Bound& bound, d
     return std::min(std::min(bound.lawful, at_most) * bound.room - t.unsure, t.largest);
 }
 
+/// A triangle along a row.
+struct Row {
+    double w_per_x, w_of_row, w_offset, least, most;
+    double our_most, their_most;  ///< errors
+    int left;
+
+    Row(const DepthTolerance& t, const RowPlace& place, const AtMost& at_most)
+        : w_per_x(t.w_per_x),
+          w_of_row(t.w_per_y * place.y),
+          w_offset(t.w_offset),
+          least(t.least),
+          most(t.most),
+          our_most(most_error(t, t.candidate, at_most.candidate)),
+          their_most(most_error(t, t.reference, at_most.reference)),
+          left(place.left) {}
+
+    double w_at(std::size_t i) const { return w_per_x * double(left + int(i)) + w_of_row + w_offset; }
+    bool holds_at(double w) const { return (w >= least) & (w <= most); }
+};
+
 template <class Projected>
 [[gnu::always_inline]] inline ColumnsOfBoth certain(const DepthTolerance& t, const DepthsOfBoth& depths,
                                                     const AtMost& at_most) {
-    const double w_per_x = t.w_per_x, w_of_row = t.w_per_y * depths.place.y, w_offset = t.w_offset,
-                 least = t.least, most = t.most;
-    const double our_most = most_error(t, t.candidate, at_most.candidate),
-                 their_most = most_error(t, t.reference, at_most.reference);
+    const Row row(t, depths.place, at_most);
     TileRowOf<std::uint32_t> ours, theirs;
     for (std::size_t i = 0; i < tile_columns; ++i) {
-        const double w = w_per_x * double(depths.place.left + int(i)) + w_of_row + w_offset;
-        const bool is_between = (w >= least) & (w <= most);
-        ours[i] = is_between & (Projected::error(double(depths.candidate[i]), w) <= our_most);
-        theirs[i] = is_between & (Projected::error(double(depths.reference[i]), w) <= their_most);
+        const double w = row.w_at(i);
+        const bool holds = row.holds_at(w);
+        ours[i] = holds & (Projected::error(double(depths.candidate[i]), w) <= row.our_most);
+        theirs[i] = holds & (Projected::error(double(depths.reference[i]), w) <= row.their_most);
     }
     return {where_equal(ours.data(), 1u), where_equal(theirs.data(), 1u)};
+}
+
+template <class Projected>
+[[gnu::always_inline]] inline bool all_certain(const DepthTolerance& t, const DepthsOfBoth& depths,
+                                               const AtMost& at_most, std::size_t rows) {
+    const Row row(t, depths.place, at_most);
+    TileRowOf<std::uint32_t> are_certain;
+    are_certain.fill(1);
+    for (std::size_t first = 0; first < rows * tile_columns; first += tile_columns)
+        for (std::size_t lane = 0; lane < tile_columns; ++lane) {
+            const std::size_t i = first + lane;
+            const double w = row.w_at(i);
+            are_certain[lane] &= row.holds_at(w) &
+                                 (Projected::error(double(depths.candidate[i]), w) <= row.our_most) &
+                                 (Projected::error(double(depths.reference[i]), w) <= row.their_most);
+        }
+    return where_equal(are_certain.data(), 1u) == all_columns;
 }
 
 }  // namespace
@@ -46,6 +80,13 @@ template <class Projected>
     const AtMost& at_most) {
     return projection == Projection::perspective ? certain<Perspective>(triangle, depths, at_most)
                                                  : certain<Parallel>(triangle, depths, at_most);
+}
+
+[[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] bool are_all_certain(
+    const DepthTolerance& triangle, Projection projection, const DepthsOfBoth& depths, const AtMost& at_most,
+    std::size_t rows) {
+    return projection == Projection::perspective ? all_certain<Perspective>(triangle, depths, at_most, rows)
+                                                 : all_certain<Parallel>(triangle, depths, at_most, rows);
 }
 
 }  // namespace zproof

@@ -30,4 +30,8 @@ struct AtMost {
 ColumnsOfBoth certain_depths(const DepthTolerance& triangle, Projection projection,
                              const DepthsOfBoth& depths, const AtMost& at_most);
 
+/// Is that so of all pixels of so many rows of sixteen, side by side?
+bool are_all_certain(const DepthTolerance& triangle, Projection projection, const DepthsOfBoth& depths,
+                     const AtMost& at_most, std::size_t rows);
+
 }  // namespace zproof

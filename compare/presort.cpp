@@ -26,6 +26,11 @@ bool is_none(const ColumnsOfBoth& columns) { return (columns.candidate | columns
 
 void Presort::sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip, SortedStrip& sorted) {
     known_.resize(std::max(known_.size(), laws.candidate.size()));
+    if (is_of_one_triangle(laws, largest, strip)) {
+        sorted.sorted = SortedStrip::all_sorted;
+        sorted.open = sorted.lawful = {};
+        return;
+    }
     const std::uint32_t* const ours = strip.candidate.law.data();
     const std::uint32_t* const theirs = strip.differ == 0 ? ours : strip.reference.law.data();
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
@@ -37,6 +42,17 @@ void Presort::sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip,
             one && ours[first] != 0 ? sort_one_law(source, sorted) : sort_some_laws(source, sorted);
         sorted.sorted |= std::uint32_t(is_sorted) << first / Strip::chunk;
     }
+}
+
+/// All of it, and certain.
+bool Presort::is_of_one_triangle(const LawsOfBoth& laws, const Largest& largest, const Strip& strip) {
+    const std::uint32_t law = strip.candidate.law[0];
+    if (strip.turns != 1 || strip.differ != 0 || law == 0) return false;
+    const DepthTolerance& tolerance = known_by(law, laws).tolerance;
+    return tolerance.is_usable &&
+           are_all_certain(tolerance, projection_,
+                           {{strip.x, strip.y}, strip.candidate.camera_depth, strip.reference.camera_depth},
+                           {largest.candidate, largest.reference}, Strip::width / Strip::chunk);
 }
 
 Presort::Known& Presort::known_by(std::uint32_t law, const LawsOfBoth& laws) {
@@ -54,15 +70,16 @@ Presort::Known& Presort::known_by(std::uint32_t law, const LawsOfBoth& laws) {
 /// raised.
 ColumnsOfBoth Presort::lawful_by(std::uint32_t law, const ColumnsOfBoth& here, const Source& source) {
     Known& known = known_by(law, source.laws);
-    const ColumnsOfBoth left = without(here, certain_by(known.tolerance, source));
+    const ColumnMask counted = here.candidate & here.reference;
+    const ColumnsOfBoth left = uncertain_by(known.tolerance, {here, counted}, source);
     if (is_none(left)) return here;
     const PartsOfBoth parts = parts_of(source, law, known);
     if (is_none(without(left, level_ones(parts)))) {
-        if ((left.candidate & here.reference) != 0) parts.candidate.raise(parts.candidate.level.ratio);
-        if ((left.reference & here.candidate) != 0) parts.reference.raise(parts.reference.level.ratio);
+        if ((left.candidate & counted) != 0) parts.candidate.raise(parts.candidate.level.ratio);
+        if ((left.reference & counted) != 0) parts.reference.raise(parts.reference.level.ratio);
         return here;
     }
-    return lawful_in_full(here, without(left, certain_here(law, source)), parts, source.place());
+    return lawful_in_full(here, uncertain_here(law, {left, counted}, source), parts, source.place());
 }
 
 Presort::PartsOfBoth Presort::parts_of(const Source& source, std::uint32_t law, Known& known) {
@@ -80,26 +97,30 @@ ColumnsOfBoth Presort::level_ones(const PartsOfBoth& parts) {
             where_equal(parts.reference.camera_depth, parts.reference.level.depth)};
 }
 
-ColumnsOfBoth Presort::certain_by(const DepthTolerance& tolerance, const Source& source) const {
-    if (!tolerance.is_usable) return {};
-    return certain_depths(tolerance, projection_,
-                          {source.place(), &source.strip.candidate.camera_depth[source.first],
-                           &source.strip.reference.camera_depth[source.first]},
-                          source.at_most());
+ColumnsOfBoth Presort::uncertain_by(const DepthTolerance& tolerance, const Question& asked,
+                                    const Source& source) const {
+    if (!tolerance.is_usable) return asked.pixels;
+    const DepthsOfBoth depths{source.place(), &source.strip.candidate.camera_depth[source.first],
+                              &source.strip.reference.camera_depth[source.first]};
+    ColumnsOfBoth left = asked.pixels;
+    if (asked.counted != 0)
+        left = without(left, certain_depths(tolerance, projection_, depths, source.at_most()));
+    const ColumnMask lone = (left.candidate | left.reference) & ~asked.counted;
+    if (lone == 0) return left;
+    const ColumnsOfBoth certain = certain_depths(tolerance, projection_, depths, {});
+    return without(left, {certain.candidate & lone, certain.reference & lone});
 }
 
 /// What holds in the chunk alone says more.
-ColumnsOfBoth Presort::certain_here(std::uint32_t law, const Source& source) const {
+ColumnsOfBoth Presort::uncertain_here(std::uint32_t law, Question asked, const Source& source) const {
     const auto [left, y] = source.place();
     const PixelBox chunk{left, y, left + int(tile_columns), y + 1};
-    ColumnsOfBoth all;
     for (const Reach reach : {Reach::but_corners, Reach::all}) {
-        const ColumnsOfBoth certain = certain_by(
-            tolerance_of(source.laws.candidate[law], source.laws.reference[law], projection_, chunk, reach),
-            source);
-        all.candidate |= certain.candidate, all.reference |= certain.reference;
+        const DepthTolerance tolerance =
+            tolerance_of(source.laws.candidate[law], source.laws.reference[law], projection_, chunk, reach);
+        asked.pixels = uncertain_by(tolerance, asked, source);
     }
-    return all;
+    return asked.pixels;
 }
 
 /// Those of them that are asked about are held against the whole formula.

@@ -67,12 +67,19 @@ class Presort {
     static PartsOfBoth parts_of(const Source& source, std::uint32_t law, Known& known);
     static ColumnsOfBoth level_ones(const PartsOfBoth& parts);
     ColumnsOfBoth lawful_by(std::uint32_t law, const ColumnsOfBoth& here, const Source& source);
-    ColumnsOfBoth certain_by(const DepthTolerance& tolerance, const Source& source) const;
-    ColumnsOfBoth certain_here(std::uint32_t law, const Source& source) const;
+    /// Which of those depths are lawful, and of those that are counted, which do not exceed the largest?
+    struct Question {
+        ColumnsOfBoth pixels;
+        ColumnMask counted;
+    };
+    ColumnsOfBoth uncertain_by(const DepthTolerance& tolerance, const Question& asked,
+                               const Source& source) const;
+    ColumnsOfBoth uncertain_here(std::uint32_t law, Question asked, const Source& source) const;
     ColumnsOfBoth lawful_in_full(const ColumnsOfBoth& here, const ColumnsOfBoth& asked,
                                  const PartsOfBoth& parts, const RowPlace& place) const;
     ColumnMask unlawful_in_full(const Part& part, ColumnMask asked, const RowPlace& place,
                                 TileRow& ratio) const;
+    bool is_of_one_triangle(const LawsOfBoth& laws, const Largest& largest, const Strip& strip);
     bool sort_one_law(const Source& source, SortedStrip& sorted);
     bool sort_some_laws(const Source& source, SortedStrip& sorted);
 
