@@ -52,7 +52,6 @@ class Comparison {
     /// Compares the pixels of a tile.
     void compare(const PixelBox& tile, OpenTiles& open) {
         shown_.clear();
-        presort_.turn_to(tile);
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
             strip.x = tile.left, strip.y = y;
@@ -61,12 +60,15 @@ class Comparison {
             look_up_laws(strip);
         }
         shown_.make_laws();
+        is_presorted_ = !histograms_ && !scribes_ && shown_.count() <= many_laws;
+        if (is_presorted_) presort_.turn_to(tile, shown_.laws(), shown_.count() + 1);
         Presort::Largest largest{known(candidate_largest_, largest_.candidate),
                                  known(reference_largest_, largest_.reference)};
         for (int y = tile.top; y < tile.bottom; ++y) {
             const Strip& strip = strips_[std::size_t(y - tile.top)];
             fetch_ahead(tile.right, y);
-            presort(largest, strip);
+            sorted_.sorted = 0;
+            if (is_presorted_) presort_.sort(shown_.laws(), largest, strip, sorted_);
             if (sorted_.sorted != SortedStrip::all_sorted) hold(strip);
             if (scribes_) {
                 const auto width = std::size_t(tile.right - tile.left);
@@ -139,13 +141,6 @@ class Comparison {
         return std::size_t(triangle) < triangle_count_ ? shown_.place_of(triangle) : 0;
     }
 
-    /// Histograms and maps of errors want every ratio.
-    void presort(Presort::Largest& largest, const Strip& strip) {
-        sorted_.sorted = 0;
-        if (histograms_ || scribes_ || shown_.count() > many_laws) return;
-        presort_.sort(shown_.laws(), largest, strip, sorted_);
-    }
-
     void tell(BoundRecord& record, double error_over_bound) const {
         histograms_ ? count(record, error_over_bound) : raise(record, error_over_bound);
     }
@@ -216,6 +211,7 @@ class Comparison {
     std::optional<Scribes> scribes_;
     ShownTriangles shown_;
     Presort presort_;
+    bool is_presorted_ = false;  ///< the tile: histograms and maps of errors want every ratio
     std::array<Strip, tile_height> strips_;
     struct {
         Ragged candidate, reference;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "compare/depth_tolerance.h"
 #include "compare/tile_row.h"
@@ -25,13 +26,16 @@ struct AtMost {
            reference = std::numeric_limits<double>::infinity();
 };
 
-/// As if both frames showed that triangle, which must be usable, everywhere: where the depth is lawful and
+/// As if both frames showed that triangle everywhere: where the depth is lawful and
 /// its error over the bound is at most that much, both for certain.
 ColumnsOfBoth certain_depths(const DepthTolerance& triangle, Projection projection,
                              const DepthsOfBoth& depths, const AtMost& at_most);
 
-/// Is that so of all pixels of so many rows of sixteen, side by side?
-bool are_all_certain(const DepthTolerance& triangle, Projection projection, const DepthsOfBoth& depths,
-                     const AtMost& at_most, std::size_t rows);
+/// Tolerances of a tile's triangles, by the place of their laws; at place 0 is none.
+using Tolerances = std::span<const DepthTolerance>;
+
+/// Where both frames show the same triangle and the depths of both are certain.
+Strip::Pixels certain_pixels(const Strip& strip, const Tolerances& tolerances, Projection projection,
+                             const AtMost& at_most);
 
 }  // namespace zproof

@@ -82,13 +82,13 @@ DepthTolerance tolerance_of(const DepthLaw& candidate, const DepthLaw& reference
     const double left_out = reach == Reach::all ? 0
                                                 : std::max(keeps_to_corners(candidate) ? ours : 0,
                                                            keeps_to_corners(reference) ? theirs : 0);
-    t.least = std::max(w.least, corners.least + left_out);
-    t.most = std::min(w.most, corners.most - left_out);
     t.largest = 0.5 * (perspective ? 1 : w.least);
     t.unsure = 8 * widening * (perspective ? 1 : w.most);
     t.candidate = bound_of(candidate, w, ours, projection);
     t.reference = bound_of(reference, w, theirs, projection);
-    t.is_usable = t.candidate.lawful > 0 && t.reference.lawful > 0;
+    if (!(t.candidate.lawful > 0 && t.reference.lawful > 0)) return t;
+    t.least = std::max(w.least, corners.least + left_out);
+    t.most = std::min(w.most, corners.most - left_out);
     return t;
 }
 

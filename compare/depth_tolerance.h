@@ -2,6 +2,8 @@
 /// "Tolerances").
 #pragma once
 
+#include <limits>
+
 #include "compare/depth_law.h"
 
 namespace zproof {
@@ -21,12 +23,11 @@ struct DepthTolerance {
         double lawful;  ///< and the depth lawful up to that ratio
     };
 
-    double w_per_x, w_per_y, w_offset;
-    double least, most;  ///< of w: between them it holds
-    double largest;      ///< no larger errors are told of
-    double unsure;       ///< what errors may be off by
-    Bound candidate, reference;
-    bool is_usable = false;
+    double w_per_x = 0, w_per_y = 0, w_offset = 0;
+    double least = std::numeric_limits<double>::infinity(), most = -least;  ///< of w: between them it holds
+    double largest = 0;                                                     ///< no larger errors are told of
+    double unsure = 0;                                                      ///< what errors may be off by
+    Bound candidate{}, reference{};
 };
 
 /// What of a triangle a tolerance is for. A displaced plane ends at the corners' depths: near them only as
@@ -36,7 +37,7 @@ enum class Reach {
     all,
 };
 
-/// Not usable where nothing is certain.
+/// It holds nowhere where nothing is certain.
 DepthTolerance tolerance_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
                             const PixelBox& part, Reach reach);
 

@@ -24,82 +24,59 @@ bool is_none(const ColumnsOfBoth& columns) { return (columns.candidate | columns
 
 }  // namespace
 
+void Presort::turn_to(const PixelBox& tile, const LawsOfBoth& laws, std::size_t count) {
+    tolerances_.resize(count);
+    for (std::size_t law = 1; law < count; ++law)
+        tolerances_[law] =
+            tolerance_of(laws.candidate[law], laws.reference[law], projection_, tile, Reach::but_corners);
+    met_.assign(count, {});
+}
+
 void Presort::sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip, SortedStrip& sorted) {
-    known_.resize(std::max(known_.size(), laws.candidate.size()));
-    if (is_of_one_triangle(laws, largest, strip)) {
-        sorted.sorted = SortedStrip::all_sorted;
-        sorted.open = sorted.lawful = {};
-        return;
-    }
+    const Strip::Pixels certain =
+        certain_pixels(strip, tolerances_, projection_, {largest.candidate, largest.reference});
+    sorted.open = sorted.lawful = {};
+    sorted.sorted = SortedStrip::all_sorted;
+    if (certain == ~Strip::Pixels{0}) return;
     const std::uint32_t* const ours = strip.candidate.law.data();
     const std::uint32_t* const theirs = strip.differ == 0 ? ours : strip.reference.law.data();
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
-        constexpr ColumnMask but_first = all_columns & ~ColumnMask{1};
-        const bool one =
-            ((Strip::in_chunk(strip.turns, first) & but_first) | Strip::in_chunk(strip.differ, first)) == 0;
-        const Source source{laws, largest, strip, first, ours + first, theirs + first};
-        const bool is_sorted =
-            one && ours[first] != 0 ? sort_one_law(source, sorted) : sort_some_laws(source, sorted);
-        sorted.sorted |= std::uint32_t(is_sorted) << first / Strip::chunk;
+        const ColumnMask settled = Strip::in_chunk(certain, first);
+        if (settled == all_columns) continue;
+        const Source source{laws, largest, strip, first, ours + first, theirs + first, settled};
+        if (!sort_chunk(source, sorted)) sorted.sorted &= ~(1u << first / Strip::chunk);
     }
-}
-
-/// All of it, and certain.
-bool Presort::is_of_one_triangle(const LawsOfBoth& laws, const Largest& largest, const Strip& strip) {
-    const std::uint32_t law = strip.candidate.law[0];
-    if (strip.turns != 1 || strip.differ != 0 || law == 0) return false;
-    const DepthTolerance& tolerance = known_by(law, laws).tolerance;
-    return tolerance.is_usable &&
-           are_all_certain(tolerance, projection_,
-                           {{strip.x, strip.y}, strip.candidate.camera_depth, strip.reference.camera_depth},
-                           {largest.candidate, largest.reference}, Strip::width / Strip::chunk);
-}
-
-Presort::Known& Presort::known_by(std::uint32_t law, const LawsOfBoth& laws) {
-    Known& known = known_[law];
-    if (known.tile != tile_number_)
-        known = {.tile = tile_number_,
-                 .tolerance = tolerance_of(laws.candidate[law], laws.reference[law], projection_, tile_,
-                                           Reach::but_corners),
-                 .candidate = {},
-                 .reference = {}};
-    return known;
 }
 
 /// Of those pixels, where depths are lawful for certain. Where both frames show the triangle, the largest are
 /// raised.
 ColumnsOfBoth Presort::lawful_by(std::uint32_t law, const ColumnsOfBoth& here, const Source& source) {
-    Known& known = known_by(law, source.laws);
     const ColumnMask counted = here.candidate & here.reference;
-    const ColumnsOfBoth left = uncertain_by(known.tolerance, {here, counted}, source);
+    const ColumnsOfBoth left = uncertain_by(tolerances_[law], {here, counted}, source);
     if (is_none(left)) return here;
-    const PartsOfBoth parts = parts_of(source, law, known);
-    if (is_none(without(left, level_ones(parts)))) {
-        if ((left.candidate & counted) != 0) parts.candidate.raise(parts.candidate.level.ratio);
-        if ((left.reference & counted) != 0) parts.reference.raise(parts.reference.level.ratio);
-        return here;
-    }
+    const PartsOfBoth parts = parts_of(source, law);
+    if (is_none(without(left, met_already(parts)))) return here;
     return lawful_in_full(here, uncertain_here(law, {left, counted}, source), parts, source.place());
 }
 
-Presort::PartsOfBoth Presort::parts_of(const Source& source, std::uint32_t law, Known& known) {
-    return {{source.laws.candidate[law], &source.strip.candidate.camera_depth[source.first], known.candidate,
+Presort::PartsOfBoth Presort::parts_of(const Source& source, std::uint32_t law) {
+    Met& met = met_[law];
+    return {{source.laws.candidate[law], &source.strip.candidate.camera_depth[source.first], met.candidate,
              source.largest.candidate},
-            {source.laws.reference[law], &source.strip.reference.camera_depth[source.first], known.reference,
+            {source.laws.reference[law], &source.strip.reference.camera_depth[source.first], met.reference,
              source.largest.reference}};
 }
 
-/// Whose ratio is known.
-ColumnsOfBoth Presort::level_ones(const PartsOfBoth& parts) {
+/// On a triangle at one depth all over the image, a depth that was lawful and counted is so again.
+ColumnsOfBoth Presort::met_already(const PartsOfBoth& parts) {
     const DepthLaw& plane = parts.candidate.law;
     if (plane.nearness_per_x != 0 || plane.nearness_per_y != 0) return {};
-    return {where_equal(parts.candidate.camera_depth, parts.candidate.level.depth),
-            where_equal(parts.reference.camera_depth, parts.reference.level.depth)};
+    return {where_equal(parts.candidate.camera_depth, parts.candidate.met),
+            where_equal(parts.reference.camera_depth, parts.reference.met)};
 }
 
 ColumnsOfBoth Presort::uncertain_by(const DepthTolerance& tolerance, const Question& asked,
                                     const Source& source) const {
-    if (!tolerance.is_usable) return asked.pixels;
     const DepthsOfBoth depths{source.place(), &source.strip.candidate.camera_depth[source.first],
                               &source.strip.reference.camera_depth[source.first]};
     ColumnsOfBoth left = asked.pixels;
@@ -142,28 +119,21 @@ ColumnMask Presort::unlawful_in_full(const Part& part, ColumnMask asked, const R
     TileRowOf<float> depth;
     std::copy_n(part.camera_depth, tile_columns, depth.begin());
     ratio = depths_in_row(part.law, projection_, place, depth).ratio;
-    const ColumnMask lawful = asked & at_least_zero(ratio);
-    if (const auto i = std::size_t(std::countr_zero(lawful)); lawful != 0)
-        part.level = {part.camera_depth[i], ratio[i]};
-    return asked & ~lawful;
+    return asked & ~at_least_zero(ratio);
 }
 
 void Presort::Part::raise(const TileRow& ratio, ColumnMask pixels) const {
-    for (; pixels != 0; pixels &= pixels - 1) raise(ratio[std::size_t(std::countr_zero(pixels))]);
-}
-
-/// Unless a depth is not lawful for certain.
-bool Presort::sort_one_law(const Source& source, SortedStrip& sorted) {
-    const auto [ours, theirs] = lawful_by(source.ours[0], {all_columns, all_columns}, source);
-    const std::size_t chunk = source.first / Strip::chunk;
-    sorted.open[chunk] = sorted.lawful[chunk] = 0;
-    return (ours & theirs) == all_columns;
+    for (; pixels != 0; pixels &= pixels - 1) {
+        const auto i = std::size_t(std::countr_zero(pixels));
+        largest = std::max(largest, ratio[i]);
+        met = camera_depth[i];
+    }
 }
 
 /// Triangle by triangle; unless a pixel at which the frames agree is not lawful for certain.
-bool Presort::sort_some_laws(const Source& source, SortedStrip& sorted) {
+bool Presort::sort_chunk(const Source& source, SortedStrip& sorted) {
     const ColumnMask same = ~Strip::in_chunk(source.strip.differ, source.first) & all_columns;
-    const ColumnMask in_question = all_columns & ~(same & bare(source.strip, source.first));
+    const ColumnMask in_question = all_columns & ~source.settled & ~(same & bare(source.strip, source.first));
     ColumnsOfBoth left{in_question, in_question};
     ColumnMask lawful = in_question;
     while (!is_none(left)) {

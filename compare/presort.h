@@ -1,7 +1,6 @@
 /// The first look at a strip: pixels whose ids and depths plainly agree are settled by tolerances.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -14,30 +13,21 @@ class Presort {
   public:
     explicit Presort(Projection projection) : projection_(projection) {}
 
-    /// Turns to another tile, and forgets the laws of the last.
-    void turn_to(const PixelBox& tile) {
-        tile_ = tile;
-        ++tile_number_;
-    }
+    /// Turns to another tile, of so many laws.
+    void turn_to(const PixelBox& tile, const LawsOfBoth& laws, std::size_t count);
     /// The largest ratio of each renderer.
     struct Largest {
         double candidate = 0, reference = 0;
     };
 
-    /// Fills in what is open of whole chunks of the strip, and marks them as sorted; raises the largest. The
-    /// laws are those of the tile.
+    /// Fills in what is open of whole chunks of the tile's strip, and marks them as sorted; raises the
+    /// largest.
     void sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip, SortedStrip& sorted);
 
   private:
-    /// The depth of a triangle that lies at one depth all over the image, and its ratio; no number at first.
-    struct Level {
-        float depth = std::numeric_limits<float>::quiet_NaN();
-        double ratio = 0;
-    };
-    struct Known {
-        std::uint64_t tile = 0;
-        DepthTolerance tolerance{};
-        Level candidate, reference;
+    /// Depths whose ratios the largest have met already; none at first.
+    struct Met {
+        float candidate = std::numeric_limits<float>::quiet_NaN(), reference = candidate;
     };
     /// What a chunk is sorted by.
     struct Source {
@@ -46,6 +36,7 @@ class Presort {
         const Strip& strip;
         std::size_t first;                   ///< of the chunk's pixels in the strip
         const std::uint32_t *ours, *theirs;  ///< the laws of its pixels
+        ColumnMask settled;                  ///< of them
 
         RowPlace place() const { return {strip.x + int(first), strip.y}; }
         AtMost at_most() const { return {largest.candidate, largest.reference}; }
@@ -54,18 +45,16 @@ class Presort {
     struct Part {
         const DepthLaw& law;
         const float* camera_depth;
-        Level& level;
+        float& met;
         double& largest;
 
-        void raise(double ratio) const { largest = std::max(largest, ratio); }
         void raise(const TileRow& ratio, ColumnMask pixels) const;
     };
     struct PartsOfBoth {
         Part candidate, reference;
     };
-    Known& known_by(std::uint32_t law, const LawsOfBoth& laws);
-    static PartsOfBoth parts_of(const Source& source, std::uint32_t law, Known& known);
-    static ColumnsOfBoth level_ones(const PartsOfBoth& parts);
+    PartsOfBoth parts_of(const Source& source, std::uint32_t law);
+    static ColumnsOfBoth met_already(const PartsOfBoth& parts);
     ColumnsOfBoth lawful_by(std::uint32_t law, const ColumnsOfBoth& here, const Source& source);
     /// Which of those depths are lawful, and of those that are counted, which do not exceed the largest?
     struct Question {
@@ -79,14 +68,11 @@ class Presort {
                                  const PartsOfBoth& parts, const RowPlace& place) const;
     ColumnMask unlawful_in_full(const Part& part, ColumnMask asked, const RowPlace& place,
                                 TileRow& ratio) const;
-    bool is_of_one_triangle(const LawsOfBoth& laws, const Largest& largest, const Strip& strip);
-    bool sort_one_law(const Source& source, SortedStrip& sorted);
-    bool sort_some_laws(const Source& source, SortedStrip& sorted);
+    bool sort_chunk(const Source& source, SortedStrip& sorted);
 
     Projection projection_;
-    PixelBox tile_{};
-    std::uint64_t tile_number_ = 0;
-    std::vector<Known> known_;  ///< by law; of this tile where its number is the present one
+    std::vector<DepthTolerance> tolerances_;  ///< by law
+    std::vector<Met> met_;                    ///< by law
 };
 
 }  // namespace zproof

@@ -31,6 +31,9 @@ struct Strip {
     Pixels turns;               ///< the candidate shows another triangle than at the pixel before; the first
     Pixels differ;              ///< the reference shows another triangle than the candidate
 
+    /// In both frames, all over.
+    bool is_of_one_id() const { return turns == 1 && differ == 0; }
+
     /// Of a chunk, which begins at pixel `first`.
     static ColumnMask in_chunk(Pixels pixels, std::size_t first) {
         return ColumnMask(pixels >> first) & all_columns;

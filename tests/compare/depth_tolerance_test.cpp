@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -98,8 +99,7 @@ TEST(DepthTolerance, IsOfLawfulDepthsThatErrNoMore) {
             for (const Reach reach : {Reach::but_corners, Reach::all}) {
                 const DepthTolerance triangle =
                     tolerance_of(candidate.law, reference.law, projection, part, reach);
-                ++asked, usable += triangle.is_usable;
-                if (!triangle.is_usable) continue;
+                ++asked, usable += triangle.least <= triangle.most;
                 const ColumnsOfBoth certain = certain_depths(
                     triangle, projection, {at, candidate.z.data(), reference.z.data()}, at_most);
                 try_side(certain.candidate, candidate, projection, at_most.candidate, ours);
@@ -152,7 +152,6 @@ TEST(DepthTolerance, HoldsOfWideBounds) {
         const double at_most = dice.below(2) != 0 ? 1 : dice.between(0, 1);
         for (const Reach reach : {Reach::but_corners, Reach::all}) {
             const DepthTolerance wall = tolerance_of(law, law, projection, a_row, reach);
-            if (!wall.is_usable) continue;
             const ColumnMask certain =
                 certain_depths(wall, projection, {{0, 0}, z.data(), z.data()}, {at_most, at_most}).candidate;
             for (std::size_t i = 0; i < tile_columns; ++i) {
@@ -206,6 +205,55 @@ TEST(DepthTolerance, SaysNothingBeyondItsPart) {
         EXPECT_EQ(certain.candidate, 0xf0u);
         EXPECT_EQ(certain.reference, 0xf0u);
     }
+}
+
+/// Of a strip in which each pixel shows one of a few triangles or none, here and there another in each frame.
+TEST(CertainPixels, AreThoseOfEachTriangleByItself) {
+    std::array<int, 3> found{};  // not certain, certain, a whole strip of one triangle
+    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const Projection projection = dice.below(2) != 0 ? Projection::perspective : Projection::parallel;
+        const std::array tolerances{
+            DepthTolerance{},
+            tolerance_of(wall_law(0, 0x1p-20, projection), wall_law(0, 0x1p-22, projection), projection,
+                         {64, 3, 128, 4}, Reach::all),
+            tolerance_of(wall_law(0, 0x1p-22, projection), wall_law(0, 0x1p-20, projection), projection,
+                         {64, 3, 128, 4}, Reach::all)};
+        Strip strip{};
+        strip.x = 64, strip.y = 3;
+        Strip::Values<PrimitiveId> ours, theirs;
+        Strip::Values<float> our_depth, their_depth;
+        const int longest = 1 + dice.below(90);
+        const double off = dice.below(3) == 0 ? 0.2 : 4;
+        std::uint32_t law = std::uint32_t(dice.below(3));
+        for (std::size_t i = 0; i < Strip::width; ++i) {
+            if (dice.below(longest) == 0) law = std::uint32_t(dice.below(3));
+            strip.candidate.law[i] = law;
+            ours[i] = theirs[i] = PrimitiveId(law);
+            if (longest < 30 && dice.below(9) == 0) theirs[i] = PrimitiveId(9);
+            our_depth[i] = float(4 + dice.between(-off, off) * 0x1p-20);
+            their_depth[i] = float(4 + dice.between(-off, off) * 0x1p-20);
+        }
+        strip.candidate.primitive = ours.data(), strip.reference.primitive = theirs.data();
+        strip.candidate.camera_depth = our_depth.data(), strip.reference.camera_depth = their_depth.data();
+        compare_ids(strip);
+        const AtMost at_most{1, dice.below(2) != 0 ? 1 : 0.5};
+        const Strip::Pixels certain = certain_pixels(strip, tolerances, projection, at_most);
+        for (std::size_t i = 0; i < Strip::width; ++i) {
+            const std::size_t first = i / tile_columns * tile_columns;
+            const auto [a, b] =
+                certain_depths(tolerances[strip.candidate.law[i]], projection,
+                               {{64 + int(first), 3}, &our_depth[first], &their_depth[first]}, at_most);
+            const bool expected = ours[i] == theirs[i] && (a & b & 1u << (i - first)) != 0;
+            ASSERT_EQ((certain >> i & 1) != 0, expected) << i;
+            ++found[expected];
+        }
+        found[2] += ~certain == 0;
+    }
+    EXPECT_GT(found[0], 20'000);
+    EXPECT_GT(found[1], 20'000);
+    EXPECT_GT(found[2], 50);
 }
 
 }  // namespace
