@@ -59,13 +59,15 @@ template <class Projected>
 /// Both depths, where that is asked.
 template <class Projected>
 [[gnu::always_inline]] inline ColumnMask both_certain(const Row& row, const DepthsOfBoth& depths) {
-    TileRowOf<std::uint32_t> both;
+    ColumnMask both = 0;
     for (std::size_t i = 0; i < tile_columns; ++i) {
         const double w = row.w_at(i);
-        both[i] = row.holds_at(w) & (Projected::error(double(depths.candidate[i]), w) <= row.our_most) &
-                  (Projected::error(double(depths.reference[i]), w) <= row.their_most);
+        const bool is_certain = row.holds_at(w) &
+                                (Projected::error(double(depths.candidate[i]), w) <= row.our_most) &
+                                (Projected::error(double(depths.reference[i]), w) <= row.their_most);
+        both |= is_certain ? ColumnMask{1} << i : 0;
     }
-    return where_equal(both.data(), 1u);
+    return both;
 }
 
 /// A strip's, all of which shows one triangle.
