@@ -41,9 +41,9 @@ class Comparison {
           presort_(candidate.projection()),
           look_(scene, candidate, reference) {}
 
-    /// Has the errors of depth of what is compared from now on counted,
+    /// Has the errors of depth of what is compared from now on counted.
     void keep_histograms() { histograms_.emplace(); }
-    /// or written down.
+    /// Has them written down.
     void keep_errors(ErrorMaps& errors) {
         scribes_.emplace(Scribes{{candidate_, triangle_count_, errors.candidate},
                                  {reference_, triangle_count_, errors.reference}});

@@ -26,8 +26,8 @@ struct AtMost {
            reference = std::numeric_limits<double>::infinity();
 };
 
-/// As if both frames showed that triangle everywhere: where the depth is lawful and
-/// its error over the bound is at most that much, both for certain.
+/// As if both frames showed that triangle everywhere: where the depth is lawful and its error over the bound
+/// is at most that much, both for certain.
 ColumnsOfBoth certain_depths(const DepthTolerance& triangle, Projection projection,
                              const DepthsOfBoth& depths, const AtMost& at_most);
 

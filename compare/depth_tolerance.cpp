@@ -38,7 +38,7 @@ Range range_of(const DepthTolerance& t, const Range& corners, const PixelBox& pa
             std::min(corners.most, std::max(left, right) + std::max(top, bottom) + t.w_offset)};
 }
 
-/// So far from its corners' places a triangle is asked about.
+/// So far from their corners all places lie, or else are left out.
 double distance(const Range& w, const Range& corners, Reach reach) {
     if (reach == Reach::but_corners) return (corners.most - corners.least) / 4;
     return std::min(w.least - corners.least, corners.most - w.most);

@@ -30,10 +30,10 @@ struct DepthTolerance {
     Bound candidate{}, reference{};
 };
 
-/// What of a triangle a tolerance is for. A displaced plane ends at the corners' depths: near them only as
-/// much displacement counts as nowhere reaches beyond.
+/// What of a triangle a tolerance is for. A displaced plane ends at the corners' depths, so that next to them
+/// less of displacement counts.
 enum class Reach {
-    but_corners,  ///< all but places next to its corners'
+    but_corners,  ///< all but what lies next to them
     all,
 };
 

@@ -45,20 +45,6 @@ template <class Id>
     });
 }
 
-/// Where x >= 0; not where it is no number.
-[[gnu::always_inline]] inline ColumnMask where_not_negative(const float* x) {
-    return mask_where([&](int i) __attribute__((always_inline)) {
-        return _mm_castps_si128(_mm_cmpge_ps(_mm_loadu_ps(x + i), _mm_setzero_ps()));
-    });
-}
-
-/// Where x <= most; not where it is no number.
-[[gnu::always_inline]] inline ColumnMask where_at_most(const float* x, float most) {
-    return mask_where([&](int i) __attribute__((always_inline)) {
-        return _mm_castps_si128(_mm_cmple_ps(_mm_loadu_ps(x + i), _mm_set1_ps(most)));
-    });
-}
-
 #else
 
 template <class Holds>
@@ -75,12 +61,6 @@ ColumnMask where_equal(const Id* a, const Id* b) {
 template <class Number>
 ColumnMask where_equal(const Number* a, Number b) {
     return mask_where([&](std::size_t i) { return a[i] == b; });
-}
-inline ColumnMask where_not_negative(const float* x) {
-    return mask_where([&](std::size_t i) { return x[i] >= 0; });
-}
-inline ColumnMask where_at_most(const float* x, float most) {
-    return mask_where([&](std::size_t i) { return x[i] <= most; });
 }
 
 #endif

@@ -32,11 +32,4 @@ template <class Test>
     return all;
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] TileRowOf<std::int32_t> chosen(
-    const TileRowOf<std::int32_t>& a, const TileRowOf<std::int32_t>& b, ColumnMask mask) {
-    TileRowOf<std::int32_t> all;
-    for (std::size_t i = 0; i < tile_columns; ++i) all[i] = (mask & ColumnMask{1} << i) != 0 ? b[i] : a[i];
-    return all;
-}
-
 }  // namespace zproof

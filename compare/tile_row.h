@@ -31,8 +31,5 @@ ColumnMask at_least_zero(const TileRow& a);
 
 /// Where `mask` says so, the larger of a and b; elsewhere a.
 TileRow raised(const TileRow& a, const TileRow& b, ColumnMask mask);
-/// Where `mask` says so, b; elsewhere a.
-TileRowOf<std::int32_t> chosen(const TileRowOf<std::int32_t>& a, const TileRowOf<std::int32_t>& b,
-                               ColumnMask mask);
 
 }  // namespace zproof
