@@ -6,7 +6,10 @@
 
 #include <cmath>
 
+#include "compare/agreement.h"
+#include "compare/depth_bound.h"
 #include "compare/judge.h"
+#include "compare/witness.h"
 #include "random_surroundings.h"
 #include "stage.h"
 #include "tests/support/same_verdict.h"
@@ -73,6 +76,49 @@ TEST(Presort, JudgesEveryPixelAsInFull) {
     EXPECT_GT(right, 10'000u) << "lawful, and not in the first bin";
     EXPECT_GT(wrong, 1'000u);
     EXPECT_GT(invalid, 300u);
+}
+
+/// Of one renderer's depths at pixels at which both name the same triangle, asked one by one.
+BoundRecord record_of(const Scene& scene, const View& view, const Testimony& whose, const Testimony& other) {
+    const ViewBounds bounds(view, whose.precision);
+    std::vector<TriangleDepth> depths;
+    for (std::uint32_t t = 0; t < scene.triangles.size(); ++t)
+        depths.push_back(depth_of(TriangleInView(view, bounds, corners_of(scene, t)), bounds));
+    BoundRecord record;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const Answer answer{whose.frame.primitive.at(x, y), whose.frame.camera_depth.at(x, y)},
+                others{other.frame.primitive.at(x, y), other.frame.camera_depth.at(x, y)};
+            const auto shown = std::size_t(answer.primitive);
+            if (answer.primitive != others.primitive || shown >= depths.size() ||
+                is_invalid(answer, depths.size()) || is_invalid(others, depths.size()))
+                continue;
+            count(record, error_over_bound(depths[shown].at(x, y), answer.camera_depth));
+        }
+    return record;
+}
+
+TEST(Histograms, AreOfEveryPixelThatBothNameAlike) {
+    std::uint64_t lawful = 0, wrong = 0;  // the reference's
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view =
+            pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, width, height);
+        const Scene scene = random_walls(dice, view);
+        Frame candidate({width, height}), reference({width, height});
+        show_runs(candidate, dice, view, scene);
+        show_runs(reference, dice, view, scene);
+        const Testimony ours{candidate, raster_precision()},
+            theirs{reference, seed % 2 ? raster_precision() : ray_precision()};
+        const Verdict verdict = judge_with_histograms(scene, view, ours, theirs);
+        EXPECT_EQ(verdict.candidate_depth, record_of(scene, view, ours, theirs));
+        EXPECT_EQ(verdict.reference_depth, record_of(scene, view, theirs, ours));
+        lawful += number(verdict.reference_depth, 0) - number(verdict.reference_depth, 20);
+        wrong += number(verdict.reference_depth, 20);
+    }
+    EXPECT_GT(lawful, 5'000u);
+    EXPECT_GT(wrong, 500u);
 }
 
 }  // namespace
