@@ -21,7 +21,7 @@ struct Testimony {
 Verdict judge(const Scene& scene, const View& view, const Testimony& candidate, const Testimony& reference);
 
 /// The same, and how errors of depth are distributed over their bounds. Asks every pixel for its error, where
-/// judge() asks most only whether it is lawful: about twice the time.
+/// judge() asks most only whether it is lawful: up to three times the time.
 Verdict judge_with_histograms(const Scene& scene, const View& view, const Testimony& candidate,
                               const Testimony& reference);
 
