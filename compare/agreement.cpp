@@ -141,8 +141,8 @@ class Comparison {
         return std::size_t(triangle) < triangle_count_ ? shown_.place_of(triangle) : 0;
     }
 
-    void tell(BoundRecord& record, double error_over_bound) const {
-        histograms_ ? count(record, error_over_bound) : raise(record, error_over_bound);
+    void record(BoundRecord& of, double error_over_bound) const {
+        histograms_ ? count(of, error_over_bound) : raise(of, error_over_bound);
     }
     static void raise(BoundRecord& record, double error_over_bound) {
         record.max_error_over_bound = std::max(record.max_error_over_bound, error_over_bound);
@@ -194,8 +194,8 @@ class Comparison {
         const OpenPixel pixel = look_.at(place.x, place.y, known_reference_ratio);
         const bool is_bare = pixel.finding.candidate.primitive == PrimitiveId::none;
         if (!is_bare && !pixel.candidate_invalid && !pixel.reference_invalid) {
-            tell(one_by_one_.candidate, pixel.finding.error_over_bound);
-            tell(one_by_one_.reference, pixel.reference_error_over_bound);
+            record(one_by_one_.candidate, pixel.finding.error_over_bound);
+            record(one_by_one_.reference, pixel.reference_error_over_bound);
         }
         return is_settled(pixel);
     }

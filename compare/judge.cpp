@@ -17,10 +17,13 @@ namespace zproof {
 
 namespace {
 
+/// What is wanted of errors of depth.
+enum class Depths { largest, histograms };
+
 /// What comes of judging; all of it only where somebody wants that.
 struct Kept {
     Verdict& verdict;
-    bool histograms;
+    Depths depths;
     JudgedInFull* full;
 };
 
@@ -36,7 +39,7 @@ OpenTiles first_pass(const Comparands& of, const Kept& kept) {
                                                  {.top = top,
                                                   .bottom = bottom,
                                                   .largest = largest,
-                                                  .histograms = kept.histograms,
+                                                  .histograms = kept.depths == Depths::histograms,
                                                   .errors = kept.full ? &kept.full->errors : nullptr},
                                                  open);
     });
@@ -158,9 +161,6 @@ std::vector<RuledPlace> placed(std::span<const PixelPlace> places, const Rulings
     return ruled;
 }
 
-/// What is wanted of errors of depth.
-enum class Depths { largest, histograms };
-
 /// A renderer on trial, and whom it is held against.
 struct Parties {
     const Testimony &candidate, &reference;
@@ -175,7 +175,7 @@ Verdict judge(const Scene& scene, const View& view, const Parties& parties, Dept
     Verdict verdict;
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
     const Comparands comparands{scene, view, ours, theirs};
-    OpenTiles open = first_pass(comparands, {verdict, depths == Depths::histograms, full});
+    OpenTiles open = first_pass(comparands, {verdict, depths, full});
     const std::size_t open_count = open.number();
     verdict.classes = room_for(open, size);
     if (full) verdict.findings.resize(open_count);

@@ -54,16 +54,19 @@ struct Tried {
     int certain = 0, lawful = 0;
 };
 
-/// Counts what is certain, all of which must be so.
-void try_side(ColumnMask certain, const Side& side, Projection projection, double at_most, Tried& tried) {
-    const DepthRow exact = depths_in_row(side.law, projection, side.at, side.z);
+/// Counts what is certain of depths z, all of which must be so.
+void try_row(ColumnMask certain, const DepthRow& exact, const TileRowOf<float>& z, double at_most,
+             Tried& tried) {
     for (std::size_t i = 0; i < tile_columns; ++i) {
         tried.lawful += exact.ratio[i] >= 0 && exact.ratio[i] <= at_most;
         if ((certain >> i & 1) == 0) continue;
         ++tried.certain;
-        ASSERT_GE(exact.ratio[i], 0) << side.z[i];
-        ASSERT_LE(exact.ratio[i], at_most) << side.z[i];
+        ASSERT_GE(exact.ratio[i], 0) << z[i];
+        ASSERT_LE(exact.ratio[i], at_most) << z[i];
     }
+}
+void try_side(ColumnMask certain, const Side& side, Projection projection, double at_most, Tried& tried) {
+    try_row(certain, depths_in_row(side.law, projection, side.at, side.z), side.z, at_most, tried);
 }
 
 /// The row by itself, or with others above, below and beside it.
@@ -154,13 +157,8 @@ TEST(DepthTolerance, HoldsOfWideBounds) {
             const DepthTolerance wall = tolerance_of(law, law, projection, a_row, reach);
             const ColumnMask certain =
                 certain_depths(wall, projection, {{0, 0}, z.data(), z.data()}, {at_most, at_most}).candidate;
-            for (std::size_t i = 0; i < tile_columns; ++i) {
-                tried.lawful += exact.ratio[i] >= 0 && exact.ratio[i] <= at_most;
-                if ((certain >> i & 1) == 0) continue;
-                ++tried.certain;
-                ASSERT_GE(exact.ratio[i], 0) << z[i];
-                ASSERT_LE(exact.ratio[i], at_most) << z[i];
-            }
+            try_row(certain, exact, z, at_most, tried);
+            if (HasFatalFailure()) return;
         }
     }
     EXPECT_GT(tried.certain, tried.lawful / 2);

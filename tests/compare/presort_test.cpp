@@ -45,20 +45,32 @@ std::uint64_t number(const BoundRecord& record, std::size_t first_bin) {
     return sum;
 }
 
-TEST(Presort, JudgesEveryPixelAsInFull) {
-    std::uint64_t right = 0, wrong = 0, invalid = 0;
-    for (std::uint32_t seed = 0; seed < 200; ++seed) {
-        SCOPED_TRACE(seed);
-        Dice dice(seed);
-        const View view =
-            pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, width, height);
-        const Scene scene = random_walls(dice, view);
-        Frame candidate({width, height}), reference({width, height});
+/// A few walls, and two frames that show runs of them.
+struct Shown {
+    Dice dice;
+    View view;
+    Scene scene;
+    Frame candidate, reference;
+
+    explicit Shown(std::uint32_t seed)
+        : dice(seed),
+          view(pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, width, height)),
+          scene(random_walls(dice, view)),
+          candidate({width, height}),
+          reference({width, height}) {
         show_runs(candidate, dice, view, scene);
         if (dice.below(2) != 0)
             reference = candidate;  // whole chunks of the same
         else
             show_runs(reference, dice, view, scene);
+    }
+};
+
+TEST(Presort, JudgesEveryPixelAsInFull) {
+    std::uint64_t right = 0, wrong = 0, invalid = 0;
+    for (std::uint32_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(seed);
+        const auto& [dice, view, scene, candidate, reference] = Shown(seed);
         const Testimony ours{candidate, raster_precision()}, theirs{reference, ray_precision()};
         const Verdict in_full = judge_in_full(scene, view, ours, theirs).verdict,
                       verdict = judge(scene, view, ours, theirs),
@@ -102,13 +114,7 @@ TEST(Histograms, AreOfEveryPixelThatBothNameAlike) {
     std::uint64_t lawful = 0, wrong = 0;  // the reference's
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
-        Dice dice(seed);
-        const View view =
-            pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, width, height);
-        const Scene scene = random_walls(dice, view);
-        Frame candidate({width, height}), reference({width, height});
-        show_runs(candidate, dice, view, scene);
-        show_runs(reference, dice, view, scene);
+        const auto& [dice, view, scene, candidate, reference] = Shown(seed);
         const Testimony ours{candidate, raster_precision()},
             theirs{reference, seed % 2 ? raster_precision() : ray_precision()};
         const Verdict verdict = judge_with_histograms(scene, view, ours, theirs);
