@@ -9,8 +9,8 @@
 #include "compare/error_scribe.h"
 #include "compare/pixel_look.h"
 #include "compare/presort.h"
-#include "compare/runs.h"
 #include "compare/shown_triangles.h"
+#include "compare/strips/dispatch.h"
 
 namespace zproof {
 
@@ -38,7 +38,8 @@ class Comparison {
           reference_(reference),
           largest_(largest),
           shown_(scene, candidate, reference),
-          presort_(candidate.projection()),
+          kernel_(strips::widest_kernel()),
+          presort_(candidate.projection(), kernel_),
           look_(scene, candidate, reference) {}
 
     /// Has the errors of depth of what is compared from now on counted.
@@ -113,19 +114,18 @@ class Comparison {
 
     /// Once for every run of pixels at which the candidate shows the same, and where the reference differs.
     void look_up_laws(Strip& strip) {
-        compare_ids(strip);
-        spread_over_runs<Strip::width>(
-            strip.turns, [&](std::size_t first) { return law_of(strip.candidate.primitive[first]); },
-            strip.candidate.law);
-        if (strip.differ == 0) return;
-        strip.reference.law = strip.candidate.law;
+        const auto [turns, differ] = kernel_.compare(strip.candidate.primitive, strip.reference.primitive);
+        strip.turns = turns, strip.differ = differ;
+        std::size_t run = 0;
+        for (Strip::Pixels rest = turns; rest != 0; rest &= rest - 1)
+            strip.law_of_run[run++] = law_of(strip.candidate.primitive[std::countr_zero(rest)]);
         PrimitiveId latest = PrimitiveId::none;
         std::uint32_t its_law = 0;
-        for (Strip::Pixels rest = strip.differ; rest != 0; rest &= rest - 1) {
+        for (Strip::Pixels rest = differ; rest != 0; rest &= rest - 1) {
             const auto i = std::size_t(std::countr_zero(rest));
             const PrimitiveId triangle = strip.reference.primitive[i];
             if (triangle != latest) latest = triangle, its_law = law_of(triangle);
-            strip.reference.law[i] = its_law;
+            strip.law_of_other[i] = its_law;
         }
     }
 
@@ -163,7 +163,7 @@ class Comparison {
 
     void hold(const Strip& strip) {
         const bool perspective = candidate_.projection() == Projection::perspective;
-        (perspective ? hold_perspective : hold_parallel)(shown_.laws(), strip, sorted_);
+        (perspective ? hold_perspective : hold_parallel)(shown_.laws(), strip, laws_along(strip), sorted_);
     }
 
     void settle(const Strip& strip, OpenTiles& open) {
@@ -210,6 +210,7 @@ class Comparison {
     std::optional<DepthHistograms> histograms_;
     std::optional<Scribes> scribes_;
     ShownTriangles shown_;
+    const strips::Kernel& kernel_;
     Presort presort_;
     bool is_presorted_ = false;  ///< the tile: histograms and maps of errors want every ratio
     std::array<Strip, tile_height> strips_;

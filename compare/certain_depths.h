@@ -2,7 +2,6 @@
 #pragma once
 
 #include <limits>
-#include <span>
 
 #include "compare/depth_tolerance.h"
 #include "compare/tile_row.h"
@@ -30,12 +29,5 @@ struct AtMost {
 /// is at most that much, both for certain.
 ColumnsOfBoth certain_depths(const DepthTolerance& triangle, Projection projection,
                              const DepthsOfBoth& depths, const AtMost& at_most);
-
-/// Tolerances of a tile's triangles, by the place of their laws; at place 0 is none.
-using Tolerances = std::span<const DepthTolerance>;
-
-/// Where both frames show the same triangle and the depths of both are certain.
-Strip::Pixels certain_pixels(const Strip& strip, const Tolerances& tolerances, Projection projection,
-                             const AtMost& at_most);
 
 }  // namespace zproof

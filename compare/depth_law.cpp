@@ -170,12 +170,11 @@ class LatestLaw {
 };
 
 template <class Projected>
-void hold_strip(const LawsOfBoth& laws, const Strip& strip, SortedStrip& all) {
+void hold_strip(const LawsOfBoth& laws, const Strip& strip, const LawsAlong& along, SortedStrip& all) {
     LatestLaw candidate(laws.candidate), reference(laws.reference);
-    const auto& law_of_theirs = strip.differ == 0 ? strip.candidate.law : strip.reference.law;
     for (std::size_t first = 0; first < Strip::width; first += four_count) {
         if ((all.sorted >> first / Strip::chunk & 1) != 0) continue;
-        const std::uint32_t *ours = &strip.candidate.law[first], *theirs = &law_of_theirs[first];
+        const std::uint32_t *ours = &along.candidate[first], *theirs = &along.reference[first];
         candidate.turn_to(ours);
         reference.turn_to(theirs);
         if (candidate.is_of_nothing() && reference.is_of_nothing()) {
@@ -219,14 +218,16 @@ static_assert(Strip::width % together == 0 && std::tuple_size_v<Largest> == toge
 /// contraction is off, and every pixel's operations keep their order.
 [[gnu::flatten, gnu::target_clones("default", "avx2")]] void hold_perspective(const LawsOfBoth& laws,
                                                                               const Strip& strip,
+                                                                              const LawsAlong& along,
                                                                               SortedStrip& held) {
-    hold_strip<Perspective>(laws, strip, held);
+    hold_strip<Perspective>(laws, strip, along, held);
 }
 
 [[gnu::flatten, gnu::target_clones("default", "avx2")]] void hold_parallel(const LawsOfBoth& laws,
                                                                            const Strip& strip,
+                                                                           const LawsAlong& along,
                                                                            SortedStrip& held) {
-    hold_strip<Parallel>(laws, strip, held);
+    hold_strip<Parallel>(laws, strip, along, held);
 }
 
 [[gnu::flatten, gnu::target_clones("default", "avx2")]] DepthRow depths_in_row(

@@ -46,8 +46,8 @@ struct LawsOfBoth {
 
 /// Fills in the ratios, where the pixels are not sorted yet: the same bits as TriangleDepth::at followed by
 /// error_over_bound, or `unsettled` where double precision does not hold the depth lawful for certain.
-void hold_perspective(const LawsOfBoth& laws, const Strip& strip, SortedStrip& held);
-void hold_parallel(const LawsOfBoth& laws, const Strip& strip, SortedStrip& held);
+void hold_perspective(const LawsOfBoth& laws, const Strip& strip, const LawsAlong& along, SortedStrip& held);
+void hold_parallel(const LawsOfBoth& laws, const Strip& strip, const LawsAlong& along, SortedStrip& held);
 
 /// Depths along a row held against one law: TriangleDepth::at and, as above, the ratio.
 struct DepthRow {

@@ -56,6 +56,16 @@ std::optional<Box> BoxProjection::operator()(const glm::vec3& p_world) const {
     return box.is_empty() ? std::nullopt : std::optional(widened(box, size_of(v)));
 }
 
+std::optional<std::array<Box, 3>> BoxProjection::of_corners(const CornersWorld& p_world) const {
+    std::array<Box, 3> boxes;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::optional<Box> box = (*this)(p_world[i]);
+        if (!box) return std::nullopt;
+        boxes[i] = *box;
+    }
+    return boxes;
+}
+
 glm::dvec3 BoxProjection::to_camera(const glm::dvec3& v) const {
     return {dot(terms_.camera.right, v), dot(terms_.camera.up, v), -dot(terms_.camera.back, v)};
 }

@@ -38,6 +38,22 @@ inline Box square_around(int x, int y, double reach_px) {
     return {x + 0.5 - reach_px, y + 0.5 - reach_px, x + 0.5 + reach_px, y + 0.5 + reach_px};
 }
 
+/// A box of the image: places within half_x, half_y of a place (x, y), given as pixel indices (so that a
+/// pixel's centre is a whole number).
+struct Around {
+    double x = 0, y = 0, half_x = 0, half_y = 0;
+};
+
+inline Box raster_box(const Around& at) {
+    const double x = at.x + 0.5, y = at.y + 0.5;
+    return {x - at.half_x, y - at.half_y, x + at.half_x, y + at.half_y};
+}
+
+inline Around around(const Box& raster) {
+    return {raster.middle_x() - 0.5, raster.middle_y() - 0.5, 0.5 * (raster.right - raster.left),
+            0.5 * (raster.bottom - raster.top)};
+}
+
 /// World to raster for boxes.
 class BoxProjection {
   public:
@@ -47,6 +63,8 @@ class BoxProjection {
     std::optional<Box> operator()(const CornersWorld& p_world) const;
     /// Around the image of one corner; nothing where it lies behind half the near depth or is no place.
     std::optional<Box> operator()(const glm::vec3& p_world) const;
+    /// Of each of a triangle's corners, where all have one.
+    std::optional<std::array<Box, 3>> of_corners(const CornersWorld& p_world) const;
 
     /// What it is made of, for those who project many corners: a corner at depth z >= least_depth lies at
     /// (u - left) px_per_u, (top - v) px_per_v, with an error of at most

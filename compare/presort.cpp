@@ -33,19 +33,32 @@ void Presort::turn_to(const PixelBox& tile, const LawsOfBoth& laws, std::size_t 
 }
 
 void Presort::sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip, SortedStrip& sorted) {
-    const Strip::Pixels certain =
-        certain_pixels(strip, tolerances_, projection_, {largest.candidate, largest.reference});
+    const Strip::Pixels certain = ~strip.differ & certain_if_same(strip, largest);
     sorted.open = sorted.lawful = {};
     sorted.sorted = SortedStrip::all_sorted;
     if (certain == ~Strip::Pixels{0}) return;
-    const std::uint32_t* const ours = strip.candidate.law.data();
-    const std::uint32_t* const theirs = strip.differ == 0 ? ours : strip.reference.law.data();
+    const LawsAlong along = laws_along(strip);
+    const std::uint32_t *const ours = along.candidate.data(), *const theirs = along.reference.data();
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
         const ColumnMask settled = Strip::in_chunk(certain, first);
         if (settled == all_columns) continue;
         const Source source{laws, largest, strip, first, ours + first, theirs + first, settled};
         if (!sort_chunk(source, sorted)) sorted.sorted &= ~(1u << first / Strip::chunk);
     }
+}
+
+/// Where both show the same triangle.
+Strip::Pixels Presort::certain_if_same(const Strip& strip, const Largest& largest) const {
+    return kernel_.certain({.x = strip.x,
+                            .y = strip.y,
+                            .candidate = strip.candidate.camera_depth,
+                            .reference = strip.reference.camera_depth,
+                            .turns = strip.turns,
+                            .law_of_run = strip.law_of_run.data()},
+                           {.tolerances = tolerances_.data(),
+                            .projection = projection_,
+                            .candidate_at_most = largest.candidate,
+                            .reference_at_most = largest.reference});
 }
 
 /// Of those pixels, where depths are lawful for certain. Where both frames show the triangle, the largest are

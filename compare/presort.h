@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "compare/certain_depths.h"
+#include "compare/strips/kernel.h"
 
 namespace zproof {
 
 /// One thread at a time.
 class Presort {
   public:
-    explicit Presort(Projection projection) : projection_(projection) {}
+    /// `kernel` must outlive it.
+    Presort(Projection projection, const strips::Kernel& kernel) : projection_(projection), kernel_(kernel) {}
 
     /// Turns to another tile, of so many laws.
     void turn_to(const PixelBox& tile, const LawsOfBoth& laws, std::size_t count);
@@ -53,6 +55,7 @@ class Presort {
     struct PartsOfBoth {
         Part candidate, reference;
     };
+    Strip::Pixels certain_if_same(const Strip& strip, const Largest& largest) const;
     PartsOfBoth parts_of(const Source& source, std::uint32_t law);
     static ColumnsOfBoth met_already(const PartsOfBoth& parts);
     ColumnsOfBoth lawful_by(std::uint32_t law, const ColumnsOfBoth& here, const Source& source);
@@ -71,6 +74,7 @@ class Presort {
     bool sort_chunk(const Source& source, SortedStrip& sorted);
 
     Projection projection_;
+    const strips::Kernel& kernel_;
     std::vector<DepthTolerance> tolerances_;  ///< by law
     std::vector<Met> met_;                    ///< by law
 };

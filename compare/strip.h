@@ -18,21 +18,20 @@ struct Strip {
     /// Bit i is pixel i.
     using Pixels = std::uint64_t;
 
-    /// What one renderer shows.
+    /// What one renderer shows, from the first pixel on.
     struct Side {
-        const PrimitiveId* primitive = nullptr;  ///< of the first pixel, and so on
-        const float* camera_depth = nullptr;     ///< the same
-        SpreadValues<std::uint32_t, width> law;  ///< of the triangle: a place among the laws
+        const PrimitiveId* primitive = nullptr;
+        const float* camera_depth = nullptr;
     };
     static constexpr std::size_t chunk = tile_columns;  ///< pixels that are sorted out together
 
-    int x = 0, y = 0;           ///< of the first
-    Side candidate, reference;  ///< the reference's laws are unwritten where the frames nowhere differ
-    Pixels turns;               ///< the candidate shows another triangle than at the pixel before; the first
-    Pixels differ;              ///< the reference shows another triangle than the candidate
-
-    /// In both frames, all over.
-    bool is_of_one_id() const { return turns == 1 && differ == 0; }
+    int x = 0, y = 0;  ///< of the first
+    Side candidate, reference;
+    Pixels turns = 1;   ///< the candidate shows another triangle than at the pixel before; the first
+    Pixels differ = 0;  ///< the reference shows another triangle than the candidate
+    /// Of the candidate's runs, which begin where it turns, in order: places among the laws.
+    Values<std::uint32_t> law_of_run;
+    Values<std::uint32_t> law_of_other;  ///< the reference's where they differ; elsewhere unwritten
 
     /// Of a chunk, which begins at pixel `first`.
     static ColumnMask in_chunk(Pixels pixels, std::size_t first) {
@@ -55,7 +54,10 @@ struct SortedStrip {
     std::array<ColumnMask, Strip::width / Strip::chunk> lawful;  ///< of those: both depths are so for certain
 };
 
-/// Fills in where the candidate turns to another triangle and where the frames differ.
-void compare_ids(Strip& strip);
+/// The laws of a strip's pixels, side by side.
+struct LawsAlong {
+    SpreadValues<std::uint32_t, Strip::width> candidate, reference;
+};
+LawsAlong laws_along(const Strip& strip);
 
 }  // namespace zproof

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
+#include <variant>
 
 #include "compare/corner_cells.h"
+#include "compare/corner_hull.h"
 #include "compare/neighbourhood.h"
 #include "compare/triangle_filter.h"
 
@@ -17,19 +20,23 @@ namespace zproof {
 namespace {
 
 /// Triangles that are searched together: long runs share more of their corners, short ones more threads.
-std::size_t chunk_triangles(std::size_t count) { return std::clamp<std::size_t>(count / 64, 4096, 32768); }
+std::size_t chunk_triangles(std::size_t count) { return std::clamp<std::size_t>(count / 64, 64, 32768); }
 
 /// How many cells above and left of a place hold anything that is asked about, modulo 2^16: any in a
 /// rectangle by four look-ups, where it has fewer cells than that.
 class AskedCells {
   public:
-    AskedCells(const Cells& cells, const Tiles& tiles, const AskedBoxes& asked)
+    AskedCells(const Cells& cells, const AskedTiles& asked)
         : width_(std::size_t(cells.columns) + 1), sums_(width_ * (std::size_t(cells.rows) + 1)) {
-        for (std::size_t tile = 0; tile < tiles.count(); ++tile)
-            for (const Box& box : asked.of(tile)) mark(cells, box);
-        for (int row = 0; row < cells.rows; ++row)
-            for (int column = 0; column < cells.columns; ++column)
-                at(column + 1, row + 1) += Sum(at(column, row + 1) + at(column + 1, row) - at(column, row));
+        for (const AskedTiles::Tile& tile : asked.all())
+            for (const Box& box : tile.boxes) mark(cells, box);
+        for (int row = 0; row < cells.rows; ++row) {
+            Sum of_row = 0;
+            for (int column = 1; column <= cells.columns; ++column) {
+                of_row = Sum(of_row + at(column, row + 1));
+                at(column, row + 1) = Sum(at(column, row) + of_row);
+            }
+        }
     }
     /// Both ends included. A rectangle of 2^16 cells and more is taken to hold some.
     bool any(int left, int top, int right, int bottom) const {
@@ -110,11 +117,11 @@ class TileSearch {
   public:
     TileSearch(const Scene& scene, const View& view, const AskedBoxes& asked)
         : scene_(scene),
-          asked_(asked),
           reach_px_(asked.reach_px()),
           tiles_(view),
+          asked_(tiles_, asked),
           cells_(view),
-          asked_cells_(cells_, tiles_, asked),
+          asked_cells_(cells_, asked_),
           projection_(view),
           corner_cells_(projection_, cells_),
           filters_(view) {}
@@ -132,34 +139,45 @@ class TileSearch {
     }
 
   private:
+    /// Where a large triangle is: between its corners, or where some of them have no place in the image, by
+    /// its functionals.
+    using Shape = std::variant<CornerHull, TriangleFilter>;
+    Shape shape_of(std::uint32_t triangle) const {
+        const CornersWorld p_world = corners_of(scene_, triangle);
+        if (const auto corners = projection_.of_corners(p_world)) return CornerHull(*corners);
+        return filters_.of(p_world);
+    }
+    static bool is_beside(const Shape& shape, const Box& asked) {
+        if (const auto* const hull = std::get_if<CornerHull>(&shape)) return hull->is_beside(asked);
+        return std::get<TriangleFilter>(shape).misses(around(asked));
+    }
+
     void search(std::uint32_t triangle, const Box& box, std::vector<Meeting>& found) const {
         const double reach = reach_px_;
         const int left = clamped(box.left - reach, tiles_.columns),
                   right = clamped(box.right + reach, tiles_.columns);
         const int top = clamped(box.top - reach, tiles_.rows),
                   bottom = clamped(box.bottom + reach, tiles_.rows);
-        std::optional<TriangleFilter> edges;
+        std::optional<Shape> shape;
         const auto may_meet = [&](const Box& asked) {
             if (!box.meets(asked)) return false;
             if (box.fits(Tiles::side_px)) return true;
-            if (!edges) edges = filters_.of(corners_of(scene_, triangle));
-            return !edges->misses(around(asked));
+            if (!shape) shape = shape_of(triangle);
+            return !is_beside(*shape, asked);
         };
         for (int row = top; row <= bottom; ++row)
-            for (int column = left; column <= right; ++column) {
-                const std::size_t tile = tiles_.index(column, row);
-                if (std::ranges::any_of(asked_.of(tile), may_meet))
-                    found.push_back({std::uint32_t(tile), triangle});
-            }
+            for (const AskedTiles::Tile& tile : asked_.of(row, left, right))
+                if (may_meet(tile.all) && std::ranges::any_of(tile.boxes, may_meet))
+                    found.push_back({tile.index, triangle});
     }
     static int clamped(double px, int count) {
         return int(std::clamp(px / Tiles::side_px, 0.0, count - 1.0));
     }
 
     const Scene& scene_;
-    const AskedBoxes& asked_;
     double reach_px_;
     Tiles tiles_;
+    AskedTiles asked_;
     Cells cells_;
     AskedCells asked_cells_;
     BoxProjection projection_;
@@ -168,27 +186,6 @@ class TileSearch {
 };
 
 }  // namespace
-
-void AskedBoxes::add(std::size_t tile, const Box& square, double reach_px) {
-    constexpr std::size_t most = 8;
-    if (!tiles_[tile]) tiles_[tile] = std::make_unique<Asked>();
-    auto& [boxes, reach_of_all_px] = *tiles_[tile];
-    reach_of_all_px = std::max(reach_of_all_px, reach_px);
-    const auto has_its_place = [&](const Box& b) {
-        return b.middle_x() == square.middle_x() && b.middle_y() == square.middle_y();
-    };
-    if (boxes.size() == most || (!boxes.empty() && has_its_place(boxes.back())))
-        boxes.back().add(square);
-    else
-        boxes.push_back(square);
-}
-
-double AskedBoxes::reach_px() const {
-    double largest = 0;
-    for (const auto& tile : tiles_)
-        if (tile) largest = std::max(largest, tile->reach_px);
-    return largest;
-}
 
 TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const AskedBoxes& asked)
     : first_(Tiles(view).count() + 2) {

@@ -2,37 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "compare/image_box.h"
-#include "compare/tiles.h"
+#include "compare/asked_boxes.h"
 #include "scenes/scene.h"
 
 namespace zproof {
-
-/// What is asked about: a few boxes for each tile.
-class AskedBoxes {
-  public:
-    explicit AskedBoxes(std::size_t tile_count) : tiles_(tile_count) {}
-
-    /// A square that reaches beyond its tile by at most reach_px. Several threads may add to different tiles.
-    void add(std::size_t tile, const Box& square, double reach_px);
-
-    std::span<const Box> of(std::size_t tile) const {
-        return tiles_[tile] ? std::span<const Box>(tiles_[tile]->boxes) : std::span<const Box>();
-    }
-    /// The largest of all.
-    double reach_px() const;
-
-  private:
-    struct Asked {
-        std::vector<Box> boxes;
-        double reach_px = 0;
-    };
-    std::vector<std::unique_ptr<Asked>> tiles_;  ///< most are asked nothing about
-};
 
 /// Lists of triangles, one per tile, each ascending.
 class TrianglesByTile {

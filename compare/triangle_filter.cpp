@@ -18,36 +18,7 @@ Vector3<double> normal_of(const CornersWorld& p) {
     return cross(b - a, c - a);
 }
 
-/// Where a box reaches in a direction, or beyond: [least, most] of the scalar product, 8 roundings at most.
-struct Reach {
-    double least, most;
-};
-Reach reach_of(const Around& box, double along_x, double along_y) {
-    static const double rounding = gamma(8, unit_roundoff_float64);
-    const double middle = along_x * box.x + along_y * box.y,
-                 half = box.half_x * std::abs(along_x) + box.half_y * std::abs(along_y),
-                 terms = half + std::abs(along_x * box.x) + std::abs(along_y * box.y),
-                 reach = half + rounding * terms;
-    return {middle - reach, middle + reach};
-}
-
 }  // namespace
-
-bool TriangleFilter::is_beside(const Around& at) const {
-    if (!corner) return false;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Around &p = (*corner)[i], &q = (*corner)[(i + 1) % 3];
-        const double along_x = p.y - q.y, along_y = q.x - p.x;
-        const Reach asked = reach_of(at, along_x, along_y);
-        Reach all{unlimited, -unlimited};
-        for (const Around& c : *corner) {
-            const Reach one = reach_of(c, along_x, along_y);
-            all = {std::min(all.least, one.least), std::max(all.most, one.most)};
-        }
-        if (all.least > asked.most || all.most < asked.least) return true;
-    }
-    return false;
-}
 
 TriangleFilters::TriangleFilters(const View& view)
     : boxes_(view),
@@ -79,13 +50,7 @@ TriangleFilter TriangleFilters::of(const CornersWorld& p_world, const TriangleEx
     TriangleFilter filter = by_functionals(p_world, PlaneError(extent.size.plane));
     if (const auto box = boxes_(p_world)) filter.box = *box;
     if (filter.is_trusted) return filter;
-    filter.corner.emplace();
-    for (std::size_t i = 0; filter.corner && i < 3; ++i) {
-        if (const auto box = boxes_(p_world[i]))
-            (*filter.corner)[i] = around(*box);
-        else
-            filter.corner.reset();
-    }
+    if (const auto corners = boxes_.of_corners(p_world)) filter.hull.emplace(*corners);
     return filter;
 }
 

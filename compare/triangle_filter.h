@@ -6,27 +6,11 @@
 #include <array>
 #include <cmath>
 
-#include "compare/image_box.h"
+#include "compare/corner_hull.h"
 #include "compare/sight.h"
 #include "math/affine.h"
 
 namespace zproof {
-
-/// A box of the image: places within half_x, half_y of a place (x, y), given as pixel indices (so that a
-/// pixel's centre is a whole number).
-struct Around {
-    double x = 0, y = 0, half_x = 0, half_y = 0;
-};
-
-inline Box raster_box(const Around& at) {
-    const double x = at.x + 0.5, y = at.y + 0.5;
-    return {x - at.half_x, y - at.half_y, x + at.half_x, y + at.half_y};
-}
-
-inline Around around(const Box& raster) {
-    return {raster.middle_x() - 0.5, raster.middle_y() - 0.5, 0.5 * (raster.right - raster.left),
-            0.5 * (raster.bottom - raster.top)};
-}
 
 /// How far an affine function's values in a box may be from that in its middle.
 inline double reach(const Affine<double>& f, const Around& box) {
@@ -44,13 +28,12 @@ struct TriangleFilter {
     double edge_error = 0;      ///< of each, anywhere in the image: this value's and image_of's together
     Affine<double> nearness{};  ///< of pixel indices
     double nearness_error = unlimited;  ///< anywhere in the image
-    bool is_trusted = false;            ///< or may it be edge-on? Then only `box` and `corner` hold
+    bool is_trusted = false;            ///< or may it be edge-on? Then only `box` and `hull` hold
     Box box{};                          ///< around its image in front of half the near depth
-    /// The corners' images, in pixel indices, where all lie in front of half the near depth.
-    std::optional<std::array<Around, 3>> corner;
+    std::optional<CornerHull> hull;     ///< around all of it, where all corners lie in front of that
 
     Place place_of(const Around& at) const {
-        if (!is_trusted) return box.meets(raster_box(at)) && !is_beside(at) ? Place::unknown : Place::misses;
+        if (!is_trusted) return may_meet(raster_box(at)) ? Place::unknown : Place::misses;
         bool covers = true;
         for (const Affine<double>& e : edge) {
             const double middle = e.at(at.x, at.y);
@@ -78,8 +61,7 @@ struct TriangleFilter {
     }
 
   private:
-    /// Does a line along one of the sides part the box from all three corners?
-    bool is_beside(const Around& at) const;
+    bool may_meet(const Box& asked) const { return box.meets(asked) && !(hull && hull->is_beside(asked)); }
 };
 
 /// Is `front` nearer than `back` at every point of the box, certainly: +1; farther at every point: -1; or

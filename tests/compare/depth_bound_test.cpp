@@ -76,10 +76,12 @@ std::vector<double> held(const DepthLaw& law, const View& view, const Place& fro
         Strip strip{};
         strip.x = from.x + int(first), strip.y = from.y;
         strip.candidate.camera_depth = camera_depth.data();
-        std::fill_n(strip.candidate.law.begin(), here.size(), 1);
         strip.reference = strip.candidate;
+        LawsAlong along{};
+        std::fill_n(along.candidate.begin(), here.size(), 1);
+        along.reference = along.candidate;
         SortedStrip all;
-        (perspective ? hold_perspective : hold_parallel)(laws, strip, all);
+        (perspective ? hold_perspective : hold_parallel)(laws, strip, along, all);
         EXPECT_EQ(all.ratio.candidate, all.ratio.reference);
         ratios.insert(ratios.end(), all.ratio.candidate.begin(),
                       all.ratio.candidate.begin() + std::ptrdiff_t(here.size()));
@@ -134,33 +136,33 @@ TEST(DepthBound, OfNeighboursIsEachOnesOwnInOneStrip) {
         const auto hold = perspective ? hold_perspective : hold_parallel;
         Strip mixed{};
         mixed.x = 3, mixed.y = s.y;
-        mixed.differ = ~Strip::Pixels{0};
+        LawsAlong along{};
         for (std::size_t i = 0; i < Strip::width; ++i) {
             const std::size_t shown = i < 24 ? i : i / 11;
-            mixed.candidate.law[i] = std::uint32_t(shown % laws.candidate.size());
-            mixed.reference.law[i] = std::uint32_t((shown + (i % 7 == 0)) % laws.candidate.size());
+            along.candidate[i] = std::uint32_t(shown % laws.candidate.size());
+            along.reference[i] = std::uint32_t((shown + (i % 7 == 0)) % laws.candidate.size());
         }
         Strip::Values<float> camera_depth;
         camera_depth.fill(s.around.neighbours.empty() ? 1 : float(s.around.neighbours[0].nearest));
         mixed.candidate.camera_depth = mixed.reference.camera_depth = camera_depth.data();
         SortedStrip together;
-        hold(laws, mixed, together);
+        hold(laws, mixed, along, together);
         for (std::uint32_t which = 0; which < laws.candidate.size(); ++which) {
-            Strip alone = mixed;
-            alone.candidate.law.fill(which);
-            alone.reference.law.fill(which);
+            LawsAlong alone;
+            alone.candidate.fill(which);
+            alone.reference.fill(which);
             SortedStrip by_itself;
-            hold(laws, alone, by_itself);
-            const auto expect_same = [&](const Strip::Side& shown, const Strip::Values<double>& here,
+            hold(laws, mixed, alone, by_itself);
+            const auto expect_same = [&](const auto& law, const Strip::Values<double>& here,
                                          const Strip::Values<double>& there) {
                 for (std::size_t i = 0; i < Strip::width; ++i) {
-                    if (shown.law[i] != which) continue;
+                    if (law[i] != which) continue;
                     EXPECT_EQ(here[i], there[i]) << i;
                     settled += here[i] != unsettled;
                 }
             };
-            expect_same(mixed.candidate, together.ratio.candidate, by_itself.ratio.candidate);
-            expect_same(mixed.reference, together.ratio.reference, by_itself.ratio.reference);
+            expect_same(along.candidate, together.ratio.candidate, by_itself.ratio.candidate);
+            expect_same(along.reference, together.ratio.reference, by_itself.ratio.reference);
         }
     }
     EXPECT_GT(settled, 2000);

@@ -9,6 +9,7 @@
 
 #include "compare/certain_depths.h"
 #include "compare/depth_bound.h"
+#include "compare/strips/dispatch.h"
 #include "random_surroundings.h"
 
 namespace zproof {
@@ -205,49 +206,74 @@ TEST(DepthTolerance, SaysNothingBeyondItsPart) {
     }
 }
 
-/// Of a strip in which each pixel shows one of a few triangles or none, here and there another in each frame.
-TEST(CertainPixels, AreThoseOfEachTriangleByItself) {
-    std::array<int, 3> found{};  // not certain, certain, a whole strip of one triangle
+/// Of a triangle that leans a little, near depth 4 in the strip from pixel (64, 3) on.
+DepthTolerance some_tolerance(Dice& dice, Projection projection) {
+    const bool perspective = projection == Projection::perspective;
+    const double w = perspective ? 0.25 : 4, step = w * 0x1p-26, error = perspective ? 0x1p-22 : 0x1p-20;
+    DepthTolerance t;
+    t.w_per_x = dice.between(-step, step);
+    t.w_per_y = dice.between(-step, step);
+    t.w_offset = w - 96 * t.w_per_x - 3 * t.w_per_y;
+    t.least = w - dice.between(0, 64) * step;
+    t.most = w + dice.between(0, 64) * step;
+    t.largest = 0.5 * (perspective ? 1 : w);
+    t.unsure = 0x1p-10 * error;
+    t.candidate = {dice.between(1, 8) * error, dice.between(0, 1)};
+    t.reference = {dice.between(1, 8) * error, dice.between(0, 1)};
+    return t;
+}
+
+/// A strip in which each pixel shows one of a few triangles or none.
+struct FewTriangles {
+    Strip::Values<std::uint32_t> law, law_of_run{};
+    Strip::Values<float> our_depth, their_depth;
+    Strip::Pixels turns = 0;
+
+    explicit FewTriangles(Dice& dice) {
+        const int longest = 1 + dice.below(90);
+        const double off = dice.below(3) == 0 ? 0.2 : 4;
+        std::size_t runs = 0;
+        for (std::size_t i = 0; i < Strip::width; ++i) {
+            const bool turns_here = i == 0 || dice.below(longest) == 0;
+            turns |= Strip::Pixels{turns_here} << i;
+            if (turns_here) law_of_run[runs++] = std::uint32_t(dice.below(3));
+            law[i] = law_of_run[runs - 1];
+            our_depth[i] = float(4 + dice.between(-off, off) * 0x1p-20);
+            their_depth[i] = float(4 + dice.between(-off, off) * 0x1p-20);
+        }
+        if (dice.below(4) == 0) our_depth[std::size_t(dice.below(64))] = std::nanf("");
+        if (dice.below(4) == 0) their_depth[std::size_t(dice.below(64))] = background_depth;
+    }
+};
+
+TEST(StripKernels, FindTheDepthsCertainOfEachTriangleByItself) {
+    std::array<int, 3> found{};  // not certain, certain, a whole strip
     for (std::uint32_t seed = 0; seed < 3000; ++seed) {
         SCOPED_TRACE(seed);
         Dice dice(seed);
         const Projection projection = dice.below(2) != 0 ? Projection::perspective : Projection::parallel;
-        const std::array tolerances{
-            DepthTolerance{},
-            tolerance_of(wall_law(0, 0x1p-20, projection), wall_law(0, 0x1p-22, projection), projection,
-                         {64, 3, 128, 4}, Reach::all),
-            tolerance_of(wall_law(0, 0x1p-22, projection), wall_law(0, 0x1p-20, projection), projection,
-                         {64, 3, 128, 4}, Reach::all)};
-        Strip strip{};
-        strip.x = 64, strip.y = 3;
-        Strip::Values<PrimitiveId> ours, theirs;
-        Strip::Values<float> our_depth, their_depth;
-        const int longest = 1 + dice.below(90);
-        const double off = dice.below(3) == 0 ? 0.2 : 4;
-        std::uint32_t law = std::uint32_t(dice.below(3));
-        for (std::size_t i = 0; i < Strip::width; ++i) {
-            if (dice.below(longest) == 0) law = std::uint32_t(dice.below(3));
-            strip.candidate.law[i] = law;
-            ours[i] = theirs[i] = PrimitiveId(law);
-            if (longest < 30 && dice.below(9) == 0) theirs[i] = PrimitiveId(9);
-            our_depth[i] = float(4 + dice.between(-off, off) * 0x1p-20);
-            their_depth[i] = float(4 + dice.between(-off, off) * 0x1p-20);
-        }
-        strip.candidate.primitive = ours.data(), strip.reference.primitive = theirs.data();
-        strip.candidate.camera_depth = our_depth.data(), strip.reference.camera_depth = their_depth.data();
-        compare_ids(strip);
+        const std::array tolerances{DepthTolerance{}, some_tolerance(dice, projection),
+                                    some_tolerance(dice, projection)};
+        const FewTriangles shown(dice);
         const AtMost at_most{1, dice.below(2) != 0 ? 1 : 0.5};
-        const Strip::Pixels certain = certain_pixels(strip, tolerances, projection, at_most);
+        Strip::Pixels expected = 0;
         for (std::size_t i = 0; i < Strip::width; ++i) {
             const std::size_t first = i / tile_columns * tile_columns;
-            const auto [a, b] =
-                certain_depths(tolerances[strip.candidate.law[i]], projection,
-                               {{64 + int(first), 3}, &our_depth[first], &their_depth[first]}, at_most);
-            const bool expected = ours[i] == theirs[i] && (a & b & 1u << (i - first)) != 0;
-            ASSERT_EQ((certain >> i & 1) != 0, expected) << i;
-            ++found[expected];
+            const auto [a, b] = certain_depths(
+                tolerances[shown.law[i]], projection,
+                {{64 + int(first), 3}, &shown.our_depth[first], &shown.their_depth[first]}, at_most);
+            expected |= Strip::Pixels{a & b & 1u << (i - first)} << first;
         }
-        found[2] += ~certain == 0;
+        for (const strips::Kernel& kernel : strips::available_kernels()) {
+            const Strip::Pixels certain =
+                kernel.certain({64, 3, shown.our_depth.data(), shown.their_depth.data(), shown.turns,
+                                shown.law_of_run.data()},
+                               {tolerances.data(), projection, at_most.candidate, at_most.reference});
+            ASSERT_EQ(certain, expected) << kernel.name;
+        }
+        found[1] += std::popcount(expected);
+        found[0] += std::popcount(~expected);
+        found[2] += ~expected == 0;
     }
     EXPECT_GT(found[0], 20'000);
     EXPECT_GT(found[1], 20'000);

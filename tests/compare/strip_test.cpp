@@ -7,6 +7,7 @@
 #include <random>
 
 #include "compare/runs.h"
+#include "compare/strips/dispatch.h"
 
 namespace zproof {
 namespace {
@@ -32,18 +33,37 @@ void for_each_strip(const Visit& visit) {
         Strip strip{};
         strip.candidate.primitive = ours.data();
         strip.reference.primitive = theirs.data();
-        compare_ids(strip);
+        const auto [turns, differ] = strips::widest_kernel().compare(ours.data(), theirs.data());
+        strip.turns = turns, strip.differ = differ;
         visit(strip);
         if (testing::Test::HasFatalFailure()) return;
     }
 }
 
-TEST(Strip, SaysWhereIdsTurnAndDiffer) {
+TEST(StripKernels, SayWhereIdsTurnAndDiffer) {
     for_each_strip([](const Strip& strip) {
         const PrimitiveId *const ours = strip.candidate.primitive, *const theirs = strip.reference.primitive;
+        for (const strips::Kernel& kernel : strips::available_kernels()) {
+            SCOPED_TRACE(kernel.name);
+            const auto [turns, differ] = kernel.compare(ours, theirs);
+            for (std::size_t i = 0; i < Strip::width; ++i) {
+                ASSERT_EQ((turns >> i & 1) != 0, i == 0 || ours[i] != ours[i - 1]) << i;
+                ASSERT_EQ((differ >> i & 1) != 0, ours[i] != theirs[i]) << i;
+            }
+        }
+    });
+}
+
+TEST(Strip, HasTheLawsOfItsRunsAndOfWhatDiffers) {
+    for_each_strip([](Strip strip) {
+        for (std::size_t i = 0; i < Strip::width; ++i)
+            strip.law_of_run[i] = std::uint32_t(100 + i), strip.law_of_other[i] = std::uint32_t(200 + i);
+        const LawsAlong laws = laws_along(strip);
+        std::uint32_t run = 99;
         for (std::size_t i = 0; i < Strip::width; ++i) {
-            ASSERT_EQ((strip.turns >> i & 1) != 0, i == 0 || ours[i] != ours[i - 1]) << i;
-            ASSERT_EQ((strip.differ >> i & 1) != 0, ours[i] != theirs[i]) << i;
+            run += strip.turns >> i & 1;
+            ASSERT_EQ(laws.candidate[i], run) << i;
+            ASSERT_EQ(laws.reference[i], (strip.differ >> i & 1) != 0 ? 200 + i : run) << i;
         }
     });
 }

@@ -1,0 +1,49 @@
+#include "compare/asked_boxes.h"
+
+#include <algorithm>
+
+namespace zproof {
+
+void AskedBoxes::add(std::size_t tile, const Box& square, double reach_px) {
+    constexpr std::size_t most = 8;
+    if (!tiles_[tile]) tiles_[tile] = std::make_unique<Asked>();
+    auto& [boxes, reach_of_all_px] = *tiles_[tile];
+    reach_of_all_px = std::max(reach_of_all_px, reach_px);
+    const auto has_its_place = [&](const Box& b) {
+        return b.middle_x() == square.middle_x() && b.middle_y() == square.middle_y();
+    };
+    if (boxes.size() == most || (!boxes.empty() && has_its_place(boxes.back())))
+        boxes.back().add(square);
+    else
+        boxes.push_back(square);
+}
+
+double AskedBoxes::reach_px() const {
+    double largest = 0;
+    for (const auto& tile : tiles_)
+        if (tile) largest = std::max(largest, tile->reach_px);
+    return largest;
+}
+
+AskedTiles::AskedTiles(const Tiles& tiles, const AskedBoxes& asked) {
+    for (int row = 0; row < tiles.rows; ++row) {
+        first_.push_back(std::uint32_t(tiles_.size()));
+        for (int column = 0; column < tiles.columns; ++column) {
+            const std::size_t index = tiles.index(column, row);
+            if (asked.of(index).empty()) continue;
+            Tile tile{column, std::uint32_t(index), {}, asked.of(index)};
+            for (const Box& box : tile.boxes) tile.all.add(box);
+            tiles_.push_back(tile);
+        }
+    }
+    first_.push_back(std::uint32_t(tiles_.size()));
+}
+
+auto AskedTiles::of(int row, int left, int right) const -> std::span<const Tile> {
+    const auto begin = tiles_.begin() + first_[std::size_t(row)],
+               end = tiles_.begin() + first_[std::size_t(row) + 1];
+    const auto from = std::ranges::lower_bound(begin, end, left, {}, &Tile::column);
+    return {from, std::ranges::upper_bound(from, end, right, {}, &Tile::column)};
+}
+
+}  // namespace zproof

@@ -1,0 +1,58 @@
+/// What of an image triangles are searched for.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "compare/image_box.h"
+#include "compare/tiles.h"
+
+namespace zproof {
+
+/// A few boxes for each tile.
+class AskedBoxes {
+  public:
+    explicit AskedBoxes(std::size_t tile_count) : tiles_(tile_count) {}
+
+    /// A square that reaches beyond its tile by at most reach_px. Several threads may add to different tiles.
+    void add(std::size_t tile, const Box& square, double reach_px);
+
+    std::span<const Box> of(std::size_t tile) const {
+        return tiles_[tile] ? std::span<const Box>(tiles_[tile]->boxes) : std::span<const Box>();
+    }
+    /// The largest of all.
+    double reach_px() const;
+
+  private:
+    struct Asked {
+        std::vector<Box> boxes;
+        double reach_px = 0;
+    };
+    std::vector<std::unique_ptr<Asked>> tiles_;  ///< most are asked nothing about
+};
+
+/// The tiles that anything is asked about, row by row.
+class AskedTiles {
+  public:
+    struct Tile {
+        int column;
+        std::uint32_t index;
+        Box all;  ///< around its boxes
+        std::span<const Box> boxes;
+    };
+
+    /// `asked` must outlive it.
+    AskedTiles(const Tiles& tiles, const AskedBoxes& asked);
+
+    std::span<const Tile> all() const { return tiles_; }
+    /// Of a row, from one column to another, both included.
+    std::span<const Tile> of(int row, int left, int right) const;
+
+  private:
+    std::vector<Tile> tiles_;           ///< in raster order
+    std::vector<std::uint32_t> first_;  ///< by row: among them; one more at the end
+};
+
+}  // namespace zproof

@@ -1,0 +1,73 @@
+// Depths of a strip held against tolerances, run by run of pixels that show one triangle.
+
+struct Perspective {
+    static Doubles error(const Doubles& z, const Doubles& nearness) {
+        return magnitude(z * nearness - all(1));
+    }
+};
+struct Parallel {
+    static Doubles error(const Doubles& z, const Doubles& depth) { return magnitude(z - depth); }
+};
+
+constexpr double lesser(double a, double b) { return b < a ? b : a; }
+constexpr int lesser(int a, int b) { return b < a ? b : a; }
+
+/// Up to that an error is.
+double most_error(const DepthTolerance& t, const DepthTolerance::Bound& bound, double at_most) {
+    return lesser(lesser(bound.lawful, at_most) * bound.room - t.unsure, t.largest);
+}
+
+/// A triangle along the strip.
+struct Row {
+    Doubles w_per_x, w_of_row, w_offset, least, most, our_most, their_most;
+};
+Row row_of(const DepthTolerance& t, int y, const Tolerated& by) {
+    return {all(t.w_per_x),
+            all(t.w_per_y * y),
+            all(t.w_offset),
+            all(t.least),
+            all(t.most),
+            all(most_error(t, t.candidate, by.candidate_at_most)),
+            all(most_error(t, t.reference, by.reference_at_most))};
+}
+
+/// The pixels from i on, as many as there are lanes.
+template <class Projected>
+Pixels certain_from(const Row& row, const Depths& depths, int i) {
+    const Doubles w = row.w_per_x * (all(double(depths.x + i)) + counted()) + row.w_of_row + row.w_offset;
+    const Doubles ours = Projected::error(widened(depths.candidate + i), w),
+                  theirs = Projected::error(widened(depths.reference + i), w);
+    return Pixels{bits_of(not_greater(row.least, w) & not_greater(w, row.most) &
+                          not_greater(ours, row.our_most) & not_greater(theirs, row.their_most))};
+}
+
+/// The pixels from first to before end; of others, anything.
+template <class Projected>
+Pixels certain_in_run(const Row& row, const Depths& depths, int first, int end) {
+    constexpr int last = width - lanes;
+    Pixels found = 0;
+    for (int i = lesser(first, last);; i = lesser(i + lanes, last)) {
+        found |= certain_from<Projected>(row, depths, i) << i;
+        if (i + lanes >= end) return found;
+    }
+}
+
+template <class Projected>
+Pixels certain_in_runs(const Depths& depths, const Tolerated& by) {
+    Pixels all_certain = 0;
+    const std::uint32_t* law = depths.law_of_run;
+    for (Pixels turns = depths.turns; turns != 0; ++law) {
+        const Pixels from_first = -(turns & -turns);  // all pixels from the run's first on
+        turns &= turns - 1;
+        const Pixels beyond = -(turns & -turns);  // and from the next one's
+        const int first = __builtin_ctzll(from_first), end = turns != 0 ? __builtin_ctzll(turns) : width;
+        const Row row = row_of(by.tolerances[*law], depths.y, by);
+        all_certain |= certain_in_run<Projected>(row, depths, first, end) & from_first & ~beyond;
+    }
+    return all_certain;
+}
+
+Pixels certain(const Depths& depths, const Tolerated& by) noexcept {
+    return by.projection == Projection::perspective ? certain_in_runs<Perspective>(depths, by)
+                                                    : certain_in_runs<Parallel>(depths, by);
+}
