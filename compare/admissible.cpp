@@ -9,7 +9,7 @@
 
 #include "compare/coplanar.h"
 #include "math/interval.h"
-#include "math/rational.h"
+#include "math/lazy_rational.h"
 
 namespace zproof {
 
@@ -349,6 +349,7 @@ bool AdmissibleSet<Number>::is_clipped(size_t index) {
 
 template class AdmissibleSet<double>;
 template class AdmissibleSet<Interval>;
-template class AdmissibleSet<Rational>;
+template class AdmissibleSet<LazyRational>;
+template class AdmissibleSet<Rational>;  // for tests: what the others are held against
 
 }  // namespace zproof

@@ -24,8 +24,8 @@ struct Rules {
     EdgeRule edges = EdgeRule::watertight;
 };
 
-/// Decides by the signs of Number; with Interval, throws UndecidedSign where double precision is not enough.
-/// With double, an estimate.
+/// Decides by the signs of Number: exactly with rationals; with Interval, throws UndecidedSign where double
+/// precision is not enough. With double, an estimate.
 template <class Number>
 class AdmissibleSet {
   public:

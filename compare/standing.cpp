@@ -5,7 +5,7 @@
 #include "compare/admissible.h"
 #include "compare/plain_case.h"
 #include "math/interval.h"
-#include "math/rational.h"
+#include "math/lazy_rational.h"
 
 namespace zproof {
 
@@ -57,7 +57,7 @@ Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory&
     try {
         return {standing_in<Interval>(around, answer), false};
     } catch (const UndecidedSign&) {
-        return {standing_in<Rational>(around, answer), true};
+        return {standing_in<LazyRational>(around, answer), true};
     }
 }
 

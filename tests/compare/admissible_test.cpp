@@ -8,6 +8,7 @@
 #include "brute_force.h"
 #include "compare/standing.h"
 #include "math/interval.h"
+#include "math/lazy_rational.h"
 #include "random_surroundings.h"
 
 namespace zproof {
@@ -62,12 +63,15 @@ TEST(AdmissibleSet, AgreesWithBruteForceOnRandomAndHardSurroundings) {
         const std::vector<bool> flags = edge_on(s.around);
         const brute_force::Picture plain(s.around);
         AdmissibleSet<Rational> exact(s.around);
+        AdmissibleSet<LazyRational> lazy(s.around);
         AdmissibleSet<Interval> fast(s.around);
         const auto expected = questions_for(plain, count, flags),
-                   of_exact = questions_for(exact, count, flags), of_fast = questions_for(fast, count, flags);
+                   of_exact = questions_for(exact, count, flags), of_lazy = questions_for(lazy, count, flags),
+                   of_fast = questions_for(fast, count, flags);
         for (std::size_t q = 0; q < expected.size(); ++q) {
             const bool truth = expected[q]();
             ASSERT_EQ(of_exact[q](), truth) << "question " << q;
+            ASSERT_EQ(of_lazy[q](), truth) << "question " << q;
             const std::optional<bool> claimed = answer_or_undecided(of_fast[q]);
             ASSERT_EQ(claimed.value_or(truth), truth) << "question " << q;
             ++asked, decided += claimed.has_value(), yes += truth;
