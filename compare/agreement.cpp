@@ -21,12 +21,13 @@ constexpr int tile_width = Strip::width, tile_height = 16;
 /// Of a tile: more than that, and few pixels share a law.
 constexpr std::size_t many_laws = 128;
 
-/// Fetches a strip of a row into the cache.
-template <class T>
-void fetch(std::span<const T> row, std::size_t first) {
-    constexpr std::size_t step = 64 / sizeof(T);  // a line of the cache
-    const std::size_t end = std::min(row.size(), first + Strip::width);
-    for (std::size_t i = first; i < end; i += step) __builtin_prefetch(&row[i]);
+/// Fetches into the cache what follows a strip, so many pixels: what the next tile will read.
+void fetch_ahead(const Strip::Side& side, std::size_t count) {
+    constexpr std::size_t step = 64 / sizeof(float);  // a line of the cache
+    for (std::size_t i = Strip::width; i < Strip::width + count; i += step) {
+        __builtin_prefetch(side.primitive + i);
+        __builtin_prefetch(side.camera_depth + i);
+    }
 }
 
 /// A look at both witnesses, tile by tile.
@@ -65,9 +66,11 @@ class Comparison {
         if (is_presorted_) presort_.turn_to(tile, shown_.laws(), shown_.count() + 1);
         Presort::Largest largest{known(candidate_largest_, largest_.candidate),
                                  known(reference_largest_, largest_.reference)};
+        const std::size_t ahead = std::min(Strip::width, std::size_t(candidate_.view().width - tile.right));
         for (int y = tile.top; y < tile.bottom; ++y) {
             const Strip& strip = strips_[std::size_t(y - tile.top)];
-            fetch_ahead(tile.right, y);
+            fetch_ahead(strip.candidate, ahead);
+            fetch_ahead(strip.reference, ahead);
             sorted_.sorted = 0;
             if (is_presorted_) presort_.sort(shown_.laws(), largest, strip, sorted_);
             if (sorted_.sorted != SortedStrip::all_sorted) hold(strip);
@@ -126,14 +129,6 @@ class Comparison {
             const PrimitiveId triangle = strip.reference.primitive[i];
             if (triangle != latest) latest = triangle, its_law = law_of(triangle);
             strip.law_of_other[i] = its_law;
-        }
-    }
-
-    /// Of a row, what the next tile will read.
-    void fetch_ahead(int left, int y) const {
-        for (const Witness* const witness : {&candidate_, &reference_}) {
-            fetch(witness->frame().primitive.row(y), std::size_t(left));
-            fetch(witness->frame().camera_depth.row(y), std::size_t(left));
         }
     }
 

@@ -9,14 +9,6 @@ namespace zproof {
 
 namespace {
 
-/// Where the candidate shows nothing, and both have the depth of the background.
-ColumnMask bare(const Strip& strip, std::size_t first) {
-    const ColumnMask nothing = where_equal(&strip.candidate.primitive[first], PrimitiveId::none);
-    if (nothing == 0) return 0;
-    return nothing & where_equal(&strip.candidate.camera_depth[first], background_depth) &
-           where_equal(&strip.reference.camera_depth[first], background_depth);
-}
-
 ColumnsOfBoth without(const ColumnsOfBoth& all, const ColumnsOfBoth& some) {
     return {all.candidate & ~some.candidate, all.reference & ~some.reference};
 }
@@ -51,6 +43,7 @@ void Presort::sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip,
 Strip::Pixels Presort::certain_if_same(const Strip& strip, const Largest& largest) const {
     return kernel_.certain({.x = strip.x,
                             .y = strip.y,
+                            .primitive = strip.candidate.primitive,
                             .candidate = strip.candidate.camera_depth,
                             .reference = strip.reference.camera_depth,
                             .turns = strip.turns,
@@ -146,7 +139,7 @@ void Presort::Part::raise(const TileRow& ratio, ColumnMask pixels) const {
 /// Triangle by triangle; unless a pixel at which the frames agree is not lawful for certain.
 bool Presort::sort_chunk(const Source& source, SortedStrip& sorted) {
     const ColumnMask same = ~Strip::in_chunk(source.strip.differ, source.first) & all_columns;
-    const ColumnMask in_question = all_columns & ~source.settled & ~(same & bare(source.strip, source.first));
+    const ColumnMask in_question = all_columns & ~source.settled;
     ColumnsOfBoth left{in_question, in_question};
     ColumnMask lawful = in_question;
     while (!is_none(left)) {

@@ -41,15 +41,33 @@ Pixels certain_from(const Row& row, const Depths& depths, int i) {
                           not_greater(ours, row.our_most) & not_greater(theirs, row.their_most))};
 }
 
-/// The pixels from first to before end; of others, anything.
-template <class Projected>
-Pixels certain_in_run(const Row& row, const Depths& depths, int first, int end) {
+/// As many pixels as there are lanes.
+Pixels bare_from(const Depths& depths, int i) {
+    const Doubles background = all(double{background_depth});  // the largest of all
+    return Pixels{bits_of(not_greater(background, widened(depths.candidate + i)) &
+                          not_greater(background, widened(depths.reference + i)))};
+}
+
+/// Asks for as many pixels as there are lanes, until all from first to before end were asked for.
+template <class From>
+Pixels in_run(int first, int end, const From& from) {
     constexpr int last = width - lanes;
     Pixels found = 0;
     for (int i = lesser(first, last);; i = lesser(i + lanes, last)) {
-        found |= certain_from<Projected>(row, depths, i) << i;
+        found |= from(i) << i;
         if (i + lanes >= end) return found;
     }
+}
+
+/// The pixels from first to before end; of others, anything.
+template <class Projected>
+Pixels certain_in_run(const Depths& depths, const Tolerated& by, std::uint32_t law, int first, int end) {
+    if (law == 0) {
+        if (depths.primitive[first] != PrimitiveId::none) return 0;
+        return in_run(first, end, [&](int i) { return bare_from(depths, i); });
+    }
+    const Row row = row_of(by.tolerances[law], depths.y, by);
+    return in_run(first, end, [&](int i) { return certain_from<Projected>(row, depths, i); });
 }
 
 template <class Projected>
@@ -61,8 +79,7 @@ Pixels certain_in_runs(const Depths& depths, const Tolerated& by) {
         turns &= turns - 1;
         const Pixels beyond = -(turns & -turns);  // and from the next one's
         const int first = __builtin_ctzll(from_first), end = turns != 0 ? __builtin_ctzll(turns) : width;
-        const Row row = row_of(by.tolerances[*law], depths.y, by);
-        all_certain |= certain_in_run<Projected>(row, depths, first, end) & from_first & ~beyond;
+        all_certain |= certain_in_run<Projected>(depths, by, *law, first, end) & from_first & ~beyond;
     }
     return all_certain;
 }

@@ -26,6 +26,7 @@ struct Ids {
 /// What both frames show along a strip.
 struct Depths {
     int x = 0, y = 0;                                        ///< of the first pixel
+    const PrimitiveId* primitive = nullptr;                  ///< the candidate's
     const float *candidate = nullptr, *reference = nullptr;  ///< camera depths
     Pixels turns = 1;                                        ///< as Ids has it
     const std::uint32_t* law_of_run = nullptr;  ///< of each run, in order: a place among tolerances
@@ -42,7 +43,8 @@ struct Kernel {
     const char* name = "";
     /// Of `width` ids each.
     Ids (*compare)(const PrimitiveId* candidate, const PrimitiveId* reference) noexcept = nullptr;
-    /// Where the depths of both frames are certain, if both show what the candidate does.
+    /// Where the depths of both frames are certain, if both show what the candidate does. Where that is
+    /// nothing, they are the background's.
     Pixels (*certain)(const Depths& depths, const Tolerated& by) noexcept = nullptr;
 };
 

@@ -223,9 +223,10 @@ DepthTolerance some_tolerance(Dice& dice, Projection projection) {
     return t;
 }
 
-/// A strip in which each pixel shows one of a few triangles or none.
+/// A strip in which each pixel shows one of a few triangles, nothing or an id of no triangle.
 struct FewTriangles {
     Strip::Values<std::uint32_t> law, law_of_run{};
+    Strip::Values<PrimitiveId> primitive;
     Strip::Values<float> our_depth, their_depth;
     Strip::Pixels turns = 0;
 
@@ -238,8 +239,14 @@ struct FewTriangles {
             turns |= Strip::Pixels{turns_here} << i;
             if (turns_here) law_of_run[runs++] = std::uint32_t(dice.below(3));
             law[i] = law_of_run[runs - 1];
+            primitive[i] = !turns_here     ? primitive[i - 1]
+                           : law[i] != 0   ? PrimitiveId(law[i])
+                           : dice.below(3) ? PrimitiveId::none
+                                           : PrimitiveId(9);
             our_depth[i] = float(4 + dice.between(-off, off) * 0x1p-20);
             their_depth[i] = float(4 + dice.between(-off, off) * 0x1p-20);
+            if (law[i] == 0 && dice.below(9) != 0) our_depth[i] = background_depth;
+            if (law[i] == 0 && dice.below(9) != 0) their_depth[i] = background_depth;
         }
         if (dice.below(4) == 0) our_depth[std::size_t(dice.below(64))] = std::nanf("");
         if (dice.below(4) == 0) their_depth[std::size_t(dice.below(64))] = background_depth;
@@ -262,12 +269,20 @@ TEST(StripKernels, FindTheDepthsCertainOfEachTriangleByItself) {
             const auto [a, b] = certain_depths(
                 tolerances[shown.law[i]], projection,
                 {{64 + int(first), 3}, &shown.our_depth[first], &shown.their_depth[first]}, at_most);
-            expected |= Strip::Pixels{a & b & 1u << (i - first)} << first;
+            const bool is_bare = shown.primitive[i] == PrimitiveId::none &&
+                                 shown.our_depth[i] == background_depth &&
+                                 shown.their_depth[i] == background_depth;
+            expected |= Strip::Pixels{is_bare || (a & b & 1u << (i - first)) != 0} << i;
         }
         for (const strips::Kernel& kernel : strips::available_kernels()) {
             const Strip::Pixels certain =
-                kernel.certain({64, 3, shown.our_depth.data(), shown.their_depth.data(), shown.turns,
-                                shown.law_of_run.data()},
+                kernel.certain({.x = 64,
+                                .y = 3,
+                                .primitive = shown.primitive.data(),
+                                .candidate = shown.our_depth.data(),
+                                .reference = shown.their_depth.data(),
+                                .turns = shown.turns,
+                                .law_of_run = shown.law_of_run.data()},
                                {tolerances.data(), projection, at_most.candidate, at_most.reference});
             ASSERT_EQ(certain, expected) << kernel.name;
         }
