@@ -19,7 +19,7 @@ namespace {
 constexpr int tile_width = Strip::width, tile_height = 16;
 
 /// Of a tile: more than that, and few pixels share a law.
-constexpr std::size_t many_laws = 128;
+constexpr std::size_t many_laws = 256;
 
 /// Fetches into the cache what follows a strip, so many pixels: what the next tile will read.
 void fetch_ahead(const Strip::Side& side, std::size_t count) {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "compare/depth_terms.h"
-#include "compare/four.h"
+#include "compare/side_by_side.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -99,28 +99,6 @@ Held held(const Law& t, const Ends& ends, const Four& relative, const Four& z) {
     return {low, ends.truth, high, holds ? (error > 0.0 ? share : none) : everywhere<Four>(unsettled)};
 }
 
-constexpr std::size_t fields = sizeof(DepthLaw) / sizeof(double);
-static_assert(fields % 2 == 0 && sizeof(Law) == fields * sizeof(Four));
-
-/// Writes four laws side by side, two numbers of each at a time.
-void put_side_by_side(const std::array<const DepthLaw*, four_count>& laws, Law& all) {
-    using Two = double __attribute__((vector_size(16)));
-    const auto pair = [](const DepthLaw* law, std::size_t i) {
-        Two two;
-        std::memcpy(&two, reinterpret_cast<const char*>(law) + i * sizeof two, sizeof two);
-        return two;
-    };
-    const auto put = [&](std::size_t i, const Four& four) {
-        std::memcpy(reinterpret_cast<char*>(&all) + i * sizeof four, &four, sizeof four);
-    };
-    for (std::size_t i = 0; i < fields / 2; ++i) {
-        const Four first = __builtin_shufflevector(pair(laws[0], i), pair(laws[2], i), 0, 1, 2, 3);
-        const Four second = __builtin_shufflevector(pair(laws[1], i), pair(laws[3], i), 0, 1, 2, 3);
-        put(2 * i, __builtin_shufflevector(first, second, 0, 4, 2, 6));
-        put(2 * i + 1, __builtin_shufflevector(first, second, 1, 5, 3, 7));
-    }
-}
-
 Four four_at(const float* depth) {
     using Floats = float __attribute__((vector_size(16)));
     Floats floats;
@@ -135,13 +113,14 @@ Four from_on(double x) { return Four{x, x + 1, x + 2, x + 3}; }
 class LatestLaw {
   public:
     explicit LatestLaw(const std::vector<DepthLaw>& laws) : laws_(laws) {
-        put_side_by_side({&laws[0], &laws[0], &laws[0], &laws[0]}, law_);
+        put_side_by_side<DepthLawOf>({&laws[0], &laws[0], &laws[0], &laws[0]}, law_);
     }
 
     void turn_to(const std::uint32_t* which) {
         const bool is_one = ((which[0] ^ which[1]) | (which[0] ^ which[2]) | (which[0] ^ which[3])) == 0;
         if (is_one && is_one_ && which[0] == which_) return;
-        put_side_by_side({&laws_[which[0]], &laws_[which[1]], &laws_[which[2]], &laws_[which[3]]}, law_);
+        put_side_by_side<DepthLawOf>({&laws_[which[0]], &laws_[which[1]], &laws_[which[2]], &laws_[which[3]]},
+                                     law_);
         is_one_ = is_one;
         which_ = which[0];
         kind_ = relative_of(law_);
@@ -194,7 +173,7 @@ void hold_strip(const LawsOfBoth& laws, const Strip& strip, const LawsAlong& alo
 template <class Projected>
 DepthRow hold_row(const DepthLaw& law, const RowPlace& row, const TileRowOf<float>& camera_depth) {
     Law four;
-    put_side_by_side({&law, &law, &law, &law}, four);
+    put_side_by_side<DepthLawOf>({&law, &law, &law, &law}, four);
     const Relative kind = relative_of(four);
     DepthRow all;
     for (std::size_t i = 0; i < tile_columns; i += four_count) {

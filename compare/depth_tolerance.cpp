@@ -1,9 +1,10 @@
 #include "compare/depth_tolerance.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include "compare/depth_terms.h"
+#include "compare/side_by_side.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -18,78 +19,120 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double widening = 128 * u;
 
 /// Of w.
+template <class Number>
 struct Range {
-    double least, most;
+    Number least, most;
 };
 
 /// What displacement does to w there.
-double shift_at(const DepthLaw& law, double w) {
-    return std::min(law.most, (law.base + law.per * w) * law.amplification) * law.gradient +
+template <class Number>
+Number shift_at(const DepthLawOf<Number>& law, const Number& w) {
+    return smaller(law.most, (law.base + law.per * w) * law.amplification) * law.gradient +
            law.nearness_error;
 }
 
-bool keeps_to_corners(const DepthLaw& law) { return !std::isinf(law.farthest); }
+template <class Number>
+auto keeps_to_corners(const DepthLawOf<Number>& law) {
+    return absolute(law.farthest) < infinite;
+}
 
 /// In a part of the image, and between its corners.
-Range range_of(const DepthTolerance& t, const Range& corners, const PixelBox& part) {
-    const double left = t.w_per_x * part.left, right = t.w_per_x * (part.right - 1);
-    const double top = t.w_per_y * part.top, bottom = t.w_per_y * (part.bottom - 1);
-    return {std::max(corners.least, std::min(left, right) + std::min(top, bottom) + t.w_offset),
-            std::min(corners.most, std::max(left, right) + std::max(top, bottom) + t.w_offset)};
+template <class Number>
+Range<Number> range_of(const DepthToleranceOf<Number>& t, const Range<Number>& corners,
+                       const PixelBox& part) {
+    const Number left = t.w_per_x * double(part.left), right = t.w_per_x * double(part.right - 1);
+    const Number top = t.w_per_y * double(part.top), bottom = t.w_per_y * double(part.bottom - 1);
+    return {larger(corners.least, smaller(left, right) + smaller(top, bottom) + t.w_offset),
+            smaller(corners.most, larger(left, right) + larger(top, bottom) + t.w_offset)};
 }
 
 /// So far from their corners all places lie, or else are left out.
-double distance(const Range& w, const Range& corners, Reach reach) {
-    if (reach == Reach::but_corners) return (corners.most - corners.least) / 4;
-    return std::min(w.least - corners.least, corners.most - w.most);
+template <class Number>
+Number distance(const Range<Number>& w, const Range<Number>& corners, Reach reach) {
+    if (reach == Reach::but_corners) return (corners.most - corners.least) / 4.0;
+    return smaller(w.least - corners.least, corners.most - w.most);
 }
 
 /// See docs/truth.md.
-DepthTolerance::Bound bound_of(const DepthLaw& law, const Range& w, double shift, Projection projection) {
+template <class Number>
+typename DepthToleranceOf<Number>::Bound bound_of(const DepthLawOf<Number>& law, const Range<Number>& w,
+                                                  const Number& shift, Projection projection) {
+    const Number one = everywhere<Number>(1), none = everywhere<Number>(0);
     if (projection == Projection::parallel) {
-        const bool is_covered = law.plane_offset == 0 && law.per == 0 && law.relative < infinite;
-        const double r = std::min(law.relative, 1.0);
-        const double room = shift * (1 - r) + r * w.least + law.absolute;
-        return {room, is_covered ? 1 - (law.own_error + 12 * u * w.most) / room : 0};
+        const auto is_covered = (law.plane_offset == 0.0) & (law.per == 0.0) & (law.relative < infinite);
+        const Number r = smaller(law.relative, one);
+        const Number room = shift * (1.0 - r) + r * w.least + law.absolute;
+        const Number lawful = 1.0 - (law.own_error + 12 * u * w.most) / room;
+        return {room, is_covered ? lawful : none};
     }
-    const double most_r = compounded(law.depth_factor + law.plane_offset / w.least);
-    const double least_r = std::min(law.depth_factor + law.plane_offset / w.most, 1.0);
-    const double room =
-        shift * (1 - std::min(most_r, 1.0)) / (w.most + shift) + least_r + law.absolute * w.least;
-    return {room, most_r < infinite ? 1 - (4.5 * law.own_error / w.least + 12 * u) / room : 0};
+    const Number most_r = compounded(law.depth_factor + law.plane_offset / w.least);
+    const Number least_r = smaller(law.depth_factor + law.plane_offset / w.most, one);
+    const Number room =
+        shift * (1.0 - smaller(most_r, one)) / (w.most + shift) + least_r + law.absolute * w.least;
+    const Number lawful = 1.0 - (4.5 * law.own_error / w.least + 12 * u) / room;
+    return {room, most_r < infinite ? lawful : none};
+}
+
+template <class Number>
+DepthToleranceOf<Number> tolerance_from(const DepthLawOf<Number>& candidate,
+                                        const DepthLawOf<Number>& reference, Projection projection,
+                                        const PixelBox& part, Reach reach) {
+    const bool perspective = projection == Projection::perspective;
+    const double sign = perspective ? 1 : -1;
+    const Number one = everywhere<Number>(1), none = everywhere<Number>(0);
+    DepthToleranceOf<Number> t{};
+    t.w_per_x = sign * candidate.nearness_per_x;
+    t.w_per_y = sign * candidate.nearness_per_y;
+    t.w_offset = sign * candidate.nearness_offset;
+    const Range<Number> corners{(perspective ? candidate.least : 1.0 / candidate.highest) * (1 - widening),
+                                (perspective ? candidate.highest : 1.0 / candidate.least) * (1 + widening)};
+    const Range<Number> w = range_of(t, corners, part);
+    const Number away = distance(w, corners, reach);
+    const Number our_shift = shift_at(candidate, w.least), their_shift = shift_at(reference, w.least);
+    const auto we_keep = keeps_to_corners(candidate), they_keep = keeps_to_corners(reference);
+    const Number ours = we_keep ? smaller(our_shift, away) : our_shift,
+                 theirs = they_keep ? smaller(their_shift, away) : their_shift;
+    t.largest = 0.5 * (perspective ? one : w.least);
+    t.unsure = 8 * widening * (perspective ? one : w.most);
+    t.candidate = bound_of(candidate, w, ours, projection);
+    t.reference = bound_of(reference, w, theirs, projection);
+    const auto holds = (w.least > 0.0) & (w.least <= w.most) & (w.most < infinite) &
+                       (t.candidate.lawful > 0.0) & (t.reference.lawful > 0.0);
+    const Number kept_out = larger(we_keep ? ours : none, they_keep ? theirs : none),
+                 left_out = reach == Reach::all ? none : kept_out;
+    const Number least = larger(w.least, corners.least + left_out),
+                 most = smaller(w.most, corners.most - left_out);
+    t.least = holds ? least : everywhere<Number>(infinite);
+    t.most = holds ? most : everywhere<Number>(-infinite);
+    return t;
 }
 
 }  // namespace
 
 DepthTolerance tolerance_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
                             const PixelBox& part, Reach reach) {
-    DepthTolerance t{};
-    const bool perspective = projection == Projection::perspective;
-    const double sign = perspective ? 1 : -1;
-    t.w_per_x = sign * candidate.nearness_per_x;
-    t.w_per_y = sign * candidate.nearness_per_y;
-    t.w_offset = sign * candidate.nearness_offset;
-    const Range corners{(perspective ? candidate.least : 1 / candidate.highest) * (1 - widening),
-                        (perspective ? candidate.highest : 1 / candidate.least) * (1 + widening)};
-    const Range w = range_of(t, corners, part);
-    if (!(w.least > 0 && w.least <= w.most && w.most < infinite)) return t;
-    const double away = distance(w, corners, reach);
-    const auto shift_of = [&](const DepthLaw& law) {
-        const double shift = shift_at(law, w.least);
-        return keeps_to_corners(law) ? std::min(shift, away) : shift;
-    };
-    const double ours = shift_of(candidate), theirs = shift_of(reference);
-    const double left_out = reach == Reach::all ? 0
-                                                : std::max(keeps_to_corners(candidate) ? ours : 0,
-                                                           keeps_to_corners(reference) ? theirs : 0);
-    t.largest = 0.5 * (perspective ? 1 : w.least);
-    t.unsure = 8 * widening * (perspective ? 1 : w.most);
-    t.candidate = bound_of(candidate, w, ours, projection);
-    t.reference = bound_of(reference, w, theirs, projection);
-    if (!(t.candidate.lawful > 0 && t.reference.lawful > 0)) return t;
-    t.least = std::max(w.least, corners.least + left_out);
-    t.most = std::min(w.most, corners.most - left_out);
-    return t;
+    return tolerance_from(candidate, reference, projection, part, reach);
+}
+
+/// Compiled once per instruction set, with everything that it calls. No bit depends on which runs.
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void set_tolerances(
+    const LawsOfBoth& laws, Projection projection, const PixelBox& tile,
+    std::span<DepthTolerance> tolerances) {
+    for (std::size_t first = 0; first < tolerances.size(); first += four_count) {
+        const std::size_t last = tolerances.size() - 1;
+        const auto four_of = [&](const std::vector<DepthLaw>& all) {
+            DepthLawOf<Four> four;
+            put_side_by_side<DepthLawOf>({&all[first], &all[std::min(first + 1, last)],
+                                          &all[std::min(first + 2, last)], &all[std::min(first + 3, last)]},
+                                         four);
+            return four;
+        };
+        const DepthToleranceOf<Four> four = tolerance_from(four_of(laws.candidate), four_of(laws.reference),
+                                                           projection, tile, Reach::but_corners);
+        std::array<DepthTolerance, four_count> each;
+        part<DepthToleranceOf>(four, each);
+        std::copy_n(each.begin(), std::min(four_count, tolerances.size() - first), &tolerances[first]);
+    }
 }
 
 }  // namespace zproof

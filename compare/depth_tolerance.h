@@ -2,7 +2,7 @@
 /// "Tolerances").
 #pragma once
 
-#include <limits>
+#include <span>
 
 #include "compare/depth_law.h"
 
@@ -16,19 +16,21 @@ struct PixelBox {
 /// One triangle in a part of the image, as both renderers have it. A place along the depth axis, `w`, is
 /// nearness for perspectives and depth for parallel projections; it is affine in the image. An error is
 /// |z w - 1| for perspectives, |z - w| for parallel projections.
-struct DepthTolerance {
+template <class Number>
+struct DepthToleranceOf {
     /// One renderer's.
     struct Bound {
-        double room;    ///< error / bound is at most error / room
-        double lawful;  ///< and the depth lawful up to that ratio
+        Number room;    ///< error / bound is at most error / room
+        Number lawful;  ///< and the depth lawful up to that ratio
     };
 
-    double w_per_x = 0, w_per_y = 0, w_offset = 0;
-    double least = std::numeric_limits<double>::infinity(), most = -least;  ///< of w: between them it holds
-    double largest = 0;                                                     ///< no larger errors are told of
-    double unsure = 0;                                                      ///< what errors may be off by
-    Bound candidate{}, reference{};
+    Number w_per_x, w_per_y, w_offset;
+    Number least, most;  ///< of w: between them it holds
+    Number largest;      ///< no larger errors are told of
+    Number unsure;       ///< what errors may be off by
+    Bound candidate, reference;
 };
+using DepthTolerance = DepthToleranceOf<double>;
 
 /// What of a triangle a tolerance is for. A displaced plane ends at the corners' depths, so that next to them
 /// less of displacement counts.
@@ -37,8 +39,12 @@ enum class Reach {
     all,
 };
 
-/// It holds nowhere where nothing is certain.
+/// Where nothing is certain it holds nowhere: `least` is then larger than `most`.
 DepthTolerance tolerance_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
                             const PixelBox& part, Reach reach);
+
+/// Of triangles in a tile, all but next to corners: by place, as their laws stand.
+void set_tolerances(const LawsOfBoth& laws, Projection projection, const PixelBox& tile,
+                    std::span<DepthTolerance> tolerances);
 
 }  // namespace zproof

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+
+#include "compare/side_by_side.h"
 
 namespace zproof {
 
@@ -65,24 +66,6 @@ DepthLawOf<Four> law_of(const LawMaker::Lens::Side& side, const PlaneOfLaw<Four>
 
 using LawsOfFour = std::span<DepthLaw, four_count>;
 
-/// To each triangle its own, two numbers of all four at a time.
-void part(const DepthLawOf<Four>& together, LawsOfFour laws) {
-    using Two = double __attribute__((vector_size(16)));
-    constexpr std::size_t fields = sizeof(DepthLaw) / sizeof(double);
-    static_assert(fields % 2 == 0 && sizeof together == fields * sizeof(Four));
-    for (std::size_t i = 0; i < fields; i += 2) {
-        std::array<Four, 2> of_all;
-        std::memcpy(&of_all, reinterpret_cast<const char*>(&together) + i * sizeof(Four), sizeof of_all);
-        const auto put = [&](std::size_t lane, const Two& two) {
-            std::memcpy(reinterpret_cast<char*>(&laws[lane]) + i * sizeof(double), &two, sizeof two);
-        };
-        put(0, __builtin_shufflevector(of_all[0], of_all[1], 0, 4));
-        put(1, __builtin_shufflevector(of_all[0], of_all[1], 1, 5));
-        put(2, __builtin_shufflevector(of_all[0], of_all[1], 2, 6));
-        put(3, __builtin_shufflevector(of_all[0], of_all[1], 3, 7));
-    }
-}
-
 /// Compiled once per instruction set, with everything that it calls. No bit depends on which runs.
 [[gnu::flatten, gnu::target_clones("default", "avx2")]] void make_four(
     const LawMaker::Lens& lens, const std::array<CornersWorld, four_count>& p_world, LawsOfFour candidate,
@@ -90,8 +73,8 @@ void part(const DepthLawOf<Four>& together, LawsOfFour laws) {
     const Corners<Four> p = side_by_side(p_world);
     const TriangleSize<Four> triangle = lens.gauge(p);
     const PlaneOfLaw<Four> plane = plane_of(lens, triangle, p);
-    part(law_of(lens.candidate, plane, triangle), candidate);
-    part(law_of(lens.reference, plane, triangle), reference);
+    part<DepthLawOf>(law_of(lens.candidate, plane, triangle), candidate);
+    part<DepthLawOf>(law_of(lens.reference, plane, triangle), reference);
 }
 
 /// Of triangles that are so much further on, memory is asked for what will be read; a triangle's indices say

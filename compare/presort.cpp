@@ -18,9 +18,7 @@ bool is_none(const ColumnsOfBoth& columns) { return (columns.candidate | columns
 
 void Presort::turn_to(const PixelBox& tile, const LawsOfBoth& laws, std::size_t count) {
     tolerances_.resize(count);
-    for (std::size_t law = 1; law < count; ++law)
-        tolerances_[law] =
-            tolerance_of(laws.candidate[law], laws.reference[law], projection_, tile, Reach::but_corners);
+    set_tolerances(laws, projection_, tile, tolerances_);
     met_.assign(count, {});
 }
 
