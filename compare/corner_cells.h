@@ -39,6 +39,7 @@ class CellReach {
         all.least_ = ab < c.least_ ? ab : c.least_;
         return all;
     }
+    void add(const CellReach& other) { least_ = least_ < other.least_ ? least_ : other.least_; }
     int left() const { return least_[0]; }
     int top() const { return least_[1]; }
     int right() const { return -least_[2]; }

@@ -39,7 +39,8 @@ class AskedCells {
         }
     }
     /// Both ends included. A rectangle of 2^16 cells and more is taken to hold some.
-    bool any(int left, int top, int right, int bottom) const {
+    bool any(const CellReach& in) const {
+        const int left = in.left(), top = in.top(), right = in.right(), bottom = in.bottom();
         const int cells = (right - left + 1) * (bottom - top + 1);
         const int sum = at(right + 1, bottom + 1) - at(left, bottom + 1) - at(right + 1, top) + at(left, top);
         return Sum(sum) != 0 || cells > int{std::numeric_limits<Sum>::max()};
@@ -100,12 +101,21 @@ class RunCorners {
         const glm::uvec3 at = is_shared_ ? t - first_ : std::uint32_t(3 * i) + glm::uvec3(0, 1, 2);
         return CellReach::of(reach_[at.x], reach_[at.y], reach_[at.z]);
     }
+    /// Of triangles from first to before end, of which there are some.
+    CellReach of_some(std::span<const glm::uvec3> run, std::size_t first, std::size_t end) const {
+        CellReach all = of(first, run[first]);
+        for (std::size_t i = first + 1; i < end; ++i) all.add(of(i, run[i]));
+        return all;
+    }
 
   private:
     bool is_shared_ = false;
     std::uint32_t first_ = 0;
     std::vector<CellReach> reach_;
 };
+
+/// Triangles that are asked about together.
+constexpr std::size_t neighbours = 32;
 
 struct Meeting {
     std::uint32_t tile, triangle;
@@ -126,15 +136,16 @@ class TileSearch {
           corner_cells_(projection_, cells_),
           filters_(view) {}
 
-    /// Triangles from first to before end, ascending.
+    /// Triangles from first to before end, ascending. Neighbours in a mesh lie close together: most are far
+    /// from all that is asked about, and so are those around them.
     void search(std::size_t first, std::size_t end, std::vector<Meeting>& found) const {
         const std::span run = std::span(scene_.triangles).subspan(first, end - first);
         const RunCorners corners(scene_.vertices.position_world, corner_cells_, run);
-        for (std::size_t i = 0; i < run.size(); ++i) {
-            const CellReach all = corners.of(i, run[i]);
-            if (!asked_cells_.any(all.left(), all.top(), all.right(), all.bottom())) continue;
-            const auto triangle = std::uint32_t(first + i);
-            if (const auto box = projection_(corners_of(scene_, triangle))) search(triangle, *box, found);
+        for (std::size_t i = 0; i < run.size(); i += neighbours) {
+            const std::size_t end_of_some = std::min(run.size(), i + neighbours);
+            if (!asked_cells_.any(corners.of_some(run, i, end_of_some))) continue;
+            for (std::size_t k = i; k < end_of_some; ++k)
+                if (asked_cells_.any(corners.of(k, run[k]))) search(std::uint32_t(first + k), found);
         }
     }
 
@@ -152,6 +163,9 @@ class TileSearch {
         return std::get<TriangleFilter>(shape).misses(around(asked));
     }
 
+    void search(std::uint32_t triangle, std::vector<Meeting>& found) const {
+        if (const auto box = projection_(corners_of(scene_, triangle))) search(triangle, *box, found);
+    }
     void search(std::uint32_t triangle, const Box& box, std::vector<Meeting>& found) const {
         const double reach = reach_px_;
         const int left = clamped(box.left - reach, tiles_.columns),
