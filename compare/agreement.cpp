@@ -21,12 +21,14 @@ constexpr int tile_width = Strip::width, tile_height = 16;
 /// Of a tile: more than that, and few pixels share a law.
 constexpr std::size_t many_laws = 256;
 
-/// Fetches into the cache what follows a strip, so many pixels: what the next tile will read.
+/// Fetches what follows a strip, so many pixels: what the next tile will read. Into the second cache: the
+/// first has no room for all of it.
 void fetch_ahead(const Strip::Side& side, std::size_t count) {
     constexpr std::size_t step = 64 / sizeof(float);  // a line of the cache
+    constexpr int to_read = 0, second = 2;
     for (std::size_t i = Strip::width; i < Strip::width + count; i += step) {
-        __builtin_prefetch(side.primitive + i);
-        __builtin_prefetch(side.camera_depth + i);
+        __builtin_prefetch(side.primitive + i, to_read, second);
+        __builtin_prefetch(side.camera_depth + i, to_read, second);
     }
 }
 
