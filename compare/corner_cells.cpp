@@ -1,5 +1,7 @@
 #include "compare/corner_cells.h"
 
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include "math/rounding.h"
@@ -13,16 +15,9 @@ constexpr std::size_t together = 32;
 template <class T>
 using Values = std::array<T, together>;
 
-struct FromEye {
-    Values<double> x, y, z;  ///< less the eye's
-};
-struct Reaches {
-    Values<std::int32_t> left, top, right, bottom;
-};
-
 /// What the loop needs, as plain numbers.
 struct Lens {
-    glm::dvec3 right, up, back;
+    glm::dvec3 eye, right, up, back;
     double shear_x, shear_y, window_left, window_top, px_per_u, px_per_v, least_depth, px_of_rounding;
     double last_column, last_row;
 };
@@ -32,10 +27,13 @@ struct Lens {
     return raised < most ? raised : most;
 }
 
+/// Of corners that follow each other, x, y and z in turn, to the four sides of their reaches.
 template <bool perspective>
-[[gnu::always_inline]] inline void project(const Lens& lens, const FromEye& from_eye, Reaches& reaches) {
+[[gnu::always_inline]] inline void project(const Lens& lens, const float* p_world, std::int16_t* sides) {
+    Values<std::int32_t> left, top, right, bottom;
     for (std::size_t i = 0; i < together; ++i) {
-        const double x = from_eye.x[i], y = from_eye.y[i], z = from_eye.z[i];
+        const double x = double(p_world[3 * i]) - lens.eye.x, y = double(p_world[3 * i + 1]) - lens.eye.y,
+                     z = double(p_world[3 * i + 2]) - lens.eye.z;
         const double along = lens.right.x * x + lens.right.y * y + lens.right.z * z;
         const double above = lens.up.x * x + lens.up.y * y + lens.up.z * z;
         const double depth = -(lens.back.x * x + lens.back.y * y + lens.back.z * z);
@@ -49,35 +47,41 @@ template <bool perspective>
         // a NaN is no place either
         const bool is_known = (depth >= lens.least_depth) & (px_abs + py_abs + reach < unlimited);
         constexpr double per_px = 1.0 / Cells::side_px;
-        const double left = clamped((px - reach) * per_px, lens.last_column),
-                     top = clamped((py - reach) * per_px, lens.last_row),
-                     right = clamped((px + reach) * per_px, lens.last_column),
-                     bottom = clamped((py + reach) * per_px, lens.last_row);
-        reaches.left[i] = std::int32_t(is_known ? left : 0);
-        reaches.top[i] = std::int32_t(is_known ? top : 0);
-        reaches.right[i] = std::int32_t(is_known ? right : lens.last_column);
-        reaches.bottom[i] = std::int32_t(is_known ? bottom : lens.last_row);
+        const double first_column = clamped((px - reach) * per_px, lens.last_column),
+                     first_row = clamped((py - reach) * per_px, lens.last_row),
+                     last_column = clamped((px + reach) * per_px, lens.last_column),
+                     last_row = clamped((py + reach) * per_px, lens.last_row);
+        left[i] = std::int32_t(is_known ? first_column : 0);
+        top[i] = std::int32_t(is_known ? first_row : 0);
+        right[i] = std::int32_t(is_known ? last_column : lens.last_column);
+        bottom[i] = std::int32_t(is_known ? last_row : lens.last_row);
+    }
+    for (std::size_t i = 0; i < together; ++i) {
+        sides[4 * i] = std::int16_t(left[i]);
+        sides[4 * i + 1] = std::int16_t(top[i]);
+        sides[4 * i + 2] = std::int16_t(-right[i]);
+        sides[4 * i + 3] = std::int16_t(-bottom[i]);
     }
 }
 
 /// Compiled once per instruction set; what it finds does not depend on which runs.
-[[gnu::target_clones("default", "avx2", "avx512f")]] void project_perspective(const Lens lens,
-                                                                              const FromEye& from_eye,
-                                                                              Reaches& reaches) {
-    project<true>(lens, from_eye, reaches);
+[[gnu::target_clones("default", "avx2", "avx512f")]] void project_perspective(const Lens& lens,
+                                                                              const float* p_world,
+                                                                              std::int16_t* sides) {
+    project<true>(lens, p_world, sides);
 }
-[[gnu::target_clones("default", "avx2", "avx512f")]] void project_parallel(const Lens lens,
-                                                                           const FromEye& from_eye,
-                                                                           Reaches& reaches) {
-    project<false>(lens, from_eye, reaches);
+[[gnu::target_clones("default", "avx2", "avx512f")]] void project_parallel(const Lens& lens,
+                                                                           const float* p_world,
+                                                                           std::int16_t* sides) {
+    project<false>(lens, p_world, sides);
 }
 
 }  // namespace
 
 void CornerCells::find(std::span<const glm::vec3> p_world, std::span<CellReach> reach) const {
     const Camera& c = terms_.camera;
-    const glm::dvec3 eye(c.eye_world);
-    const Lens lens{.right = c.right,
+    const Lens lens{.eye = glm::dvec3(c.eye_world),
+                    .right = c.right,
                     .up = c.up,
                     .back = c.back,
                     .shear_x = c.shear.x,
@@ -90,19 +94,16 @@ void CornerCells::find(std::span<const glm::vec3> p_world, std::span<CellReach> 
                     .px_of_rounding = terms_.px_of_rounding,
                     .last_column = double(cells_.columns - 1),
                     .last_row = double(cells_.rows - 1)};
-    FromEye from_eye{};
-    Reaches found;
+    const auto project = terms_.perspective ? project_perspective : project_parallel;
+    std::array<glm::vec3, together> rest{};
+    std::array<std::int16_t, 4 * together> sides;
     for (std::size_t first = 0; first < p_world.size(); first += together) {
         const std::size_t count = std::min(together, p_world.size() - first);
-        for (std::size_t i = 0; i < count; ++i) {
-            const glm::vec3& p = p_world[first + i];
-            from_eye.x[i] = double(p.x) - eye.x;
-            from_eye.y[i] = double(p.y) - eye.y;
-            from_eye.z[i] = double(p.z) - eye.z;
-        }
-        (terms_.perspective ? project_perspective : project_parallel)(lens, from_eye, found);
-        for (std::size_t i = 0; i < count; ++i)
-            reach[first + i] = {found.left[i], found.top[i], found.right[i], found.bottom[i]};
+        const glm::vec3* corners = &p_world[first];
+        if (count < together) corners = (std::copy_n(corners, count, rest.begin()), rest.data());
+        project(lens, &corners->x, sides.data());
+        const auto found = std::bit_cast<std::array<CellReach, together>>(sides);
+        std::copy_n(found.begin(), count, &reach[first]);
     }
 }
 

@@ -25,8 +25,8 @@ struct Cells {
     static int clamped(double px, int count) { return int(std::clamp(px / side_px, 0.0, count - 1.0)); }
 };
 
-/// The cells that a corner may lie in; of several corners, those between them. Far sides are negated, so that
-/// the reach of several is their minimum.
+/// The cells that a corner may lie in; of several corners, those between them. Four numbers, left, top, right
+/// and bottom; the latter two are negated, so that the reach of several is their minimum.
 class CellReach {
   public:
     CellReach() = default;

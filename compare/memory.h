@@ -17,12 +17,13 @@ class Memory {
   public:
     /// At least this many places.
     explicit Memory(std::size_t places)
-        : places_(std::bit_ceil(std::max<std::size_t>(places, 2))),
-          shift_(64 - int(std::bit_width(places_.size() - 1))) {}
+        : count_(std::bit_ceil(std::max<std::size_t>(places, 2))),
+          shift_(64 - int(std::bit_width(count_ - 1))) {}
 
     /// The value of the key, made by make() unless remembered. Holds until the next call.
     template <class Make>
     const Value& operator()(const Key& key, const Make& make) {
+        if (places_.empty()) places_.resize(count_);  // many are never asked
         Place& place = places_[std::hash<Key>{}(key)*0x9E3779B97F4A7C15u >> shift_];
         if (!place.value || !(place.key == key)) {
             place.value.emplace(make());
@@ -36,6 +37,7 @@ class Memory {
         Key key{};
         std::optional<Value> value;
     };
+    std::size_t count_;
     std::vector<Place> places_;
     int shift_;
 };

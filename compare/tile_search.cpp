@@ -28,14 +28,14 @@ class AskedCells {
   public:
     AskedCells(const Cells& cells, const AskedTiles& asked)
         : width_(std::size_t(cells.columns) + 1), sums_(width_ * (std::size_t(cells.rows) + 1)) {
+        std::vector<bool> is_marked(std::size_t(cells.rows));
         for (const AskedTiles::Tile& tile : asked.all())
-            for (const Box& box : tile.boxes) mark(cells, box);
+            for (const Box& box : tile.boxes) mark(cells, box, is_marked);
         for (int row = 0; row < cells.rows; ++row) {
-            Sum of_row = 0;
-            for (int column = 1; column <= cells.columns; ++column) {
-                of_row = Sum(of_row + at(column, row + 1));
-                at(column, row + 1) = Sum(at(column, row) + of_row);
-            }
+            if (is_marked[std::size_t(row)])
+                sum_up(row, cells.columns);
+            else
+                std::copy_n(&at(0, row), width_, &at(0, row + 1));
         }
     }
     /// Both ends included. A rectangle of 2^16 cells and more is taken to hold some.
@@ -49,11 +49,20 @@ class AskedCells {
   private:
     using Sum = std::uint16_t;
 
-    void mark(const Cells& cells, const Box& box) {
+    void mark(const Cells& cells, const Box& box, std::vector<bool>& is_marked) {
         const int right = cells.column_of(box.right), bottom = cells.row_of(box.bottom);
-        for (int row = cells.row_of(box.top); row <= bottom; ++row)
+        for (int row = cells.row_of(box.top); row <= bottom; ++row) {
+            is_marked[std::size_t(row)] = true;
             for (int column = cells.column_of(box.left); column <= right; ++column)
                 at(column + 1, row + 1) = 1;
+        }
+    }
+    void sum_up(int row, int columns) {
+        Sum of_row = 0;
+        for (int column = 1; column <= columns; ++column) {
+            of_row = Sum(of_row + at(column, row + 1));
+            at(column, row + 1) = Sum(at(column, row) + of_row);
+        }
     }
     Sum& at(int column, int row) { return sums_[std::size_t(row) * width_ + std::size_t(column)]; }
     Sum at(int column, int row) const { return sums_[std::size_t(row) * width_ + std::size_t(column)]; }
