@@ -5,7 +5,7 @@
 namespace zproof {
 
 void AskedBoxes::add(std::size_t tile, const Box& square, double reach_px) {
-    constexpr std::size_t most = 8;
+    constexpr std::size_t most = 32;
     if (!tiles_[tile]) tiles_[tile] = std::make_unique<Asked>();
     auto& [boxes, reach_of_all_px] = *tiles_[tile];
     reach_of_all_px = std::max(reach_of_all_px, reach_px);

@@ -124,7 +124,7 @@ class RunCorners {
 };
 
 /// Triangles that are asked about together.
-constexpr std::size_t neighbours = 32;
+constexpr std::size_t neighbours = 8;
 
 struct Meeting {
     std::uint32_t tile, triangle;
