@@ -204,20 +204,20 @@ class Comparison {
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
     LargestSoFar& largest_;
-    std::optional<DepthHistograms> histograms_;
-    std::optional<Scribes> scribes_;
     ShownTriangles shown_;
     const strips::Kernel& kernel_;
     Presort presort_;
-    bool is_presorted_ = false;  ///< the tile: histograms and maps of errors want every ratio
     std::array<Strip, tile_height> strips_;
-    struct {
-        Ragged candidate, reference;
-    } ragged_;
     SortedStrip sorted_;  ///< the strip at hand
     Largest candidate_largest_{}, reference_largest_{};
     Tally one_by_one_;
     PixelLook look_;
+    std::optional<Scribes> scribes_;
+    std::optional<DepthHistograms> histograms_;
+    struct {
+        Ragged candidate, reference;
+    } ragged_;
+    bool is_presorted_ = false;  ///< the tile: histograms and maps of errors want every ratio
 };
 
 }  // namespace
