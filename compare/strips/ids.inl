@@ -1,6 +1,5 @@
 // Ids of a strip, sixteen at a time.
 
-/// Most rows are the same in both frames.
 Ids compare(const PrimitiveId* candidate, const PrimitiveId* reference) noexcept {
     Pixels same = 0, goes_on = 0;
     for (int first = 0; first < width; first += 16)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 #include <vector>
 
@@ -63,11 +64,11 @@ TEST(LazyRational, GoesOnWhereDoublesOverflow) {
 
 /// A sign that was asked for stays what it was, whatever is made of the number afterwards.
 TEST(LazyRational, IsSharedByItsCopies) {
-    const LazyRational third = LazyRational(1) / LazyRational(3);
-    const LazyRational copy = third;
-    EXPECT_EQ(sign(third * LazyRational(3) - LazyRational(1)), 0);
-    EXPECT_EQ(copy.value(), Rational(1) / Rational(3));
-    EXPECT_EQ((third + copy).value(), Rational(2) / Rational(3));
+    const LazyRational one_third = LazyRational(1) / LazyRational(3);
+    const std::array third{one_third, one_third};
+    EXPECT_EQ(sign(third[0] * LazyRational(3) - LazyRational(1)), 0);
+    EXPECT_EQ(third[1].value(), Rational(1) / Rational(3));
+    EXPECT_EQ((third[0] + third[1]).value(), Rational(2) / Rational(3));
 }
 
 }  // namespace
