@@ -21,6 +21,13 @@ constexpr double first_reach = 2;
 /// Triangles are looked for at least that far, so that squares which grow a little need no other search.
 constexpr double least_search_px = 1.0 / 16;
 
+/// On all threads. Some take a thousand times as long as others: each is shared out by itself.
+template <class Item, class Do>
+void for_each_of(const std::vector<Item>& items, const Do& act) {
+    tbb::parallel_for(
+        std::size_t(0), items.size(), [&](std::size_t i) { act(items[i]); }, tbb::simple_partitioner());
+}
+
 /// The triangles of the latest answers: neighbouring pixels give the same.
 class LatestTriangles {
   public:
@@ -64,9 +71,7 @@ class Hearing::Session {
     /// Decides what it can; for each plea of the docket the reach that it needs, or 0 where it is decided.
     std::vector<double> hear(std::vector<Ruled>& rulings) {
         std::vector<double> lacking(docket_.plea.size(), 0);
-        tbb::parallel_for(std::size_t(0), docket_.first.size() - 1, [&](std::size_t tile) {
-            if (docket_.first[tile] != docket_.first[tile + 1]) hear_tile(tile, rulings, lacking);
-        });
+        for_each_of(docket_.sittings, [&](const Sitting& s) { hear_sitting(s, rulings, lacking); });
         return lacking;
     }
 
@@ -76,39 +81,40 @@ class Hearing::Session {
     double searched_px(std::size_t place) const { return std::max(docket_.reach_px[place], least_search_px); }
 
     AskedBoxes asked_boxes() const {
-        AskedBoxes boxes(docket_.first.size() - 1);
-        tbb::parallel_for(std::size_t(0), docket_.first.size() - 1, [&](std::size_t tile) {
-            for (std::size_t i = docket_.first[tile]; i < docket_.first[tile + 1]; ++i) {
+        AskedBoxes boxes(Tiles(hearing_.view_).count());
+        for_each_of(docket_.sittings, [&](const Sitting& sitting) {
+            for (std::size_t i = sitting.first; i < sitting.end; ++i) {
                 const double reach = searched_px(i);
-                boxes.add(tile, square_around(plea(i).x, plea(i).y, reach), reach);
+                boxes.add(sitting.tile, square_around(plea(i).x, plea(i).y, reach), reach);
             }
         });
         return boxes;
     }
-    Around centres(std::size_t tile) const {
+    Around centres(const Sitting& sitting) const {
         Box box;
-        for (std::size_t i = docket_.first[tile]; i < docket_.first[tile + 1]; ++i)
-            box.add(plea(i).x, plea(i).y);
+        for (std::size_t i = sitting.first; i < sitting.end; ++i) box.add(plea(i).x, plea(i).y);
         return {box.middle_x(), box.middle_y(), 0.5 * (box.right - box.left), 0.5 * (box.bottom - box.top)};
     }
 
-    std::vector<const ViewBounds*> renderers_of(std::size_t tile) const {
+    std::vector<const ViewBounds*> renderers_of(const Sitting& sitting) const {
         std::vector<const ViewBounds*> renderers;
-        for (std::size_t i = docket_.first[tile]; i < docket_.first[tile + 1]; ++i)
+        for (std::size_t i = sitting.first; i < sitting.end; ++i)
             if (!std::ranges::count(renderers, plea(i).bounds)) renderers.push_back(plea(i).bounds);
         return renderers;
     }
 
-    void hear_tile(std::size_t tile, std::vector<Ruled>& rulings, std::vector<double>& lacking) const {
+    void hear_sitting(const Sitting& sitting, std::vector<Ruled>& rulings,
+                      std::vector<double>& lacking) const {
+        const std::span near = near_.of(sitting.tile);
         Memories& memories = memories_.local();
         memories.acquaintance.forget_if_much();
         std::optional<Summary> summary;
         if (!hearing_.amendment_)
             summary.emplace(
                 Summary::Shared{hearing_.view_, sights_, memories.acquaintance, memories.coplanar},
-                centres(tile), near_.of(tile), renderers_of(tile));
+                centres(sitting), near, renderers_of(sitting));
         const Plea* latest = nullptr;
-        for (std::size_t i = docket_.first[tile]; i < docket_.first[tile + 1]; ++i) {
+        for (std::size_t i = sitting.first; i < sitting.end; ++i) {
             const Plea& p = plea(i);
             if (summary && !(latest && latest->x == p.x && latest->y == p.y)) summary->look_at(p.x, p.y);
             latest = &p;
@@ -119,9 +125,8 @@ class Hearing::Session {
                     return 0.0;
                 }
                 const double reach = summary ? summary->lacking_reach_px(plaint) : 0;
-                return reach != 0
-                           ? reach
-                           : try_to_hear(i, plaint.reach_px, near_.of(tile), memories, rulings[p.number]);
+                return reach != 0 ? reach
+                                  : try_to_hear(i, plaint.reach_px, near, memories, rulings[p.number]);
             };
             lacking[i] = hear_at_reach();
             while (lacking[i] != 0 && lacking[i] <= searched_px(i)) {
@@ -162,21 +167,23 @@ class Hearing::Session {
 auto Hearing::docket_of_all() const -> Docket {
     const Tiles tiles(view_);
     const std::size_t count = pleas_.size();
-    Docket docket{std::vector<std::uint32_t>(count), std::vector<double>(count), std::vector<double>(count),
-                  std::vector<std::uint32_t>(tiles.count() + 2)};
+    Docket docket{
+        std::vector<std::uint32_t>(count), std::vector<double>(count), std::vector<double>(count), {}};
     // counted two places ahead, so that filling leaves each tile's end where the next one's first belongs
-    for (const Plea& plea : pleas_) ++docket.first[tiles.of(plea.x, plea.y) + 2];
-    for (std::size_t t = 2; t < docket.first.size(); ++t) docket.first[t] += docket.first[t - 1];
+    std::vector<std::uint32_t> first(tiles.count() + 2);
+    for (const Plea& plea : pleas_) ++first[tiles.of(plea.x, plea.y) + 2];
+    for (std::size_t t = 2; t < first.size(); ++t) first[t] += first[t - 1];
     for (std::uint32_t i = 0; i < count; ++i)
-        docket.plea[docket.first[tiles.of(pleas_[i].x, pleas_[i].y) + 1]++] = i;
-    docket.first.pop_back();
+        docket.plea[first[tiles.of(pleas_[i].x, pleas_[i].y) + 1]++] = i;
+    for (std::size_t t = 0; t < tiles.count(); ++t)
+        if (first[t] != first[t + 1]) docket.sittings.push_back({t, first[t], first[t + 1]});
     return docket;
 }
 
-void Hearing::set_reach(Docket& docket, std::size_t tile, Memories& memories) const {
+void Hearing::set_reach(Docket& docket, const Sitting& sitting, Memories& memories) const {
     memories.acquaintance.forget_if_much();
     LatestTriangles latest;
-    for (std::size_t i = docket.first[tile]; i < docket.first[tile + 1]; ++i) {
+    for (std::size_t i = sitting.first; i < sitting.end; ++i) {
         const Plea& p = pleas_[docket.plea[i]];
         const double own_eps = p.answer == PrimitiveId::none
                                    ? p.bounds->background_eps_px()
@@ -189,15 +196,16 @@ void Hearing::set_reach(Docket& docket, std::size_t tile, Memories& memories) co
 
 auto Hearing::left_over(const Docket& docket, const std::vector<double>& lacking) const -> Docket {
     Docket left;
-    left.first.push_back(0);
-    for (std::size_t tile = 0; tile + 1 < docket.first.size(); ++tile) {
-        for (std::size_t i = docket.first[tile]; i < docket.first[tile + 1]; ++i) {
+    for (const Sitting& sitting : docket.sittings) {
+        const auto first = std::uint32_t(left.plea.size());
+        for (std::size_t i = sitting.first; i < sitting.end; ++i) {
             if (lacking[i] == 0) continue;
             left.plea.push_back(docket.plea[i]);
             left.own_eps_px.push_back(docket.own_eps_px[i]);
             left.reach_px.push_back(lacking[i]);
         }
-        left.first.push_back(std::uint32_t(left.plea.size()));
+        const auto end = std::uint32_t(left.plea.size());
+        if (first != end) left.sittings.push_back({sitting.tile, first, end});
     }
     return left;
 }
@@ -207,9 +215,7 @@ std::vector<Ruled> Hearing::hear(Asked asked) {
     std::vector<Ruled> rulings(added_);
     ThreadMemories memories([&] { return Memories(scene_, view_); });
     Docket docket = docket_of_all();
-    tbb::parallel_for(std::size_t(0), docket.first.size() - 1, [&](std::size_t tile) {
-        if (docket.first[tile] != docket.first[tile + 1]) set_reach(docket, tile, memories.local());
-    });
+    for_each_of(docket.sittings, [&](const Sitting& s) { set_reach(docket, s, memories.local()); });
     while (!docket.plea.empty())
         docket = left_over(docket, Session(*this, docket, asked, memories).hear(rulings));
     return rulings;

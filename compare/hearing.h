@@ -41,11 +41,16 @@ class Hearing {
         int x = 0, y = 0;
         std::uint32_t number = 0;
     };
+    /// The pleas of a tile: places from first to before end.
+    struct Sitting {
+        std::size_t tile;
+        std::uint32_t first, end;
+    };
     /// The pleas that are left, tile by tile, each in the order in which they were added.
     struct Docket {
         std::vector<std::uint32_t> plea;  ///< a place among pleas_
         std::vector<double> own_eps_px, reach_px;
-        std::vector<std::uint32_t> first;  ///< by tile; one more at the end
+        std::vector<Sitting> sittings;  ///< by tile; none without a plea
     };
     /// What one thread remembers of a hearing.
     struct Memories;
@@ -54,7 +59,7 @@ class Hearing {
     class Session;
 
     Docket docket_of_all() const;
-    void set_reach(Docket& docket, std::size_t tile, Memories& memories) const;
+    void set_reach(Docket& docket, const Sitting& sitting, Memories& memories) const;
     Docket left_over(const Docket& docket, const std::vector<double>& lacking) const;
 
     const Scene& scene_;
