@@ -140,13 +140,24 @@ bool Summary::is_behind(std::size_t back, std::size_t front, const Offset& at) c
     return value_at(f.nearness - b.nearness, x_, y_, at.x, at.y) > f.nearness_error + b.nearness_error;
 }
 
+/// All but what lies behind it at every place of the widest square, certainly.
+void Summary::find_rivals(std::optional<std::size_t> answer) {
+    rivals_.clear();
+    const Around widest = square(widest_px_);
+    const auto is_behind_all_over = [&](std::size_t i) {
+        return answer && filter(*answer).is_trusted && filter(i).is_trusted &&
+               order_in(widest, filter(*answer), filter(i)) == 1;
+    };
+    for (const auto& some : {std::cref(covering_), std::cref(cutting_)})
+        for (const std::size_t i : some.get())
+            if (i != answer && !is_behind_all_over(i)) rivals_.push_back(i);
+}
+
 /// Nothing hides it there, whatever the rule: what is certainly outside or behind is in no hiding set.
 bool Summary::is_seen_at(std::optional<std::size_t> answer, const Offset& at) const {
     if (answer && !is_inside(*answer, at)) return false;
-    const auto leaves_free = [&](std::size_t i) {
-        return i == answer || is_outside(i, at) || (answer && is_behind(i, *answer, at));
-    };
-    return std::ranges::all_of(covering_, leaves_free) && std::ranges::all_of(cutting_, leaves_free);
+    return std::ranges::all_of(
+        rivals_, [&](std::size_t i) { return is_outside(i, at) || (answer && is_behind(i, *answer, at)); });
 }
 
 /// The square's corners and the middles of its sides, and for a triangle the middle of its part of the
@@ -223,10 +234,9 @@ bool Summary::is_hidden_in(const Renderer& renderer, std::optional<std::size_t> 
                            double half_side_px) const {
     const Around box = square(half_side_px);
     if (answer && filter(*answer).misses(box)) return true;
-    const auto hides_all = [&](std::size_t i) {
-        return i != answer && covers(renderer, i, box) && (!answer || hides(renderer, i, *answer, box));
-    };
-    return std::ranges::any_of(covering_, hides_all) || std::ranges::any_of(cutting_, hides_all);
+    return std::ranges::any_of(rivals_, [&](std::size_t i) {
+        return covers(renderer, i, box) && (!answer || hides(renderer, i, *answer, box));
+    });
 }
 
 bool Summary::may_be_hidden_for_certain(const Renderer& renderer, std::size_t front, std::size_t back) const {
@@ -291,6 +301,7 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint) {
     if (eps > plaint.reach_px) return std::nullopt;
     if (answer && standing_in_tile(renderer, *answer) == Standing::tied)
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
+    find_rivals(answer);
     if (is_seen_at(answer, {0, 0})) return Ruled{{Standing::visible, false}, eps, std::nullopt};
     const auto may_be_certain = [&](std::size_t i) {
         return may_be_hidden_for_certain(renderer, i, *answer);

@@ -71,6 +71,7 @@ class Summary {
     bool is_inside(std::size_t i, const Offset& at) const;
     bool is_outside(std::size_t i, const Offset& at) const;
     bool is_behind(std::size_t back, std::size_t front, const Offset& at) const;
+    void find_rivals(std::optional<std::size_t> answer);
     bool is_seen_at(std::optional<std::size_t> answer, const Offset& at) const;
     template <class IsThere>
     bool is_anywhere(std::optional<std::size_t> answer, double half_side_px, const IsThere& is_there) const;
@@ -98,6 +99,7 @@ class Summary {
     bool is_sorted_out_ = false;  ///< do sight_, covering_ and cutting_ speak of the pixel?
     Sight<double> sight_;
     std::vector<std::size_t> covering_, cutting_;  ///< the pixel's widest square
+    std::vector<std::size_t> rivals_;              ///< of these: may hide the answer in hand there
     std::vector<std::size_t> untrusted_;           ///< of present_
 };
 
