@@ -25,25 +25,19 @@ double AskedBoxes::reach_px() const {
     return largest;
 }
 
-AskedTiles::AskedTiles(const Tiles& tiles, const AskedBoxes& asked) {
+AskedTiles::AskedTiles(const Tiles& tiles, const AskedBoxes& asked) : columns_(tiles.columns) {
+    first_.reserve(std::size_t(tiles.columns + 1) * std::size_t(tiles.rows));
     for (int row = 0; row < tiles.rows; ++row) {
-        first_.push_back(std::uint32_t(tiles_.size()));
         for (int column = 0; column < tiles.columns; ++column) {
+            first_.push_back(std::uint32_t(tiles_.size()));
             const std::size_t index = tiles.index(column, row);
             if (asked.of(index).empty()) continue;
-            Tile tile{column, std::uint32_t(index), {}, asked.of(index)};
+            Tile tile{std::uint32_t(index), {}, asked.of(index)};
             for (const Box& box : tile.boxes) tile.all.add(box);
             tiles_.push_back(tile);
         }
+        first_.push_back(std::uint32_t(tiles_.size()));
     }
-    first_.push_back(std::uint32_t(tiles_.size()));
-}
-
-auto AskedTiles::of(int row, int left, int right) const -> std::span<const Tile> {
-    const auto begin = tiles_.begin() + first_[std::size_t(row)],
-               end = tiles_.begin() + first_[std::size_t(row) + 1];
-    const auto from = std::ranges::lower_bound(begin, end, left, {}, &Tile::column);
-    return {from, std::ranges::upper_bound(from, end, right, {}, &Tile::column)};
 }
 
 }  // namespace zproof

@@ -37,7 +37,6 @@ class AskedBoxes {
 class AskedTiles {
   public:
     struct Tile {
-        int column;
         std::uint32_t index;
         Box all;  ///< around its boxes
         std::span<const Box> boxes;
@@ -48,11 +47,19 @@ class AskedTiles {
 
     std::span<const Tile> all() const { return tiles_; }
     /// Of a row, from one column to another, both included.
-    std::span<const Tile> of(int row, int left, int right) const;
+    std::span<const Tile> of(int row, int left, int right) const {
+        return std::span(tiles_).subspan(first_at(left, row), first_at(right + 1, row) - first_at(left, row));
+    }
 
   private:
-    std::vector<Tile> tiles_;           ///< in raster order
-    std::vector<std::uint32_t> first_;  ///< by row: among them; one more at the end
+    std::size_t first_at(int column, int row) const {
+        return first_[std::size_t(row) * std::size_t(columns_ + 1) + std::size_t(column)];
+    }
+
+    int columns_;
+    std::vector<Tile> tiles_;  ///< in raster order
+    /// By tile of the image, and for each row's end: the first of tiles_ from there on.
+    std::vector<std::uint32_t> first_;
 };
 
 }  // namespace zproof

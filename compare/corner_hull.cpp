@@ -1,41 +1,32 @@
 #include "compare/corner_hull.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "math/rounding.h"
 
 namespace zproof {
 
 /// Widened by what its 3 roundings may amount to.
-auto CornerHull::Direction::of(const Box& box) const -> Range {
-    static const double rounding = gamma(4, unit_roundoff_float64);
-    const double left = x * box.left, right = x * box.right, top = y * box.top, bottom = y * box.bottom;
-    const double unsure =
-        rounding * (std::max(std::abs(left), std::abs(right)) + std::max(std::abs(top), std::abs(bottom)));
-    return {std::min(left, right) + std::min(top, bottom) - unsure,
-            std::max(left, right) + std::max(top, bottom) + unsure};
+[[gnu::always_inline]] inline auto CornerHull::across(const Box& box) const -> Range {
+    constexpr double rounding = gamma(4, unit_roundoff_float64);
+    const Four left = x_ * box.left, right = x_ * box.right, top = y_ * box.top, bottom = y_ * box.bottom;
+    const Four unsure =
+        rounding * (larger(absolute(left), absolute(right)) + larger(absolute(top), absolute(bottom)));
+    return {smaller(left, right) + smaller(top, bottom) - unsure,
+            larger(left, right) + larger(top, bottom) + unsure};
 }
 
 /// Any direction would do, so that its own rounding is harmless.
-CornerHull::CornerHull(const std::array<Box, 3>& corners) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Box &p = corners[i], &q = corners[(i + 1) % 3];
-        const Direction across{p.middle_y() - q.middle_y(), q.middle_x() - p.middle_x()};
-        Range all = across.of(p);
-        for (const Box& corner : corners) {
-            const Range one = across.of(corner);
-            all = {std::min(all.least, one.least), std::max(all.most, one.most)};
-        }
-        sides_[i] = {across, all};
-    }
+[[gnu::target_clones("default", "avx2")]] void CornerHull::draw(const CornerBoxes& corners) {
+    const Four x = 0.5 * (corners.left + corners.right), y = 0.5 * (corners.top + corners.bottom);
+    x_ = y - __builtin_shufflevector(y, y, 1, 2, 0, 0);
+    y_ = __builtin_shufflevector(x, x, 1, 2, 0, 0) - x;
+    const Range first = across(corners.of(0)), second = across(corners.of(1)), third = across(corners.of(2));
+    corners_ = {smaller(smaller(first.least, second.least), third.least),
+                larger(larger(first.most, second.most), third.most)};
 }
 
-bool CornerHull::is_beside(const Box& box) const {
-    return std::ranges::any_of(sides_, [&](const Side& side) {
-        const Range asked = side.across.of(box);
-        return side.corners.least > asked.most || side.corners.most < asked.least;
-    });
+[[gnu::target_clones("default", "avx2")]] bool CornerHull::is_beside(const Box& box) const {
+    const Range asked = across(box);
+    return holds_in_any((corners_.least > asked.most) | (corners_.most < asked.least));
 }
 
 }  // namespace zproof

@@ -1,8 +1,6 @@
 /// What a triangle's image keeps to, by its corners alone.
 #pragma once
 
-#include <array>
-
 #include "compare/image_box.h"
 
 namespace zproof {
@@ -10,26 +8,21 @@ namespace zproof {
 /// The hull of the boxes that its corners lie in.
 class CornerHull {
   public:
-    explicit CornerHull(const std::array<Box, 3>& corners);
+    explicit CornerHull(const CornerBoxes& corners) { draw(corners); }
 
     /// Does a line along one of the sides part the box from all three corners, certainly?
     bool is_beside(const Box& box) const;
 
   private:
-    /// From the least to the greatest scalar product with a direction.
+    /// From the least to the greatest scalar product with each direction.
     struct Range {
-        double least, most;
+        Four least, most;
     };
-    struct Direction {
-        double x, y;
+    void draw(const CornerBoxes& corners);
+    Range across(const Box& box) const;
 
-        Range of(const Box& box) const;
-    };
-    struct Side {
-        Direction across;
-        Range corners;
-    };
-    std::array<Side, 3> sides_;
+    Four x_, y_;  ///< a direction across each side; the last lane repeats the third
+    Range corners_;
 };
 
 }  // namespace zproof

@@ -40,6 +40,16 @@ template <class Number>
     return high < raised ? high : raised;
 }
 
+/// Is it said of every lane?
+template <class Lanes>
+[[gnu::always_inline]] inline bool holds_in_all(const Lanes& of_four) {
+    return (of_four[0] & of_four[1] & of_four[2] & of_four[3]) != 0;
+}
+template <class Lanes>
+[[gnu::always_inline]] inline bool holds_in_any(const Lanes& of_four) {
+    return (of_four[0] | of_four[1] | of_four[2] | of_four[3]) != 0;
+}
+
 /// The same in every lane.
 template <class Number>
 [[gnu::always_inline]] inline Number everywhere(double a) {

@@ -8,6 +8,35 @@ namespace zproof {
 
 namespace {
 
+[[gnu::always_inline]] inline Four side_by_side(const CornersWorld& p, int axis) {
+    const auto at = [&](std::size_t corner) { return double(p[corner][axis]); };
+    return Four{at(0), at(1), at(2), at(2)};
+}
+
+[[gnu::always_inline]] inline Four along(const glm::dvec3& axis, const Four& x, const Four& y,
+                                         const Four& z) {
+    return axis.x * x + axis.y * y + axis.z * z;
+}
+
+/// As for one corner. Is there a place for each?
+[[gnu::target_clones("default", "avx2")]] bool find_boxes(const BoxProjection::Terms& terms,
+                                                          const CornersWorld& p_world, CornerBoxes& boxes) {
+    const Camera& c = terms.camera;
+    const glm::dvec3 eye(c.eye_world);
+    const Four x = side_by_side(p_world, 0) - eye.x, y = side_by_side(p_world, 1) - eye.y,
+               z = side_by_side(p_world, 2) - eye.z;
+    const Four right = along(c.right, x, y, z), up = along(c.up, x, y, z), depth = -along(c.back, x, y, z);
+    if (!holds_in_all(depth >= terms.least_depth)) return false;
+    const Four u = terms.perspective ? right / depth : right - c.shear.x * depth;
+    const Four v = terms.perspective ? up / depth : up - c.shear.y * depth;
+    const Four px = (u - c.window.left) * terms.px_per_u, py = (c.window.top - v) * terms.px_per_v;
+    const Four farthest = larger(larger(absolute(px), absolute(py)), everywhere<Four>(65536));
+    const Four wider = terms.px_of_rounding * (absolute(x) + absolute(y) + absolute(z)) +
+                       16 * unit_roundoff_float64 * farthest;
+    boxes = {px - wider, py - wider, px + wider, py + wider};
+    return holds_in_all((boxes.left <= boxes.right) & (boxes.top <= boxes.bottom));
+}
+
 double size_of(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
 }  // namespace
@@ -56,14 +85,9 @@ std::optional<Box> BoxProjection::operator()(const glm::vec3& p_world) const {
     return box.is_empty() ? std::nullopt : std::optional(widened(box, size_of(v)));
 }
 
-std::optional<std::array<Box, 3>> BoxProjection::of_corners(const CornersWorld& p_world) const {
-    std::array<Box, 3> boxes;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::optional<Box> box = (*this)(p_world[i]);
-        if (!box) return std::nullopt;
-        boxes[i] = *box;
-    }
-    return boxes;
+std::optional<CornerBoxes> BoxProjection::of_corners(const CornersWorld& p_world) const {
+    CornerBoxes boxes;
+    return find_boxes(terms_, p_world, boxes) ? std::optional(boxes) : std::nullopt;
 }
 
 glm::dvec3 BoxProjection::to_camera(const glm::dvec3& v) const {

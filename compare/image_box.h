@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "compare/bounds.h"
+#include "compare/four.h"
 
 namespace zproof {
 
@@ -31,6 +32,20 @@ struct Box {
     }
     double middle_x() const { return 0.5 * (left + right); }
     double middle_y() const { return 0.5 * (top + bottom); }
+};
+
+/// The boxes that a triangle's corners lie in, side by side; the last lane repeats the third corner's.
+struct CornerBoxes {
+    Four left, top, right, bottom;
+
+    Box of(std::size_t corner) const { return {left[corner], top[corner], right[corner], bottom[corner]}; }
+    /// Around all of them.
+    Box all() const {
+        Box box = of(0);
+        box.add(of(1));
+        box.add(of(2));
+        return box;
+    }
 };
 
 /// The square of half-side reach_px around a pixel's centre.
@@ -64,7 +79,7 @@ class BoxProjection {
     /// Around the image of one corner; nothing where it lies behind half the near depth or is no place.
     std::optional<Box> operator()(const glm::vec3& p_world) const;
     /// Of each of a triangle's corners, where all have one.
-    std::optional<std::array<Box, 3>> of_corners(const CornersWorld& p_world) const;
+    std::optional<CornerBoxes> of_corners(const CornersWorld& p_world) const;
 
     /// What it is made of, for those who project many corners: a corner at depth z >= least_depth lies at
     /// (u - left) px_per_u, (top - v) px_per_v, with an error of at most

@@ -3,12 +3,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
-#include <variant>
 
 #include "compare/corner_cells.h"
 #include "compare/corner_hull.h"
@@ -110,12 +110,6 @@ class RunCorners {
         const glm::uvec3 at = is_shared_ ? t - first_ : std::uint32_t(3 * i) + glm::uvec3(0, 1, 2);
         return CellReach::of(reach_[at.x], reach_[at.y], reach_[at.z]);
     }
-    /// Of triangles from first to before end, of which there are some.
-    CellReach of_some(std::span<const glm::uvec3> run, std::size_t first, std::size_t end) const {
-        CellReach all = of(first, run[first]);
-        for (std::size_t i = first + 1; i < end; ++i) all.add(of(i, run[i]));
-        return all;
-    }
 
   private:
     bool is_shared_ = false;
@@ -129,6 +123,12 @@ constexpr std::size_t neighbours = 8;
 struct Meeting {
     std::uint32_t tile, triangle;
 };
+
+CellReach around_all(std::span<const CellReach> reach) {
+    CellReach all = reach[0];
+    for (const CellReach& one : reach.subspan(1)) all.add(one);
+    return all;
+}
 
 /// Finds the tiles that one triangle meets. Its box is asked only where its corners' cells do not say no, and
 /// its edges only where its box does not.
@@ -150,47 +150,48 @@ class TileSearch {
     void search(std::size_t first, std::size_t end, std::vector<Meeting>& found) const {
         const std::span run = std::span(scene_.triangles).subspan(first, end - first);
         const RunCorners corners(scene_.vertices.position_world, corner_cells_, run);
+        std::array<CellReach, neighbours> reach;
         for (std::size_t i = 0; i < run.size(); i += neighbours) {
-            const std::size_t end_of_some = std::min(run.size(), i + neighbours);
-            if (!asked_cells_.any(corners.of_some(run, i, end_of_some))) continue;
-            for (std::size_t k = i; k < end_of_some; ++k)
-                if (asked_cells_.any(corners.of(k, run[k]))) search(std::uint32_t(first + k), found);
+            const std::size_t some = std::min(run.size() - i, neighbours);
+            for (std::size_t k = 0; k < some; ++k) reach[k] = corners.of(i + k, run[i + k]);
+            if (!asked_cells_.any(around_all(std::span(reach).first(some)))) continue;
+            for (std::size_t k = 0; k < some; ++k)
+                if (asked_cells_.any(reach[k])) search(std::uint32_t(first + i + k), found);
         }
     }
 
   private:
-    /// Where a large triangle is: between its corners, or where some of them have no place in the image, by
-    /// its functionals.
-    using Shape = std::variant<CornerHull, TriangleFilter>;
-    Shape shape_of(std::uint32_t triangle) const {
-        const CornersWorld p_world = corners_of(scene_, triangle);
-        if (const auto corners = projection_.of_corners(p_world)) return CornerHull(*corners);
-        return filters_.of(p_world);
-    }
-    static bool is_beside(const Shape& shape, const Box& asked) {
-        if (const auto* const hull = std::get_if<CornerHull>(&shape)) return hull->is_beside(asked);
-        return std::get<TriangleFilter>(shape).misses(around(asked));
-    }
-
     void search(std::uint32_t triangle, std::vector<Meeting>& found) const {
-        if (const auto box = projection_(corners_of(scene_, triangle))) search(triangle, *box, found);
+        const CornersWorld p_world = corners_of(scene_, triangle);
+        if (const auto corners = projection_.of_corners(p_world)) {
+            const Box box = corners->all();
+            if (box.fits(Tiles::side_px)) {
+                search(triangle, box, found, [](const Box&) { return true; });
+            } else {
+                std::optional<CornerHull> hull;
+                search(triangle, box, found, [&](const Box& asked) {
+                    if (!hull) hull.emplace(*corners);
+                    return !hull->is_beside(asked);
+                });
+            }
+        } else if (const auto box = projection_(p_world)) {
+            const TriangleFilter filter = filters_.of(p_world);
+            search(triangle, *box, found, [&](const Box& asked) { return !filter.misses(around(asked)); });
+        }
     }
-    void search(std::uint32_t triangle, const Box& box, std::vector<Meeting>& found) const {
+    /// may_meet(asked): of boxes that meet its own.
+    template <class MayMeet>
+    void search(std::uint32_t triangle, const Box& box, std::vector<Meeting>& found,
+                const MayMeet& may_meet) const {
         const double reach = reach_px_;
         const int left = clamped(box.left - reach, tiles_.columns),
                   right = clamped(box.right + reach, tiles_.columns);
         const int top = clamped(box.top - reach, tiles_.rows),
                   bottom = clamped(box.bottom + reach, tiles_.rows);
-        std::optional<Shape> shape;
-        const auto may_meet = [&](const Box& asked) {
-            if (!box.meets(asked)) return false;
-            if (box.fits(Tiles::side_px)) return true;
-            if (!shape) shape = shape_of(triangle);
-            return !is_beside(*shape, asked);
-        };
+        const auto meets = [&](const Box& asked) { return box.meets(asked) && may_meet(asked); };
         for (int row = top; row <= bottom; ++row)
             for (const AskedTiles::Tile& tile : asked_.of(row, left, right))
-                if (may_meet(tile.all) && std::ranges::any_of(tile.boxes, may_meet))
+                if (meets(tile.all) && std::ranges::any_of(tile.boxes, meets))
                     found.push_back({tile.index, triangle});
     }
     static int clamped(double px, int count) {
