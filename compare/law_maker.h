@@ -16,7 +16,7 @@ class LawMaker {
     void make(std::span<const PrimitiveId> triangles, std::size_t first_place, LawsOfBoth& laws) const;
 
     /// What four triangles are asked about.
-    struct Lens {
+    struct alignas(four_alignment) Lens {
         Sight<Four> first_pixel;
         Gauge<Four> gauge;
         Four near_depth, far_depth;
