@@ -6,7 +6,7 @@
 namespace zproof {
 
 /// The hull of the boxes that its corners lie in.
-class CornerHull {
+class alignas(four_alignment) CornerHull {
   public:
     explicit CornerHull(const CornerBoxes& corners) { draw(corners); }
 

@@ -1,6 +1,7 @@
 /// Four doubles side by side. A formula that is a template over its number type gives each of four triangles
 /// the bits that it gives one in double: every lane does the same operations in the same order. To be called
 /// where everything is inlined ([[gnu::flatten]]), for how vectors are passed depends on the instruction set.
+/// So does how they are aligned: what keeps some where others read them is alignas(four_alignment).
 #pragma once
 
 #include <bit>
@@ -12,6 +13,7 @@ namespace zproof {
 
 using Four = double __attribute__((vector_size(32)));
 inline constexpr std::size_t four_count = 4;
+inline constexpr std::size_t four_alignment = sizeof(Four);
 
 template <class Number>
 [[gnu::always_inline]] inline Number absolute(const Number& a) {

@@ -35,7 +35,7 @@ struct Box {
 };
 
 /// The boxes that a triangle's corners lie in, side by side; the last lane repeats the third corner's.
-struct CornerBoxes {
+struct alignas(four_alignment) CornerBoxes {
     Four left, top, right, bottom;
 
     Box of(std::size_t corner) const { return {left[corner], top[corner], right[corner], bottom[corner]}; }
