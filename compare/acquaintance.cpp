@@ -21,6 +21,13 @@ double far_limit(const Camera& c, double slack) {
 
 }  // namespace
 
+void Acquaintance::expect(std::span<const std::uint32_t> triangles) const {
+    for (const std::uint32_t t : triangles) __builtin_prefetch(&scene_.triangles[t]);
+    for (const std::uint32_t t : triangles)
+        for (int corner = 0; corner < 3; ++corner)
+            __builtin_prefetch(&scene_.vertices.position_world[scene_.triangles[t][corner]]);
+}
+
 BoundedTriangle::BoundedTriangle(const ViewBounds& bounds, const Camera& camera,
                                  const ViewedTriangle& triangle)
     : of_view(bounds, triangle) {

@@ -2,6 +2,7 @@
 /// it is until it forgets.
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace zproof {
 
 /// A triangle as every renderer of a view has it.
 struct KnownTriangle {
+    KnownTriangle(const TriangleFilters& filters, const CornersWorld& p_world)
+        : seen(filters.viewed(p_world)), filter(filters.of(seen)) {}
+
     ViewedTriangle seen;
     TriangleFilter filter;
 };
@@ -42,19 +46,18 @@ class Acquaintance {
   public:
     /// much: triangles, of which one thread knows that many before it forgets; some 1 KiB each.
     Acquaintance(const Scene& scene, const View& view, std::size_t much = 1024)
-        : scene_(scene), view_(view), much_(much), filters_(view), any_(view, 0, 0) {}
+        : scene_(scene), view_(view), much_(much), filters_(view) {}
 
     const KnownTriangle& of(std::uint32_t triangle) {
-        return known_(triangle, [&] {
-            const CornersWorld p_world = corners_of(scene_, triangle);
-            const TriangleExtent extent = filters_.extent_of(p_world);
-            return KnownTriangle{{any_, p_world, extent}, filters_.of(p_world, extent)};
-        });
+        return known_(triangle, [&] { return KnownTriangle(filters_, corners_of(scene_, triangle)); });
     }
     const BoundedTriangle& of(std::uint32_t triangle, const ViewBounds& bounds) {
         return bounded_by(bounds)(triangle,
                                   [&] { return BoundedTriangle(bounds, view_.camera, of(triangle).seen); });
     }
+
+    /// Asks memory for the corners of triangles that will be asked about: they lie anywhere in the scene.
+    void expect(std::span<const std::uint32_t> triangles) const;
 
     /// Triangles that it knows.
     std::size_t count() const { return known_.count(); }
@@ -77,7 +80,6 @@ class Acquaintance {
     const View& view_;
     std::size_t much_;
     TriangleFilters filters_;
-    Sight<double> any_;
     ByTriangle<KnownTriangle> known_;
     std::vector<std::pair<const ViewBounds*, Bounded>> bounded_;  ///< a few renderers
 };

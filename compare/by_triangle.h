@@ -22,7 +22,7 @@ class ByTriangle {
         if (2 * (count_ + 1) > slots_.size()) grow();
         Slot& slot = slot_of(triangle);
         if (slot.value) return *slot.value;
-        const Value& made = add(make());
+        const Value& made = add(make);
         slot = {triangle, &made};
         ++count_;
         return made;
@@ -44,10 +44,17 @@ class ByTriangle {
         return slots_[at];
     }
 
-    const Value& add(Value&& value) {
+    /// Gives way to what make() gives, which is thereby made where it stays.
+    template <class Make>
+    struct Made {
+        const Make& make;
+        operator Value() const { return make(); }
+    };
+    template <class Make>
+    const Value& add(const Make& make) {
         if (blocks_.empty() || blocks_.back().size() == block_size)
             blocks_.emplace_back().reserve(block_size);
-        return blocks_.back().emplace_back(std::move(value));
+        return blocks_.back().emplace_back(Made<Make>{make});
     }
 
     void grow() {

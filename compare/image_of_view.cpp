@@ -16,14 +16,16 @@ ImageOfView::ImageOfView(const Sight<double>& any, const CornersWorld& p_world)
     if (is_edge_on_) return;
     moment_ = {cross(v1, v2), cross(v2, v0), cross(v0, v1)};
     plane_.volume_reciprocal = 1 / volume;
-    slopes_ = *image_of(any, p_world_);
-    plane_.gradient = std::abs(slopes_.nearness.a) + std::abs(slopes_.nearness.b);
+    for (std::size_t i = 0; i < 3; ++i) at_any_.edge[i] = detail::perspective_functional(any, moment_[i]);
+    at_any_ = detail::oriented(at_any_, orientation_);
+    at_any_.nearness = plane_.volume_reciprocal * detail::perspective_functional(any, plane_.normal);
+    plane_.gradient = std::abs(at_any_.nearness.a) + std::abs(at_any_.nearness.b);
 }
 
 std::optional<TriangleImage<double>> ImageOfView::at(const Sight<double>& sight) const {
     if (!is_kept_) return image_of(sight, p_world_);
     if (is_edge_on_) return std::nullopt;
-    TriangleImage<double> image = slopes_;
+    TriangleImage<double> image = at_any_;
     for (std::size_t i = 0; i < 3; ++i) {
         const double value = dot(moment_[i], sight.direction);
         image.edge[i].c = orientation_ < 0 ? -value : value;

@@ -43,6 +43,10 @@ class ImageOfView {
     std::optional<TriangleImage<double>> at(const Sight<double>& sight) const;
     /// Its nearness at the pixel's centre. Only where at() gives an image.
     double nearness_at(const Sight<double>& sight) const;
+    /// The image at `any`; nothing for parallel projections and edge-on triangles.
+    std::optional<TriangleImage<double>> at_any() const {
+        return is_kept_ && !is_edge_on_ ? std::optional(at_any_) : std::nullopt;
+    }
     /// Nothing for parallel projections and edge-on triangles.
     std::optional<KeptPlane> kept_plane() const {
         return is_kept_ && !is_edge_on_ ? std::optional(plane_) : std::nullopt;
@@ -54,7 +58,7 @@ class ImageOfView {
     std::array<Vector3<double>, 3> moment_{};  ///< of each edge
     KeptPlane plane_;
     int orientation_ = 1;
-    TriangleImage<double> slopes_{};  ///< the image but for its constants
+    TriangleImage<double> at_any_{};
 };
 
 }  // namespace zproof

@@ -25,6 +25,7 @@ Summary::Summary(const Shared& shared, const Around& tile, std::span<const std::
         widest_px_ = std::max(widest_px_, bounds->background_eps_px());
     }
     present_.reserve(near.size());
+    shared_.acquaintance.expect(near);
     for (const std::uint32_t t : near) {
         const KnownTriangle& known = shared_.acquaintance.of(t);
         for (Renderer& r : renderers_) {

@@ -46,44 +46,54 @@ double TriangleFilters::corner_size(const CornersWorld& p_world) const {
     return size;
 }
 
-TriangleFilter TriangleFilters::of(const CornersWorld& p_world, const TriangleExtent& extent) const {
-    TriangleFilter filter = by_functionals(p_world, PlaneError(extent.size.plane));
-    if (const auto box = boxes_(p_world)) filter.box = *box;
-    if (filter.is_trusted) return filter;
-    if (const auto corners = boxes_.of_corners(p_world)) filter.hull.emplace(*corners);
+TriangleFilter TriangleFilters::of(const ViewedTriangle& triangle) const {
+    TriangleFilter filter = by_functionals(triangle);
+    const std::optional<CornerBoxes> corners = boxes_.of_corners(triangle.p_world);
+    if (corners)
+        filter.box = corners->all();
+    else if (const auto box = boxes_(triangle.p_world))
+        filter.box = *box;
+    if (corners && !filter.is_trusted) filter.hull.emplace(*corners);
     return filter;
 }
 
-TriangleFilter TriangleFilters::by_functionals(const CornersWorld& p_world,
-                                               const PlaneError& plane_error) const {
-    TriangleFilter filter;
-    if (!plane_error.is_known()) return filter;
-    const Corners<double> p{exactly<double>(glm::dvec3(p_world[0])), exactly<double>(glm::dvec3(p_world[1])),
-                            exactly<double>(glm::dvec3(p_world[2]))};
+TriangleImage<double> TriangleFilters::parallel_image(const CornersWorld& p_world,
+                                                      const Vector3<double>& normal, double facing) const {
+    const Corners<double> p = corners<double>(p_world);
     const Vector3<double> v0 = p[0] - sight_.origin, v1 = p[1] - sight_.origin, v2 = p[2] - sight_.origin;
-    const Vector3<double> normal = normal_of(p_world);
-    const double facing = perspective_ ? dot(v0, normal) : dot(normal, sight_.direction);
-    TriangleImage<double> image;
+    const TriangleImage<double> image{
+        .edge = {detail::parallel_edge(sight_, v1, v2), detail::parallel_edge(sight_, v2, v0),
+                 detail::parallel_edge(sight_, v0, v1)},
+        .nearness = (-1 / facing) * Affine<double>{-dot(normal, sight_.step_x), -dot(normal, sight_.step_y),
+                                                   dot(normal, v0)}};
+    return detail::oriented(image, sign(facing));
+}
+
+TriangleFilter TriangleFilters::by_functionals(const ViewedTriangle& triangle) const {
+    TriangleFilter filter;
+    if (!triangle.plane_error.is_known()) return filter;
+    const Vector3<double> normal = normal_of(triangle.p_world);
+    const Corners<double> p = corners<double>(triangle.p_world);
+    double facing = 0;
     if (perspective_) {
-        image.edge = {detail::perspective_functional(sight_, cross(v1, v2)),
-                      detail::perspective_functional(sight_, cross(v2, v0)),
-                      detail::perspective_functional(sight_, cross(v0, v1))};
-        image.nearness = (1 / facing) * detail::perspective_functional(sight_, normal);
+        const auto image = triangle.image.at_any();
+        if (!image) return filter;
+        facing = dot(p[0] - sight_.origin, normal);
+        filter.edge = image->edge;
+        filter.nearness = (1 / facing) * detail::perspective_functional(sight_, normal);
     } else {
-        image.edge = {detail::parallel_edge(sight_, v1, v2), detail::parallel_edge(sight_, v2, v0),
-                      detail::parallel_edge(sight_, v0, v1)};
-        image.nearness = (-1 / facing) * Affine<double>{-dot(normal, sight_.step_x),
-                                                        -dot(normal, sight_.step_y), dot(normal, v0)};
+        facing = dot(normal, sight_.direction);
+        const TriangleImage<double> image = parallel_image(triangle.p_world, normal, facing);
+        filter.edge = image.edge;
+        filter.nearness = image.nearness;
     }
-    filter.edge = detail::oriented(image, sign(facing)).edge;
-    filter.nearness = image.nearness;
     // each of five terms is below V^2 D and has at most 40 roundings; once for us, once for image_of
     static const double share = 2 * 5 * gamma(40, unit_roundoff_float64);
-    const double size = corner_size(p_world), rounding = share * size * size;
+    const double size = corner_size(triangle.p_world), rounding = share * size * size;
     filter.edge_error = rounding * direction_size_;
-    const Affine<double>& n = image.nearness;
+    const Affine<double>& n = filter.nearness;
     filter.nearness_error =
-        2 * plane_error.at(std::abs(n.c) + std::abs(n.a) * width_ + std::abs(n.b) * height_);
+        2 * triangle.plane_error.at(std::abs(n.c) + std::abs(n.a) * width_ + std::abs(n.b) * height_);
     filter.is_trusted = std::isfinite(filter.nearness_error) &&
                         std::abs(facing) > rounding * (perspective_ ? size : direction_size_);
     return filter;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "compare/corner_hull.h"
+#include "compare/neighbourhood.h"
 #include "compare/sight.h"
 #include "math/affine.h"
 
@@ -79,13 +80,18 @@ class TriangleFilters {
   public:
     explicit TriangleFilters(const View& view);
 
-    TriangleFilter of(const CornersWorld& p_world) const { return of(p_world, extent_of(p_world)); }
-    TriangleFilter of(const CornersWorld& p_world, const TriangleExtent& extent) const;
-    /// The same for every renderer of the view.
-    TriangleExtent extent_of(const CornersWorld& p_world) const { return any_bounds_.extent_of(p_world); }
+    /// The triangle itself, for any renderer of the view.
+    ViewedTriangle viewed(const CornersWorld& p_world) const {
+        return {sight_, p_world, any_bounds_.extent_of(p_world)};
+    }
+    /// Of a triangle that viewed() gave.
+    TriangleFilter of(const ViewedTriangle& triangle) const;
+    TriangleFilter of(const CornersWorld& p_world) const { return of(viewed(p_world)); }
 
   private:
-    TriangleFilter by_functionals(const CornersWorld& p_world, const PlaneError& plane_error) const;
+    TriangleFilter by_functionals(const ViewedTriangle& triangle) const;
+    TriangleImage<double> parallel_image(const CornersWorld& p_world, const Vector3<double>& normal,
+                                         double facing) const;
     double corner_size(const CornersWorld& p_world) const;
 
     BoxProjection boxes_;
