@@ -1,7 +1,11 @@
 #include "compare/agreement.h"
 
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <optional>
 
@@ -32,10 +36,16 @@ void fetch_ahead(const Strip::Side& side, std::size_t count) {
     }
 }
 
-/// A look at both witnesses, tile by tile.
+/// The largest ratios that any part of the image has shown so far. Only what work is saved depends on it.
+struct LargestSoFar {
+    std::atomic<double> candidate = 0, reference = 0;
+};
+
+/// One thread's look at both witnesses, tile by tile.
 class Comparison {
   public:
-    Comparison(const Scene& scene, const Witness& candidate, const Witness& reference, LargestSoFar& largest)
+    Comparison(const Scene& scene, const Witness& candidate, const Witness& reference, const Wanted& wanted,
+               LargestSoFar& largest)
         : triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
@@ -43,14 +53,11 @@ class Comparison {
           shown_(scene, candidate, reference),
           kernel_(strips::widest_kernel()),
           presort_(candidate.projection(), kernel_),
-          look_(scene, candidate, reference) {}
-
-    /// Has the errors of depth of what is compared from now on counted.
-    void keep_histograms() { histograms_.emplace(); }
-    /// Has them written down.
-    void keep_errors(ErrorMaps& errors) {
-        scribes_.emplace(Scribes{{candidate_, triangle_count_, errors.candidate},
-                                 {reference_, triangle_count_, errors.reference}});
+          look_(scene, candidate, reference) {
+        if (wanted.histograms) histograms_.emplace();
+        if (wanted.errors)
+            scribes_.emplace(Scribes{{candidate_, triangle_count_, wanted.errors->candidate},
+                                     {reference_, triangle_count_, wanted.errors->reference}});
     }
 
     /// Compares the pixels of a tile.
@@ -237,18 +244,22 @@ void add(Tally& sum, const Tally& part) {
     add_record(sum.reference, part.reference);
 }
 
-Tally compare_rows(const Scene& scene, const Witness& candidate, const Witness& reference, const Rows& rows,
-                   OpenTiles& open) {
-    Comparison comparison(scene, candidate, reference, rows.largest);
-    if (rows.histograms) comparison.keep_histograms();
-    if (rows.errors) comparison.keep_errors(*rows.errors);
-    const int width = candidate.view().width;
-    for (int top = rows.top; top < rows.bottom; top += tile_height)
+Tally compare_frames(const Scene& scene, const Witness& candidate, const Witness& reference,
+                     const Wanted& wanted, OpenTiles& open) {
+    LargestSoFar largest;
+    tbb::enumerable_thread_specific<Comparison> comparisons(
+        [&] { return Comparison(scene, candidate, reference, wanted, largest); });
+    const auto [width, height] = candidate.frame().size();
+    const auto compare_row = [&](int row) {
+        const int top = row * tile_height, bottom = std::min(top + tile_height, height);
+        Comparison& comparison = comparisons.local();
         for (int left = 0; left < width; left += tile_width)
-            comparison.compare(
-                {left, top, std::min(left + tile_width, width), std::min(top + tile_height, rows.bottom)},
-                open);
-    return comparison.tally();
+            comparison.compare({left, top, std::min(left + tile_width, width), bottom}, open);
+    };
+    tbb::parallel_for(0, (height + tile_height - 1) / tile_height, compare_row);
+    Tally sum;
+    for (const Comparison& comparison : comparisons) add(sum, comparison.tally());
+    return sum;
 }
 
 }  // namespace zproof

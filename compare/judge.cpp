@@ -1,7 +1,6 @@
 #include "compare/judge.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -30,23 +29,10 @@ struct Kept {
 /// The pixels that stay open; depths are counted into the verdict.
 OpenTiles first_pass(const Comparands& of, const Kept& kept) {
     OpenTiles open(of.view);
-    LargestSoFar largest;
-    const int rows = open.tiles().rows;
-    std::vector<Tally> tallies(static_cast<std::size_t>(rows));
-    tbb::parallel_for(0, rows, [&](int row) {
-        const int top = row * Tiles::side_px, bottom = std::min(top + Tiles::side_px, of.view.height);
-        tallies[std::size_t(row)] = compare_rows(of.scene, of.candidate, of.reference,
-                                                 {.top = top,
-                                                  .bottom = bottom,
-                                                  .largest = largest,
-                                                  .histograms = kept.depths == Depths::histograms,
-                                                  .errors = kept.full ? &kept.full->errors : nullptr},
-                                                 open);
-    });
-    Tally sum;
-    for (const Tally& tally : tallies) add(sum, tally);
-    kept.verdict.candidate_depth = sum.candidate;
-    kept.verdict.reference_depth = sum.reference;
+    const Wanted wanted{kept.depths == Depths::histograms, kept.full ? &kept.full->errors : nullptr};
+    const Tally tally = compare_frames(of.scene, of.candidate, of.reference, wanted, open);
+    kept.verdict.candidate_depth = tally.candidate;
+    kept.verdict.reference_depth = tally.reference;
     return open;
 }
 
