@@ -61,7 +61,7 @@ TEST(Strip, HasTheLawsOfItsRunsAndOfWhatDiffers) {
         const LawsAlong laws = laws_along(strip);
         std::uint32_t run = 99;
         for (std::size_t i = 0; i < Strip::width; ++i) {
-            run += strip.turns >> i & 1;
+            run += std::uint32_t(strip.turns >> i & 1);
             ASSERT_EQ(laws.candidate[i], run) << i;
             ASSERT_EQ(laws.reference[i], (strip.differ >> i & 1) != 0 ? 200 + i : run) << i;
         }
