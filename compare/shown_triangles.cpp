@@ -13,14 +13,13 @@ void ShownTriangles::clear() {
     made_ = 1;
 }
 
-std::uint32_t ShownTriangles::place_of(PrimitiveId triangle) {
-    const auto id = std::uint32_t(triangle);
-    const std::size_t mask = slots_.size() - 1;
-    for (std::size_t at = (id * 0x9E3779B97F4A7C15u >> 40) & mask;; at = (at + 1) & mask) {
+std::uint32_t ShownTriangles::look_further(PrimitiveId triangle) {
+    const std::uint64_t key = key_of(triangle);
+    for (std::size_t at = first_slot_of(triangle);; at = (at + 1) & (slots_.size() - 1)) {
         Slot& slot = slots_[at];
-        if (slot.tile == tile_ && slot.triangle == id) return slot.place;
-        if (slot.tile == tile_) continue;
-        slot = {id, std::uint32_t(triangles_.size()), tile_};
+        if (slot.key == key) return slot.place;
+        if (slot.key >> 32 == tile_) continue;
+        slot = {key, std::uint32_t(triangles_.size())};
         triangles_.push_back(triangle);
         if (triangles_.size() > slots_.size() / 2) grow();
         return std::uint32_t(triangles_.size() - 1);

@@ -14,7 +14,11 @@ class ShownTriangles {
     /// Forgets all, for another tile.
     void clear();
     /// Where the laws of a triangle of the scene will stand; never 0, which is the place of law_of_nothing.
-    std::uint32_t place_of(PrimitiveId triangle);
+    std::uint32_t place_of(PrimitiveId triangle) {
+        const std::uint64_t key = key_of(triangle);
+        const Slot& first = slots_[first_slot_of(triangle)];
+        return first.key == key ? first.place : look_further(triangle);
+    }
     /// Makes the laws of what was shown since.
     void make_laws();
 
@@ -23,19 +27,24 @@ class ShownTriangles {
     const LawsOfBoth& laws() const { return laws_; }
 
   private:
-    /// Of a table with open addressing; of this tile where its tile is the present one.
+    /// Of a table with open addressing; of this tile where its key is one of this tile's.
     struct Slot {
-        std::uint32_t triangle = 0, place = 0;
-        std::uint64_t tile = 0;
+        std::uint64_t key = 0;  ///< the tile's number and the triangle
+        std::uint32_t place = 0;
     };
+    std::uint64_t key_of(PrimitiveId triangle) const { return tile_ << 32 | std::uint32_t(triangle); }
+    std::size_t first_slot_of(PrimitiveId triangle) const {
+        return (std::uint32_t(triangle) * 0x9E3779B97F4A7C15u >> 40) & (slots_.size() - 1);
+    }
+    std::uint32_t look_further(PrimitiveId triangle);
     void grow();
 
     LawMaker maker_;
     std::vector<PrimitiveId> triangles_;  ///< by place
     std::vector<Slot> slots_;
-    std::uint64_t tile_ = 1;
-    LawsOfBoth laws_;       ///< by place, and what is left of earlier tiles
-    std::size_t made_ = 0;  ///< so many are of this one
+    std::uint64_t tile_ = 0;  ///< its number, from 1 on
+    LawsOfBoth laws_;         ///< by place, and what is left of earlier tiles
+    std::size_t made_ = 0;    ///< so many are of this one
 };
 
 }  // namespace zproof
