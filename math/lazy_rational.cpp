@@ -13,7 +13,8 @@ struct LazyRational::Term {
 
     const Rational& worked_out() {
         if (value) return *value;
-        const Rational x = a.value(), y = b.value();
+        std::optional<Rational> number_a, number_b;
+        const Rational &x = value_of(a, number_a), &y = value_of(b, number_b);
         switch (operation) {
             case Operation::add:
                 value = x + y;
@@ -31,6 +32,11 @@ struct LazyRational::Term {
         a = b = LazyRational();
         return *value;
     }
+
+    /// What a term has is not copied; what is one number has its place in `number`.
+    static const Rational& value_of(const LazyRational& of, std::optional<Rational>& number) {
+        return of.term_ ? of.term_->worked_out() : number.emplace(of.range_.low());
+    }
 };
 
 void intrusive_ptr_add_ref(LazyRational::Term* term) noexcept { ++term->users; }
@@ -41,6 +47,8 @@ void intrusive_ptr_release(LazyRational::Term* term) noexcept {
 void LazyRational::remember(Operation operation, const LazyRational& a, const LazyRational& b) {
     term_.reset(new Term{operation, a, b});
 }
+
+int LazyRational::exact_sign() const { return sign(term_->worked_out()); }
 
 Rational LazyRational::value() const { return term_ ? term_->worked_out() : Rational(range_.low()); }
 

@@ -30,7 +30,7 @@ class LazyRational {
     }
 
     /// -1, 0 or +1; never undecided.
-    friend int sign(const LazyRational& a) { return a.is_decided() ? sign(a.range_) : sign(a.value()); }
+    friend int sign(const LazyRational& a) { return a.is_decided() ? sign(a.range_) : a.exact_sign(); }
     friend bool is_certainly_zero(const LazyRational& a) { return sign(a) == 0; }
     friend LazyRational magnitude(const LazyRational& a) { return sign(a) < 0 ? -a : a; }
 
@@ -55,6 +55,7 @@ class LazyRational {
         return may_be_0 ? Interval(-HUGE_VAL, HUGE_VAL) : a / b;
     }
     bool is_number() const { return range_.low() == range_.high(); }
+    int exact_sign() const;
     bool is_decided() const { return is_number() || range_.low() > 0 || range_.high() < 0; }
 
     Interval range_;
