@@ -1,0 +1,61 @@
+/// A triangle has one place in a tile, and there its own laws, whatever earlier tiles showed.
+#include "compare/shown_triangles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+
+#include "random_surroundings.h"
+#include "stage.h"
+
+namespace zproof {
+namespace {
+
+/// More walls than a tile's first table has room for, no two alike.
+Scene many_walls(const View& view) {
+    std::vector<Triangle> walls;
+    for (int i = 0; i < 3000; ++i) walls.push_back(wall(2 + 0.001 * i));
+    return scene_of(view, walls);
+}
+
+bool are_the_same(const DepthLaw& a, const DepthLaw& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+TEST(ShownTriangles, HaveOnePlaceEachAndTheirOwnLaws) {
+    const View view = pixel_view(Projection::perspective, 4, 4);
+    const Scene scene = many_walls(view);
+    const Frame frame({view.width, view.height});
+    const Witness ours(scene, view, {frame, RasterPrecision{.transform = Arithmetic::float64}}),
+        theirs(scene, view, {frame, RayPrecision{}});
+    ShownTriangles shown(scene, ours, theirs);
+    Dice dice(1);
+    for (int tile = 0; tile < 60; ++tile) {
+        SCOPED_TRACE(tile);
+        shown.clear();
+        EXPECT_EQ(shown.count(), 0u);
+        std::map<std::uint32_t, std::uint32_t> places;
+        const int looks = tile % 10 == 9 ? 5000 : dice.below(400);
+        for (int i = 0; i < looks; ++i) {
+            const auto id = std::uint32_t(dice.below(3000));
+            const std::uint32_t place = shown.place_of(PrimitiveId(id));
+            ASSERT_EQ(places.try_emplace(id, place).first->second, place);
+            ASSERT_EQ(shown.count(), places.size()) << "each new one takes a place";
+            if (dice.below(100) == 0) shown.make_laws();
+        }
+        shown.make_laws();
+        std::vector<bool> is_taken(places.size() + 1);
+        is_taken[0] = true;
+        for (const auto& [id, place] : places) {
+            ASSERT_LE(place, places.size());
+            ASSERT_FALSE(is_taken[place]);
+            is_taken[place] = true;
+            const TriangleInView triangle = ours.triangle_in_view(PrimitiveId(id));
+            EXPECT_TRUE(are_the_same(shown.laws().candidate[place], depth_law_of(triangle, ours.bounds())));
+            EXPECT_TRUE(are_the_same(shown.laws().reference[place], depth_law_of(triangle, theirs.bounds())));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace zproof
