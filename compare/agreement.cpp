@@ -20,7 +20,9 @@ namespace zproof {
 
 namespace {
 
-constexpr int tile_width = Strip::width, tile_height = 16;
+constexpr int tile_width = Strip::width;
+/// So that no two threads open pixels of one of the tiles in which those wait.
+constexpr int tile_height = Tiles::side_px;
 
 /// Of a tile: more than that, and few pixels share a law.
 constexpr std::size_t many_laws = 256;
@@ -249,14 +251,14 @@ Tally compare_frames(const Scene& scene, const Witness& candidate, const Witness
     LargestSoFar largest;
     tbb::enumerable_thread_specific<Comparison> comparisons(
         [&] { return Comparison(scene, candidate, reference, wanted, largest); });
-    const auto [width, height] = candidate.frame().size();
+    const Resolution size = candidate.frame().size();
     const auto compare_row = [&](int row) {
-        const int top = row * tile_height, bottom = std::min(top + tile_height, height);
+        const int top = row * tile_height, bottom = std::min(top + tile_height, size.height);
         Comparison& comparison = comparisons.local();
-        for (int left = 0; left < width; left += tile_width)
-            comparison.compare({left, top, std::min(left + tile_width, width), bottom}, open);
+        for (int left = 0; left < size.width; left += tile_width)
+            comparison.compare({left, top, std::min(left + tile_width, size.width), bottom}, open);
     };
-    tbb::parallel_for(0, (height + tile_height - 1) / tile_height, compare_row);
+    tbb::parallel_for(0, (size.height + tile_height - 1) / tile_height, compare_row);
     Tally sum;
     for (const Comparison& comparison : comparisons) add(sum, comparison.tally());
     return sum;

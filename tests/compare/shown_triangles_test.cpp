@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
 #include <map>
 
 #include "random_surroundings.h"
@@ -16,11 +16,15 @@ namespace {
 /// More walls than a tile's first table has room for, no two alike.
 Scene many_walls(const View& view) {
     std::vector<Triangle> walls;
+    walls.reserve(3000);
     for (int i = 0; i < 3000; ++i) walls.push_back(wall(2 + 0.001 * i));
     return scene_of(view, walls);
 }
 
-bool are_the_same(const DepthLaw& a, const DepthLaw& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool are_the_same(const DepthLaw& a, const DepthLaw& b) {
+    using Bits = std::array<std::uint64_t, sizeof(DepthLaw) / sizeof(double)>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
 
 TEST(ShownTriangles, HaveOnePlaceEachAndTheirOwnLaws) {
     const View view = pixel_view(Projection::perspective, 4, 4);
