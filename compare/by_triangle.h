@@ -44,7 +44,7 @@ class ByTriangle {
         return slots_[at];
     }
 
-    /// Gives way to what make() gives, which is thereby made where it stays.
+    /// Becomes what make() gives, so that a block's place is where that is made.
     template <class Make>
     struct Made {
         const Make& make;
