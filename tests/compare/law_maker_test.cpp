@@ -46,6 +46,9 @@ std::vector<std::pair<Precision, Precision>> pairs() {
     return {{ours, RayPrecision{}}, {RayPrecision{}, from_eye}, {ours, PlaneRayPrecision{}}};
 }
 
+/// Code for an instruction set with vectors that wide reads it as aligned.
+static_assert(alignof(LawMaker::Lens) == four_alignment);
+
 TEST(LawMaker, GivesEachTriangleTheBitsOfItsOwnLaw) {
     int asked = 0, of_nothing = 0;
     for (std::uint32_t seed = 0; seed < 600; ++seed) {
