@@ -14,6 +14,18 @@ ColumnsOfBoth without(const ColumnsOfBoth& all, const ColumnsOfBoth& some) {
 }
 bool is_none(const ColumnsOfBoth& columns) { return (columns.candidate | columns.reference) == 0; }
 
+/// At one depth all over the image: there a depth that was lawful and counted is so again.
+bool is_level(const DepthLaw& law) { return law.nearness_per_x == 0 && law.nearness_per_y == 0; }
+
+/// In chunks with any of the pixels.
+Strip::Pixels where_equal_in(Strip::Pixels pixels, const float* depths, float depth) {
+    Strip::Pixels found = 0;
+    for (std::size_t first = 0; first < Strip::width; first += Strip::chunk)
+        if (Strip::in_chunk(pixels, first) != 0)
+            found |= Strip::Pixels{where_equal(depths + first, depth)} << first;
+    return found;
+}
+
 }  // namespace
 
 void Presort::turn_to(const PixelBox& tile, const LawsOfBoth& laws, std::size_t count) {
@@ -23,10 +35,12 @@ void Presort::turn_to(const PixelBox& tile, const LawsOfBoth& laws, std::size_t 
 }
 
 void Presort::sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip, SortedStrip& sorted) {
-    const Strip::Pixels certain = ~strip.differ & certain_if_same(strip, largest);
+    constexpr Strip::Pixels all = ~Strip::Pixels{0};
+    Strip::Pixels certain = ~strip.differ & certain_if_same(strip, largest);
     sorted.open = sorted.lawful = {};
     sorted.sorted = SortedStrip::all_sorted;
-    if (certain == ~Strip::Pixels{0}) return;
+    if (certain != all) certain |= certain_where_level(laws, strip, largest, ~(strip.differ | certain));
+    if (certain == all) return;
     const LawsAlong along = laws_along(strip);
     const std::uint32_t *const ours = along.candidate.data(), *const theirs = along.reference.data();
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
@@ -52,6 +66,36 @@ Strip::Pixels Presort::certain_if_same(const Strip& strip, const Largest& larges
                             .reference_at_most = largest.reference});
 }
 
+/// Of those pixels, at which both show the same triangle: where it is level, and of each renderer the depth
+/// is certain or has been met.
+Strip::Pixels Presort::certain_where_level(const LawsOfBoth& laws, const Strip& strip, const Largest& largest,
+                                           Strip::Pixels asked) const {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    const PixelsOfBoth met = met_where_level(laws, strip, asked);
+    Strip::Pixels found = met.candidate & met.reference;
+    if ((met.candidate & ~found) != 0)
+        found |= met.candidate & certain_if_same(strip, {any, largest.reference});
+    if ((met.reference & ~found) != 0)
+        found |= met.reference & certain_if_same(strip, {largest.candidate, any});
+    return found;
+}
+
+auto Presort::met_where_level(const LawsOfBoth& laws, const Strip& strip, Strip::Pixels asked) const
+    -> PixelsOfBoth {
+    PixelsOfBoth met;
+    const std::uint32_t* law = strip.law_of_run.data();
+    for (Strip::Pixels turns = strip.turns; turns != 0; ++law) {
+        const Strip::Pixels from_first = -(turns & -turns);
+        turns &= turns - 1;
+        const Strip::Pixels run = asked & from_first & ~-(turns & -turns);
+        if (run == 0 || !is_level(laws.candidate[*law])) continue;
+        const auto& [candidate, reference] = met_[*law];
+        met.candidate |= run & where_equal_in(run, strip.candidate.camera_depth, candidate);
+        met.reference |= run & where_equal_in(run, strip.reference.camera_depth, reference);
+    }
+    return met;
+}
+
 /// Of those pixels, where depths are lawful for certain. Where both frames show the triangle, the largest are
 /// raised.
 ColumnsOfBoth Presort::lawful_by(std::uint32_t law, const ColumnsOfBoth& here, const Source& source) {
@@ -71,10 +115,8 @@ Presort::PartsOfBoth Presort::parts_of(const Source& source, std::uint32_t law) 
              source.largest.reference}};
 }
 
-/// On a triangle at one depth all over the image, a depth that was lawful and counted is so again.
 ColumnsOfBoth Presort::met_already(const PartsOfBoth& parts) {
-    const DepthLaw& plane = parts.candidate.law;
-    if (plane.nearness_per_x != 0 || plane.nearness_per_y != 0) return {};
+    if (!is_level(parts.candidate.law)) return {};
     return {where_equal(parts.candidate.camera_depth, parts.candidate.met),
             where_equal(parts.reference.camera_depth, parts.reference.met)};
 }
@@ -96,7 +138,8 @@ ColumnsOfBoth Presort::uncertain_by(const DepthTolerance& tolerance, const Quest
 ColumnsOfBoth Presort::uncertain_here(std::uint32_t law, Question asked, const Source& source) const {
     const auto [left, y] = source.place();
     const PixelBox chunk{left, y, left + int(tile_columns), y + 1};
-    for (const Reach reach : {Reach::but_corners, Reach::all}) {
+    for (const Reach reach : {Reach::all, Reach::but_corners}) {
+        if (is_none(asked.pixels)) break;
         const DepthTolerance tolerance =
             tolerance_of(source.laws.candidate[law], source.laws.reference[law], projection_, chunk, reach);
         asked.pixels = uncertain_by(tolerance, asked, source);

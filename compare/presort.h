@@ -56,6 +56,12 @@ class Presort {
         Part candidate, reference;
     };
     Strip::Pixels certain_if_same(const Strip& strip, const Largest& largest) const;
+    Strip::Pixels certain_where_level(const LawsOfBoth& laws, const Strip& strip, const Largest& largest,
+                                      Strip::Pixels asked) const;
+    struct PixelsOfBoth {
+        Strip::Pixels candidate = 0, reference = 0;
+    };
+    PixelsOfBoth met_where_level(const LawsOfBoth& laws, const Strip& strip, Strip::Pixels asked) const;
     PartsOfBoth parts_of(const Source& source, std::uint32_t law);
     static ColumnsOfBoth met_already(const PartsOfBoth& parts);
     ColumnsOfBoth lawful_by(std::uint32_t law, const ColumnsOfBoth& here, const Source& source);
