@@ -32,6 +32,7 @@ AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around)
     : around_(around),
       sight_(around.view, around.x, around.y),
       drawn_(around.neighbours.size()),
+      pieces_(around.neighbours.size()),
       nearest_first_(around.neighbours.size()) {
     corners_by_hash_.fill(-1);
     set_half_side(around.eps_px);
@@ -43,6 +44,8 @@ AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around)
 template <class Number>
 void AdmissibleSet<Number>::set_half_side(double half_side_px) {
     half_side_px_ = half_side_px;
+    std::ranges::fill(pieces_, std::nullopt);
+    covering_.reset();
     const Number h(half_side_px), zero(0), one(1);
     sides_ = {new_line({zero, one, h}), new_line({-one, zero, h}), new_line({zero, -one, h}),
               new_line({one, zero, h})};
@@ -135,7 +138,13 @@ void AdmissibleSet<Number>::push_clipped(std::vector<Piece>& pieces, std::option
 }
 
 template <class Number>
-auto AdmissibleSet<Number>::seen_pieces(size_t index) -> std::vector<Piece> {
+auto AdmissibleSet<Number>::seen_pieces(size_t index) -> const std::vector<Piece>& {
+    if (!pieces_[index]) pieces_[index] = pieces_inside(index);
+    return *pieces_[index];
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::pieces_inside(size_t index) -> std::vector<Piece> {
     if (!drawn(index).image) return edge_on_pieces(index);
     std::optional<Region<Number>> region = square();
     for (const LinePointer edge : drawn(index).edge)
@@ -265,30 +274,46 @@ bool AdmissibleSet<Number>::are_coplanar(size_t a, size_t b) {
     return known->second;
 }
 
-/// Nearest first: most squares are covered by the first.
+/// Some that cover the square, nearest first: most are covered by the first. Nothing where all leave some of
+/// it bare.
 template <class Number>
 template <class Occludes, class Stays>
-bool AdmissibleSet<Number>::leaves_bare(std::optional<size_t> seen, const Occludes& occludes,
-                                        const Stays& stays) {
+std::optional<std::vector<size_t>> AdmissibleSet<Number>::covered_by(std::optional<size_t> seen,
+                                                                     const Occludes& occludes,
+                                                                     const Stays& stays) {
     std::vector<Region<Number>> left{square()};
+    std::vector<size_t> occluders;
     for (const size_t o : nearest_first_) {
         if (!occludes(o) || (seen && stands_apart(o, *seen))) continue;
         left = without(left, cover(o, seen, stays));
-        if (left.empty()) return false;
+        occluders.push_back(o);
+        if (left.empty()) return occluders;
     }
-    return true;
+    return std::nullopt;
+}
+
+/// What covered the square by one rule does so by another by which all of it occludes.
+template <class Number>
+template <class Occludes>
+bool AdmissibleSet<Number>::leaves_bare(std::optional<size_t> seen, const Occludes& occludes) {
+    if (covering_ && covering_->seen == seen && std::ranges::all_of(covering_->occluders, occludes))
+        return false;
+    auto covering = covered_by(seen, occludes, [](LinePointer) { return true; });
+    if (!covering) return true;
+    covering_ = {seen, std::move(*covering)};
+    return false;
 }
 
 template <class Number>
 template <class Occludes>
 bool AdmissibleSet<Number>::leaves_bare_by(EdgeRule rule, std::optional<size_t> seen,
                                            const Occludes& occludes) {
-    if (rule == EdgeRule::watertight) return leaves_bare(seen, occludes, [](LinePointer) { return true; });
+    if (rule == EdgeRule::watertight) return leaves_bare(seen, occludes);
     // covered with every edge moved inwards: then all the more where some of them stay
-    if (!leaves_bare(seen, occludes, [](LinePointer) { return false; })) return false;
+    if (covered_by(seen, occludes, [](LinePointer) { return false; })) return false;
     std::vector<size_t> occluders;
     std::ranges::copy_if(nearest_first_, std::back_inserter(occluders), occludes);
-    return leaves_bare(seen, occludes, [&](LinePointer edge) { return continues(edge, occluders); });
+    return !covered_by(seen, occludes, [&](LinePointer edge) { return continues(edge, occluders); });
 }
 
 template <class Number>
@@ -319,16 +344,16 @@ std::optional<HalfPlanes<Number>> AdmissibleSet<Number>::true_cover(size_t occlu
 }
 
 template <class Number>
-bool AdmissibleSet<Number>::is_visible(size_t index) {
-    const auto pieces = seen_pieces(index);
-    return std::ranges::any_of(pieces, [&](const Piece& piece) {
+std::vector<Region<Number>> AdmissibleSet<Number>::visible_parts(size_t index) {
+    for (const Piece& piece : seen_pieces(index)) {
         std::vector<Region<Number>> left{piece.region};
         for (const size_t o : nearest_first_) {
             if (o == index || left.empty() || !drawn(o).image) continue;
             if (const auto hiding = true_cover(o, piece)) left = without(left, *hiding);
         }
-        return !left.empty();
-    });
+        if (!left.empty()) return left;
+    }
+    return {};
 }
 
 template <class Number>

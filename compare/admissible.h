@@ -35,7 +35,9 @@ class AdmissibleSet {
     void set_half_side(double half_side_px);
 
     /// Is the triangle (an index into neighbours) truly visible somewhere in the square?
-    bool is_visible(size_t index);
+    bool is_visible(size_t index) { return !visible_parts(index).empty(); }
+    /// The parts of it that are, those of one of its pieces.
+    std::vector<Region<Number>> visible_parts(size_t index);
     /// Can it be answered by a renderer that moves corners by up to eps: does it meet the square, and is the
     /// square not wholly covered by triangles in front of it? Edges that it shares with an occluder move
     /// together: one that both have on the same side does not bound the occluder, and beyond one with each on
@@ -79,7 +81,9 @@ class AdmissibleSet {
                                      Slack slack);
     void push_clipped(std::vector<Piece>& pieces, std::optional<Region<Number>> region,
                       const Affine<Number>& nearness, size_t index);
-    std::vector<Piece> seen_pieces(size_t index);
+    /// Made when first asked for.
+    const std::vector<Piece>& seen_pieces(size_t index);
+    std::vector<Piece> pieces_inside(size_t index);
     std::vector<Piece> edge_on_pieces(size_t index);
     /// Drawn when first asked for: most occluders are never reached.
     const Drawn& drawn(size_t index);
@@ -97,7 +101,10 @@ class AdmissibleSet {
     template <class Stays>
     HalfPlanes<Number> cover(size_t occluder, std::optional<size_t> seen, const Stays& stays);
     template <class Occludes, class Stays>
-    bool leaves_bare(std::optional<size_t> seen, const Occludes& occludes, const Stays& stays);
+    std::optional<std::vector<size_t>> covered_by(std::optional<size_t> seen, const Occludes& occludes,
+                                                  const Stays& stays);
+    template <class Occludes>
+    bool leaves_bare(std::optional<size_t> seen, const Occludes& occludes);
     template <class Occludes>
     bool leaves_bare_by(EdgeRule rule, std::optional<size_t> seen, const Occludes& occludes);
 
@@ -119,8 +126,15 @@ class AdmissibleSet {
     };
     std::vector<MeshEdge> edges_;  ///< by id
     std::vector<std::optional<Drawn>> drawn_;
+    std::vector<std::optional<std::vector<Piece>>> pieces_;  ///< in this square
     std::vector<size_t> nearest_first_;
     std::map<std::pair<size_t, size_t>, bool> coplanar_;  ///< asked so far
+    /// Occluders that cover this square, all edges staying: of what is seen there, once they were found.
+    struct Covering {
+        std::optional<size_t> seen;
+        std::vector<size_t> occluders;
+    };
+    std::optional<Covering> covering_;
 };
 
 }  // namespace zproof

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "compare/neighbourhood.h"
+#include "compare/estimate.h"
 
 namespace zproof {
 

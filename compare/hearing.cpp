@@ -119,8 +119,10 @@ class Hearing::Session {
             if (summary && !(latest && latest->x == p.x && latest->y == p.y)) summary->look_at(p.x, p.y);
             latest = &p;
             Plaint plaint{p.bounds, p.answer, docket_.own_eps_px[i], docket_.reach_px[i], asked_};
+            const auto gather_here = [&] { return gather(i, plaint.reach_px, near, memories); };
+            Estimate estimate(std::ref(gather_here), p.answer);
             const auto hear_at_reach = [&] {
-                if (const auto ruled = summary ? summary->rule(plaint) : std::nullopt) {
+                if (const auto ruled = summary ? summary->rule(plaint, estimate) : std::nullopt) {
                     rulings[p.number] = *ruled;
                     return 0.0;
                 }
@@ -136,9 +138,9 @@ class Hearing::Session {
         }
     }
 
-    /// Decides the plea, or returns the reach that it needs.
-    double try_to_hear(std::size_t place, double reach_px, std::span<const std::uint32_t> near,
-                       Memories& memories, Ruled& ruled) const {
+    /// What stands around the plea, as far as that.
+    Neighbourhood gather(std::size_t place, double reach_px, std::span<const std::uint32_t> near,
+                         Memories& memories) const {
         const Plea& p = plea(place);
         Site site{p.x, p.y, reach_px, {}};
         for (const std::uint32_t t : near)
@@ -147,8 +149,14 @@ class Hearing::Session {
         const auto look_up = [&](std::uint32_t t) -> const TriangleOfView& {
             return memories.acquaintance.of(t, *p.bounds).of_view;
         };
-        Neighbourhood around = neighbourhood_of(hearing_.view_, site, docket_.own_eps_px[place], look_up);
-        if (around.eps_px > site.reach_px) return around.eps_px;
+        return neighbourhood_of(hearing_.view_, site, docket_.own_eps_px[place], look_up);
+    }
+    /// Decides the plea, or returns the reach that it needs.
+    double try_to_hear(std::size_t place, double reach_px, std::span<const std::uint32_t> near,
+                       Memories& memories, Ruled& ruled) const {
+        const Plea& p = plea(place);
+        Neighbourhood around = gather(place, reach_px, near, memories);
+        if (around.eps_px > reach_px) return around.eps_px;
         if (hearing_.amendment_) hearing_.amendment_(around, p.answer);
         ruled = {decide(around, p.answer, memories.coplanar), around.eps_px, std::nullopt};
         if (asked_ == Asked::standing_and_displacement && ruled.decision.standing == Standing::visible)

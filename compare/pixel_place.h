@@ -7,4 +7,9 @@ struct PixelPlace {
     int x = 0, y = 0;
 };
 
+/// A place near a pixel: px from its centre, y down.
+struct PixelOffset {
+    double x = 0, y = 0;
+};
+
 }  // namespace zproof

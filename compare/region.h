@@ -61,6 +61,14 @@ class Region {
         return reaches;
     }
 
+    /// The mean of the corners.
+    std::array<Number, 2> middle() const {
+        std::array<Number, 2> sum{Number(0), Number(0)};
+        for (const Corner& c : corners_) sum = {sum[0] + c.x, sum[1] + c.y};
+        const Number count{double(corners_.size())};
+        return {sum[0] / count, sum[1] / count};
+    }
+
   private:
     struct Corner {
         Number x, y;
@@ -98,11 +106,13 @@ class Region {
 
     std::optional<Region> clipped(const Line<Number>& line, int side) const {
         std::vector<int> signs;
+        signs.reserve(corners_.size());
         for (const Corner& c : corners_) signs.push_back(side * sign_at(c, line));
         if (std::ranges::none_of(signs, [](int s) { return s < 0; })) return *this;
         if (std::ranges::all_of(signs, [](int s) { return s < 0; })) return std::nullopt;
         Region r;
         r.outside_of_ = outside_of_;
+        r.corners_.reserve(corners_.size() + 1);
         for (size_t i = 0; i < corners_.size(); ++i) {
             const size_t j = (i + 1) % corners_.size();
             if (signs[i] >= 0) r.corners_.push_back(corners_[i]);

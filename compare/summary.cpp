@@ -121,21 +121,21 @@ bool Summary::covers(const Renderer& renderer, std::size_t i, const Around& box)
            renderer.triangles[i]->is_clear_of_planes(filter(i), box);
 }
 
-bool Summary::is_inside(std::size_t i, const Offset& at) const {
+bool Summary::is_inside(std::size_t i, const PixelOffset& at) const {
     const TriangleFilter& f = filter(i);
     return f.is_trusted && std::ranges::all_of(f.edge, [&](const Affine<double>& e) {
                return value_at(e, x_, y_, at.x, at.y) > f.edge_error;
            });
 }
 
-bool Summary::is_outside(std::size_t i, const Offset& at) const {
+bool Summary::is_outside(std::size_t i, const PixelOffset& at) const {
     const TriangleFilter& f = filter(i);
     return f.is_trusted && std::ranges::any_of(f.edge, [&](const Affine<double>& e) {
                return value_at(e, x_, y_, at.x, at.y) < -f.edge_error;
            });
 }
 
-bool Summary::is_behind(std::size_t back, std::size_t front, const Offset& at) const {
+bool Summary::is_behind(std::size_t back, std::size_t front, const PixelOffset& at) const {
     const TriangleFilter &b = filter(back), &f = filter(front);
     if (!b.is_trusted) return false;
     return value_at(f.nearness - b.nearness, x_, y_, at.x, at.y) > f.nearness_error + b.nearness_error;
@@ -155,7 +155,7 @@ void Summary::find_rivals(std::optional<std::size_t> answer) {
 }
 
 /// Nothing hides it there, whatever the rule: what is certainly outside or behind is in no hiding set.
-bool Summary::is_seen_at(std::optional<std::size_t> answer, const Offset& at) const {
+bool Summary::is_seen_at(std::optional<std::size_t> answer, const PixelOffset& at) const {
     if (answer && !is_inside(*answer, at)) return false;
     return std::ranges::all_of(
         rivals_, [&](std::size_t i) { return is_outside(i, at) || (answer && is_behind(i, *answer, at)); });
@@ -167,20 +167,29 @@ template <class IsThere>
 bool Summary::is_anywhere(std::optional<std::size_t> answer, double half_side_px,
                           const IsThere& is_there) const {
     const double h = half_side_px;
-    for (const Offset& at : {Offset{-h, -h}, {h, -h}, {-h, h}, {h, h}, {-h, 0}, {h, 0}, {0, -h}, {0, h}})
+    for (const PixelOffset& at :
+         {PixelOffset{-h, -h}, {h, -h}, {-h, h}, {h, h}, {-h, 0}, {h, 0}, {0, -h}, {0, h}})
         if (is_there(at)) return true;
     if (!answer) return false;
-    const std::optional<Offset> middle = middle_of(*answer, h);
+    const std::optional<PixelOffset> middle = middle_of(*answer, h);
     return middle && is_there(*middle);
 }
 
 bool Summary::is_seen_around(std::optional<std::size_t> answer, double half_side_px) const {
-    return is_anywhere(answer, half_side_px, [&](const Offset& at) { return is_seen_at(answer, at); });
+    return is_anywhere(answer, half_side_px, [&](const PixelOffset& at) { return is_seen_at(answer, at); });
+}
+
+/// Where the estimate says that it is.
+bool Summary::is_seen_where(std::size_t answer, double half_side_px, Estimate& estimate) const {
+    const auto in_square = [&](double offset) { return std::clamp(offset, -half_side_px, half_side_px); };
+    return std::ranges::any_of(estimate.places_seen(half_side_px), [&](const PixelOffset& at) {
+        return is_seen_at(answer, {in_square(at.x), in_square(at.y)});
+    });
 }
 
 /// Is there a place that nothing hides by the bounded rule?
 bool Summary::is_held_around(const Renderer& renderer, std::size_t answer, double half_side_px) const {
-    const auto is_held_at = [&](const Offset& at) {
+    const auto is_held_at = [&](const PixelOffset& at) {
         const auto leaves_free = [&](std::size_t i) {
             return i == answer || is_outside(i, at) || !may_be_hidden_for_certain(renderer, i, answer);
         };
@@ -191,16 +200,16 @@ bool Summary::is_held_around(const Renderer& renderer, std::size_t answer, doubl
 }
 
 /// The mean of the corners of the triangle's part of the square, but for rounding: clipping, edge by edge.
-auto Summary::middle_of(std::size_t i, double half_side_px) const -> std::optional<Offset> {
+auto Summary::middle_of(std::size_t i, double half_side_px) const -> std::optional<PixelOffset> {
     const double h = half_side_px;
-    std::array<Offset, 8> corners{{{-h, -h}, {h, -h}, {h, h}, {-h, h}}};
+    std::array<PixelOffset, 8> corners{{{-h, -h}, {h, -h}, {h, h}, {-h, h}}};
     std::size_t count = 4;
     for (const Affine<double>& e : filter(i).edge) {
-        std::array<Offset, 8> kept;
+        std::array<PixelOffset, 8> kept;
         std::size_t kept_count = 0;
-        const auto value = [&](const Offset& at) { return value_at(e, x_, y_, at.x, at.y); };
+        const auto value = [&](const PixelOffset& at) { return value_at(e, x_, y_, at.x, at.y); };
         for (std::size_t k = 0; k < count; ++k) {
-            const Offset &p = corners[k], &q = corners[(k + 1) % count];
+            const PixelOffset &p = corners[k], &q = corners[(k + 1) % count];
             const double at_p = value(p), at_q = value(q), t = at_p / (at_p - at_q);
             if (at_p >= 0 && kept_count < kept.size()) kept[kept_count++] = p;
             if ((at_p >= 0) != (at_q >= 0) && kept_count < kept.size())
@@ -210,9 +219,9 @@ auto Summary::middle_of(std::size_t i, double half_side_px) const -> std::option
         count = kept_count;
     }
     if (count < 3) return std::nullopt;
-    Offset sum{0, 0};
+    PixelOffset sum{0, 0};
     for (std::size_t k = 0; k < count; ++k) sum = {sum.x + corners[k].x, sum.y + corners[k].y};
-    return Offset{sum.x / double(count), sum.y / double(count)};
+    return PixelOffset{sum.x / double(count), sum.y / double(count)};
 }
 
 bool Summary::are_coplanar(std::size_t a, std::size_t b) const {
@@ -270,17 +279,15 @@ std::optional<Standing> Summary::standing_in_tile(Renderer& renderer, std::size_
     return known;
 }
 
-std::optional<Ruled> Summary::visible(const Renderer& renderer, const Plaint& plaint,
-                                      std::optional<std::size_t> answer, double eps) {
+Ruled Summary::visible(const Renderer& renderer, const Plaint& plaint, std::optional<std::size_t> answer,
+                       double eps, Estimate& estimate) const {
     Ruled ruled{{Standing::visible, false}, eps, std::nullopt};
     if (plaint.asked == Asked::standing) return ruled;
-    bool is_decided = true;
     ruled.displacement_over_eps = least_step(eps, [&](double half_side_px) {
-        if (is_seen_around(answer, half_side_px)) return true;
-        is_decided = is_decided && is_hidden_in(renderer, answer, half_side_px);
-        return false;
+        return is_seen_around(answer, half_side_px) ||
+               (!is_hidden_in(renderer, answer, half_side_px) && estimate.is_seen_within(half_side_px));
     });
-    return is_decided ? std::optional(ruled) : std::nullopt;
+    return ruled;
 }
 
 double Summary::lacking_reach_px(const Plaint& plaint) {
@@ -290,7 +297,7 @@ double Summary::lacking_reach_px(const Plaint& plaint) {
     return eps > plaint.reach_px ? eps : 0;
 }
 
-std::optional<Ruled> Summary::rule(const Plaint& plaint) {
+std::optional<Ruled> Summary::rule(const Plaint& plaint, Estimate& estimate) {
     if (!std::isfinite(widest_px_) || plaint.own_eps_px > widest_px_) return std::nullopt;
     Renderer& renderer = renderer_of(plaint.bounds);
     sort_out_pixel();
@@ -313,9 +320,12 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint) {
     // on an edge: what is seen that close is seen in every larger square, and needs no displacement
     if (const double close = least_px(eps); close <= plaint.own_eps_px && is_seen_around(answer, close))
         return Ruled{{Standing::visible, false}, eps, std::nullopt};
-    if (is_seen_around(answer, plaint.own_eps_px)) return visible(renderer, plaint, answer, eps);
+    if (is_seen_around(answer, plaint.own_eps_px) || is_seen_around(answer, eps))
+        return visible(renderer, plaint, answer, eps, estimate);
     if (answer && is_hidden_in(renderer, answer, eps) && is_held_around(renderer, *answer, plaint.own_eps_px))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
+    if (answer && is_seen_where(*answer, eps, estimate))
+        return visible(renderer, plaint, answer, eps, estimate);
     return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "compare/acquaintance.h"
+#include "compare/estimate.h"
 #include "compare/ruled.h"
 
 namespace zproof {
@@ -34,8 +35,9 @@ class Summary {
     /// Turns to another pixel.
     void look_at(int x, int y) { x_ = x, y_ = y, is_sorted_out_ = false; }
     /// What decide() and displacement_over_eps() would say in the neighbourhood of the pixel. Nothing where
-    /// that takes more than this.
-    std::optional<Ruled> rule(const Plaint& plaint);
+    /// that takes more than this. The estimate, of the same answer there, is asked for places to look at, and
+    /// of squares that leave the displacement open.
+    std::optional<Ruled> rule(const Plaint& plaint, Estimate& estimate);
     /// The reach that a plaint needs, where its own is known to be too short; else 0.
     double lacking_reach_px(const Plaint& plaint);
 
@@ -55,9 +57,6 @@ class Summary {
     };
     /// A square around the pixel's centre, or a place in it.
     Around square(double half_side_px) const { return {double(x_), double(y_), half_side_px, half_side_px}; }
-    struct Offset {
-        double x, y;
-    };
 
     void sort_out();
     void sort_out_pixel();
@@ -68,16 +67,17 @@ class Summary {
     bool covers(const Renderer& renderer, std::size_t i, const Around& box) const;
     std::optional<std::size_t> index_of(PrimitiveId answer) const;
 
-    bool is_inside(std::size_t i, const Offset& at) const;
-    bool is_outside(std::size_t i, const Offset& at) const;
-    bool is_behind(std::size_t back, std::size_t front, const Offset& at) const;
+    bool is_inside(std::size_t i, const PixelOffset& at) const;
+    bool is_outside(std::size_t i, const PixelOffset& at) const;
+    bool is_behind(std::size_t back, std::size_t front, const PixelOffset& at) const;
     void find_rivals(std::optional<std::size_t> answer);
-    bool is_seen_at(std::optional<std::size_t> answer, const Offset& at) const;
+    bool is_seen_at(std::optional<std::size_t> answer, const PixelOffset& at) const;
     template <class IsThere>
     bool is_anywhere(std::optional<std::size_t> answer, double half_side_px, const IsThere& is_there) const;
     bool is_seen_around(std::optional<std::size_t> answer, double half_side_px) const;
+    bool is_seen_where(std::size_t answer, double half_side_px, Estimate& estimate) const;
     bool is_held_around(const Renderer& renderer, std::size_t answer, double half_side_px) const;
-    std::optional<Offset> middle_of(std::size_t i, double half_side_px) const;
+    std::optional<PixelOffset> middle_of(std::size_t i, double half_side_px) const;
     bool are_coplanar(std::size_t a, std::size_t b) const;
     bool is_hidden_in(const Renderer& renderer, std::optional<std::size_t> answer, double half_side_px) const;
     bool hides(const Renderer& renderer, std::size_t front, std::size_t back, const Around& box) const;
@@ -86,8 +86,8 @@ class Summary {
     bool is_tied(const Renderer& renderer, std::size_t answer, const Around& box,
                  const IsCertain& may_be_certain) const;
     std::optional<Standing> standing_in_tile(Renderer& renderer, std::size_t answer);
-    std::optional<Ruled> visible(const Renderer& renderer, const Plaint& plaint,
-                                 std::optional<std::size_t> answer, double eps_px);
+    Ruled visible(const Renderer& renderer, const Plaint& plaint, std::optional<std::size_t> answer,
+                  double eps_px, Estimate& estimate) const;
 
     Shared shared_;
     std::vector<Present> present_;

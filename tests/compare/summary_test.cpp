@@ -41,7 +41,9 @@ class OnePixel {
                         all_, renderers);
         summary.look_at(x_, y_);
         const double own = own_eps_px(answer);
-        return summary.rule({&bounds_, answer, own, 2 * own, zproof::Asked::standing_and_displacement});
+        Estimate estimate([&] { return around(answer); }, answer);
+        return summary.rule({&bounds_, answer, own, 2 * own, zproof::Asked::standing_and_displacement},
+                            estimate);
     }
 
     /// In the same tile, as one of a row.

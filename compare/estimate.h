@@ -1,0 +1,36 @@
+/// What polygons in double say of where an answer is seen: for statistics, and for where to look. It decides
+/// nothing.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "compare/admissible.h"
+
+namespace zproof {
+
+class Estimate {
+  public:
+    /// `gather` says what stands around the answer's pixel. It is asked once, if anything is.
+    using Gather = std::function<Neighbourhood()>;
+    Estimate(Gather gather, PrimitiveId answer) : gather_(std::move(gather)), answer_(answer) {}
+    Estimate(const Estimate&) = delete;
+    Estimate& operator=(const Estimate&) = delete;
+
+    /// Is the answer seen in a square of that half-side?
+    bool is_seen_within(double half_side_px);
+    /// Places in such a square where the answer, a triangle, is truly visible: the middle of each part that
+    /// others leave of it.
+    std::vector<PixelOffset> places_seen(double half_side_px);
+
+  private:
+    AdmissibleSet<double>& set_within(double half_side_px);
+
+    Gather gather_;
+    PrimitiveId answer_;
+    std::optional<Neighbourhood> around_;
+    std::optional<AdmissibleSet<double>> set_;  ///< looks at around_
+};
+
+}  // namespace zproof
