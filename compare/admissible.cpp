@@ -58,6 +58,11 @@ auto AdmissibleSet<Number>::new_line(const Affine<Number>& f) -> LinePointer {
 }
 
 template <class Number>
+auto AdmissibleSet<Number>::reversed(LinePointer line) -> LinePointer {
+    return &lines_.emplace_back(Line<Number>{-line->f, line->id, line->ends, line->locus});
+}
+
+template <class Number>
 int AdmissibleSet<Number>::corner_id(const glm::vec3& p_world) {
     const auto mixed = [](float f) {
         return std::bit_cast<std::uint32_t>(f + 0.0f) * 0x9E3779B1u;
@@ -162,9 +167,10 @@ auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
         const auto segment = segment_image(sight_, p_world[i], p_world[(i + 1) % 3]);
         if (!segment) continue;
         std::optional<Region<Number>> region = square();
-        for (const Affine<Number>& f :
-             {segment->line, -segment->line, segment->after_start, segment->before_end})
-            if (region) region = region->inside(*new_line(f));
+        const LinePointer line = new_line(segment->line);
+        for (const LinePointer side :
+             {line, reversed(line), new_line(segment->after_start), new_line(segment->before_end)})
+            if (region) region = region->inside(*side);
         push_clipped(pieces, std::move(region), segment->nearness, index);
     }
     return pieces;
@@ -328,6 +334,19 @@ bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
     return leaves_bare_by(edges, std::nullopt, [&](size_t o) { return drawn(o).image.has_value(); });
 }
 
+/// Where the occluder's plane, another than that of what is seen, is not behind it. Both planes hold an edge
+/// that both triangles share: what parts them in the image is that edge.
+template <class Number>
+auto AdmissibleSet<Number>::nearer_side(size_t occluder, const Piece& seen) -> LinePointer {
+    const Affine<Number> ahead = drawn(occluder).image->nearness - seen.nearness;
+    for (const LinePointer edge : drawn(occluder).edge) {
+        if (!edge_of(seen.index, edge->id)) continue;
+        const bool is_same = sign(ahead.a * edge->f.a + ahead.b * edge->f.b + ahead.c * edge->f.c) > 0;
+        return is_same ? edge : reversed(edge);
+    }
+    return new_line(ahead);
+}
+
 /// Where the occluder's true image is not behind what is seen; nothing where it is behind all over the
 /// square.
 template <class Number>
@@ -338,8 +357,7 @@ std::optional<HalfPlanes<Number>> AdmissibleSet<Number>::true_cover(size_t occlu
     HalfPlanes<Number> half_planes(drawn(occluder).edge.begin(), drawn(occluder).edge.end());
     push_planes(half_planes, occluder);
     const bool certain = front.least_nearness - slope > back.greatest_nearness;
-    if (!certain && !are_coplanar(occluder, seen.index))
-        half_planes.push_back(new_line(drawn(occluder).image->nearness - seen.nearness));
+    if (!certain && !are_coplanar(occluder, seen.index)) half_planes.push_back(nearer_side(occluder, seen));
     return half_planes;
 }
 

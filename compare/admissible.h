@@ -71,6 +71,8 @@ class AdmissibleSet {
     enum class Slack { admit, require };
 
     LinePointer new_line(const Affine<Number>& f);
+    /// The same line, and its other side.
+    LinePointer reversed(LinePointer line);
     LinePointer edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge);
     int corner_id(const glm::vec3& p_world);
     int locus_of(std::size_t edge_id, const std::array<int, 2>& ends);
@@ -97,6 +99,7 @@ class AdmissibleSet {
 
     bool is_in_front(size_t occluder, size_t seen, DepthRule rule);
     void push_planes(HalfPlanes<Number>& half_planes, size_t occluder);
+    LinePointer nearer_side(size_t occluder, const Piece& seen);
     std::optional<HalfPlanes<Number>> true_cover(size_t occluder, const Piece& seen);
     template <class Stays>
     HalfPlanes<Number> cover(size_t occluder, std::optional<size_t> seen, const Stays& stays);
