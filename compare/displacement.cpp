@@ -4,7 +4,7 @@ namespace zproof {
 
 std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer) {
     Estimate estimate([&] { return around; }, answer);
-    return least_step(around.eps_px,
+    return least_step(around.eps_px, std::nullopt,
                       [&](double half_side_px) { return estimate.is_seen_within(half_side_px); });
 }
 

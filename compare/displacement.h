@@ -1,6 +1,8 @@
 /// How much of its bound a lawful answer needs: the tightness of eps, seen where edges decide.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "compare/estimate.h"
@@ -23,15 +25,22 @@ constexpr double least_px(double eps_px) { return eps_px / displacement_steps; }
 std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer);
 
 /// The same where is_seen_within(half_side_px) says whether it is. What is seen in a square is seen in every
-/// larger one: bisection.
+/// larger one: by ever larger strides from the likely half-side, where one is given, and then by bisection.
 template <class IsSeenWithin>
-std::optional<double> least_step(double eps_px, const IsSeenWithin& is_seen_within) {
+std::optional<double> least_step(double eps_px, std::optional<double> likely_px,
+                                 const IsSeenWithin& is_seen_within) {
     const auto is_seen = [&](int step) { return is_seen_within(eps_px * step / displacement_steps); };
     if (is_seen(1)) return std::nullopt;
     int too_small = 1, enough = displacement_steps;
+    const double likely_step = likely_px.value_or(eps_px / 2) / eps_px * displacement_steps;
+    int step = int(std::min(std::max(too_small + 1.0, std::ceil(likely_step)), enough - 1.0));  // of NaN, too
+    int stride = likely_px ? 1 : displacement_steps;
     while (enough - too_small > 1) {
-        const int middle = (too_small + enough) / 2;
-        (is_seen(middle) ? enough : too_small) = middle;
+        const bool seen = is_seen(step);
+        (seen ? enough : too_small) = step;
+        step += seen ? -stride : stride;
+        stride *= 2;
+        if (step <= too_small || step >= enough) step = (too_small + enough) / 2;
     }
     return double(too_small) / displacement_steps;
 }

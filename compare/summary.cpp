@@ -279,11 +279,30 @@ std::optional<Standing> Summary::standing_in_tile(Renderer& renderer, std::size_
     return known;
 }
 
+/// The half-side at which a corner of the square reaches the answer's triangle, and no other that holds the
+/// centre and is not behind. Any number will do.
+double Summary::likely_displacement_px(std::optional<std::size_t> answer) const {
+    const auto at_centre = [&](const Affine<double>& f) { return f.at(x_, y_); };
+    const auto beyond = [&](const Affine<double>& e) {
+        return at_centre(e) / (std::abs(e.a) + std::abs(e.b));
+    };
+    double likely_px = 0;
+    if (answer)
+        for (const Affine<double>& e : filter(*answer).edge) likely_px = std::max(likely_px, -beyond(e));
+    for (const std::size_t i : rivals_) {
+        const TriangleFilter& rival = filter(i);
+        if (answer && at_centre(rival.nearness) < at_centre(filter(*answer).nearness)) continue;
+        likely_px = std::max(likely_px,
+                             std::min({beyond(rival.edge[0]), beyond(rival.edge[1]), beyond(rival.edge[2])}));
+    }
+    return likely_px;
+}
+
 Ruled Summary::visible(const Renderer& renderer, const Plaint& plaint, std::optional<std::size_t> answer,
                        double eps, Estimate& estimate) const {
     Ruled ruled{{Standing::visible, false}, eps, std::nullopt};
     if (plaint.asked == Asked::standing) return ruled;
-    ruled.displacement_over_eps = least_step(eps, [&](double half_side_px) {
+    ruled.displacement_over_eps = least_step(eps, likely_displacement_px(answer), [&](double half_side_px) {
         return is_seen_around(answer, half_side_px) ||
                (!is_hidden_in(renderer, answer, half_side_px) && estimate.is_seen_within(half_side_px));
     });

@@ -86,6 +86,7 @@ class Summary {
     bool is_tied(const Renderer& renderer, std::size_t answer, const Around& box,
                  const IsCertain& may_be_certain) const;
     std::optional<Standing> standing_in_tile(Renderer& renderer, std::size_t answer);
+    double likely_displacement_px(std::optional<std::size_t> answer) const;
     Ruled visible(const Renderer& renderer, const Plaint& plaint, std::optional<std::size_t> answer,
                   double eps_px, Estimate& estimate) const;
 
