@@ -61,8 +61,10 @@ void Summary::sort_out() {
     }
     covering_.reserve(kept);
     cutting_.reserve(kept);
-    if (all_cover_)
-        for (std::size_t i = 0; i < kept; ++i) covering_.push_back(i);
+    places_.turn_to(widest_px_);
+    for (std::size_t i = 0; i < kept; ++i)
+        filter(i).is_trusted ? places_.add(filter(i), present_[i].covers_tile) : places_.add_unknown();
+    if (all_cover_) places_.sort(0, 0, covering_, cutting_);
 }
 
 void Summary::sort_out_pixel() {
@@ -70,14 +72,9 @@ void Summary::sort_out_pixel() {
     is_sorted_out_ = true;
     sight_ = shared_.sights.at(x_, y_);
     if (all_cover_) return;
-    covering_.clear();
-    cutting_.clear();
-    const Around widest = square(widest_px_);
-    for (std::size_t i = 0; i < present_.size(); ++i) {
-        const Place place = present_[i].covers_tile ? Place::covers : filter(i).place_of(widest);
-        if (place == Place::covers) covering_.push_back(i);
-        if (place == Place::unknown) cutting_.push_back(i);
-    }
+    places_.sort(x_, y_, covering_, cutting_);
+    if (!untrusted_.empty())
+        std::erase_if(cutting_, [&](std::size_t i) { return filter(i).misses(square(widest_px_)); });
 }
 
 auto Summary::renderer_of(const ViewBounds* bounds) -> Renderer& {

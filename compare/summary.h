@@ -5,6 +5,7 @@
 #include "compare/acquaintance.h"
 #include "compare/estimate.h"
 #include "compare/ruled.h"
+#include "compare/square_places.h"
 
 namespace zproof {
 
@@ -102,6 +103,7 @@ class Summary {
     std::vector<std::size_t> covering_, cutting_;  ///< the pixel's widest square
     std::vector<std::size_t> rivals_;              ///< of these: may hide the answer in hand there
     std::vector<std::size_t> untrusted_;           ///< of present_
+    SquarePlaces places_;                          ///< of present_, in the widest squares
 };
 
 }  // namespace zproof

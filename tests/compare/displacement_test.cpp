@@ -1,8 +1,10 @@
 /// How much of eps an answer needs, for edges whose distance from the centre (1.5, 1.5) is known.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numeric>
 
+#include "compare/displacement.h"
 #include "stage.h"
 
 namespace zproof {
@@ -100,6 +102,25 @@ TEST_P(Displacement, IsNotAskedOfTiesAndDefects) {
     EXPECT_EQ(verdict.classes.at(1, 1), PixelClass::depth_tie);
     EXPECT_EQ(defect_count(verdict), 2u);
     EXPECT_EQ(recorded(verdict.candidate_edges), 0u);
+}
+
+TEST(LeastStep, IsTheSameFromWhereverItIsLookedFor) {
+    constexpr double infinite = std::numeric_limits<double>::infinity(),
+                     nan = std::numeric_limits<double>::quiet_NaN();
+    const auto step = [](int number) { return eps_px * number / displacement_steps; };
+    for (const int first : {1, 2, 3, 17, 511, 512, 513, 1022, 1023, 1024}) {
+        const auto is_seen_within = [&](double half_side_px) { return half_side_px >= step(first); };
+        const std::optional<double> expected =
+            first == 1 ? std::nullopt : std::optional(double(first - 1) / displacement_steps);
+        EXPECT_EQ(least_step(eps_px, std::nullopt, is_seen_within), expected);
+        for (const double likely_px : {-eps_px, 0.0, step(2), step(first - 1), step(first), step(first + 9),
+                                       step(700), eps_px, 2 * eps_px, infinite, -infinite, nan}) {
+            int asked = 0;
+            const auto count = [&](double half_side_px) { return ++asked, is_seen_within(half_side_px); };
+            EXPECT_EQ(least_step(eps_px, likely_px, count), expected);
+            EXPECT_LE(asked, likely_px == step(first) ? 3 : 21) << first << ", " << likely_px;
+        }
+    }
 }
 
 }  // namespace
