@@ -72,9 +72,8 @@ class Comparison {
             look_at(strip.reference, reference_, tile, y, ragged_.reference);
             look_up_laws(strip);
         }
-        shown_.make_laws();
         is_presorted_ = !histograms_ && !scribes_ && shown_.count() <= many_laws;
-        if (is_presorted_) presort_.turn_to(tile, shown_.laws(), shown_.count() + 1);
+        if (is_presorted_) presort_.turn_to(tile, shown_);
         Presort::Largest largest{known(candidate_largest_, largest_.candidate),
                                  known(reference_largest_, largest_.reference)};
         const std::size_t ahead = std::min(Strip::width, std::size_t(candidate_.view().width - tile.right));
@@ -83,7 +82,7 @@ class Comparison {
             fetch_ahead(strip.candidate, ahead);
             fetch_ahead(strip.reference, ahead);
             sorted_.sorted = 0;
-            if (is_presorted_) presort_.sort(shown_.laws(), largest, strip, sorted_);
+            if (is_presorted_) presort_.sort(shown_, largest, strip, sorted_);
             if (sorted_.sorted != SortedStrip::all_sorted) hold(strip);
             if (scribes_) {
                 const auto width = std::size_t(tile.right - tile.left);

@@ -2,8 +2,6 @@
 /// "Tolerances").
 #pragma once
 
-#include <span>
-
 #include "compare/depth_law.h"
 
 namespace zproof {
@@ -42,9 +40,5 @@ enum class Reach {
 /// Where nothing is certain it holds nowhere: `least` is then larger than `most`.
 DepthTolerance tolerance_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
                             const PixelBox& part, Reach reach);
-
-/// Of triangles in a tile, all but next to corners: by place, as their laws stand.
-void set_tolerances(const LawsOfBoth& laws, Projection projection, const PixelBox& tile,
-                    std::span<DepthTolerance> tolerances);
 
 }  // namespace zproof

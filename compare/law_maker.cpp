@@ -4,6 +4,7 @@
 #include <array>
 
 #include "compare/side_by_side.h"
+#include "compare/tolerance_terms.h"
 
 namespace zproof {
 
@@ -64,17 +65,39 @@ DepthLawOf<Four> law_of(const LawMaker::Lens::Side& side, const PlaneOfLaw<Four>
                   side.keeps);
 }
 
-using LawsOfFour = std::span<DepthLaw, four_count>;
-
-/// Compiled once per instruction set, with everything that it calls. No bit depends on which runs.
-[[gnu::flatten, gnu::target_clones("default", "avx2")]] void make_four(
-    const LawMaker::Lens& lens, const std::array<CornersWorld, four_count>& p_world, LawsOfFour candidate,
-    LawsOfFour reference) {
+/// What both renderers say of four triangles.
+struct LawsOfFour {
+    DepthLawOf<Four> candidate, reference;
+};
+[[gnu::always_inline]] inline void set(LawsOfFour& laws, const LawMaker::Lens& lens,
+                                       const std::array<CornersWorld, four_count>& p_world) {
     const Corners<Four> p = side_by_side(p_world);
     const TriangleSize<Four> triangle = lens.gauge(p);
     const PlaneOfLaw<Four> plane = plane_of(lens, triangle, p);
-    part<DepthLawOf>(law_of(lens.candidate, plane, triangle), candidate);
-    part<DepthLawOf>(law_of(lens.reference, plane, triangle), reference);
+    laws.candidate = law_of(lens.candidate, plane, triangle);
+    laws.reference = law_of(lens.reference, plane, triangle);
+}
+
+// Both are compiled once per instruction set, with everything that they call. No bit depends on which runs.
+
+using FourLaws = std::span<DepthLaw, four_count>;
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void make_four(
+    const LawMaker::Lens& lens, const std::array<CornersWorld, four_count>& p_world, FourLaws candidate,
+    FourLaws reference) {
+    LawsOfFour laws;
+    set(laws, lens, p_world);
+    part<DepthLawOf>(laws.candidate, candidate);
+    part<DepthLawOf>(laws.reference, reference);
+}
+
+[[gnu::flatten, gnu::target_clones("default", "avx2")]] void make_four(
+    const LawMaker::Lens& lens, const std::array<CornersWorld, four_count>& p_world, const PixelBox& tile,
+    std::span<DepthTolerance, four_count> tolerances) {
+    LawsOfFour laws;
+    set(laws, lens, p_world);
+    part<DepthToleranceOf>(tolerance_of<Four>(laws.candidate, laws.reference, lens.first_pixel.projection,
+                                              tile, Reach::but_corners),
+                           tolerances);
 }
 
 /// Of triangles that are so much further on, memory is asked for what will be read; a triangle's indices say
@@ -109,6 +132,28 @@ LawMaker::LawMaker(const Scene& scene, const Witness& candidate, const Witness& 
     is_common_ = lens_.candidate.terms.index() != 0 && lens_.reference.terms.index() != 0;
 }
 
+/// make(first, corners): of those from place `first` on, whose last corners are left where fewer are.
+template <class Make>
+void LawMaker::for_each_four(std::span<const PrimitiveId> triangles, const Make& make) const {
+    std::array<CornersWorld, four_count> p_world{};
+    for (std::size_t first = 0; first < triangles.size(); first += four_count) {
+        const std::size_t count = std::min(four_count, triangles.size() - first);
+        fetch_ahead(scene_, triangles, first);
+        for (std::size_t i = 0; i < count; ++i)
+            p_world[i] = corners_of(scene_, std::uint32_t(triangles[first + i]));
+        make(first, p_world);
+    }
+}
+
+/// make(i, candidate, reference): the laws of the triangle at place i.
+template <class Make>
+void LawMaker::for_each(std::span<const PrimitiveId> triangles, const Make& make) const {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const TriangleInView triangle = candidate_.triangle_in_view(triangles[i]);
+        make(i, depth_law_of(triangle, candidate_.bounds()), depth_law_of(triangle, reference_.bounds()));
+    }
+}
+
 void LawMaker::make(std::span<const PrimitiveId> triangles, std::size_t first_place, LawsOfBoth& laws) const {
     // whole groups of four; whoever stands in those of the last group that nobody asked for goes again
     const std::size_t room = first_place + triangles.size() + four_count;
@@ -116,25 +161,30 @@ void LawMaker::make(std::span<const PrimitiveId> triangles, std::size_t first_pl
         laws.candidate.resize(2 * room);
         laws.reference.resize(2 * room);
     }
-    if (!is_common_) return make_one_by_one(triangles, first_place, laws);
-    std::array<CornersWorld, four_count> p_world{};
-    for (std::size_t first = 0; first < triangles.size(); first += four_count) {
-        const std::size_t count = std::min(four_count, triangles.size() - first);
-        fetch_ahead(scene_, triangles, first);
-        for (std::size_t i = 0; i < count; ++i)
-            p_world[i] = corners_of(scene_, std::uint32_t(triangles[first + i]));
-        make_four(lens_, p_world, LawsOfFour(laws.candidate.data() + first_place + first, four_count),
-                  LawsOfFour(laws.reference.data() + first_place + first, four_count));
-    }
+    DepthLaw *const candidate = &laws.candidate[first_place], *const reference = &laws.reference[first_place];
+    if (is_common_)
+        for_each_four(triangles, [&](std::size_t first, const auto& p_world) {
+            make_four(lens_, p_world, FourLaws(candidate + first, four_count),
+                      FourLaws(reference + first, four_count));
+        });
+    else
+        for_each(triangles, [&](std::size_t i, const DepthLaw& ours, const DepthLaw& theirs) {
+            candidate[i] = ours, reference[i] = theirs;
+        });
 }
 
-void LawMaker::make_one_by_one(std::span<const PrimitiveId> triangles, std::size_t first_place,
-                               LawsOfBoth& laws) const {
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const TriangleInView triangle = candidate_.triangle_in_view(triangles[i]);
-        laws.candidate[first_place + i] = depth_law_of(triangle, candidate_.bounds());
-        laws.reference[first_place + i] = depth_law_of(triangle, reference_.bounds());
-    }
+void LawMaker::make_tolerances(std::span<const PrimitiveId> triangles, const PixelBox& tile,
+                               std::span<DepthTolerance> tolerances) const {
+    if (is_common_)
+        for_each_four(triangles, [&](std::size_t first, const auto& p_world) {
+            std::array<DepthTolerance, four_count> four;
+            make_four(lens_, p_world, tile, four);
+            std::copy_n(four.begin(), std::min(four_count, triangles.size() - first), &tolerances[first]);
+        });
+    else
+        for_each(triangles, [&](std::size_t i, const DepthLaw& ours, const DepthLaw& theirs) {
+            tolerances[i] = tolerance_of(ours, theirs, candidate_.projection(), tile, Reach::but_corners);
+        });
 }
 
 }  // namespace zproof

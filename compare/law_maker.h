@@ -1,8 +1,9 @@
-/// Makes the laws of many triangles' depths, four triangles at a time.
+/// Makes the laws of many triangles' depths, or what becomes of them in a tile, four triangles at a time.
 #pragma once
 
 #include <span>
 
+#include "compare/depth_tolerance.h"
 #include "compare/witness.h"
 
 namespace zproof {
@@ -14,6 +15,10 @@ class LawMaker {
     /// Writes the laws of triangles of the scene from a place on, in their order: the bits of depth_law_of.
     /// Makes room where there is none; laws at later places are lost.
     void make(std::span<const PrimitiveId> triangles, std::size_t first_place, LawsOfBoth& laws) const;
+    /// Writes the tolerances of triangles of the scene in a tile, all but next to corners: what tolerance_of
+    /// says of their laws, which are not kept.
+    void make_tolerances(std::span<const PrimitiveId> triangles, const PixelBox& tile,
+                         std::span<DepthTolerance> tolerances) const;
 
     /// What four triangles are asked about.
     struct alignas(four_alignment) Lens {
@@ -29,8 +34,10 @@ class LawMaker {
     };
 
   private:
-    void make_one_by_one(std::span<const PrimitiveId> triangles, std::size_t first_place,
-                         LawsOfBoth& laws) const;
+    template <class Make>
+    void for_each_four(std::span<const PrimitiveId> triangles, const Make& make) const;
+    template <class Make>
+    void for_each(std::span<const PrimitiveId> triangles, const Make& make) const;
 
     Lens lens_;
     const Scene& scene_;

@@ -15,7 +15,7 @@ ColumnsOfBoth without(const ColumnsOfBoth& all, const ColumnsOfBoth& some) {
 bool is_none(const ColumnsOfBoth& columns) { return (columns.candidate | columns.reference) == 0; }
 
 /// At one depth all over the image: there a depth that was lawful and counted is so again.
-bool is_level(const DepthLaw& law) { return law.nearness_per_x == 0 && law.nearness_per_y == 0; }
+bool is_level(const DepthTolerance& t) { return t.w_per_x == 0 && t.w_per_y == 0; }
 
 /// In chunks with any of the pixels.
 Strip::Pixels where_equal_in(Strip::Pixels pixels, const float* depths, float depth) {
@@ -28,25 +28,24 @@ Strip::Pixels where_equal_in(Strip::Pixels pixels, const float* depths, float de
 
 }  // namespace
 
-void Presort::turn_to(const PixelBox& tile, const LawsOfBoth& laws, std::size_t count) {
-    tolerances_.resize(count);
-    set_tolerances(laws, projection_, tile, tolerances_);
-    met_.assign(count, {});
+void Presort::turn_to(const PixelBox& tile, const ShownTriangles& shown) {
+    shown.set_tolerances(tile, tolerances_);
+    met_.assign(tolerances_.size(), {});
 }
 
-void Presort::sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip, SortedStrip& sorted) {
+void Presort::sort(ShownTriangles& shown, Largest& largest, const Strip& strip, SortedStrip& sorted) {
     constexpr Strip::Pixels all = ~Strip::Pixels{0};
     Strip::Pixels certain = ~strip.differ & certain_if_same(strip, largest);
     sorted.open = sorted.lawful = {};
     sorted.sorted = SortedStrip::all_sorted;
-    if (certain != all) certain |= certain_where_level(laws, strip, largest, ~(strip.differ | certain));
+    if (certain != all) certain |= certain_where_level(strip, largest, ~(strip.differ | certain));
     if (certain == all) return;
     const LawsAlong along = laws_along(strip);
     const std::uint32_t *const ours = along.candidate.data(), *const theirs = along.reference.data();
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
         const ColumnMask settled = Strip::in_chunk(certain, first);
         if (settled == all_columns) continue;
-        const Source source{laws, largest, strip, first, ours + first, theirs + first, settled};
+        const Source source{shown, largest, strip, first, ours + first, theirs + first, settled};
         if (!sort_chunk(source, sorted)) sorted.sorted &= ~(1u << first / Strip::chunk);
     }
 }
@@ -68,10 +67,10 @@ Strip::Pixels Presort::certain_if_same(const Strip& strip, const Largest& larges
 
 /// Of those pixels, at which both show the same triangle: where it is level, and of each renderer the depth
 /// is certain or has been met.
-Strip::Pixels Presort::certain_where_level(const LawsOfBoth& laws, const Strip& strip, const Largest& largest,
+Strip::Pixels Presort::certain_where_level(const Strip& strip, const Largest& largest,
                                            Strip::Pixels asked) const {
     constexpr double any = std::numeric_limits<double>::infinity();
-    const PixelsOfBoth met = met_where_level(laws, strip, asked);
+    const PixelsOfBoth met = met_where_level(strip, asked);
     Strip::Pixels found = met.candidate & met.reference;
     if ((met.candidate & ~found) != 0)
         found |= met.candidate & certain_if_same(strip, {any, largest.reference});
@@ -80,15 +79,14 @@ Strip::Pixels Presort::certain_where_level(const LawsOfBoth& laws, const Strip& 
     return found;
 }
 
-auto Presort::met_where_level(const LawsOfBoth& laws, const Strip& strip, Strip::Pixels asked) const
-    -> PixelsOfBoth {
+auto Presort::met_where_level(const Strip& strip, Strip::Pixels asked) const -> PixelsOfBoth {
     PixelsOfBoth met;
     const std::uint32_t* law = strip.law_of_run.data();
     for (Strip::Pixels turns = strip.turns; turns != 0; ++law) {
         const Strip::Pixels from_first = -(turns & -turns);
         turns &= turns - 1;
         const Strip::Pixels run = asked & from_first & ~-(turns & -turns);
-        if (run == 0 || !is_level(laws.candidate[*law])) continue;
+        if (run == 0 || !is_level(tolerances_[*law])) continue;
         const auto& [candidate, reference] = met_[*law];
         met.candidate |= run & where_equal_in(run, strip.candidate.camera_depth, candidate);
         met.reference |= run & where_equal_in(run, strip.reference.camera_depth, reference);
@@ -102,23 +100,24 @@ ColumnsOfBoth Presort::lawful_by(std::uint32_t law, const ColumnsOfBoth& here, c
     const ColumnMask counted = here.candidate & here.reference;
     const ColumnsOfBoth left = uncertain_by(tolerances_[law], {here, counted}, source);
     if (is_none(left)) return here;
+    if (is_none(without(left, met_already(law, source)))) return here;
     const PartsOfBoth parts = parts_of(source, law);
-    if (is_none(without(left, met_already(parts)))) return here;
     return lawful_in_full(here, uncertain_here(law, {left, counted}, source), parts, source.place());
 }
 
 Presort::PartsOfBoth Presort::parts_of(const Source& source, std::uint32_t law) {
     Met& met = met_[law];
-    return {{source.laws.candidate[law], &source.strip.candidate.camera_depth[source.first], met.candidate,
+    const LawsOfBoth& laws = source.shown.laws();
+    return {{laws.candidate[law], &source.strip.candidate.camera_depth[source.first], met.candidate,
              source.largest.candidate},
-            {source.laws.reference[law], &source.strip.reference.camera_depth[source.first], met.reference,
+            {laws.reference[law], &source.strip.reference.camera_depth[source.first], met.reference,
              source.largest.reference}};
 }
 
-ColumnsOfBoth Presort::met_already(const PartsOfBoth& parts) {
-    if (!is_level(parts.candidate.law)) return {};
-    return {where_equal(parts.candidate.camera_depth, parts.candidate.met),
-            where_equal(parts.reference.camera_depth, parts.reference.met)};
+ColumnsOfBoth Presort::met_already(std::uint32_t law, const Source& source) const {
+    if (!is_level(tolerances_[law])) return {};
+    return {where_equal(&source.strip.candidate.camera_depth[source.first], met_[law].candidate),
+            where_equal(&source.strip.reference.camera_depth[source.first], met_[law].reference)};
 }
 
 ColumnsOfBoth Presort::uncertain_by(const DepthTolerance& tolerance, const Question& asked,
@@ -138,10 +137,11 @@ ColumnsOfBoth Presort::uncertain_by(const DepthTolerance& tolerance, const Quest
 ColumnsOfBoth Presort::uncertain_here(std::uint32_t law, Question asked, const Source& source) const {
     const auto [left, y] = source.place();
     const PixelBox chunk{left, y, left + int(tile_columns), y + 1};
+    const LawsOfBoth& laws = source.shown.laws();
     for (const Reach reach : {Reach::all, Reach::but_corners}) {
         if (is_none(asked.pixels)) break;
         const DepthTolerance tolerance =
-            tolerance_of(source.laws.candidate[law], source.laws.reference[law], projection_, chunk, reach);
+            tolerance_of(laws.candidate[law], laws.reference[law], projection_, chunk, reach);
         asked.pixels = uncertain_by(tolerance, asked, source);
     }
     return asked.pixels;

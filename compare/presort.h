@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/certain_depths.h"
+#include "compare/shown_triangles.h"
 #include "compare/strips/kernel.h"
 
 namespace zproof {
@@ -15,16 +16,16 @@ class Presort {
     /// `kernel` must outlive it.
     Presort(Projection projection, const strips::Kernel& kernel) : projection_(projection), kernel_(kernel) {}
 
-    /// Turns to another tile, of so many laws.
-    void turn_to(const PixelBox& tile, const LawsOfBoth& laws, std::size_t count);
+    /// Turns to another tile, which shows these.
+    void turn_to(const PixelBox& tile, const ShownTriangles& shown);
     /// The largest ratio of each renderer.
     struct Largest {
         double candidate = 0, reference = 0;
     };
 
     /// Fills in what is open of whole chunks of the tile's strip, and marks them as sorted; raises the
-    /// largest.
-    void sort(const LawsOfBoth& laws, Largest& largest, const Strip& strip, SortedStrip& sorted);
+    /// largest. Few strips ask for laws.
+    void sort(ShownTriangles& shown, Largest& largest, const Strip& strip, SortedStrip& sorted);
 
   private:
     /// Depths whose ratios the largest have met already; none at first.
@@ -33,7 +34,7 @@ class Presort {
     };
     /// What a chunk is sorted by.
     struct Source {
-        const LawsOfBoth& laws;
+        ShownTriangles& shown;
         Largest& largest;
         const Strip& strip;
         std::size_t first;                   ///< of the chunk's pixels in the strip
@@ -56,14 +57,13 @@ class Presort {
         Part candidate, reference;
     };
     Strip::Pixels certain_if_same(const Strip& strip, const Largest& largest) const;
-    Strip::Pixels certain_where_level(const LawsOfBoth& laws, const Strip& strip, const Largest& largest,
-                                      Strip::Pixels asked) const;
+    Strip::Pixels certain_where_level(const Strip& strip, const Largest& largest, Strip::Pixels asked) const;
     struct PixelsOfBoth {
         Strip::Pixels candidate = 0, reference = 0;
     };
-    PixelsOfBoth met_where_level(const LawsOfBoth& laws, const Strip& strip, Strip::Pixels asked) const;
+    PixelsOfBoth met_where_level(const Strip& strip, Strip::Pixels asked) const;
     PartsOfBoth parts_of(const Source& source, std::uint32_t law);
-    static ColumnsOfBoth met_already(const PartsOfBoth& parts);
+    ColumnsOfBoth met_already(std::uint32_t law, const Source& source) const;
     ColumnsOfBoth lawful_by(std::uint32_t law, const ColumnsOfBoth& here, const Source& source);
     /// Which of those depths are lawful, and of those that are counted, which do not exceed the largest?
     struct Question {

@@ -1,5 +1,7 @@
 #include "compare/shown_triangles.h"
 
+#include <limits>
+
 namespace zproof {
 
 ShownTriangles::ShownTriangles(const Scene& scene, const Witness& candidate, const Witness& reference)
@@ -36,6 +38,14 @@ void ShownTriangles::grow() {
 void ShownTriangles::make_laws() {
     maker_.make(std::span(triangles_).subspan(made_), made_, laws_);
     made_ = triangles_.size();
+}
+
+void ShownTriangles::set_tolerances(const PixelBox& tile, std::vector<DepthTolerance>& tolerances) const {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    tolerances.resize(triangles_.size());
+    tolerances[0] = {};
+    tolerances[0].least = infinite, tolerances[0].most = -infinite;
+    maker_.make_tolerances(std::span(triangles_).subspan(1), tile, std::span(tolerances).subspan(1));
 }
 
 }  // namespace zproof

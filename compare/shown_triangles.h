@@ -19,12 +19,15 @@ class ShownTriangles {
         const Slot& first = slots_[first_slot_of(triangle)];
         return first.key == key ? first.place : look_further(triangle);
     }
-    /// Makes the laws of what was shown since.
-    void make_laws();
-
     /// So many were shown.
     std::size_t count() const { return triangles_.size() - 1; }
-    const LawsOfBoth& laws() const { return laws_; }
+    /// Made when first asked for.
+    const LawsOfBoth& laws() {
+        if (made_ < triangles_.size()) make_laws();
+        return laws_;
+    }
+    /// By place, in that tile; where nobody stands, a tolerance that holds nowhere.
+    void set_tolerances(const PixelBox& tile, std::vector<DepthTolerance>& tolerances) const;
 
   private:
     /// Of a table with open addressing; of this tile where its key is one of this tile's.
@@ -38,6 +41,7 @@ class ShownTriangles {
     }
     std::uint32_t look_further(PrimitiveId triangle);
     void grow();
+    void make_laws();
 
     LawMaker maker_;
     std::vector<PrimitiveId> triangles_;  ///< by place

@@ -117,48 +117,6 @@ TEST(DepthTolerance, IsOfLawfulDepthsThatErrNoMore) {
     EXPECT_GT(theirs.certain, theirs.lawful / 4);
 }
 
-void expect_same(const DepthTolerance& a, const DepthTolerance& b) {
-    EXPECT_EQ(a.least, b.least);
-    EXPECT_EQ(a.most, b.most);
-    if (!(a.least <= a.most)) return;
-    EXPECT_EQ(a.w_per_x, b.w_per_x);
-    EXPECT_EQ(a.w_per_y, b.w_per_y);
-    EXPECT_EQ(a.w_offset, b.w_offset);
-    EXPECT_EQ(a.largest, b.largest);
-    EXPECT_EQ(a.unsure, b.unsure);
-    EXPECT_EQ(a.candidate.room, b.candidate.room);
-    EXPECT_EQ(a.candidate.lawful, b.candidate.lawful);
-    EXPECT_EQ(a.reference.room, b.reference.room);
-    EXPECT_EQ(a.reference.lawful, b.reference.lawful);
-}
-
-/// Of any number of triangles.
-TEST(DepthTolerance, OfATilesTrianglesIsEachOnesOwn) {
-    int usable = 0, asked = 0;
-    for (std::uint32_t seed = 0; seed < 600; ++seed) {
-        SCOPED_TRACE(seed);
-        const Surroundings s = random_surroundings(seed);
-        const Projection projection = s.view.camera.projection;
-        const PixelBox tile{0, s.y, s.view.width, s.y + 1};
-        const ViewBounds raster(s.view, RasterPrecision{}), ray(s.view, RayPrecision{});
-        LawsOfBoth laws{{law_of_nothing}, {law_of_nothing}};
-        for (const Neighbour& n : s.around.neighbours) {
-            const TriangleInView triangle(s.view, raster, n.p_world);
-            laws.candidate.push_back(depth_law_of(triangle, raster));
-            laws.reference.push_back(depth_law_of(triangle, ray));
-        }
-        std::vector<DepthTolerance> tolerances(laws.candidate.size());
-        set_tolerances(laws, projection, tile, tolerances);
-        EXPECT_GT(tolerances[0].least, tolerances[0].most);
-        for (std::size_t i = 1; i < tolerances.size(); ++i) {
-            expect_same(tolerances[i], tolerance_of(laws.candidate[i], laws.reference[i], projection, tile,
-                                                    Reach::but_corners));
-            ++asked, usable += tolerances[i].least <= tolerances[i].most;
-        }
-    }
-    EXPECT_GT(usable, asked / 8);
-}
-
 /// A wall at depth 4 whose depth may be off by `absolute` and by the share `relative`, seen along an axis.
 DepthLaw wall_law(double absolute, double relative, Projection projection) {
     DepthLaw law{};

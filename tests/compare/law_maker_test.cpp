@@ -38,6 +38,21 @@ void expect_same(const DepthLaw& law, const DepthLaw& expected) {
         << law.own_error << " " << expected.own_error << ", " << law.absolute << " " << expected.absolute;
 }
 
+void expect_same(const DepthTolerance& a, const DepthTolerance& b) {
+    EXPECT_EQ(a.least, b.least);
+    EXPECT_EQ(a.most, b.most);
+    if (!(a.least <= a.most)) return;
+    EXPECT_EQ(a.w_per_x, b.w_per_x);
+    EXPECT_EQ(a.w_per_y, b.w_per_y);
+    EXPECT_EQ(a.w_offset, b.w_offset);
+    EXPECT_EQ(a.largest, b.largest);
+    EXPECT_EQ(a.unsure, b.unsure);
+    EXPECT_EQ(a.candidate.room, b.candidate.room);
+    EXPECT_EQ(a.candidate.lawful, b.candidate.lawful);
+    EXPECT_EQ(a.reference.room, b.reference.room);
+    EXPECT_EQ(a.reference.lawful, b.reference.lawful);
+}
+
 /// Pairs of renderers: all that have laws in common terms, one way and the other, and one that has not.
 std::vector<std::pair<Precision, Precision>> pairs() {
     const RasterPrecision ours{.transform = Arithmetic::float64};
@@ -72,6 +87,31 @@ TEST(LawMaker, GivesEachTriangleTheBitsOfItsOwnLaw) {
     EXPECT_GT(asked, 2000);
     EXPECT_GT(of_nothing, 300) << "among them triangles of which nothing is known";
     EXPECT_LT(of_nothing, asked / 2);
+}
+
+/// Of any number of triangles.
+TEST(LawMaker, GivesEachTriangleTheToleranceOfItsLaws) {
+    int usable = 0, asked = 0;
+    for (std::uint32_t seed = 0; seed < 600; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const Scene scene = extended(s);
+        const Frame frame({s.view.width, s.view.height});
+        const auto [ours, theirs] = pairs()[seed % 3];
+        const Witness candidate(scene, s.view, {frame, ours}), reference(scene, s.view, {frame, theirs});
+        const PixelBox tile{0, s.y, s.view.width, s.y + 1};
+        const std::vector<PrimitiveId> triangles = all_of(scene);
+        std::vector<DepthTolerance> tolerances(triangles.size());
+        LawMaker(scene, candidate, reference).make_tolerances(triangles, tile, tolerances);
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            const TriangleInView triangle = candidate.triangle_in_view(triangles[i]);
+            expect_same(tolerances[i], tolerance_of(depth_law_of(triangle, candidate.bounds()),
+                                                    depth_law_of(triangle, reference.bounds()),
+                                                    s.view.camera.projection, tile, Reach::but_corners));
+            ++asked, usable += tolerances[i].least <= tolerances[i].most;
+        }
+    }
+    EXPECT_GT(usable, asked / 8);
 }
 
 }  // namespace

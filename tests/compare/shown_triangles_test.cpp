@@ -45,9 +45,15 @@ TEST(ShownTriangles, HaveOnePlaceEachAndTheirOwnLaws) {
             const std::uint32_t place = shown.place_of(PrimitiveId(id));
             ASSERT_EQ(places.try_emplace(id, place).first->second, place);
             ASSERT_EQ(shown.count(), places.size()) << "each new one takes a place";
-            if (dice.below(100) == 0) shown.make_laws();
+            if (dice.below(100) == 0) {
+                EXPECT_GE(shown.laws().candidate.size(), shown.count());
+            }
         }
-        shown.make_laws();
+        const PixelBox part{0, 0, view.width, 1 + tile % 4};
+        std::vector<DepthTolerance> tolerances(7);
+        shown.set_tolerances(part, tolerances);
+        ASSERT_EQ(tolerances.size(), places.size() + 1);
+        EXPECT_GT(tolerances[0].least, tolerances[0].most) << "where nobody stands";
         std::vector<bool> is_taken(places.size() + 1);
         is_taken[0] = true;
         for (const auto& [id, place] : places) {
@@ -55,8 +61,15 @@ TEST(ShownTriangles, HaveOnePlaceEachAndTheirOwnLaws) {
             ASSERT_FALSE(is_taken[place]);
             is_taken[place] = true;
             const TriangleInView triangle = ours.triangle_in_view(PrimitiveId(id));
-            EXPECT_TRUE(are_the_same(shown.laws().candidate[place], depth_law_of(triangle, ours.bounds())));
-            EXPECT_TRUE(are_the_same(shown.laws().reference[place], depth_law_of(triangle, theirs.bounds())));
+            const DepthLaw &our_law = shown.laws().candidate[place],
+                           &their_law = shown.laws().reference[place];
+            EXPECT_TRUE(are_the_same(our_law, depth_law_of(triangle, ours.bounds())));
+            EXPECT_TRUE(are_the_same(their_law, depth_law_of(triangle, theirs.bounds())));
+            const DepthTolerance expected =
+                tolerance_of(our_law, their_law, Projection::perspective, part, Reach::but_corners);
+            EXPECT_EQ(tolerances[place].w_offset, expected.w_offset);
+            EXPECT_EQ(tolerances[place].least, expected.least);
+            EXPECT_EQ(tolerances[place].candidate.room, expected.candidate.room);
         }
     }
 }
