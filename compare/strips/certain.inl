@@ -41,21 +41,19 @@ Pixels certain_from(const Row& row, const Depths& depths, int i) {
                           not_greater(ours, row.our_most) & not_greater(theirs, row.their_most))};
 }
 
-/// As many pixels as there are lanes.
+/// Sixteen pixels.
 Pixels bare_from(const Depths& depths, int i) {
-    const Doubles background = all(double{background_depth});  // the largest of all
-    return Pixels{bits_of(not_greater(background, widened(depths.candidate + i)) &
-                          not_greater(background, widened(depths.reference + i)))};
+    return Pixels{where_background(depths.candidate + i) & where_background(depths.reference + i)};
 }
 
-/// Asks for as many pixels as there are lanes, until all from first to before end were asked for.
-template <class From>
+/// Asks for `step` pixels at once, until all from first to before end were asked for.
+template <int step, class From>
 Pixels in_run(int first, int end, const From& from) {
-    constexpr int last = width - lanes;
+    constexpr int last = width - step;
     Pixels found = 0;
-    for (int i = lesser(first, last);; i = lesser(i + lanes, last)) {
+    for (int i = lesser(first, last);; i = lesser(i + step, last)) {
         found |= from(i) << i;
-        if (i + lanes >= end) return found;
+        if (i + step >= end) return found;
     }
 }
 
@@ -64,10 +62,10 @@ template <class Projected>
 Pixels certain_in_run(const Depths& depths, const Tolerated& by, std::uint32_t law, int first, int end) {
     if (law == 0) {
         if (depths.primitive[first] != PrimitiveId::none) return 0;
-        return in_run(first, end, [&](int i) { return bare_from(depths, i); });
+        return in_run<16>(first, end, [&](int i) { return bare_from(depths, i); });
     }
     const Row row = row_of(by.tolerances[law], depths.y, by);
-    return in_run(first, end, [&](int i) { return certain_from<Projected>(row, depths, i); });
+    return in_run<lanes>(first, end, [&](int i) { return certain_from<Projected>(row, depths, i); });
 }
 
 template <class Projected>

@@ -41,6 +41,16 @@ unsigned where_equal(const PrimitiveId* a, const PrimitiveId* b) {
     return where_equal_of_half(a, b) | where_equal_of_half(a + 8, b + 8) << 8;
 }
 
+/// Of eight.
+unsigned where_background_of_half(const float* depth) {
+    const __m256 bare = _mm256_cmp_ps(_mm256_loadu_ps(depth), _mm256_set1_ps(background_depth), _CMP_EQ_OQ);
+    return static_cast<unsigned>(_mm256_movemask_ps(bare));
+}
+/// Of sixteen.
+unsigned where_background(const float* depth) {
+    return where_background_of_half(depth) | where_background_of_half(depth + 8) << 8;
+}
+
 #include "compare/strips/certain.inl"
 #include "compare/strips/ids.inl"
 

@@ -35,6 +35,12 @@ unsigned where_equal(const PrimitiveId* a, const PrimitiveId* b) {
     return _cvtmask16_u32(_mm512_cmpeq_epi32_mask(_mm512_loadu_si512(a), _mm512_loadu_si512(b)));
 }
 
+/// Of sixteen.
+unsigned where_background(const float* depth) {
+    return _cvtmask16_u32(
+        _mm512_cmp_ps_mask(_mm512_loadu_ps(depth), _mm512_set1_ps(background_depth), _CMP_EQ_OQ));
+}
+
 #include "compare/strips/certain.inl"
 #include "compare/strips/ids.inl"
 

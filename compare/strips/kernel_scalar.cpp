@@ -22,6 +22,13 @@ unsigned where_equal(const PrimitiveId* a, const PrimitiveId* b) {
     return same;
 }
 
+/// Of sixteen.
+unsigned where_background(const float* depth) {
+    unsigned bare = 0;
+    for (int i = 0; i < 16; ++i) bare |= unsigned(depth[i] == background_depth) << i;
+    return bare;
+}
+
 #include "compare/strips/certain.inl"
 #include "compare/strips/ids.inl"
 
