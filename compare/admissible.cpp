@@ -101,9 +101,18 @@ int AdmissibleSet<Number>::locus_of(std::size_t edge_id, const std::array<int, 2
     return locus;
 }
 
+/// In double the evidence has it.
+template <class Number>
+std::optional<TriangleImage<Number>> image_of(const Sight<Number>& sight, const Neighbour& neighbour) {
+    if constexpr (std::is_same_v<Number, double>)
+        return neighbour.image;
+    else
+        return image_of(sight, corners<Number>(neighbour.p_world));
+}
+
 template <class Number>
 auto AdmissibleSet<Number>::draw(const Neighbour& neighbour) -> Drawn {
-    Drawn drawn{image_of(sight_, corners<Number>(neighbour.p_world))};
+    Drawn drawn{image_of(sight_, neighbour)};
     if (drawn.image)
         for (size_t i = 0; i < 3; ++i) drawn.edge[i] = edge_line(drawn.image->edge[i], neighbour.p_world, i);
     return drawn;

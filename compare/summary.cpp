@@ -9,6 +9,12 @@ namespace zproof {
 
 namespace {
 
+/// A place of the image, and those that it may have been rounded from.
+Around around_place(double x, double y) {
+    constexpr double share = 0x1p-50;
+    return {x, y, share * (std::abs(x) + 1), share * (std::abs(y) + 1)};
+}
+
 double value_at(const Affine<double>& f, double x, double y, double dx, double dy) {
     return f.at(x, y) + (dx * f.a + dy * f.b);
 }
@@ -127,9 +133,9 @@ bool Summary::is_inside(std::size_t i, const PixelOffset& at) const {
 
 bool Summary::is_outside(std::size_t i, const PixelOffset& at) const {
     const TriangleFilter& f = filter(i);
-    return f.is_trusted && std::ranges::any_of(f.edge, [&](const Affine<double>& e) {
-               return value_at(e, x_, y_, at.x, at.y) < -f.edge_error;
-           });
+    if (!f.is_trusted) return f.misses(around_place(x_ + at.x, y_ + at.y));
+    return std::ranges::any_of(
+        f.edge, [&](const Affine<double>& e) { return value_at(e, x_, y_, at.x, at.y) < -f.edge_error; });
 }
 
 bool Summary::is_behind(std::size_t back, std::size_t front, const PixelOffset& at) const {
