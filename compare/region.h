@@ -41,11 +41,24 @@ class Region {
         return r;
     }
 
-    /// Where f >= 0; nothing if no point of the region is there.
-    std::optional<Region> inside(const Line<Number>& line) const { return clipped(line, +1); }
+    /// On which side of a line each corner lies.
+    using Signs = std::vector<int>;
+    Signs signs_at(const Line<Number>& line) const {
+        Signs signs;
+        signs.reserve(corners_.size());
+        for (const Corner& c : corners_) signs.push_back(sign_at(c, line));
+        return signs;
+    }
+
+    /// Where f >= 0; nothing if no point of the region is there. `signs` are the line's.
+    std::optional<Region> inside(const Line<Number>& line, const Signs& signs) const {
+        return clipped(line, +1, signs);
+    }
+    std::optional<Region> inside(const Line<Number>& line) const { return inside(line, signs_at(line)); }
     /// Where f < 0: the part that the closed half-plane leaves.
-    std::optional<Region> outside(const Line<Number>& line) const {
-        std::optional<Region> r = clipped(line, -1);
+    std::optional<Region> outside(const Line<Number>& line) const { return outside(line, signs_at(line)); }
+    std::optional<Region> outside(const Line<Number>& line, const Signs& signs) const {
+        std::optional<Region> r = clipped(line, -1, signs);
         if (!r) return r;
         r->outside_of_.push_back(&line);
         return r->reaches_outside_of(line) ? r : std::nullopt;
@@ -104,18 +117,17 @@ class Region {
         return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), {common_line(a, b), &line}};
     }
 
-    std::optional<Region> clipped(const Line<Number>& line, int side) const {
-        std::vector<int> signs;
-        signs.reserve(corners_.size());
-        for (const Corner& c : corners_) signs.push_back(side * sign_at(c, line));
-        if (std::ranges::none_of(signs, [](int s) { return s < 0; })) return *this;
-        if (std::ranges::all_of(signs, [](int s) { return s < 0; })) return std::nullopt;
+    /// Where side * f >= 0.
+    std::optional<Region> clipped(const Line<Number>& line, int side, const Signs& signs) const {
+        const auto is_beyond = [&](int s) { return side * s < 0; };
+        if (std::ranges::none_of(signs, is_beyond)) return *this;
+        if (std::ranges::all_of(signs, is_beyond)) return std::nullopt;
         Region r;
         r.outside_of_ = outside_of_;
         r.corners_.reserve(corners_.size() + 1);
         for (size_t i = 0; i < corners_.size(); ++i) {
             const size_t j = (i + 1) % corners_.size();
-            if (signs[i] >= 0) r.corners_.push_back(corners_[i]);
+            if (!is_beyond(signs[i])) r.corners_.push_back(corners_[i]);
             if (signs[i] * signs[j] < 0) r.corners_.push_back(crossing(corners_[i], corners_[j], line));
         }
         for (const Line<Number>* outer : r.outside_of_)
@@ -149,8 +161,9 @@ std::vector<Region<Number>> without(const std::vector<Region<Number>>& regions,
         }
         std::optional<Region<Number>> rest = region;
         for (const Line<Number>* line : hiding) {
-            if (auto outside = rest->outside(*line)) left.push_back(std::move(*outside));
-            rest = rest->inside(*line);
+            const auto signs = rest->signs_at(*line);
+            if (auto outside = rest->outside(*line, signs)) left.push_back(std::move(*outside));
+            rest = rest->inside(*line, signs);
             if (!rest) break;
         }
     }
