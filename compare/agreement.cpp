@@ -25,7 +25,7 @@ constexpr int tile_width = Strip::width;
 constexpr int tile_height = Tiles::side_px;
 
 /// Of a tile: more than that, and few pixels share a law.
-constexpr std::size_t many_laws = 256;
+constexpr std::size_t many_laws = 512;
 
 /// Fetches what follows a strip, so many pixels: what the next tile will read. Into the second cache: the
 /// first has no room for all of it.
