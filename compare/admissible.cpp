@@ -20,6 +20,10 @@ Affine<Number> constant(double value) {
     return {Number(0), Number(0), Number(value)};
 }
 
+/// Rationals need no help from what is known of lines: so the others can be held against them.
+template <class Number>
+constexpr bool goes_by_arithmetic_alone = std::is_same_v<Number, Rational>;
+
 /// May the near or far plane cut the triangle? Corners are clamped to both planes.
 bool may_be_clipped(const Camera& camera, const Neighbour& n) {
     return n.nearest <= camera.near_depth + n.near_slack || n.farthest >= camera.far_depth - n.far_slack;
@@ -177,8 +181,9 @@ auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
         if (!segment) continue;
         std::optional<Region<Number>> region = square();
         const LinePointer line = new_line(segment->line);
+        const LinePointer other_side = goes_by_arithmetic_alone<Number> ? new_line(-line->f) : reversed(line);
         for (const LinePointer side :
-             {line, reversed(line), new_line(segment->after_start), new_line(segment->before_end)})
+             {line, other_side, new_line(segment->after_start), new_line(segment->before_end)})
             if (region) region = region->inside(*side);
         push_clipped(pieces, std::move(region), segment->nearness, index);
     }
@@ -311,7 +316,8 @@ std::optional<std::vector<size_t>> AdmissibleSet<Number>::covered_by(std::option
 template <class Number>
 template <class Occludes>
 bool AdmissibleSet<Number>::leaves_bare(std::optional<size_t> seen, const Occludes& occludes) {
-    if (covering_ && covering_->seen == seen && std::ranges::all_of(covering_->occluders, occludes))
+    if (!goes_by_arithmetic_alone<Number> && covering_ && covering_->seen == seen &&
+        std::ranges::all_of(covering_->occluders, occludes))
         return false;
     auto covering = covered_by(seen, occludes, [](LinePointer) { return true; });
     if (!covering) return true;
@@ -348,6 +354,7 @@ bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
 template <class Number>
 auto AdmissibleSet<Number>::nearer_side(size_t occluder, const Piece& seen) -> LinePointer {
     const Affine<Number> ahead = drawn(occluder).image->nearness - seen.nearness;
+    if constexpr (goes_by_arithmetic_alone<Number>) return new_line(ahead);
     for (const LinePointer edge : drawn(occluder).edge) {
         if (!edge_of(seen.index, edge->id)) continue;
         const bool is_same = sign(ahead.a * edge->f.a + ahead.b * edge->f.b + ahead.c * edge->f.c) > 0;

@@ -34,6 +34,45 @@ TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
     EXPECT_GT(exact, 100);
 }
 
+/// Two triangles on one side of an edge that they share, which passes within eps of the centre; sometimes a
+/// wall behind them, in front of them or between them.
+std::vector<Triangle> random_silhouette(Dice& dice) {
+    constexpr double eps_px = 1.0 / 512, far = 64;
+    const double x = 1.5 + dice.between(-1, 1) * eps_px, slope = dice.between(-2, 2);
+    const Corner up{x - slope * far, 1.5 - far, dice.between(3, 6)},
+        down{x + slope * far, 1.5 + far, dice.between(3, 6)};
+    const auto third = [&] {
+        return Corner{dice.between(-900, -300), dice.between(-9, 9), dice.between(3, 6)};
+    };
+    std::vector<Triangle> triangles{{up, third(), down}, {up, third(), down}};
+    if (dice.below(3) == 0) triangles.push_back(wall(dice.between(2, 7)));
+    return triangles;
+}
+
+TEST(Decide, ASilhouetteIsDecidedAsRationalsDecideHardlyEverByThem) {
+    std::array<int, 7> said{};
+    int exact = 0;
+    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
+        const Scene scene = scene_of(view, random_silhouette(dice));
+        const ViewBounds bounds(view, dice.below(2) ? raster_precision() : ray_precision());
+        const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
+        AdmissibleSet<Rational> set(around);
+        for (std::size_t i = 0; i < around.neighbours.size(); ++i) {
+            const Decision decision = decide(around, PrimitiveId(std::uint32_t(i)));
+            ASSERT_EQ(decision.standing, word_for(set, around.neighbours.size(), i)) << i;
+            exact += decision.exact;
+            ++said[std::size_t(decision.standing)];
+        }
+    }
+    EXPECT_GT(said[std::size_t(Standing::visible)], 300);
+    EXPECT_GT(said[std::size_t(Standing::tied)], 100);
+    EXPECT_GT(said[std::size_t(Standing::hidden)], 100);
+    EXPECT_LT(exact, 40) << "where the planes' difference is worked out, 321";
+}
+
 TEST(Decide, APlainCaseIsDecidedAsRationalsDecide) {
     std::array<int, 2> said{};
     int plain_cases = 0, others = 0;
