@@ -5,6 +5,7 @@
 
 #include "brute_force.h"
 #include "compare/plain_case.h"
+#include "math/lazy_rational.h"
 #include "random_surroundings.h"
 #include "stage.h"
 #include "word_for.h"
@@ -71,6 +72,20 @@ TEST(Decide, ASilhouetteIsDecidedAsRationalsDecideHardlyEverByThem) {
     EXPECT_GT(said[std::size_t(Standing::tied)], 100);
     EXPECT_GT(said[std::size_t(Standing::hidden)], 100);
     EXPECT_LT(exact, 40) << "where the planes' difference is worked out, 321";
+}
+
+/// What was found of one answer is not taken for another's.
+TEST(Decide, OneSetIsAskedAboutAllAnswers) {
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const std::size_t count = s.around.neighbours.size();
+        AdmissibleSet<Rational> by_arithmetic(s.around);
+        AdmissibleSet<LazyRational> set(s.around);
+        for (std::size_t i = 0; i < count; ++i)
+            ASSERT_EQ(word_for(set, count, i), word_for(by_arithmetic, count, i)) << i;
+        ASSERT_EQ(word_for(set, count, std::nullopt), word_for(by_arithmetic, count, std::nullopt));
+    }
 }
 
 TEST(Decide, APlainCaseIsDecidedAsRationalsDecide) {

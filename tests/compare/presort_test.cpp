@@ -19,9 +19,14 @@ namespace {
 
 constexpr int width = 70, height = 20;
 
-/// Runs of pixels that show one of a few walls, each depth off by a share of what is lawful, or nothing.
+/// Runs of pixels that show one of a few walls, each depth off by a share of what is lawful, or nothing. Half
+/// of the frames have few depths of each wall.
 void show_runs(Frame& frame, Dice& dice, const View& view, const Scene& scene) {
     const double most_off = std::ldexp(1.0, -26 + dice.below(7));
+    const bool has_few = dice.below(2) == 0;
+    const auto off = [&] {
+        return has_few ? most_off * (dice.below(12) - 5.5) / 5.5 : dice.between(-most_off, most_off);
+    };
     std::uint32_t triangle = 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -35,7 +40,7 @@ void show_runs(Frame& frame, Dice& dice, const View& view, const Scene& scene) {
             if (!image) continue;
             const double n = image->nearness.c;
             const double depth = view.camera.projection == Projection::perspective ? 1 / n : -n;
-            answer(frame, x, y, triangle, depth * (1 + dice.between(-most_off, most_off)));
+            answer(frame, x, y, triangle, depth * (1 + off()));
         }
 }
 
