@@ -20,9 +20,20 @@ Affine<Number> constant(double value) {
     return {Number(0), Number(0), Number(value)};
 }
 
-/// Rationals need no help from what is known of lines: so the others can be held against them.
+/// Does it work out what others know: on which side of a shared edge a plane is nearer, that a line and its
+/// other side are one, that what covers by one rule covers by another? So the others can be held against it.
 template <class Number>
-constexpr bool goes_by_arithmetic_alone = std::is_same_v<Number, Rational>;
+constexpr bool takes_nothing_for_granted = std::is_same_v<Number, Rational>;
+
+/// In double the evidence has it.
+template <class Number>
+std::optional<TriangleImage<Number>> image_of_neighbour(const Sight<Number>& sight,
+                                                        const Neighbour& neighbour) {
+    if constexpr (std::is_same_v<Number, double>)
+        return neighbour.image;
+    else
+        return image_of(sight, corners<Number>(neighbour.p_world));
+}
 
 /// May the near or far plane cut the triangle? Corners are clamped to both planes.
 bool may_be_clipped(const Camera& camera, const Neighbour& n) {
@@ -105,18 +116,9 @@ int AdmissibleSet<Number>::locus_of(std::size_t edge_id, const std::array<int, 2
     return locus;
 }
 
-/// In double the evidence has it.
-template <class Number>
-std::optional<TriangleImage<Number>> image_of(const Sight<Number>& sight, const Neighbour& neighbour) {
-    if constexpr (std::is_same_v<Number, double>)
-        return neighbour.image;
-    else
-        return image_of(sight, corners<Number>(neighbour.p_world));
-}
-
 template <class Number>
 auto AdmissibleSet<Number>::draw(const Neighbour& neighbour) -> Drawn {
-    Drawn drawn{image_of(sight_, neighbour)};
+    Drawn drawn{image_of_neighbour(sight_, neighbour)};
     if (drawn.image)
         for (size_t i = 0; i < 3; ++i) drawn.edge[i] = edge_line(drawn.image->edge[i], neighbour.p_world, i);
     return drawn;
@@ -181,7 +183,8 @@ auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
         if (!segment) continue;
         std::optional<Region<Number>> region = square();
         const LinePointer line = new_line(segment->line);
-        const LinePointer other_side = goes_by_arithmetic_alone<Number> ? new_line(-line->f) : reversed(line);
+        const LinePointer other_side =
+            takes_nothing_for_granted<Number> ? new_line(-line->f) : reversed(line);
         for (const LinePointer side :
              {line, other_side, new_line(segment->after_start), new_line(segment->before_end)})
             if (region) region = region->inside(*side);
@@ -316,7 +319,7 @@ std::optional<std::vector<size_t>> AdmissibleSet<Number>::covered_by(std::option
 template <class Number>
 template <class Occludes>
 bool AdmissibleSet<Number>::leaves_bare(std::optional<size_t> seen, const Occludes& occludes) {
-    if (!goes_by_arithmetic_alone<Number> && covering_ && covering_->seen == seen &&
+    if (!takes_nothing_for_granted<Number> && covering_ && covering_->seen == seen &&
         std::ranges::all_of(covering_->occluders, occludes))
         return false;
     auto covering = covered_by(seen, occludes, [](LinePointer) { return true; });
@@ -354,11 +357,11 @@ bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
 template <class Number>
 auto AdmissibleSet<Number>::nearer_side(size_t occluder, const Piece& seen) -> LinePointer {
     const Affine<Number> ahead = drawn(occluder).image->nearness - seen.nearness;
-    if constexpr (goes_by_arithmetic_alone<Number>) return new_line(ahead);
+    if constexpr (takes_nothing_for_granted<Number>) return new_line(ahead);
     for (const LinePointer edge : drawn(occluder).edge) {
         if (!edge_of(seen.index, edge->id)) continue;
-        const bool is_same = sign(ahead.a * edge->f.a + ahead.b * edge->f.b + ahead.c * edge->f.c) > 0;
-        return is_same ? edge : reversed(edge);
+        const int side = sign(ahead.a * edge->f.a + ahead.b * edge->f.b + ahead.c * edge->f.c);
+        if (side != 0) return side > 0 ? edge : reversed(edge);  // none is only what double has left of it
     }
     return new_line(ahead);
 }

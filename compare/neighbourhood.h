@@ -28,8 +28,8 @@ struct Neighbour {
     double nearest = 0, farthest = 0;      ///< see TriangleBounds
     double gradient = 0;                   ///< |d/dx| + |d/dy| of nearness, per px; 0 for an edge-on triangle
     bool is_plane_known = false;           ///< or does double precision not tell it from edge-on?
-    /// In double; nothing for an edge-on triangle. Off by at most `edge_error` and `plane_error` (of
-    /// nearness) anywhere within a pixel of the centre.
+    /// Of p_world: whoever changes one changes both. In double; nothing for an edge-on triangle. Off by at
+    /// most `edge_error` and `plane_error` (of nearness) anywhere within a pixel of the centre.
     std::optional<TriangleImage<double>> image;
     double edge_error = 0, plane_error = 0;
     /// What a faultless renderer may hold for its nearness at the pixel, all bounds included.

@@ -1,3 +1,4 @@
+/// Places of pixels, and places near them.
 #pragma once
 
 namespace zproof {

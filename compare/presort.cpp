@@ -17,7 +17,7 @@ bool is_none(const ColumnsOfBoth& columns) { return (columns.candidate | columns
 /// At one depth all over the image: there a depth that was lawful and counted is so again.
 bool is_level(const DepthTolerance& t) { return t.w_per_x == 0 && t.w_per_y == 0; }
 
-/// In chunks with any of the pixels.
+/// In chunks with any of the pixels, and there of all.
 Strip::Pixels where_equal_in(Strip::Pixels pixels, const float* depths, float depth) {
     Strip::Pixels found = 0;
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk)

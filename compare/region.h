@@ -33,7 +33,7 @@ class Region {
     /// The square |x|, |y| <= half_side; `sides` are its upper, right, lower and left line.
     static Region square(const std::array<const Line<Number>*, 4>& sides, const Number& half_side) {
         Region r;
-        const Number h = half_side, l = -half_side;
+        const Number &h = half_side, l = -half_side;
         r.corners_ = {{l, l, {sides[3], sides[0]}},
                       {h, l, {sides[0], sides[1]}},
                       {h, h, {sides[1], sides[2]}},
@@ -50,7 +50,7 @@ class Region {
         return signs;
     }
 
-    /// Where f >= 0; nothing if no point of the region is there. `signs` are the line's.
+    /// Where f >= 0; nothing if no point of the region is there. `signs` are what signs_at(line) says.
     std::optional<Region> inside(const Line<Number>& line, const Signs& signs) const {
         return clipped(line, +1, signs);
     }

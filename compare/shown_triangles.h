@@ -21,7 +21,7 @@ class ShownTriangles {
     }
     /// So many were shown.
     std::size_t count() const { return triangles_.size() - 1; }
-    /// Made when first asked for.
+    /// Made when first asked for; they move when some are asked for again, after more was shown.
     const LawsOfBoth& laws() {
         if (made_ < triangles_.size()) make_laws();
         return laws_;

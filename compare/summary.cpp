@@ -283,7 +283,7 @@ std::optional<Standing> Summary::standing_in_tile(Renderer& renderer, std::size_
 }
 
 /// The half-side at which a corner of the square reaches the answer's triangle, and no other that holds the
-/// centre and is not behind. Any number will do.
+/// centre and is not behind. Any number will do, but for what an estimate says that is not monotone.
 double Summary::likely_displacement_px(std::optional<std::size_t> answer) const {
     const auto at_centre = [&](const Affine<double>& f) { return f.at(x_, y_); };
     const auto beyond = [&](const Affine<double>& e) {
@@ -294,6 +294,7 @@ double Summary::likely_displacement_px(std::optional<std::size_t> answer) const 
         for (const Affine<double>& e : filter(*answer).edge) likely_px = std::max(likely_px, -beyond(e));
     for (const std::size_t i : rivals_) {
         const TriangleFilter& rival = filter(i);
+        if (!rival.is_trusted) continue;
         if (answer && at_centre(rival.nearness) < at_centre(filter(*answer).nearness)) continue;
         likely_px = std::max(likely_px,
                              std::min({beyond(rival.edge[0]), beyond(rival.edge[1]), beyond(rival.edge[2])}));
@@ -342,7 +343,7 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint, Estimate& estimate) {
     // on an edge: what is seen that close is seen in every larger square, and needs no displacement
     if (const double close = least_px(eps); close <= plaint.own_eps_px && is_seen_around(answer, close))
         return Ruled{{Standing::visible, false}, eps, std::nullopt};
-    if (is_seen_around(answer, plaint.own_eps_px) || is_seen_around(answer, eps))
+    if (is_seen_around(answer, plaint.own_eps_px) || (eps > plaint.own_eps_px && is_seen_around(answer, eps)))
         return visible(renderer, plaint, answer, eps, estimate);
     if (answer && is_hidden_in(renderer, answer, eps) && is_held_around(renderer, *answer, plaint.own_eps_px))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};

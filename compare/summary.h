@@ -1,5 +1,5 @@
 /// Most answers can be decided without polygons: by one place at which the answer is certainly seen, or by
-/// what certainly covers the whole square (docs/truth.md, "How it is decided").
+/// what certainly covers the whole square (docs/truth.md, "Decided summarily").
 #pragma once
 
 #include "compare/acquaintance.h"

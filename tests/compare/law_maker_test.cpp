@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <array>
+#include <bit>
 
 #include "random_surroundings.h"
 #include "stage.h"
@@ -34,7 +35,8 @@ std::vector<PrimitiveId> all_of(const Scene& scene) {
 void expect_same(const DepthLaw& law, const DepthLaw& expected) {
     EXPECT_EQ(std::isinf(law.relative), std::isinf(expected.relative));
     if (std::isinf(law.relative) && std::isinf(expected.relative)) return;
-    EXPECT_EQ(std::memcmp(&law, &expected, sizeof law), 0)
+    using Bits = std::array<std::uint64_t, sizeof(DepthLaw) / sizeof(double)>;
+    EXPECT_EQ(std::bit_cast<Bits>(law), std::bit_cast<Bits>(expected))
         << law.own_error << " " << expected.own_error << ", " << law.absolute << " " << expected.absolute;
 }
 
