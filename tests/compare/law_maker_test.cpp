@@ -63,6 +63,21 @@ std::vector<std::pair<Precision, Precision>> pairs() {
     return {{ours, RayPrecision{}}, {RayPrecision{}, from_eye}, {ours, PlaneRayPrecision{}}};
 }
 
+/// One of these pairs before a scene.
+struct Pair {
+    Surroundings s;
+    Scene scene;
+    Frame frame;
+    Witness candidate, reference;
+
+    explicit Pair(std::uint32_t seed)
+        : s(random_surroundings(seed)),
+          scene(extended(s)),
+          frame({s.view.width, s.view.height}),
+          candidate(scene, s.view, {frame, pairs()[seed % 3].first}),
+          reference(scene, s.view, {frame, pairs()[seed % 3].second}) {}
+};
+
 /// Code for an instruction set with vectors that wide reads it as aligned.
 static_assert(alignof(LawMaker::Lens) == four_alignment);
 
@@ -70,11 +85,7 @@ TEST(LawMaker, GivesEachTriangleTheBitsOfItsOwnLaw) {
     int asked = 0, of_nothing = 0;
     for (std::uint32_t seed = 0; seed < 600; ++seed) {
         SCOPED_TRACE(seed);
-        const Surroundings s = random_surroundings(seed);
-        const Scene scene = extended(s);
-        const Frame frame({s.view.width, s.view.height});
-        const auto [ours, theirs] = pairs()[seed % 3];
-        const Witness candidate(scene, s.view, {frame, ours}), reference(scene, s.view, {frame, theirs});
+        const auto& [s, scene, frame, candidate, reference] = Pair(seed);
         LawsOfBoth laws{{law_of_nothing}, {law_of_nothing}};
         LawMaker(scene, candidate, reference).make(all_of(scene), 1, laws);
         EXPECT_EQ(laws.candidate[0].relative, law_of_nothing.relative);
@@ -96,11 +107,7 @@ TEST(LawMaker, GivesEachTriangleTheToleranceOfItsLaws) {
     int usable = 0, asked = 0;
     for (std::uint32_t seed = 0; seed < 600; ++seed) {
         SCOPED_TRACE(seed);
-        const Surroundings s = random_surroundings(seed);
-        const Scene scene = extended(s);
-        const Frame frame({s.view.width, s.view.height});
-        const auto [ours, theirs] = pairs()[seed % 3];
-        const Witness candidate(scene, s.view, {frame, ours}), reference(scene, s.view, {frame, theirs});
+        const auto& [s, scene, frame, candidate, reference] = Pair(seed);
         const PixelBox tile{0, s.y, s.view.width, s.y + 1};
         const std::vector<PrimitiveId> triangles = all_of(scene);
         std::vector<DepthTolerance> tolerances(triangles.size());
