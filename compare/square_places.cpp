@@ -1,5 +1,6 @@
 #include "compare/square_places.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace zproof {
