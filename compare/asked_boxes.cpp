@@ -25,16 +25,25 @@ double AskedBoxes::reach_px() const {
     return largest;
 }
 
+std::size_t AskedBoxes::count() const {
+    std::size_t sum = 0;
+    for (const auto& tile : tiles_)
+        if (tile) sum += tile->boxes.size();
+    return sum;
+}
+
 AskedTiles::AskedTiles(const Tiles& tiles, const AskedBoxes& asked) : columns_(tiles.columns) {
+    boxes_.reserve(asked.count());  // so that they stay where they are
     first_.reserve(std::size_t(tiles.columns + 1) * std::size_t(tiles.rows));
     for (int row = 0; row < tiles.rows; ++row) {
         for (int column = 0; column < tiles.columns; ++column) {
             first_.push_back(std::uint32_t(tiles_.size()));
             const std::size_t index = tiles.index(column, row);
             if (asked.of(index).empty()) continue;
-            Tile tile{std::uint32_t(index), {}, asked.of(index)};
-            for (const Box& box : tile.boxes) tile.all.add(box);
-            tiles_.push_back(tile);
+            const std::size_t first = boxes_.size();
+            FloatBox all;
+            for (const Box& box : asked.of(index)) all.add(boxes_.emplace_back(FloatBox::holding(box)));
+            tiles_.push_back({std::uint32_t(index), all, std::span(boxes_).subspan(first)});
         }
         first_.push_back(std::uint32_t(tiles_.size()));
     }

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "compare/image_box.h"
+#include "compare/float_box.h"
 #include "compare/tiles.h"
 
 namespace zproof {
@@ -24,6 +24,8 @@ class AskedBoxes {
     }
     /// The largest of all.
     double reach_px() const;
+    /// Boxes of all tiles.
+    std::size_t count() const;
 
   private:
     struct Asked {
@@ -38,11 +40,10 @@ class AskedTiles {
   public:
     struct Tile {
         std::uint32_t index;
-        Box all;  ///< around its boxes
-        std::span<const Box> boxes;
+        FloatBox all;  ///< around its boxes
+        std::span<const FloatBox> boxes;
     };
 
-    /// `asked` must outlive it.
     AskedTiles(const Tiles& tiles, const AskedBoxes& asked);
 
     std::span<const Tile> all() const { return tiles_; }
@@ -57,6 +58,7 @@ class AskedTiles {
     }
 
     int columns_;
+    std::vector<FloatBox> boxes_;
     std::vector<Tile> tiles_;  ///< in raster order
     /// By tile of the image, and for each row's end: the first of tiles_ from there on.
     std::vector<std::uint32_t> first_;

@@ -8,6 +8,7 @@ namespace zproof {
 /// The hull of the boxes that its corners lie in.
 class alignas(four_alignment) CornerHull {
   public:
+    CornerHull() {}  ///< of nothing yet
     explicit CornerHull(const CornerBoxes& corners) { draw(corners); }
 
     /// Does a line along one of the sides part the box from all three corners, certainly?

@@ -19,7 +19,7 @@ namespace {
 constexpr double first_reach = 2;
 
 /// Triangles are looked for at least that far, so that squares which grow a little need no other search.
-constexpr double least_search_px = 1.0 / 16;
+constexpr double least_search_px = 1.0 / 12;
 
 /// On all threads. Some take a thousand times as long as others: each is shared out by itself.
 template <class Item, class Do>
