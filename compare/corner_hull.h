@@ -11,6 +11,9 @@ class alignas(four_alignment) CornerHull {
     CornerHull() {}  ///< of nothing yet
     explicit CornerHull(const CornerBoxes& corners) { draw(corners); }
 
+    /// Where it stands: gcc 12 does not align what it makes elsewhere to assign it.
+    void draw(const CornerBoxes& corners);
+
     /// Does a line along one of the sides part the box from all three corners, certainly?
     bool is_beside(const Box& box) const;
 
@@ -19,7 +22,6 @@ class alignas(four_alignment) CornerHull {
     struct Range {
         Four least, most;
     };
-    void draw(const CornerBoxes& corners);
     Range across(const Box& box) const;
 
     Four x_, y_;  ///< a direction across each side; the last lane repeats the third

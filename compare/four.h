@@ -4,7 +4,6 @@
 /// So does how they are aligned: what keeps some where others read them is alignas(four_alignment).
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
@@ -19,7 +18,7 @@ template <class Number>
 [[gnu::always_inline]] inline Number absolute(const Number& a) {
     if constexpr (std::is_same_v<Number, Four>) {
         using Bits = std::int64_t __attribute__((vector_size(32)));
-        return std::bit_cast<Four>(std::bit_cast<Bits>(a) & INT64_MAX);
+        return Four(Bits(a) & INT64_MAX);  // the same bits; std::bit_cast is a function, inlined or not
     } else {
         return std::abs(a);
     }

@@ -68,17 +68,18 @@ class TileSearch {
         bool is_drawn = false;
         CornerHull hull;
         search(triangle, box, found, [&](const FloatBox& asked) {
-            if (!is_drawn) hull = hull_of(triangle, corners);
+            if (!is_drawn) draw(hull, triangle, corners);
             is_drawn = true;
             return !hull.is_beside(asked.in_double());
         });
     }
     /// Large ones may have corners far outside the image, which a float places too coarsely.
-    CornerHull hull_of(std::uint32_t triangle, const FloatCorners& corners) const {
+    void draw(CornerHull& hull, std::uint32_t triangle, const FloatCorners& corners) const {
         if (!corners.all().fits(Tiles::side_px))
             if (const auto precise = projection_.of_corners(corners_of(scene_, triangle)))
-                return CornerHull(*precise);
-        return CornerHull(corners.in_double());
+                return hull.draw(*precise);
+        const CornerBoxes boxes = corners.in_double();
+        hull.draw(boxes);
     }
     /// One with a corner that has no place: it reaches behind half the near depth.
     void search_clipped(std::uint32_t triangle, std::vector<Meeting>& found) const {
