@@ -31,10 +31,19 @@ Row row_of(const DepthTolerance& t, int y, const Tolerated& by) {
             all(most_error(t, t.reference, by.reference_at_most))};
 }
 
+/// The x of each pixel of a strip.
+struct Columns {
+    double x[width];
+
+    explicit Columns(int first) {
+        for (int i = 0; i < width; i += lanes) store(all(double(first + i)) + counted(), x + i);
+    }
+};
+
 /// The pixels from i on, as many as there are lanes.
 template <class Projected>
-Pixels certain_from(const Row& row, const Depths& depths, int i) {
-    const Doubles w = row.w_per_x * (all(double(depths.x + i)) + counted()) + row.w_of_row + row.w_offset;
+Pixels certain_from(const Row& row, const Depths& depths, const Columns& columns, int i) {
+    const Doubles w = row.w_per_x * loaded(columns.x + i) + row.w_of_row + row.w_offset;
     const Doubles ours = Projected::error(widened(depths.candidate + i), w),
                   theirs = Projected::error(widened(depths.reference + i), w);
     return Pixels{bits_of(not_greater(row.least, w) & not_greater(w, row.most) &
@@ -59,17 +68,20 @@ Pixels in_run(int first, int end, const From& from) {
 
 /// The pixels from first to before end; of others, anything.
 template <class Projected>
-Pixels certain_in_run(const Depths& depths, const Tolerated& by, std::uint32_t law, int first, int end) {
+[[gnu::always_inline]] inline Pixels certain_in_run(const Depths& depths, const Columns& columns,
+                                                    const Tolerated& by, std::uint32_t law, int first,
+                                                    int end) {
     if (law == 0) {
         if (depths.primitive[first] != PrimitiveId::none) return 0;
         return in_run<16>(first, end, [&](int i) { return bare_from(depths, i); });
     }
     const Row row = row_of(by.tolerances[law], depths.y, by);
-    return in_run<lanes>(first, end, [&](int i) { return certain_from<Projected>(row, depths, i); });
+    return in_run<lanes>(first, end, [&](int i) { return certain_from<Projected>(row, depths, columns, i); });
 }
 
 template <class Projected>
 Pixels certain_in_runs(const Depths& depths, const Tolerated& by) {
+    const Columns columns(depths.x);
     Pixels all_certain = 0;
     const std::uint32_t* law = depths.law_of_run;
     for (Pixels turns = depths.turns; turns != 0; ++law) {
@@ -77,7 +89,8 @@ Pixels certain_in_runs(const Depths& depths, const Tolerated& by) {
         turns &= turns - 1;
         const Pixels beyond = -(turns & -turns);  // and from the next one's
         const int first = __builtin_ctzll(from_first), end = turns != 0 ? __builtin_ctzll(turns) : width;
-        all_certain |= certain_in_run<Projected>(depths, by, *law, first, end) & from_first & ~beyond;
+        all_certain |=
+            certain_in_run<Projected>(depths, columns, by, *law, first, end) & from_first & ~beyond;
     }
     return all_certain;
 }

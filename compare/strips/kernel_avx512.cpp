@@ -18,6 +18,8 @@ struct Doubles {
 Doubles all(double value) { return {_mm512_set1_pd(value)}; }
 /// 0, 1, 2 and so on.
 Doubles counted() { return {_mm512_setr_pd(0, 1, 2, 3, 4, 5, 6, 7)}; }
+Doubles loaded(const double* values) { return {_mm512_loadu_pd(values)}; }
+void store(const Doubles& values, double* to) { _mm512_storeu_pd(to, values.lanes); }
 Doubles widened(const float* values) { return {_mm512_cvtps_pd(_mm256_loadu_ps(values))}; }
 Doubles operator+(const Doubles& a, const Doubles& b) { return {_mm512_add_pd(a.lanes, b.lanes)}; }
 Doubles operator-(const Doubles& a, const Doubles& b) { return {_mm512_sub_pd(a.lanes, b.lanes)}; }
@@ -28,7 +30,7 @@ Doubles magnitude(const Doubles& a) { return {_mm512_abs_pd(a.lanes)}; }
 Mask not_greater(const Doubles& a, const Doubles& b) {
     return {_mm512_cmp_pd_mask(a.lanes, b.lanes, _CMP_LE_OQ)};
 }
-Mask operator&(Mask a, Mask b) { return {_kand_mask8(a.lanes, b.lanes)}; }
+Mask operator&(Mask a, Mask b) { return {__mmask8(a.lanes & b.lanes)}; }
 unsigned bits_of(Mask mask) { return _cvtmask8_u32(mask.lanes); }
 
 unsigned where_equal(const PrimitiveId* a, const PrimitiveId* b) {

@@ -11,6 +11,8 @@ using Doubles = double;
 
 Doubles all(double value) { return value; }
 Doubles counted() { return 0; }
+Doubles loaded(const double* values) { return *values; }
+void store(Doubles values, double* to) { *to = values; }
 Doubles widened(const float* values) { return *values; }
 Doubles magnitude(Doubles a) { return __builtin_fabs(a); }
 Mask not_greater(Doubles a, Doubles b) { return a <= b; }
