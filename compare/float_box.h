@@ -15,10 +15,11 @@ class FloatBox {
     FloatBox() = default;
     FloatBox(float left, float top, float right, float bottom) : least_{left, top, -right, -bottom} {}
 
-    /// Rounded outwards.
+    /// Rounded outwards: by more than a float is off.
     static FloatBox holding(const Box& box) {
-        const auto below = [](double a) { return std::nextafter(float(a), -unlimited_px); };
-        const auto above = [](double a) { return std::nextafter(float(a), unlimited_px); };
+        const auto more = [](double a) { return std::abs(a) * 0x1p-23 + 0x1p-126; };
+        const auto below = [&](double a) { return float(a - more(a)); };
+        const auto above = [&](double a) { return float(a + more(a)); };
         return {below(box.left), below(box.top), above(box.right), above(box.bottom)};
     }
     static FloatBox everywhere() { return {-unlimited_px, -unlimited_px, unlimited_px, unlimited_px}; }
