@@ -45,6 +45,8 @@ class AskedTiles {
     };
 
     AskedTiles(const Tiles& tiles, const AskedBoxes& asked);
+    AskedTiles(const AskedTiles&) = delete;  // a copy's tiles would look into this one's boxes
+    AskedTiles& operator=(const AskedTiles&) = delete;
 
     std::span<const Tile> all() const { return tiles_; }
     /// Of a row, from one column to another, both included.

@@ -11,7 +11,7 @@ class alignas(four_alignment) CornerHull {
     CornerHull() {}  ///< of nothing yet
     explicit CornerHull(const CornerBoxes& corners) { draw(corners); }
 
-    /// Where it stands: gcc 12 does not align what it makes elsewhere to assign it.
+    /// Where it stands: gcc 12 does not align what a function returns to be assigned.
     void draw(const CornerBoxes& corners);
 
     /// Does a line along one of the sides part the box from all three corners, certainly?

@@ -1,6 +1,7 @@
 /// Boxes of raster space in single precision: quick to join and to compare.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -15,11 +16,12 @@ class FloatBox {
     FloatBox() = default;
     FloatBox(float left, float top, float right, float bottom) : least_{left, top, -right, -bottom} {}
 
-    /// Rounded outwards: by more than a float is off.
+    /// Rounded outwards: by more than a float is off. What begins beyond all floats begins at the last.
     static FloatBox holding(const Box& box) {
+        constexpr double last = std::numeric_limits<float>::max();
         const auto more = [](double a) { return std::abs(a) * 0x1p-23 + 0x1p-126; };
-        const auto below = [&](double a) { return float(a - more(a)); };
-        const auto above = [&](double a) { return float(a + more(a)); };
+        const auto below = [&](double a) { return float(std::min(a - more(a), last)); };
+        const auto above = [&](double a) { return float(std::max(a + more(a), -last)); };
         return {below(box.left), below(box.top), above(box.right), above(box.bottom)};
     }
     static FloatBox everywhere() { return {-unlimited_px, -unlimited_px, unlimited_px, unlimited_px}; }

@@ -23,8 +23,9 @@ struct Lens {
     double shear_x, shear_y, window_left, window_top, px_per_u, px_per_v, least_depth, px_of_rounding;
 };
 
-/// Left, top, and right and bottom with another sign.
+/// Left, top, and right and bottom with another sign, as a FloatBox has them.
 constexpr std::size_t side_count = 4;
+static_assert(sizeof(FloatBox) == side_count * sizeof(float));
 
 /// Of corners that follow each other, x, y and z in turn, to the sides of their boxes.
 template <bool perspective>

@@ -18,7 +18,8 @@ namespace {
 /// In own eps. Few squares grow beyond it, and a triangle that is found and meets no square changes nothing.
 constexpr double first_reach = 2;
 
-/// Triangles are looked for at least that far, so that squares which grow a little need no other search.
+/// Triangles are looked for at least that far, so that squares which grow a little need no other search: that
+/// costs more than the few triangles which are found for nothing.
 constexpr double least_search_px = 1.0 / 12;
 
 /// On all threads. Some take a thousand times as long as others: each is shared out by itself.

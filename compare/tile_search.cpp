@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "compare/asked_cells.h"
@@ -87,8 +88,10 @@ class TileSearch {
         const auto box = projection_(p_world);
         if (!box) return;
         const TriangleFilter filter = filters_.of(p_world);
-        search(triangle, FloatBox::holding(*box), found,
-               [&](const FloatBox& asked) { return !filter.misses(around(asked.in_double())); });
+        search(triangle, FloatBox::holding(*box), found, [&](const FloatBox& asked) {
+            constexpr float last = std::numeric_limits<float>::max();  // beyond there is no middle
+            return !asked.fits(last) || !filter.misses(around(asked.in_double()));
+        });
     }
     /// may_meet(asked): of boxes that meet its own.
     template <class MayMeet>

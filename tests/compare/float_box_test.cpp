@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <limits>
+
 #include "random_surroundings.h"
 
 namespace zproof {
@@ -66,6 +69,33 @@ TEST(FloatBox, IsRoundedOutwards) {
         wider.widen(1.0 / 64);
         EXPECT_TRUE(wider.left < found.left && found.right < wider.right);
     }
+}
+
+TEST(FloatBox, HoldsWhatNoFloatHolds) {
+    constexpr double last = std::numeric_limits<float>::max(), far = 1e39,
+                     infinite = std::numeric_limits<double>::infinity();
+    const std::array places{-infinite, -far, -last, -1.0, -1e-45, 0.0, 1e-45, 1.0, last, far, infinite};
+    for (const double left : places)
+        for (const double right : places) {
+            if (left > right || left == infinite || right == -infinite) continue;
+            const Box box{left, 0, right, 1};
+            const FloatBox found = FloatBox::holding(box);
+            EXPECT_TRUE(found.left() <= left || found.left() == float(last)) << left;
+            EXPECT_TRUE(found.right() >= right || found.right() == float(-last)) << right;
+            for (const double other : places) {
+                if (other < left || right < other || std::abs(other) == infinite) continue;
+                EXPECT_TRUE(found.meets(FloatBox::holding({other, 0, other, 1}))) << left << ' ' << right;
+            }
+        }
+}
+
+TEST(FloatBox, FitsWhatIsAsLongAsItsLongerSide) {
+    const FloatBox box(1, 2, 4, 9);
+    EXPECT_TRUE(box.fits(7));
+    EXPECT_FALSE(box.fits(6.5F));
+    EXPECT_FALSE(FloatBox::everywhere().fits(std::numeric_limits<float>::max()));
+    EXPECT_TRUE(FloatBox::everywhere().is_everywhere());
+    EXPECT_FALSE(box.is_everywhere());
 }
 
 TEST(FloatBox, CellsAreHeldWithinTheImage) {

@@ -98,6 +98,24 @@ TEST(NearbyTriangles, OneThatCoversEverythingIsFoundEverywhere) {
     for (const Site& site : sites) ASSERT_EQ(site.triangles, std::vector<std::uint32_t>{0});
 }
 
+/// One is seen edge-on; both reach behind half the near depth.
+TEST(NearbyTriangles, AreFoundFromSquaresThatNoFloatHolds) {
+    View view = pixel_view(Projection::perspective, 64, 64);
+    view.camera.near_depth = 0.1;
+    Scene scene;
+    scene.vertices.position_world = {{0, 0, -1},        {0, 0.5, -1},      {0, 0.25, 1},
+                                     {3e38, 0, -0.06F}, {3e38, 1, -0.06F}, {3e38, 0, -0.04F}};
+    scene.triangles = {{0, 1, 2}, {3, 4, 5}};
+    for (const double reach_px : {1e39, 1e42, 1e60}) {
+        std::vector<Site> sites{{32, 32, reach_px, {}}, {0, 63, reach_px, {}}};
+        find_nearby_triangles(scene, view, sites);
+        for (const Site& site : sites) {
+            EXPECT_EQ(std::ranges::count(site.triangles, 0u), 1) << reach_px;
+            EXPECT_TRUE(reach_px < 1e42 || std::ranges::count(site.triangles, 1u) == 1) << reach_px;
+        }
+    }
+}
+
 TEST(NearbyTriangles, ManyChunksComeInOrder) {
     const View view = pixel_view(Projection::parallel, 4, 4);
     const Scene scene = scene_of(view, std::vector<Triangle>(10'000, wall(4)));
