@@ -66,17 +66,23 @@ Pixels in_run(int first, int end, const From& from) {
     }
 }
 
-/// The pixels from first to before end; of others, anything.
+/// Pixels that show one triangle: from first to before end.
+struct Run {
+    std::uint32_t law;
+    int first, end;
+};
+
+/// The pixels of a run; of others, anything.
 template <class Projected>
 [[gnu::always_inline]] inline Pixels certain_in_run(const Depths& depths, const Columns& columns,
-                                                    const Tolerated& by, std::uint32_t law, int first,
-                                                    int end) {
-    if (law == 0) {
-        if (depths.primitive[first] != PrimitiveId::none) return 0;
-        return in_run<16>(first, end, [&](int i) { return bare_from(depths, i); });
+                                                    const Tolerated& by, const Run& run) {
+    if (run.law == 0) {
+        if (depths.primitive[run.first] != PrimitiveId::none) return 0;
+        return in_run<16>(run.first, run.end, [&](int i) { return bare_from(depths, i); });
     }
-    const Row row = row_of(by.tolerances[law], depths.y, by);
-    return in_run<lanes>(first, end, [&](int i) { return certain_from<Projected>(row, depths, columns, i); });
+    const Row row = row_of(by.tolerances[run.law], depths.y, by);
+    return in_run<lanes>(run.first, run.end,
+                         [&](int i) { return certain_from<Projected>(row, depths, columns, i); });
 }
 
 template <class Projected>
@@ -88,9 +94,8 @@ Pixels certain_in_runs(const Depths& depths, const Tolerated& by) {
         const Pixels from_first = -(turns & -turns);  // all pixels from the run's first on
         turns &= turns - 1;
         const Pixels beyond = -(turns & -turns);  // and from the next one's
-        const int first = __builtin_ctzll(from_first), end = turns != 0 ? __builtin_ctzll(turns) : width;
-        all_certain |=
-            certain_in_run<Projected>(depths, columns, by, *law, first, end) & from_first & ~beyond;
+        const Run run{*law, __builtin_ctzll(from_first), turns != 0 ? __builtin_ctzll(turns) : width};
+        all_certain |= certain_in_run<Projected>(depths, columns, by, run) & from_first & ~beyond;
     }
     return all_certain;
 }
