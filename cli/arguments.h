@@ -36,7 +36,13 @@ enum class Detail {
 
 enum class PictureWish {
     none,
-    shaded,  ///< colour pictures of every view, also from witnesses that can paint
+    shaded,  ///< colour pictures of every view that leaves evidence, also from witnesses that can paint
+};
+
+/// Which views leave evidence beside the results: frames, pictures, findings, what the viewer shows.
+enum class Evidence {
+    all,
+    defects,  ///< those with a pixel that fails the gate, waived or not
 };
 
 /// Where the reports go and what the terminal shows.
@@ -46,6 +52,7 @@ struct ReportArguments {
     ProgressStyle progress = ProgressStyle::automatic;
     Detail detail = Detail::table;
     PictureWish pictures = PictureWish::none;
+    Evidence evidence = Evidence::all;
     std::vector<ReportFormat> formats = usual_formats();
     GateArguments gate;
     std::string typed;              ///< the command line, quoted for a shell

@@ -99,8 +99,8 @@ ExitCode judge_and_report(const Assignment& assignment) {
     std::size_t scenes_left = 0;
     {
         Progress progress{std::cerr, resolve(report.progress), expected_work(sources, report.out)};
-        const Desk desk{settings.resolution, out.working(), names, progress, parties, gate,
-                        report.pictures,     only_view};
+        const Desk desk{settings.resolution, out.working(),   names,    progress, parties, gate,
+                        report.pictures,     report.evidence, only_view};
         on_threads(settings.threads,
                    [&, &scenes = sources] { scenes_left = judge_all(scenes, desk, results); });
     }

@@ -1,5 +1,7 @@
 #include "cli/scene_run.h"
 
+#include <tbb/task_group.h>
+
 #include <optional>
 #include <span>
 
@@ -12,6 +14,7 @@
 #include "cli/viewer_evidence.h"
 #include "cli/witness_hearing.h"
 #include "compare/diagnosis.h"
+#include "compare/judge_in_full.h"
 #include "oracle/oracle_error.h"
 #include "reports/evidence.h"
 #include "scenes/scene_error.h"
@@ -25,6 +28,23 @@ struct Court {
     Renderer candidate, reference;
     std::vector<SummonedWitness> witnesses;
 };
+
+/// A scene's court, and sha256_of(Scene).
+struct Session {
+    Court court;
+    std::string scene_sha256;
+};
+
+/// Hashing keeps one thread busy, and building trees keeps any number: they go side by side.
+Session open_session(const Parties& parties, const Scene& scene) {
+    Session session;
+    tbb::task_group beside;
+    beside.run([&] { session.scene_sha256 = sha256_of(scene); });
+    session.court = {open(parties.candidate, scene), open(parties.reference, scene),
+                     summon(parties.witnesses, scene)};
+    beside.wait();
+    return session;
+}
 
 /// One view with everybody who answers about it.
 struct Trial {
@@ -59,14 +79,15 @@ std::vector<Statement> hear_witnesses(const Trial& trial, const JudgedPair& judg
         statements.push_back(hear(witness, trial.docket, judged.reference));
     }
     const std::filesystem::path folder = trial.desk.run_folder / result.folder;
-    if (trial.desk.pictures == PictureWish::shaded)
+    const bool is_kept = !result.folder.empty();
+    if (is_kept && trial.desk.pictures == PictureWish::shaded)
         paint({trial.docket, candidate, judged.verdict.classes, folder}, trial.court.witnesses, statements);
     std::vector<const Frame*> frames{&candidate, &reference};
     for (const Statement& statement : statements) {
         result.witnesses.push_back(statement.result);
         if (!statement.frame) continue;
         frames.push_back(statement.frame.get());
-        write_witness_frame(folder, statement.result.name, *statement.frame);
+        if (is_kept) write_witness_frame(folder, statement.result.name, *statement.frame);
     }
     result.accord = accord_of(frames);
     const std::string missing = missing_witness(trial.court.witnesses, result.witnesses);
@@ -78,6 +99,20 @@ std::vector<Statement> hear_witnesses(const Trial& trial, const JudgedPair& judg
 void begin(const Trial& trial, const char* what, double StageTimes::*stage) {
     trial.clock.begin(stage);
     trial.desk.progress.begin_stage(std::string{what} + " " + trial.docket.view.name);
+}
+
+bool leaves_evidence(const Verdict& verdict, Evidence wish) {
+    return wish == Evidence::all || defect_count(verdict) > 0;
+}
+
+/// What the judge says; of a view that leaves no evidence the verdict alone.
+JudgedInFull judge_as_wanted(const Trial& trial, const Testimony& candidate, const Testimony& reference) {
+    const Docket& docket = trial.docket;
+    if (trial.desk.evidence == Evidence::defects) {
+        Verdict verdict = judge(docket.scene, docket.view, candidate, reference);
+        if (!leaves_evidence(verdict, trial.desk.evidence)) return {std::move(verdict), {}, {}};
+    }
+    return judge_in_full(docket.scene, docket.view, candidate, reference);
 }
 
 /// nullopt: interrupted between two stages.
@@ -95,17 +130,20 @@ std::optional<ViewResult> run_view(const Trial& trial) {
 
     begin(trial, "judge", &StageTimes::judge);
     const Testimony ours{candidate, court.candidate.precision}, theirs{reference, court.reference.precision};
-    auto [verdict, errors, rulings] = judge_in_full(scene, view, ours, theirs);
+    auto [verdict, errors, rulings] = judge_as_wanted(trial, ours, theirs);
     ViewResult result = to_view_result(docket, verdict, desk.gate);
     result.diagnosis = diagnose(scene, view, ours, theirs, verdict);
 
-    begin(trial, "write", &StageTimes::write);
-    result.folder = "scenes/" + desk.names.next(source.name, view.name);
-    write_view_evidence(desk.run_folder / result.folder, candidate, reference, verdict);
+    if (leaves_evidence(verdict, desk.evidence)) {
+        begin(trial, "write", &StageTimes::write);
+        result.folder = "scenes/" + desk.names.next(source.name, view.name);
+        write_view_evidence(desk.run_folder / result.folder, candidate, reference, verdict);
+    }
 
     clock.begin(&StageTimes::witnesses);
     const std::vector<Statement> statements = hear_witnesses(trial, {ours, theirs, verdict}, result);
 
+    if (result.folder.empty()) return result;
     begin(trial, "write", &StageTimes::write);
     write_viewer_evidence(desk.run_folder / result.folder,
                           {docket, ours, theirs, verdict, std::move(errors), rulings, statements});
@@ -173,7 +211,6 @@ class Record {
 Ending run_views(const SceneSource& source, const Desk& desk, StageClock& clock, Record& record) {
     desk.progress.begin_stage("load");
     const Loaded loaded = load(source, desk.resolution);
-    const std::string scene_sha256 = sha256_of(loaded.scene);
     if (loaded.scene.triangles.empty()) {
         record.add(without_triangles(source, loaded.scene));
         return Ending::complete;
@@ -188,8 +225,7 @@ Ending run_views(const SceneSource& source, const Desk& desk, StageClock& clock,
 
     desk.progress.begin_stage("build");
     clock.begin(&StageTimes::reference_build);
-    Court court{open(desk.parties.candidate, loaded.scene), open(desk.parties.reference, loaded.scene),
-                summon(desk.parties.witnesses, loaded.scene)};
+    auto [court, scene_sha256] = open_session(desk.parties, loaded.scene);
     for (std::size_t i = 0; i < views.size(); ++i) {
         if (interrupted()) return leave(i);
         const Docket docket{source, loaded.scene, scene_sha256, views[i], desk.parties};

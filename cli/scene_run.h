@@ -25,6 +25,7 @@ struct Desk {
     const Parties& parties;
     const Gate& gate;
     PictureWish pictures;
+    Evidence evidence;
     std::string only_view = "";  ///< empty: all views
 };
 

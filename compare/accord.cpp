@@ -24,8 +24,8 @@ Accord sum_of(Accord a, const Accord& b) {
     return a;
 }
 
-std::uint64_t same_in_row(std::span<const PrimitiveId> a, std::span<const PrimitiveId> b) {
-    std::uint64_t count = 0;
+std::uint32_t same_in_row(std::span<const PrimitiveId> a, std::span<const PrimitiveId> b) {
+    std::uint32_t count = 0;
     for (std::size_t x = 0; x < a.size(); ++x) count += a[x] == b[x];
     return count;
 }
@@ -38,11 +38,22 @@ std::uint64_t unanimous_in_row(Frames frames, int y) {
     return std::uint64_t(std::ranges::count(all, 1));
 }
 
+/// Of each pair one order only, and of more than two frames whether all agree.
 Accord with_row(Accord sum, Frames frames, int y) {
     for (std::size_t i = 0; i < frames.size(); ++i)
-        for (std::size_t j = 0; j < frames.size(); ++j)
+        for (std::size_t j = i + 1; j < frames.size(); ++j)
             sum.same[i][j] += same_in_row(frames[i]->primitive.row(y), frames[j]->primitive.row(y));
-    sum.unanimous += unanimous_in_row(frames, y);
+    if (frames.size() > 2) sum.unanimous += unanimous_in_row(frames, y);
+    return sum;
+}
+
+/// Each frame agrees with itself at every pixel, and of two or fewer all agree where the outer ones do.
+Accord completed(Accord sum, std::uint64_t pixels) {
+    for (std::size_t i = 0; i < sum.same.size(); ++i) {
+        sum.same[i][i] = pixels;
+        for (std::size_t j = 0; j < i; ++j) sum.same[i][j] = sum.same[j][i];
+    }
+    if (sum.same.size() <= 2) sum.unanimous = sum.same.front().back();
     return sum;
 }
 
@@ -52,13 +63,14 @@ Accord accord_of(Frames frames) {
     const Resolution size = frames.front()->size();
     for (const Frame* frame : frames)
         if (frame->size() != size) throw std::invalid_argument{"accord_of: frames of different sizes"};
-    return tbb::parallel_reduce(
+    Accord counted = tbb::parallel_reduce(
         Rows{0, size.height}, none_of(frames.size()),
         [&](const Rows& rows, Accord sum) {
             for (int y = rows.begin(); y != rows.end(); ++y) sum = with_row(std::move(sum), frames, y);
             return sum;
         },
         sum_of);
+    return completed(std::move(counted), size.pixel_count());
 }
 
 }  // namespace zproof

@@ -105,9 +105,9 @@ std::string diagnosis(const ViewResult& v) {
 }
 
 std::string histogram(std::string_view what, const std::string& renderer, const BoundRecord& record) {
-    return "<div><h3>" + std::string(what) + "</h3>" + histogram_svg(what, record) + "<p class=\"fine\">" +
-           escaped(renderer) + ": at most " + rounded(record.max_error_over_bound) +
-           " times the bound.</p></div>\n";
+    const std::string bars = record.histogram == BoundHistogram{} ? "" : histogram_svg(what, record);
+    return "<div><h3>" + std::string(what) + "</h3>" + bars + "<p class=\"fine\">" + escaped(renderer) +
+           ": at most " + rounded(record.max_error_over_bound) + " times the bound.</p></div>\n";
 }
 
 std::string histograms(const ViewResult& v) {
@@ -180,10 +180,17 @@ std::string row(std::string_view kind, const std::string& content) {
     return content.empty() ? "" : "<div class=\"" + std::string(kind) + "\">" + content + "</div>\n";
 }
 
+/// A view that left no evidence says so.
+std::string without_evidence(const ViewResult& v) {
+    if (!v.folder.empty()) return "";
+    return paragraph("fine", "Its frames, pictures and findings were not kept (--evidence defects).");
+}
+
 std::string judgement(const PageView& page) {
     const ViewResult& v = *page.view;
     if (!was_judged(v)) return "";
-    return row("diagnosis", diagnosis(v)) + row("map", figures(page, 0, 1) + class_table(v)) +
+    return row("diagnosis", diagnosis(v)) + without_evidence(v) +
+           row("map", figures(page, 0, 1) + class_table(v)) +
            row("figures", figures(page, 1, page.pictures.size())) + row("panels", histograms(v)) +
            row("panels", html_witnesses(v)) + worst_table(v);
 }

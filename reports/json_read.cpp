@@ -83,6 +83,7 @@ ClassCounts counts_by_name(const Json& json) {
 
 BoundRecord bound_record(const Json& json) {
     BoundRecord record{.max_error_over_bound = number(json.at("max_error_over_bound"))};
+    if (!json.contains("histogram")) return record;  // since 1.4
     const Json& bins = json.at("histogram");
     if (bins.size() != record.histogram.size())
         refuse("expected a histogram of " + std::to_string(record.histogram.size()) + " bins");

@@ -66,8 +66,11 @@ Json counts_by_name(const ClassCounts& counts) {
     return object;
 }
 
+/// Without a histogram where nothing was counted.
 Json bound_record(const BoundRecord& record) {
-    return {{"max_error_over_bound", number(record.max_error_over_bound)}, {"histogram", record.histogram}};
+    Json object = {{"max_error_over_bound", number(record.max_error_over_bound)}};
+    if (record.histogram != BoundHistogram{}) object["histogram"] = record.histogram;
+    return object;
 }
 
 Json stage_times(const StageTimes& t) {

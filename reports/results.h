@@ -83,7 +83,7 @@ struct ViewResult {
     std::vector<ReportedFinding> worst;  ///< defects first, then by error/bound; at most 200
     std::vector<std::string> notes;      ///< of the scene
     StageTimes times;
-    std::string folder;          ///< scenes/NAME, relative to results.json; empty where nothing was written
+    std::string folder;          ///< scenes/NAME, relative to results.json; empty: no evidence was left
     std::uint64_t place = 0;     ///< of its scene among those that the command line selected
     std::string scene_sha256{};  ///< sha256_of(Scene); empty where it was not read
 };
@@ -123,7 +123,7 @@ enum class Ending { complete, interrupted };
 
 /// A whole run.
 struct Results {
-    static constexpr const char* schema_version = "1.3";
+    static constexpr const char* schema_version = "1.4";
     std::string version;              ///< zproof's
     std::string command;              ///< as typed, quoted for a shell
     std::vector<std::string> argv{};  ///< as typed, word by word, without "zproof"

@@ -34,7 +34,7 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     add_witness_options(app, words.parties);
     add_render_settings(app, words.run.settings);
     add_report(app, words.run.report);
-    add_pictures(app, words.run.report);
+    add_evidence(app, words.run.report);
     add_gate(app, words.run.report.gate);
     app.add_option_function<std::string>(
         "--shard", [&words](const std::string& word) { words.run.shard = shard_from(word); },
@@ -56,7 +56,7 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     add_witness_options(app, words.parties);
     add_threads(app, words.compare.threads);
     add_report(app, words.compare.report);
-    add_pictures(app, words.compare.report);
+    add_evidence(app, words.compare.report);
     add_gate(app, words.compare.report.gate);
     add_settings_choice(app, words.settings);
     app.footer(compare_remark);

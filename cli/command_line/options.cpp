@@ -11,6 +11,7 @@ const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyl
                                                            {"bar", ProgressStyle::bar},
                                                            {"lines", ProgressStyle::lines},
                                                            {"none", ProgressStyle::none}};
+const std::map<std::string, Evidence> evidences{{"all", Evidence::all}, {"defects", Evidence::defects}};
 
 void add_detail(CLI::App& app, ReportArguments& report) {
     auto* quiet = app.add_flag_callback(
@@ -57,7 +58,10 @@ void add_report(CLI::App& app, ReportArguments& report) {
     add_detail(app, report);
 }
 
-void add_pictures(CLI::App& app, ReportArguments& report) {
+void add_evidence(CLI::App& app, ReportArguments& report) {
+    add_choice(app, "--evidence", report.evidence, evidences)
+        ->default_str("all")
+        ->description("frames, pictures and findings: of all views, or of those with defects only");
     app.add_flag_callback(
         "--pictures", [&report] { report.pictures = PictureWish::shaded; },
         "shaded colour pictures, beside those of witnesses that can paint");

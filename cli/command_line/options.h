@@ -27,7 +27,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value,
 void add_threads(CLI::App& app, int& threads);
 void add_render_settings(CLI::App& app, RenderSettings& settings);  ///< --width, --height, --threads
 void add_report(CLI::App& app, ReportArguments& report);            ///< --out, --color and what is printed
-void add_pictures(CLI::App& app, ReportArguments& report);          ///< --pictures
+void add_evidence(CLI::App& app, ReportArguments& report);          ///< --evidence, --pictures
 void add_gate(CLI::App& app, GateArguments& gate);                  ///< --waivers, --strict, --now
 void add_waiver_file(CLI::App& app, GateArguments& gate);           ///< --waivers, --now
 void add_settings_choice(CLI::App& app, SettingsChoice& settings);  ///< --config, --profile

@@ -17,6 +17,7 @@ std::span<const Setting> known_settings() {
         {"out", path},
         {"report", list},
         {"pictures", flag},
+        {"evidence", text},
         {"waivers", path},
         {"strict", flag},
         {"now", text},

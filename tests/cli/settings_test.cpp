@@ -79,6 +79,7 @@ scenes = ["room", "tie"]
 renderer = "embree"
 oracle = ["none"]
 report = "md,csv"
+evidence = "defects"
 strict = true
 now = 2026-04-10
 shard = "hash:2/3"
@@ -90,6 +91,7 @@ out = "reports"
     EXPECT_EQ(name_of(run.parties.candidate), "embree");
     EXPECT_TRUE(run.parties.witnesses.empty());
     EXPECT_EQ(run.report.formats, (std::vector{ReportFormat::md, ReportFormat::csv}));
+    EXPECT_EQ(run.report.evidence, Evidence::defects);
     EXPECT_EQ(run.report.gate.strictness, Strictness::strict);
     EXPECT_EQ(in_words(*run.report.gate.today), "2026-04-10");
     EXPECT_EQ(run.shard.number, 2);

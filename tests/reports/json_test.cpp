@@ -86,6 +86,14 @@ TEST(Json, KeepsEveryBitOfHardNumbers) {
     EXPECT_EQ(back.views[3].outcome, Outcome::not_judged);
 }
 
+TEST(Json, HasAHistogramOnlyWhereSomethingWasCounted) {
+    const Json view = Json::parse(to_json(sample_results())).at("/views/0"_json_pointer);
+    EXPECT_EQ(view.at("candidate_depth").at("histogram").at(0), 1'234'567);
+    EXPECT_FALSE(view.at("reference_depth").contains("histogram"));
+    const Results back = results_from_json(to_json(sample_results()));
+    EXPECT_EQ(back.views[0].reference_depth, BoundRecord{});
+}
+
 TEST(Json, WritesDepthsAsShortestNumberAndBits) {
     const Json answer = Json::parse(to_json(sample_results())).at("/views/1/worst/0/reference"_json_pointer);
     EXPECT_EQ(answer.at("camera_depth").dump(), "0.1");
