@@ -17,6 +17,7 @@ template <class T>
 CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value,
                         const std::map<std::string, T>& choices) {
     std::vector<std::string> words;
+    words.reserve(choices.size());
     for (const auto& [word, meaning] : choices) words.push_back(word);
     return app
         .add_option_function<std::string>(option, [&](const std::string& word) { value = choices.at(word); })
