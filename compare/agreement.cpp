@@ -8,11 +8,13 @@
 #include <atomic>
 #include <bit>
 #include <optional>
+#include <span>
 
 #include "compare/depth_histograms.h"
 #include "compare/error_scribe.h"
 #include "compare/pixel_look.h"
 #include "compare/presort.h"
+#include "compare/run_lens.h"
 #include "compare/shown_triangles.h"
 #include "compare/strips/dispatch.h"
 
@@ -26,6 +28,8 @@ constexpr int tile_height = Tiles::side_px;
 
 /// Of a tile: more than that, and few pixels share a law.
 constexpr std::size_t many_laws = 512;
+/// Of a tile's strips, on the average: more than that, and runs are looked at by themselves.
+constexpr std::size_t many_runs_of_strip = 12;
 
 /// Fetches what follows a strip, so many pixels: what the next tile will read. Into the second cache: the
 /// first has no room for all of it.
@@ -48,13 +52,15 @@ class Comparison {
   public:
     Comparison(const Scene& scene, const Witness& candidate, const Witness& reference, const Wanted& wanted,
                LargestSoFar& largest)
-        : triangle_count_(scene.triangles.size()),
+        : scene_(scene),
+          triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
           largest_(largest),
           shown_(scene, candidate, reference),
           kernel_(strips::widest_kernel()),
           presort_(candidate.projection(), kernel_),
+          lens_(run_lens_of(scene, candidate, reference)),
           look_(scene, candidate, reference) {
         if (wanted.histograms) histograms_.emplace();
         if (wanted.errors)
@@ -65,24 +71,28 @@ class Comparison {
     /// Compares the pixels of a tile.
     void compare(const PixelBox& tile, OpenTiles& open) {
         shown_.clear();
+        std::size_t runs = 0;
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
             strip.x = tile.left, strip.y = y;
             look_at(strip.candidate, candidate_, tile, y, ragged_.candidate);
             look_at(strip.reference, reference_, tile, y, ragged_.reference);
-            look_up_laws(strip);
+            const strips::Ids ids = kernel_.compare(strip.candidate.primitive, strip.reference.primitive);
+            strip.turns = ids.turns, strip.differ = ids.differ;
+            runs += std::size_t(ids.runs);
         }
-        is_presorted_ = !histograms_ && !scribes_ && shown_.count() <= many_laws;
-        if (is_presorted_) presort_.turn_to(tile, shown_);
+        turn_to(tile, runs);
         Presort::Largest largest{known(candidate_largest_, largest_.candidate),
                                  known(reference_largest_, largest_.reference)};
         const std::size_t ahead = std::min(Strip::width, std::size_t(candidate_.view().width - tile.right));
         for (int y = tile.top; y < tile.bottom; ++y) {
-            const Strip& strip = strips_[std::size_t(y - tile.top)];
+            Strip& strip = strips_[std::size_t(y - tile.top)];
             fetch_ahead(strip.candidate, ahead);
             fetch_ahead(strip.reference, ahead);
-            sorted_.sorted = 0;
-            if (is_presorted_) presort_.sort(shown_, largest, strip, sorted_);
+            if (way_ == Way::by_corners && y + 1 < tile.bottom)
+                set_runs(scene_, strips_[std::size_t(y + 1 - tile.top)],
+                         runs_[std::size_t(y + 1 - tile.top) % 2]);
+            sort(strip, largest);
             if (sorted_.sorted != SortedStrip::all_sorted) hold(strip);
             if (scribes_) {
                 const auto width = std::size_t(tile.right - tile.left);
@@ -125,16 +135,66 @@ class Comparison {
         side.camera_depth = look(witness.frame().camera_depth, ragged.camera_depth[row], background_depth);
     }
 
+    /// How the pixels of a tile are asked about at first.
+    enum class Way {
+        in_full,       ///< each against the whole formula
+        by_tolerance,  ///< each triangle has one
+        by_corners,    ///< each run by itself
+    };
+
+    void turn_to(const PixelBox& tile, std::size_t runs) {
+        const std::span strips(strips_.data(), std::size_t(tile.bottom - tile.top));
+        way_ = Way::in_full;
+        if (!histograms_ && !scribes_ && lens_ && runs > many_runs_of_strip * strips.size()) {
+            way_ = Way::by_corners;
+            presort_.turn_to_unknown();
+            for (const Strip& strip : strips) fetch_triangles(scene_, strip);
+            set_runs(scene_, strips[0], runs_[0]);
+            return;
+        }
+        for (Strip& strip : strips) look_up_laws(strip);
+        if (histograms_ || scribes_ || shown_.count() > many_laws) return;
+        way_ = Way::by_tolerance;
+        presort_.turn_to(tile, shown_);
+    }
+
+    void sort(Strip& strip, Presort::Largest& largest) {
+        sorted_.sorted = 0;
+        if (way_ == Way::by_tolerance) presort_.sort(shown_, largest, strip, sorted_);
+        if (way_ != Way::by_corners) return;
+        const Strip::Pixels certain =
+            presort_.certain_by_corners(*lens_, largest, strip, runs_[std::size_t(strip.y) % 2]);
+        if (certain != Strip::all) look_up_laws_around(strip, ~certain);
+        presort_.sort_others(shown_, largest, strip, certain, sorted_);
+    }
+
+    /// Of runs in the chunks of some pixels.
+    void look_up_laws_around(Strip& strip, Strip::Pixels pixels) {
+        Strip::Pixels around = 0;
+        for (std::size_t first = 0; first < Strip::width; first += Strip::chunk)
+            if (Strip::in_chunk(pixels, first) != 0) around |= Strip::Pixels{all_columns} << first;
+        std::size_t run = 0;
+        for (Strip::Pixels turns = strip.turns; turns != 0;) {
+            const Strip::Pixels from_first = -(turns & -turns);
+            const PrimitiveId triangle = strip.candidate.primitive[std::countr_zero(turns)];
+            turns &= turns - 1;
+            const bool is_asked = (around & from_first & ~-(turns & -turns)) != 0;
+            strip.law_of_run[run++] = is_asked ? law_of(triangle) : 0;
+        }
+        look_up_other_laws(strip);
+    }
+
     /// Once for every run of pixels at which the candidate shows the same, and where the reference differs.
     void look_up_laws(Strip& strip) {
-        const auto [turns, differ] = kernel_.compare(strip.candidate.primitive, strip.reference.primitive);
-        strip.turns = turns, strip.differ = differ;
         std::size_t run = 0;
-        for (Strip::Pixels rest = turns; rest != 0; rest &= rest - 1)
+        for (Strip::Pixels rest = strip.turns; rest != 0; rest &= rest - 1)
             strip.law_of_run[run++] = law_of(strip.candidate.primitive[std::countr_zero(rest)]);
+        look_up_other_laws(strip);
+    }
+    void look_up_other_laws(Strip& strip) {
         PrimitiveId latest = PrimitiveId::none;
         std::uint32_t its_law = 0;
-        for (Strip::Pixels rest = differ; rest != 0; rest &= rest - 1) {
+        for (Strip::Pixels rest = strip.differ; rest != 0; rest &= rest - 1) {
             const auto i = std::size_t(std::countr_zero(rest));
             const PrimitiveId triangle = strip.reference.primitive[i];
             if (triangle != latest) latest = triangle, its_law = law_of(triangle);
@@ -209,12 +269,15 @@ class Comparison {
         ErrorScribe candidate, reference;
     };
 
+    const Scene& scene_;
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
     LargestSoFar& largest_;
     ShownTriangles shown_;
     const strips::Kernel& kernel_;
     Presort presort_;
+    std::optional<strips::RunLens> lens_;
+    std::array<strips::Runs, 2> runs_;  ///< of the strip at hand and the next one, by y
     std::array<Strip, tile_height> strips_;
     SortedStrip sorted_;  ///< the strip at hand
     Largest candidate_largest_{}, reference_largest_{};
@@ -225,7 +288,7 @@ class Comparison {
     struct {
         Ragged candidate, reference;
     } ragged_;
-    bool is_presorted_ = false;  ///< the tile: histograms and maps of errors want every ratio
+    Way way_ = Way::in_full;  ///< of the tile: histograms and maps of errors want every ratio
 };
 
 }  // namespace

@@ -17,6 +17,25 @@ bool is_none(const ColumnsOfBoth& columns) { return (columns.candidate | columns
 /// At one depth all over the image: there a depth that was lawful and counted is so again.
 bool is_level(const DepthTolerance& t) { return t.w_per_x == 0 && t.w_per_y == 0; }
 
+/// It holds nowhere, and nothing is said of the triangle.
+constexpr DepthTolerance tolerance_of_nothing = [] {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    DepthTolerance t{};
+    t.w_per_x = t.w_per_y = std::numeric_limits<double>::quiet_NaN();
+    t.least = infinite, t.most = -infinite;
+    return t;
+}();
+
+strips::Depths in_kernel(const Strip& strip) {
+    return {.x = strip.x,
+            .y = strip.y,
+            .primitive = strip.candidate.primitive,
+            .candidate = strip.candidate.camera_depth,
+            .reference = strip.reference.camera_depth,
+            .turns = strip.turns,
+            .law_of_run = strip.law_of_run.data()};
+}
+
 /// In chunks with any of the pixels, and there of all.
 Strip::Pixels where_equal_in(Strip::Pixels pixels, const float* depths, float depth) {
     Strip::Pixels found = 0;
@@ -33,13 +52,37 @@ void Presort::turn_to(const PixelBox& tile, const ShownTriangles& shown) {
     met_.assign(tolerances_.size(), {});
 }
 
+void Presort::turn_to_unknown() {
+    tolerances_.clear();
+    met_.clear();
+}
+
 void Presort::sort(ShownTriangles& shown, Largest& largest, const Strip& strip, SortedStrip& sorted) {
-    constexpr Strip::Pixels all = ~Strip::Pixels{0};
     Strip::Pixels certain = ~strip.differ & certain_if_same(strip, largest);
+    if (certain != Strip::all) certain |= certain_where_level(strip, largest, ~(strip.differ | certain));
+    sort_chunks(shown, largest, strip, certain, sorted);
+}
+
+Strip::Pixels Presort::certain_by_corners(const strips::RunLens& lens, const Largest& largest,
+                                          const Strip& strip, const strips::Runs& runs) const {
+    const Strip::Pixels certain =
+        kernel_.certain_by_corners(in_kernel(strip), runs, lens, {largest.candidate, largest.reference});
+    return certain & ~strip.differ;
+}
+
+void Presort::sort_others(ShownTriangles& shown, Largest& largest, const Strip& strip, Strip::Pixels certain,
+                          SortedStrip& sorted) {
+    tolerances_.resize(shown.count() + 1, tolerance_of_nothing);
+    met_.resize(tolerances_.size());
+    sort_chunks(shown, largest, strip, certain, sorted);
+}
+
+/// All pixels that are not certain.
+void Presort::sort_chunks(ShownTriangles& shown, Largest& largest, const Strip& strip, Strip::Pixels certain,
+                          SortedStrip& sorted) {
     sorted.open = sorted.lawful = {};
     sorted.sorted = SortedStrip::all_sorted;
-    if (certain != all) certain |= certain_where_level(strip, largest, ~(strip.differ | certain));
-    if (certain == all) return;
+    if (certain == Strip::all) return;
     const LawsAlong along = laws_along(strip);
     const std::uint32_t *const ours = along.candidate.data(), *const theirs = along.reference.data();
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
@@ -52,17 +95,10 @@ void Presort::sort(ShownTriangles& shown, Largest& largest, const Strip& strip, 
 
 /// Where both show the same triangle.
 Strip::Pixels Presort::certain_if_same(const Strip& strip, const Largest& largest) const {
-    return kernel_.certain({.x = strip.x,
-                            .y = strip.y,
-                            .primitive = strip.candidate.primitive,
-                            .candidate = strip.candidate.camera_depth,
-                            .reference = strip.reference.camera_depth,
-                            .turns = strip.turns,
-                            .law_of_run = strip.law_of_run.data()},
-                           {.tolerances = tolerances_.data(),
-                            .projection = projection_,
-                            .candidate_at_most = largest.candidate,
-                            .reference_at_most = largest.reference});
+    return kernel_.certain(in_kernel(strip), {.tolerances = tolerances_.data(),
+                                              .projection = projection_,
+                                              .candidate_at_most = largest.candidate,
+                                              .reference_at_most = largest.reference});
 }
 
 /// Of those pixels, at which both show the same triangle: where it is level, and of each renderer the depth

@@ -18,6 +18,8 @@ class Presort {
 
     /// Turns to another tile, which shows these.
     void turn_to(const PixelBox& tile, const ShownTriangles& shown);
+    /// Turns to another tile, of which nothing is known yet.
+    void turn_to_unknown();
     /// The largest ratio of each renderer.
     struct Largest {
         double candidate = 0, reference = 0;
@@ -26,6 +28,14 @@ class Presort {
     /// Fills in what is open of whole chunks of the tile's strip, and marks them as sorted; raises the
     /// largest. Few strips ask for laws.
     void sort(ShownTriangles& shown, Largest& largest, const Strip& strip, SortedStrip& sorted);
+
+    /// Where depths are certain by what the triangles' corners say, and both frames show the same.
+    Strip::Pixels certain_by_corners(const strips::RunLens& lens, const Largest& largest, const Strip& strip,
+                                     const strips::Runs& runs) const;
+    /// As sort(), where only that is known of the tile; laws of all that is shown in chunks with other pixels
+    /// are along the strip.
+    void sort_others(ShownTriangles& shown, Largest& largest, const Strip& strip, Strip::Pixels certain,
+                     SortedStrip& sorted);
 
   private:
     /// Depths whose ratios the largest have met already; none at first.
@@ -77,6 +87,8 @@ class Presort {
                                  const PartsOfBoth& parts, const RowPlace& place) const;
     ColumnMask unlawful_in_full(const Part& part, ColumnMask asked, const RowPlace& place,
                                 TileRow& ratio) const;
+    void sort_chunks(ShownTriangles& shown, Largest& largest, const Strip& strip, Strip::Pixels certain,
+                     SortedStrip& sorted);
     bool sort_chunk(const Source& source, SortedStrip& sorted);
 
     Projection projection_;

@@ -17,6 +17,7 @@ struct Strip {
     using Values = std::array<T, width>;
     /// Bit i is pixel i.
     using Pixels = std::uint64_t;
+    static constexpr Pixels all = ~Pixels{0};
 
     /// What one renderer shows, from the first pixel on.
     struct Side {

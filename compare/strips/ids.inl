@@ -6,5 +6,5 @@ Ids compare(const PrimitiveId* candidate, const PrimitiveId* reference) noexcept
         same |= Pixels{where_equal(candidate + first, reference + first)} << first;
     for (const int first : {0, 16, 32, 47})  // none reads behind the last pixel
         goes_on |= Pixels{where_equal(candidate + first + 1, candidate + first)} << (first + 1);
-    return {~goes_on, ~same};
+    return {~goes_on, ~same, __builtin_popcountll(~goes_on)};
 }

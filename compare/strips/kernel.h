@@ -21,6 +21,7 @@ using Pixels = Strip::Pixels;
 struct Ids {
     Pixels turns = 0;   ///< the candidate shows another triangle than at the pixel before; the first
     Pixels differ = 0;  ///< the reference shows another triangle than the candidate
+    int runs = 0;       ///< of the candidate: so often it turns
 };
 
 /// What both frames show along a strip.
@@ -39,6 +40,44 @@ struct Tolerated {
     double candidate_at_most = 0, reference_at_most = 0;  ///< errors over their bounds
 };
 
+/// What a perspective's runs are looked at with when nothing is known of their triangles but the corners
+/// (docs/truth.md, "Runs by themselves"). Of one view and two renderers.
+struct RunLens {
+    const float* p_world = nullptr;  ///< x, y, z of each vertex
+    double eye[3] = {}, back[3] = {};
+    double direction[3] = {}, step_x[3] = {}, step_y[3] = {};  ///< of sight, from pixel (0, 0) on
+    double direction_abs[3] = {};                              ///< per world axis, the largest in the image
+    double width = 0, height = 0, near_depth = 0, far_depth = 0;
+    double kept_px = 0;  ///< the displacement of a plane that ends at its corners' depths
+
+    /// One renderer's: no more than what every triangle's law says.
+    struct Side {
+        double eps_px = 0;      ///< displacement
+        double factor = 0;      ///< of depth, but for what products add
+        double products = 0;    ///< the error of products, in shares of their absolute sums
+        double of_corners = 0;  ///< the absolute error, in shares of a corner's depth
+        double absolute = 0;    ///< and what it is beside that
+    };
+    Side candidate, reference;
+};
+
+/// The candidate's runs along a strip, side by side; what follows the last fills a vector.
+struct Runs {
+    static constexpr int room = width + 8;
+
+    std::int32_t first[room];  ///< pixel of the strip; behind the last run, the strip's end
+    std::uint32_t
+        corner[3][room];  ///< of the triangle: place of its coordinates; some triangle's, where none is shown
+    int count = 0;
+    Pixels shown = 0;  ///< bit k: run k shows a triangle
+    Pixels bare = 0;   ///< pixels that show none
+};
+
+/// Errors over their bounds that are not to be exceeded.
+struct AtMostOfBoth {
+    double candidate = 0, reference = 0;
+};
+
 struct Kernel {
     const char* name = "";
     /// Of `width` ids each.
@@ -46,6 +85,9 @@ struct Kernel {
     /// Where the depths of both frames are certain, if both show what the candidate does. Where that is
     /// nothing, they are the background's.
     Pixels (*certain)(const Depths& depths, const Tolerated& by) noexcept = nullptr;
+    /// The same without tolerances, from the triangles' corners; it may say less.
+    Pixels (*certain_by_corners)(const Depths& depths, const Runs& runs, const RunLens& lens,
+                                 const AtMostOfBoth& at_most) noexcept = nullptr;
 };
 
 namespace scalar {

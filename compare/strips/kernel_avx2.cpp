@@ -22,14 +22,46 @@ Doubles counted() { return {_mm256_setr_pd(0, 1, 2, 3)}; }
 Doubles loaded(const double* values) { return {_mm256_loadu_pd(values)}; }
 void store(const Doubles& values, double* to) { _mm256_storeu_pd(to, values.lanes); }
 Doubles widened(const float* values) { return {_mm256_cvtps_pd(_mm_loadu_ps(values))}; }
+Doubles widened(const std::int32_t* values) {
+    return {_mm256_cvtepi32_pd(_mm_loadu_si128(reinterpret_cast<const __m128i*>(values)))};
+}
 Doubles operator+(const Doubles& a, const Doubles& b) { return {_mm256_add_pd(a.lanes, b.lanes)}; }
 Doubles operator-(const Doubles& a, const Doubles& b) { return {_mm256_sub_pd(a.lanes, b.lanes)}; }
 Doubles operator*(const Doubles& a, const Doubles& b) { return {_mm256_mul_pd(a.lanes, b.lanes)}; }
 Doubles magnitude(const Doubles& a) { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.lanes)}; }
+Doubles operator/(const Doubles& a, const Doubles& b) { return {_mm256_div_pd(a.lanes, b.lanes)}; }
+/// b only where it is smaller.
+Doubles lesser(const Doubles& a, const Doubles& b) { return {_mm256_min_pd(b.lanes, a.lanes)}; }
+/// b only where it is larger.
+Doubles greater(const Doubles& a, const Doubles& b) { return {_mm256_max_pd(b.lanes, a.lanes)}; }
+/// To each lane the value at its place: places are bytes, below four.
+Doubles at_places(const double* values, std::uint64_t places) {
+    const __m256i whole = _mm256_cvtepu8_epi64(_mm_cvtsi64_si128(static_cast<long long>(places))),
+                  halves = _mm256_add_epi64(whole, whole);  // of which each place has two
+    const __m256i both = _mm256_or_si256(halves, _mm256_slli_epi64(halves, 32));
+    const __m256i lanes_places = _mm256_add_epi64(both, _mm256_set1_epi64x(0x1'0000'0000));
+    const __m256 from = _mm256_castpd_ps(_mm256_loadu_pd(values));
+    return {_mm256_castps_pd(_mm256_permutevar8x32_ps(from, lanes_places))};
+}
+
+/// Places in tables.
+struct Indices {
+    __m128i lanes;
+};
+Indices loaded(const std::uint32_t* indices) {
+    return {_mm_loadu_si128(reinterpret_cast<const __m128i*>(indices))};
+}
+Doubles gathered(const float* table, const Indices& at) {
+    return {_mm256_cvtps_pd(_mm_i32gather_ps(table, at.lanes, 4))};
+}
 
 /// False of a NaN.
 Mask not_greater(const Doubles& a, const Doubles& b) { return {_mm256_cmp_pd(a.lanes, b.lanes, _CMP_LE_OQ)}; }
 Mask operator&(const Mask& a, const Mask& b) { return {_mm256_and_pd(a.lanes, b.lanes)}; }
+/// Where it is said, a; elsewhere b.
+Doubles chosen(const Mask& mask, const Doubles& a, const Doubles& b) {
+    return {_mm256_blendv_pd(b.lanes, a.lanes, mask.lanes)};
+}
 unsigned bits_of(const Mask& mask) { return static_cast<unsigned>(_mm256_movemask_pd(mask.lanes)); }
 
 /// Of eight.
@@ -55,9 +87,10 @@ unsigned where_background(const float* depth) {
 
 #include "compare/strips/certain.inl"
 #include "compare/strips/ids.inl"
+#include "compare/strips/runs.inl"
 
 }  // namespace
 
-const Kernel kernel{"AVX2", compare, certain};
+const Kernel kernel{"AVX2", compare, certain, certain_by_corners};
 
 }  // namespace zproof::strips::avx2

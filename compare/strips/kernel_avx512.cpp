@@ -21,16 +21,44 @@ Doubles counted() { return {_mm512_setr_pd(0, 1, 2, 3, 4, 5, 6, 7)}; }
 Doubles loaded(const double* values) { return {_mm512_loadu_pd(values)}; }
 void store(const Doubles& values, double* to) { _mm512_storeu_pd(to, values.lanes); }
 Doubles widened(const float* values) { return {_mm512_cvtps_pd(_mm256_loadu_ps(values))}; }
+Doubles widened(const std::int32_t* values) {
+    return {_mm512_cvtepi32_pd(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(values)))};
+}
 Doubles operator+(const Doubles& a, const Doubles& b) { return {_mm512_add_pd(a.lanes, b.lanes)}; }
 Doubles operator-(const Doubles& a, const Doubles& b) { return {_mm512_sub_pd(a.lanes, b.lanes)}; }
 Doubles operator*(const Doubles& a, const Doubles& b) { return {_mm512_mul_pd(a.lanes, b.lanes)}; }
 Doubles magnitude(const Doubles& a) { return {_mm512_abs_pd(a.lanes)}; }
+Doubles operator/(const Doubles& a, const Doubles& b) { return {_mm512_div_pd(a.lanes, b.lanes)}; }
+/// b only where it is smaller.
+Doubles lesser(const Doubles& a, const Doubles& b) { return {_mm512_min_pd(b.lanes, a.lanes)}; }
+/// b only where it is larger.
+Doubles greater(const Doubles& a, const Doubles& b) { return {_mm512_max_pd(b.lanes, a.lanes)}; }
+/// To each lane the value at its place: places are bytes, below eight.
+Doubles at_places(const double* values, std::uint64_t places) {
+    const __m512i lanes_places = _mm512_cvtepu8_epi64(_mm_cvtsi64_si128(static_cast<long long>(places)));
+    return {_mm512_permutexvar_pd(lanes_places, _mm512_loadu_pd(values))};
+}
+
+/// Places in tables.
+struct Indices {
+    __m256i lanes;
+};
+Indices loaded(const std::uint32_t* indices) {
+    return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(indices))};
+}
+Doubles gathered(const float* table, const Indices& at) {
+    return {_mm512_cvtps_pd(_mm256_i32gather_ps(table, at.lanes, 4))};
+}
 
 /// False of a NaN.
 Mask not_greater(const Doubles& a, const Doubles& b) {
     return {_mm512_cmp_pd_mask(a.lanes, b.lanes, _CMP_LE_OQ)};
 }
 Mask operator&(Mask a, Mask b) { return {__mmask8(a.lanes & b.lanes)}; }
+/// Where it is said, a; elsewhere b.
+Doubles chosen(Mask mask, const Doubles& a, const Doubles& b) {
+    return {_mm512_mask_mov_pd(b.lanes, mask.lanes, a.lanes)};
+}
 unsigned bits_of(Mask mask) { return _cvtmask8_u32(mask.lanes); }
 
 unsigned where_equal(const PrimitiveId* a, const PrimitiveId* b) {
@@ -45,9 +73,10 @@ unsigned where_background(const float* depth) {
 
 #include "compare/strips/certain.inl"
 #include "compare/strips/ids.inl"
+#include "compare/strips/runs.inl"
 
 }  // namespace
 
-const Kernel kernel{"AVX-512", compare, certain};
+const Kernel kernel{"AVX-512", compare, certain, certain_by_corners};
 
 }  // namespace zproof::strips::avx512

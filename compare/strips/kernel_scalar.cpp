@@ -14,9 +14,18 @@ Doubles counted() { return 0; }
 Doubles loaded(const double* values) { return *values; }
 void store(Doubles values, double* to) { *to = values; }
 Doubles widened(const float* values) { return *values; }
+Doubles widened(const std::int32_t* values) { return *values; }
 Doubles magnitude(Doubles a) { return __builtin_fabs(a); }
+double chosen(Mask mask, double a, double b) { return mask ? a : b; }
+double greater(double a, double b) { return b > a ? b : a; }
+/// A place below one.
+double at_places(const double* values, std::uint64_t) { return *values; }
 Mask not_greater(Doubles a, Doubles b) { return a <= b; }
 unsigned bits_of(Mask mask) { return mask; }
+
+using Indices = std::uint32_t;
+Indices loaded(const std::uint32_t* indices) { return *indices; }
+double gathered(const float* table, Indices at) { return table[at]; }
 
 unsigned where_equal(const PrimitiveId* a, const PrimitiveId* b) {
     unsigned same = 0;
@@ -33,9 +42,10 @@ unsigned where_background(const float* depth) {
 
 #include "compare/strips/certain.inl"
 #include "compare/strips/ids.inl"
+#include "compare/strips/runs.inl"
 
 }  // namespace
 
-const Kernel kernel{"scalar", compare, certain};
+const Kernel kernel{"scalar", compare, certain, certain_by_corners};
 
 }  // namespace zproof::strips::scalar

@@ -20,7 +20,8 @@ namespace {
 constexpr int width = 70, height = 20;
 
 /// Runs of pixels that show one of a few walls, each depth off by a share of what is lawful, or nothing. Half
-/// of the frames have few depths of each wall.
+/// of the frames have few depths of each wall, half of them so many runs that those are looked at by
+/// themselves.
 void show_runs(Frame& frame, Dice& dice, const View& view, const Scene& scene) {
     const double most_off = std::ldexp(1.0, -26 + dice.below(7));
     const bool has_few = dice.below(2) == 0;
@@ -28,9 +29,11 @@ void show_runs(Frame& frame, Dice& dice, const View& view, const Scene& scene) {
         return has_few ? most_off * (dice.below(12) - 5.5) / 5.5 : dice.between(-most_off, most_off);
     };
     std::uint32_t triangle = 0;
+    const int longest = dice.below(2) != 0 ? 6 : 2;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            if (dice.below(6) == 0) triangle = std::uint32_t(dice.below(int(scene.triangles.size()) + 1));
+            if (dice.below(longest) == 0)
+                triangle = std::uint32_t(dice.below(int(scene.triangles.size()) + 1));
             if (triangle == scene.triangles.size()) {
                 if (dice.below(40) == 0) answer(frame, x, y, triangle, 8);  // nobody's
                 continue;                                                   // bare

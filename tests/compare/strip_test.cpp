@@ -33,8 +33,8 @@ void for_each_strip(const Visit& visit) {
         Strip strip{};
         strip.candidate.primitive = ours.data();
         strip.reference.primitive = theirs.data();
-        const auto [turns, differ] = strips::widest_kernel().compare(ours.data(), theirs.data());
-        strip.turns = turns, strip.differ = differ;
+        const strips::Ids ids = strips::widest_kernel().compare(ours.data(), theirs.data());
+        strip.turns = ids.turns, strip.differ = ids.differ;
         visit(strip);
         if (testing::Test::HasFatalFailure()) return;
     }
@@ -45,7 +45,8 @@ TEST(StripKernels, SayWhereIdsTurnAndDiffer) {
         const PrimitiveId *const ours = strip.candidate.primitive, *const theirs = strip.reference.primitive;
         for (const strips::Kernel& kernel : strips::available_kernels()) {
             SCOPED_TRACE(kernel.name);
-            const auto [turns, differ] = kernel.compare(ours, theirs);
+            const auto [turns, differ, runs] = kernel.compare(ours, theirs);
+            ASSERT_EQ(runs, std::popcount(turns));
             for (std::size_t i = 0; i < Strip::width; ++i) {
                 ASSERT_EQ((turns >> i & 1) != 0, i == 0 || ours[i] != ours[i - 1]) << i;
                 ASSERT_EQ((differ >> i & 1) != 0, ours[i] != theirs[i]) << i;

@@ -1,0 +1,22 @@
+/// What a strip's runs are looked at with where each shows another triangle, so that nothing that is kept of
+/// one is asked for again.
+#pragma once
+
+#include <optional>
+
+#include "compare/strips/kernel.h"
+#include "compare/witness.h"
+
+namespace zproof {
+
+/// Of a perspective whose renderers both have terms that hold for every triangle. It looks into the scene.
+std::optional<strips::RunLens> run_lens_of(const Scene& scene, const Witness& candidate,
+                                           const Witness& reference);
+
+/// Asks for the memory in which the triangles of a strip are.
+void fetch_triangles(const Scene& scene, const Strip& strip);
+/// The runs of a strip whose ids were compared; asks for the memory in which their corners are. The scene has
+/// a triangle.
+void set_runs(const Scene& scene, const Strip& strip, strips::Runs& runs);
+
+}  // namespace zproof
