@@ -28,7 +28,8 @@ constexpr int tile_height = Tiles::side_px;
 
 /// Of a tile: more than that, and few pixels share a law.
 constexpr std::size_t many_laws = 512;
-/// Of a tile's strips, on the average: more than that, and runs are looked at by themselves.
+/// Of a tile's strips, on the average: more than that, many of them of triangles of their own, and runs are
+/// looked at by themselves.
 constexpr std::size_t many_runs_of_strip = 12;
 
 /// Fetches what follows a strip, so many pixels: what the next tile will read. Into the second cache: the
@@ -145,7 +146,8 @@ class Comparison {
     void turn_to(const PixelBox& tile, std::size_t runs) {
         const std::span strips(strips_.data(), std::size_t(tile.bottom - tile.top));
         way_ = Way::in_full;
-        if (!histograms_ && !scribes_ && lens_ && runs > many_runs_of_strip * strips.size()) {
+        if (!histograms_ && !scribes_ && lens_ && runs > many_runs_of_strip * strips.size() &&
+            are_mostly_new(strips)) {
             way_ = Way::by_corners;
             presort_.turn_to_unknown();
             for (const Strip& strip : strips) fetch_triangles(scene_, strip);
@@ -156,6 +158,18 @@ class Comparison {
         if (histograms_ || scribes_ || shown_.count() > many_laws) return;
         way_ = Way::by_tolerance;
         presort_.turn_to(tile, shown_);
+    }
+
+    /// Are many runs of triangles that the strip above does not show there? A sample says.
+    bool are_mostly_new(std::span<const Strip> strips) const {
+        int runs = 0, new_runs = 0;
+        for (std::size_t i = 3; i < strips.size(); i += 4) {
+            const strips::Ids downwards =
+                kernel_.compare(strips[i].candidate.primitive, strips[i - 1].candidate.primitive);
+            runs += downwards.runs;
+            new_runs += std::popcount(downwards.turns & downwards.differ);
+        }
+        return new_runs * 5 > runs * 2;
     }
 
     void sort(Strip& strip, Presort::Largest& largest) {
