@@ -60,8 +60,7 @@ class Comparison {
           largest_(largest),
           shown_(scene, candidate, reference),
           kernel_(strips::widest_kernel()),
-          presort_(candidate.projection(), kernel_),
-          lens_(run_lens_of(scene, candidate, reference)),
+          presort_(scene, candidate, reference, kernel_),
           look_(scene, candidate, reference) {
         if (wanted.histograms) histograms_.emplace();
         if (wanted.errors)
@@ -146,8 +145,8 @@ class Comparison {
     void turn_to(const PixelBox& tile, std::size_t runs) {
         const std::span strips(strips_.data(), std::size_t(tile.bottom - tile.top));
         way_ = Way::in_full;
-        if (!histograms_ && !scribes_ && lens_ && runs > many_runs_of_strip * strips.size() &&
-            are_mostly_new(strips)) {
+        if (!histograms_ && !scribes_ && presort_.knows_corners() &&
+            runs > many_runs_of_strip * strips.size() && are_mostly_new(strips)) {
             way_ = Way::by_corners;
             presort_.turn_to_unknown();
             for (const Strip& strip : strips) fetch_triangles(scene_, strip);
@@ -177,7 +176,7 @@ class Comparison {
         if (way_ == Way::by_tolerance) presort_.sort(shown_, largest, strip, sorted_);
         if (way_ != Way::by_corners) return;
         const Strip::Pixels certain =
-            presort_.certain_by_corners(*lens_, largest, strip, runs_[std::size_t(strip.y) % 2]);
+            presort_.certain_by_corners(largest, strip, runs_[std::size_t(strip.y) % 2]);
         if (certain != Strip::all) look_up_laws_around(strip, ~certain);
         presort_.sort_others(shown_, largest, strip, certain, sorted_);
     }
@@ -290,7 +289,6 @@ class Comparison {
     ShownTriangles shown_;
     const strips::Kernel& kernel_;
     Presort presort_;
-    std::optional<strips::RunLens> lens_;
     std::array<strips::Runs, 2> runs_;  ///< of the strip at hand and the next one, by y
     std::array<Strip, tile_height> strips_;
     SortedStrip sorted_;  ///< the strip at hand

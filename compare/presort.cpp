@@ -47,8 +47,21 @@ Strip::Pixels where_equal_in(Strip::Pixels pixels, const float* depths, float de
 
 }  // namespace
 
+Presort::Presort(const Scene& scene, const Witness& candidate, const Witness& reference,
+                 const strips::Kernel& kernel)
+    : scene_(scene),
+      projection_(candidate.projection()),
+      kernel_(kernel),
+      lens_(run_lens_of(scene, candidate, reference)) {}
+
 void Presort::turn_to(const PixelBox& tile, const ShownTriangles& shown) {
-    shown.set_tolerances(tile, tolerances_);
+    if (lens_) {
+        tolerances_.resize(shown.count() + 1);
+        tolerances_[0] = tolerance_of_nothing;
+        set_tolerances(kernel_, *lens_, scene_, shown.triangles(), tile, std::span(tolerances_).subspan(1));
+    } else {
+        shown.set_tolerances(tile, tolerances_);
+    }
     met_.assign(tolerances_.size(), {});
 }
 
@@ -63,11 +76,10 @@ void Presort::sort(ShownTriangles& shown, Largest& largest, const Strip& strip, 
     sort_chunks(shown, largest, strip, certain, sorted);
 }
 
-Strip::Pixels Presort::certain_by_corners(const strips::RunLens& lens, const Largest& largest,
-                                          const Strip& strip, const strips::Runs& runs) const {
-    const Strip::Pixels certain =
-        kernel_.certain_by_corners(in_kernel(strip), runs, lens, {largest.candidate, largest.reference});
-    return certain & ~strip.differ;
+Strip::Pixels Presort::certain_by_corners(const Largest& largest, const Strip& strip,
+                                          const strips::Runs& runs) const {
+    return ~strip.differ &
+           kernel_.certain_by_corners(in_kernel(strip), runs, *lens_, {largest.candidate, largest.reference});
 }
 
 void Presort::sort_others(ShownTriangles& shown, Largest& largest, const Strip& strip, Strip::Pixels certain,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compare/certain_depths.h"
+#include "compare/run_lens.h"
 #include "compare/shown_triangles.h"
 #include "compare/strips/kernel.h"
 
@@ -13,8 +14,9 @@ namespace zproof {
 /// One thread at a time.
 class Presort {
   public:
-    /// `kernel` must outlive it.
-    Presort(Projection projection, const strips::Kernel& kernel) : projection_(projection), kernel_(kernel) {}
+    /// All must outlive it.
+    Presort(const Scene& scene, const Witness& candidate, const Witness& reference,
+            const strips::Kernel& kernel);
 
     /// Turns to another tile, which shows these.
     void turn_to(const PixelBox& tile, const ShownTriangles& shown);
@@ -29,8 +31,10 @@ class Presort {
     /// largest. Few strips ask for laws.
     void sort(ShownTriangles& shown, Largest& largest, const Strip& strip, SortedStrip& sorted);
 
-    /// Where depths are certain by what the triangles' corners say, and both frames show the same.
-    Strip::Pixels certain_by_corners(const strips::RunLens& lens, const Largest& largest, const Strip& strip,
+    /// Do triangles' corners say enough?
+    bool knows_corners() const { return lens_.has_value(); }
+    /// If so: where depths are certain by what they say, and both frames show the same.
+    Strip::Pixels certain_by_corners(const Largest& largest, const Strip& strip,
                                      const strips::Runs& runs) const;
     /// As sort(), where only that is known of the tile; laws of all that is shown in chunks with other pixels
     /// are along the strip.
@@ -91,8 +95,10 @@ class Presort {
                      SortedStrip& sorted);
     bool sort_chunk(const Source& source, SortedStrip& sorted);
 
+    const Scene& scene_;
     Projection projection_;
     const strips::Kernel& kernel_;
+    std::optional<strips::RunLens> lens_;
     std::vector<DepthTolerance> tolerances_;  ///< by law
     std::vector<Met> met_;                    ///< by law
 };

@@ -14,7 +14,7 @@ using strips::RunLens;
 constexpr std::size_t most_things = std::size_t{1} << 29;
 
 /// What may be read behind the last run.
-constexpr std::size_t vector = strips::Runs::room - Strip::width;
+constexpr std::size_t vector = strips::CornerPlaces::room - strips::CornerPlaces::most;
 
 /// Where displacement, relative and absolute error are no less than what a side says: see docs/truth.md.
 struct SideOf {
@@ -49,6 +49,19 @@ double kept_px(const Witness& witness, const RunLens::Side& side) {
 
 void put(const Vector3<double>& v, double (&numbers)[3]) {
     numbers[0] = v.x, numbers[1] = v.y, numbers[2] = v.z;
+}
+
+/// Asks for the memory in which they are.
+[[gnu::always_inline]] inline void set_corners(const Scene& scene, std::size_t triangle,
+                                               strips::CornerPlaces& corners, std::size_t place) {
+    const glm::uvec3 vertices = scene.triangles[triangle];
+    for (int i = 0; i < 3; ++i) {
+        corners.of[i][place] = 3 * vertices[i];
+        __builtin_prefetch(&scene.vertices.position_world[vertices[i]]);
+    }
+}
+void fill_up(strips::CornerPlaces& corners, std::size_t count) {
+    for (auto& places : corners.of) std::fill_n(places + count, vector, places[0]);
 }
 
 }  // namespace
@@ -97,19 +110,28 @@ void set_runs(const Scene& scene, const Strip& strip, strips::Runs& runs) {
         turns &= turns - 1;
         const PrimitiveId shown = strip.candidate.primitive[first];
         const bool is_triangle = std::size_t(shown) < scene.triangles.size();
-        const glm::uvec3 vertices = scene.triangles[is_triangle ? std::size_t(shown) : 0];
         const auto k = std::size_t(runs.count);
         runs.first[k] = first;
-        for (int i = 0; i < 3; ++i) {
-            runs.corner[i][k] = 3 * vertices[i];
-            __builtin_prefetch(&scene.vertices.position_world[vertices[i]]);
-        }
+        set_corners(scene, is_triangle ? std::size_t(shown) : 0, runs.corners, k);
         runs.shown |= Strip::Pixels{is_triangle} << k;
         if (shown == PrimitiveId::none) runs.bare |= from_first & ~-(turns & -turns);
     }
-    const auto end = std::size_t(runs.count);
-    std::fill_n(runs.first + end, vector, int(Strip::width));
-    for (auto& corner : runs.corner) std::fill_n(corner + end, vector, corner[0]);
+    std::fill_n(runs.first + runs.count, vector, int(Strip::width));
+    fill_up(runs.corners, std::size_t(runs.count));
+}
+
+void set_tolerances(const strips::Kernel& kernel, const RunLens& lens, const Scene& scene,
+                    std::span<const PrimitiveId> triangles, const PixelBox& tile,
+                    std::span<DepthTolerance> tolerances) {
+    for (const PrimitiveId triangle : triangles) __builtin_prefetch(&scene.triangles[std::size_t(triangle)]);
+    strips::CornerPlaces corners;
+    for (std::size_t first = 0; first < triangles.size(); first += corners.most) {
+        const std::size_t count = std::min(triangles.size() - first, std::size_t(corners.most));
+        for (std::size_t i = 0; i < count; ++i)
+            set_corners(scene, std::size_t(triangles[first + i]), corners, i);
+        fill_up(corners, count);
+        kernel.set_tolerances(lens, corners, int(count), tile, &tolerances[first]);
+    }
 }
 
 }  // namespace zproof

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "compare/strips/kernel.h"
 #include "compare/witness.h"
@@ -18,5 +19,10 @@ void fetch_triangles(const Scene& scene, const Strip& strip);
 /// The runs of a strip whose ids were compared; asks for the memory in which their corners are. The scene has
 /// a triangle.
 void set_runs(const Scene& scene, const Strip& strip, strips::Runs& runs);
+
+/// Tolerances of triangles of the scene in a tile.
+void set_tolerances(const strips::Kernel& kernel, const strips::RunLens& lens, const Scene& scene,
+                    std::span<const PrimitiveId> triangles, const PixelBox& tile,
+                    std::span<DepthTolerance> tolerances);
 
 }  // namespace zproof

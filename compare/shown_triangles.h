@@ -21,6 +21,8 @@ class ShownTriangles {
     }
     /// So many were shown.
     std::size_t count() const { return triangles_.size() - 1; }
+    /// By place, from 1 on.
+    std::span<const PrimitiveId> triangles() const { return std::span(triangles_).subspan(1); }
     /// Made when first asked for; they move when some are asked for again, after more was shown.
     const LawsOfBoth& laws() {
         if (made_ < triangles_.size()) make_laws();

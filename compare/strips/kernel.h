@@ -61,13 +61,18 @@ struct RunLens {
     Side candidate, reference;
 };
 
+/// Of some triangles, side by side: where their corners' coordinates are. What follows the last fills a
+/// vector.
+struct CornerPlaces {
+    static constexpr int most = width, room = most + 8;
+
+    std::uint32_t of[3][room];
+};
+
 /// The candidate's runs along a strip, side by side; what follows the last fills a vector.
 struct Runs {
-    static constexpr int room = width + 8;
-
-    std::int32_t first[room];  ///< pixel of the strip; behind the last run, the strip's end
-    std::uint32_t
-        corner[3][room];  ///< of the triangle: place of its coordinates; some triangle's, where none is shown
+    std::int32_t first[CornerPlaces::room];  ///< pixel of the strip; behind the last run, the strip's end
+    CornerPlaces corners;                    ///< of the triangle; some triangle's, where none is shown
     int count = 0;
     Pixels shown = 0;  ///< bit k: run k shows a triangle
     Pixels bare = 0;   ///< pixels that show none
@@ -88,6 +93,9 @@ struct Kernel {
     /// The same without tolerances, from the triangles' corners; it may say less.
     Pixels (*certain_by_corners)(const Depths& depths, const Runs& runs, const RunLens& lens,
                                  const AtMostOfBoth& at_most) noexcept = nullptr;
+    /// Of `count` triangles in a tile, as tolerance_of has it; they may say less.
+    void (*set_tolerances)(const RunLens& lens, const CornerPlaces& corners, int count, const PixelBox& tile,
+                           DepthTolerance* tolerances) noexcept = nullptr;
 };
 
 namespace scalar {

@@ -74,9 +74,10 @@ unsigned where_background(const float* depth) {
 #include "compare/strips/certain.inl"
 #include "compare/strips/ids.inl"
 #include "compare/strips/runs.inl"
+#include "compare/strips/tolerances.inl"
 
 }  // namespace
 
-const Kernel kernel{"AVX-512", compare, certain, certain_by_corners};
+const Kernel kernel{"AVX-512", compare, certain, certain_by_corners, set_tolerances};
 
 }  // namespace zproof::strips::avx512

@@ -31,15 +31,15 @@ struct Planes {
     Doubles of_divisor, of_numerator;
 };
 
-Vector corner(const RunLens& lens, const std::uint32_t* places) {
-    const Indices at = loaded(places);
+Vector corner(const RunLens& lens, const std::uint32_t* at_corner) {
+    const Indices at = loaded(at_corner);
     return {gathered(lens.p_world, at), gathered(lens.p_world + 1, at), gathered(lens.p_world + 2, at)};
 }
 
-/// Of as many runs as there are lanes, from one on.
-[[gnu::always_inline]] inline Planes planes_of(const RunLens& lens, const Runs& runs, int run) {
-    const Vector p0 = corner(lens, runs.corner[0] + run), p1 = corner(lens, runs.corner[1] + run),
-                 p2 = corner(lens, runs.corner[2] + run);
+/// Of as many triangles as there are lanes, from one on.
+[[gnu::always_inline]] inline Planes planes_of(const RunLens& lens, const CornerPlaces& corners, int from) {
+    const Vector p0 = corner(lens, corners.of[0] + from), p1 = corner(lens, corners.of[1] + from),
+                 p2 = corner(lens, corners.of[2] + from);
     const Vector eye = all(lens.eye), v0 = p0 - eye, v1 = p1 - eye, v2 = p2 - eye;
     const Vector normal = cross(v1 - v0, v2 - v0);
     const Doubles reciprocal = all(1) / dot(v0, normal);
@@ -63,53 +63,63 @@ Vector corner(const RunLens& lens, const std::uint32_t* places) {
             dot(all(lens.direction_abs), normal_abs) * over_volume};
 }
 
-/// Nearness along runs.
-struct Ends {
-    Doubles least, most;
-};
-
 constexpr double unit = 0x1p-53;
 /// gamma(16), from above.
 constexpr double of_sixteen = 17 * unit;
 /// What places and errors may be off by, as DepthTolerance has it.
 constexpr double widening = 128 * unit, unsure = 8 * widening;
 
-/// One renderer's errors along runs: up to that they are certain, if the run lies between the corners.
-[[gnu::always_inline]] inline Doubles most_error(const RunLens::Side& side, double at_most,
-                                                 const Planes& planes, const Doubles& own_share,
-                                                 const Doubles& gradient, const Ends& w) {
-    const Doubles shift = all(side.eps_px) * gradient * planes.nearest;  // in shares of w
-    const Doubles least_of_products = planes.of_divisor + planes.of_numerator * planes.nearest,
-                  most_of_products = planes.of_divisor + planes.of_numerator * planes.farthest;
+/// Between which places on triangles lie, and how w changes there.
+struct Places {
+    Doubles nearest, farthest;  ///< depths
+    Doubles least_w;
+    Doubles gradient;
+};
+
+/// What is taken off a room, but for its own rounding.
+Doubles own_share(const RunLens& lens, const Planes& planes, const Doubles& farthest) {
+    const Doubles largest = magnitude(planes.w_offset) + magnitude(planes.w_per_x) * all(lens.width) +
+                            magnitude(planes.w_per_y) * all(lens.height);
+    const Doubles own_error = all(2 * of_sixteen) * (planes.of_numerator + largest * planes.of_divisor);
+    return all(5) * own_error * farthest + all(12 * unit);
+}
+
+/// No more than the room of one renderer's errors; 0 where their sum is not far from being without limit.
+[[gnu::always_inline]] inline Doubles room_of(const RunLens::Side& side, const Planes& planes,
+                                              const Places& places) {
+    const Doubles shift = all(side.eps_px) * places.gradient * places.nearest;  // in shares of w
+    const Doubles least_of_products = planes.of_divisor + planes.of_numerator * places.nearest,
+                  most_of_products = planes.of_divisor + planes.of_numerator * places.farthest;
     const Doubles least_relative = all(side.factor) + all(side.products) * least_of_products,
                   most_relative = all(side.factor) + all(side.products) * most_of_products;
     const Doubles displaced = shift * (all(1) - shift) * (all(1) - all(2) * most_relative);
-    const Doubles sum = displaced + least_relative + all(side.of_corners) + all(side.absolute) * w.least;
-    const Doubles room = sum * all(1 - 64 * unit);
-    const Doubles most = lesser(room - own_share, all(at_most) * room) - all(unsure);
-    return chosen(not_greater(most_relative, all(0.5)), lesser(most, all(0.5)), all(-1));
+    const Doubles sum =
+        displaced + least_relative + all(side.of_corners) + all(side.absolute) * places.least_w;
+    const Mask is_limited =
+        not_greater(most_relative, all(0.5)) & not_greater(all(of_sixteen) * planes.of_divisor, all(0.25));
+    return chosen(is_limited, sum * all(1 - 64 * unit), all(0));
 }
 
 /// Of as many runs as there are lanes, from one on.
 [[gnu::always_inline]] inline void set_rows(RunRows& rows, int run, const Depths& depths, const Runs& runs,
                                             const RunLens& lens, const AtMostOfBoth& at_most) {
-    const Planes planes = planes_of(lens, runs, run);
+    const Planes planes = planes_of(lens, runs.corners, run);
     const Doubles first = all(depths.x) + widened(runs.first + run),
                   last = all(depths.x - 1) + widened(runs.first + run + 1);
     const Doubles w_of_row = planes.w_per_y * all(depths.y);
     const Doubles at_first = planes.w_per_x * first + w_of_row + planes.w_offset,
                   at_last = planes.w_per_x * last + w_of_row + planes.w_offset;
-    const Ends w{lesser(at_first, at_last), greater(at_first, at_last)};
-    const Doubles across = magnitude(planes.w_per_x), down = magnitude(planes.w_per_y);
-    const Doubles gradient = across + down, kept = all(lens.kept_px) * gradient;
-    const Doubles largest = magnitude(planes.w_offset) + across * all(lens.width) + down * all(lens.height);
-    const Doubles own_error = all(2 * of_sixteen) * (planes.of_numerator + largest * planes.of_divisor);
-    const Doubles own_share = all(5) * own_error * planes.farthest + all(12 * unit);
-    const Mask lies_between = not_greater(all(1 + widening), (w.least - kept) * planes.farthest) &
-                              not_greater((w.most + kept) * planes.nearest, all(1 - widening)) &
-                              not_greater(all(of_sixteen) * planes.of_divisor, all(0.25));
+    const Doubles least_w = lesser(at_first, at_last), most_w = greater(at_first, at_last);
+    const Doubles gradient = magnitude(planes.w_per_x) + magnitude(planes.w_per_y),
+                  kept = all(lens.kept_px) * gradient;
+    const Mask lies_between = not_greater(all(1 + widening), (least_w - kept) * planes.farthest) &
+                              not_greater((most_w + kept) * planes.nearest, all(1 - widening));
+    const Places places{planes.nearest, planes.farthest, least_w, gradient};
+    const Doubles own = own_share(lens, planes, planes.farthest);
     const auto most = [&](const RunLens::Side& side, double whose) __attribute__((always_inline)) {
-        return chosen(lies_between, most_error(side, whose, planes, own_share, gradient, w), all(-1));
+        const Doubles room = room_of(side, planes, places);
+        const Doubles error = lesser(room - own, all(whose) * room) - all(unsure);
+        return chosen(lies_between, lesser(error, all(0.5)), all(-1));
     };
     store(planes.w_per_x, rows.w_per_x + run);
     store(w_of_row, rows.w_of_row + run);

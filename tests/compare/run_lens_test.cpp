@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
+#include "compare/certain_depths.h"
 #include "compare/depth_bound.h"
 #include "compare/strips/dispatch.h"
 #include "random_surroundings.h"
@@ -138,6 +140,75 @@ void try_strip(Dice& dice, const View& view, const Scene& scene, Tried& tried) {
                                << at_most.candidate << ", " << theirs.depth[i] << " has " << theirs.ratio[i]
                                << " of " << at_most.reference;
     }
+}
+
+/// By every kernel alike.
+std::vector<DepthTolerance> tolerances_by_all(const strips::RunLens& lens, const Scene& scene,
+                                              const PixelBox& tile) {
+    std::vector<PrimitiveId> ids;
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i) ids.push_back(PrimitiveId(i));
+    std::vector<DepthTolerance> expected(ids.size());
+    set_tolerances(strips::available_kernels().front(), lens, scene, ids, tile, expected);
+    using Bits = std::array<std::uint64_t, sizeof(DepthTolerance) / sizeof(double)>;
+    for (const strips::Kernel& kernel : strips::available_kernels()) {
+        std::vector<DepthTolerance> tolerances(ids.size());
+        set_tolerances(kernel, lens, scene, ids, tile, tolerances);
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            if (expected[i].least <= expected[i].most)
+                EXPECT_EQ(std::bit_cast<Bits>(tolerances[i]), std::bit_cast<Bits>(expected[i]))
+                    << kernel.name;
+            else
+                EXPECT_GT(tolerances[i].least, tolerances[i].most) << kernel.name;
+        }
+    }
+    return expected;
+}
+
+/// Holds depths of each of the scene's triangles by its tolerance in a tile.
+void try_tolerances(Dice& dice, const View& view, const Scene& scene, Tried& tried) {
+    const Frame frame({view.width, view.height});
+    const Witness candidate(scene, view, {frame, some_precision(dice)}),
+        reference(scene, view, {frame, some_precision(dice)});
+    const auto lens = run_lens_of(scene, candidate, reference);
+    ASSERT_TRUE(lens);
+    const bool is_row = dice.below(2) != 0;
+    const PixelBox tile{0, is_row ? 3 : 0, is_row ? 16 : 64, is_row ? 4 : 8};
+    const std::vector<DepthTolerance> tolerances = tolerances_by_all(*lens, scene, tile);
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
+        Strip::Values<PrimitiveId> shown;
+        shown.fill(PrimitiveId(t));
+        const AtMost at_most{dice.below(2) != 0 ? dice.between(0, 1) : 1,
+                             dice.below(2) != 0 ? dice.between(0, 1) : 1};
+        const Side ours(dice, scene, candidate, shown, at_most.candidate),
+            theirs(dice, scene, reference, shown, at_most.reference);
+        for (int i = 0; i < tile.right; ++i) {
+            const int first = i / int(tile_columns) * int(tile_columns), column = i - first;
+            const auto& [a, b] = certain_depths(
+                tolerances[t], Projection::perspective,
+                {{first, 3}, &ours.depth[std::size_t(first)], &theirs.depth[std::size_t(first)]}, at_most);
+            const double our_ratio = ours.ratio[std::size_t(i)], their_ratio = theirs.ratio[std::size_t(i)];
+            tried.lawful += our_ratio >= 0 && our_ratio <= at_most.candidate;
+            tried.certain += int(a >> column & 1);
+            ASSERT_TRUE((a >> column & 1) == 0 || (our_ratio >= 0 && our_ratio <= at_most.candidate)) << t;
+            ASSERT_TRUE((b >> column & 1) == 0 || (their_ratio >= 0 && their_ratio <= at_most.reference))
+                << t;
+        }
+    }
+}
+
+TEST(RunLens, HasTolerancesOfLawfulDepths) {
+    Tried small, any;
+    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view = pixel_view(Projection::perspective, 64, 8);
+        try_tolerances(dice, view, small_triangles(dice, view), small);
+        const Surroundings s = random_surroundings(seed);
+        if (s.view.camera.projection == Projection::perspective) try_tolerances(dice, s.view, s.scene, any);
+        if (HasFailure()) return;
+    }
+    EXPECT_GT(small.certain, small.lawful / 8) << "of pixels that are mostly beside them";
+    EXPECT_GT(any.certain, any.lawful / 8);
 }
 
 TEST(RunLens, IsCertainOfSmallTrianglesLawfulDepths) {
