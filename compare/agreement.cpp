@@ -90,8 +90,7 @@ class Comparison {
             fetch_ahead(strip.candidate, ahead);
             fetch_ahead(strip.reference, ahead);
             if (way_ == Way::by_corners && y + 1 < tile.bottom)
-                set_runs(scene_, strips_[std::size_t(y + 1 - tile.top)],
-                         runs_[std::size_t(y + 1 - tile.top) % 2]);
+                find_runs(strips_[std::size_t(y + 1 - tile.top)]);
             sort(strip, largest);
             if (sorted_.sorted != SortedStrip::all_sorted) hold(strip);
             if (scribes_) {
@@ -143,28 +142,28 @@ class Comparison {
     };
 
     void turn_to(const PixelBox& tile, std::size_t runs) {
-        const std::span strips(strips_.data(), std::size_t(tile.bottom - tile.top));
+        const std::span rows(strips_.data(), std::size_t(tile.bottom - tile.top));
         way_ = Way::in_full;
         if (!histograms_ && !scribes_ && presort_.knows_corners() &&
-            runs > many_runs_of_strip * strips.size() && are_mostly_new(strips)) {
+            runs > many_runs_of_strip * rows.size() && are_mostly_new(rows)) {
             way_ = Way::by_corners;
             presort_.turn_to_unknown();
-            for (const Strip& strip : strips) fetch_triangles(scene_, strip);
-            set_runs(scene_, strips[0], runs_[0]);
+            for (const Strip& strip : rows) fetch_triangles(scene_, strip);
+            find_runs(rows[0]);
             return;
         }
-        for (Strip& strip : strips) look_up_laws(strip);
+        for (Strip& strip : rows) look_up_laws(strip);
         if (histograms_ || scribes_ || shown_.count() > many_laws) return;
         way_ = Way::by_tolerance;
         presort_.turn_to(tile, shown_);
     }
 
     /// Are many runs of triangles that the strip above does not show there? A sample says.
-    bool are_mostly_new(std::span<const Strip> strips) const {
+    bool are_mostly_new(std::span<const Strip> rows) const {
         int runs = 0, new_runs = 0;
-        for (std::size_t i = 3; i < strips.size(); i += 4) {
+        for (std::size_t i = 3; i < rows.size(); i += 4) {
             const strips::Ids downwards =
-                kernel_.compare(strips[i].candidate.primitive, strips[i - 1].candidate.primitive);
+                kernel_.compare(rows[i].candidate.primitive, rows[i - 1].candidate.primitive);
             runs += downwards.runs;
             new_runs += std::popcount(downwards.turns & downwards.differ);
         }
@@ -175,11 +174,13 @@ class Comparison {
         sorted_.sorted = 0;
         if (way_ == Way::by_tolerance) presort_.sort(shown_, largest, strip, sorted_);
         if (way_ != Way::by_corners) return;
-        const Strip::Pixels certain =
-            presort_.certain_by_corners(largest, strip, runs_[std::size_t(strip.y) % 2]);
+        const Strip::Pixels certain = presort_.certain_by_corners(largest, strip, runs_of(strip));
         if (certain != Strip::all) look_up_laws_around(strip, ~certain);
         presort_.sort_others(shown_, largest, strip, certain, sorted_);
     }
+
+    strips::Runs& runs_of(const Strip& strip) { return runs_[std::size_t(strip.y) % runs_.size()]; }
+    void find_runs(const Strip& strip) { set_runs(scene_, strip, runs_of(strip)); }
 
     /// Of runs in the chunks of some pixels.
     void look_up_laws_around(Strip& strip, Strip::Pixels pixels) {

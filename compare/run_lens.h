@@ -1,5 +1,5 @@
-/// What a strip's runs are looked at with where each shows another triangle, so that nothing that is kept of
-/// one is asked for again.
+/// What triangles' corners say of their depths with no laws between: of a strip's runs, where each shows
+/// another triangle, and of a tile's triangles.
 #pragma once
 
 #include <optional>
