@@ -21,7 +21,7 @@ constexpr int width = 70, height = 20;
 
 /// Runs of pixels that show one of a few walls, each depth off by a share of what is lawful, or nothing. Half
 /// of the frames have few depths of each wall, half of them so many runs that those are looked at by
-/// themselves.
+/// themselves; a third show each wall everywhere at the depth that it has in the middle.
 void show_runs(Frame& frame, Dice& dice, const View& view, const Scene& scene) {
     const double most_off = std::ldexp(1.0, -26 + dice.below(7));
     const bool has_few = dice.below(2) == 0;
@@ -30,6 +30,7 @@ void show_runs(Frame& frame, Dice& dice, const View& view, const Scene& scene) {
     };
     std::uint32_t triangle = 0;
     const int longest = dice.below(2) != 0 ? 6 : 2;
+    const bool is_stuck = dice.below(3) == 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             if (dice.below(longest) == 0)
@@ -39,7 +40,8 @@ void show_runs(Frame& frame, Dice& dice, const View& view, const Scene& scene) {
                 continue;                                                   // bare
             }
             const auto image =
-                image_of(Sight<double>(view, x, y), corners<double>(corners_of(scene, triangle)));
+                image_of(is_stuck ? Sight<double>(view, width / 2, height / 2) : Sight<double>(view, x, y),
+                         corners<double>(corners_of(scene, triangle)));
             if (!image) continue;
             const double n = image->nearness.c;
             const double depth = view.camera.projection == Projection::perspective ? 1 / n : -n;
