@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "compare/depth_tolerance.h"
+#include "compare/certain_depths.h"
 
 namespace zproof::strips {
 
@@ -78,11 +78,6 @@ struct Runs {
     Pixels bare = 0;   ///< pixels that show none
 };
 
-/// Errors over their bounds that are not to be exceeded.
-struct AtMostOfBoth {
-    double candidate = 0, reference = 0;
-};
-
 struct Kernel {
     const char* name = "";
     /// Of `width` ids each.
@@ -92,7 +87,7 @@ struct Kernel {
     Pixels (*certain)(const Depths& depths, const Tolerated& by) noexcept = nullptr;
     /// The same without tolerances, from the triangles' corners; it may say less.
     Pixels (*certain_by_corners)(const Depths& depths, const Runs& runs, const RunLens& lens,
-                                 const AtMostOfBoth& at_most) noexcept = nullptr;
+                                 const AtMost& at_most) noexcept = nullptr;
     /// Of `count` triangles in a tile, as tolerance_of has it; they may say less.
     void (*set_tolerances)(const RunLens& lens, const CornerPlaces& corners, int count, const PixelBox& tile,
                            DepthTolerance* tolerances) noexcept = nullptr;

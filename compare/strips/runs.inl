@@ -102,7 +102,7 @@ Doubles own_share(const RunLens& lens, const Planes& planes, const Doubles& fart
 
 /// Of as many runs as there are lanes, from one on.
 [[gnu::always_inline]] inline void set_rows(RunRows& rows, int run, const Depths& depths, const Runs& runs,
-                                            const RunLens& lens, const AtMostOfBoth& at_most) {
+                                            const RunLens& lens, const AtMost& at_most) {
     const Planes planes = planes_of(lens, runs.corners, run);
     const Doubles first = all(depths.x) + widened(runs.first + run),
                   last = all(depths.x - 1) + widened(runs.first + run + 1);
@@ -165,7 +165,7 @@ Pixels bare_among(Pixels pixels, const Depths& depths) {
 }
 
 Pixels certain_by_corners(const Depths& depths, const Runs& runs, const RunLens& lens,
-                          const AtMostOfBoth& at_most) noexcept {
+                          const AtMost& at_most) noexcept {
     RunRows rows;
     for (int run = 0; run < runs.count; run += lanes) set_rows(rows, run, depths, runs, lens, at_most);
     const Pixels every = ~Pixels{0} >> (width - runs.count);

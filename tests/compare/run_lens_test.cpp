@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "compare/certain_depths.h"
 #include "compare/depth_bound.h"
@@ -95,19 +96,32 @@ Strip::Values<PrimitiveId> some_runs(Dice& dice, std::size_t triangle_count) {
     return shown;
 }
 
+/// Two renderers that promise something, and show nothing.
+struct Pair {
+    const Frame frame;
+    const Witness candidate, reference;
+    const std::optional<strips::RunLens> lens;
+
+    Pair(Dice& dice, const View& view, const Scene& scene)
+        : frame({view.width, view.height}),
+          candidate(scene, view, {frame, some_precision(dice)}),
+          reference(scene, view, {frame, some_precision(dice)}),
+          lens(run_lens_of(scene, candidate, reference)) {}
+    Pair(const Pair&) = delete;  // the renderers look into its frame
+    Pair& operator=(const Pair&) = delete;
+};
+
 struct Tried {
     int certain = 0, lawful = 0, bare = 0;
 };
 
 /// Holds a strip of the scene's triangles, shown at random, by every kernel.
 void try_strip(Dice& dice, const View& view, const Scene& scene, Tried& tried) {
-    const Frame frame({view.width, view.height});
-    const Witness candidate(scene, view, {frame, some_precision(dice)}),
-        reference(scene, view, {frame, some_precision(dice)});
-    const auto lens = run_lens_of(scene, candidate, reference);
+    const Pair pair(dice, view, scene);
+    const auto& [frame, candidate, reference, lens] = pair;
     ASSERT_TRUE(lens);
-    const strips::AtMostOfBoth at_most{dice.below(2) != 0 ? dice.between(0, 1) : 1,
-                                       dice.below(2) != 0 ? dice.between(0, 1) : 1};
+    const AtMost at_most{dice.below(2) != 0 ? dice.between(0, 1) : 1,
+                         dice.below(2) != 0 ? dice.between(0, 1) : 1};
     const Strip::Values<PrimitiveId> shown = some_runs(dice, scene.triangles.size());
     const Side ours(dice, scene, candidate, shown, at_most.candidate),
         theirs(dice, scene, reference, shown, at_most.reference);
@@ -166,10 +180,8 @@ std::vector<DepthTolerance> tolerances_by_all(const strips::RunLens& lens, const
 
 /// Holds depths of each of the scene's triangles by its tolerance in a tile.
 void try_tolerances(Dice& dice, const View& view, const Scene& scene, Tried& tried) {
-    const Frame frame({view.width, view.height});
-    const Witness candidate(scene, view, {frame, some_precision(dice)}),
-        reference(scene, view, {frame, some_precision(dice)});
-    const auto lens = run_lens_of(scene, candidate, reference);
+    const Pair pair(dice, view, scene);
+    const auto& [frame, candidate, reference, lens] = pair;
     ASSERT_TRUE(lens);
     const bool is_row = dice.below(2) != 0;
     const PixelBox tile{0, is_row ? 3 : 0, is_row ? 16 : 64, is_row ? 4 : 8};
