@@ -58,7 +58,7 @@ void Presort::turn_to(const PixelBox& tile, const ShownTriangles& shown) {
     if (lens_) {
         tolerances_.resize(shown.count() + 1);
         tolerances_[0] = tolerance_of_nothing;
-        set_tolerances(kernel_, *lens_, scene_, shown.triangles(), tile, std::span(tolerances_).subspan(1));
+        set_tolerances(kernel_, *lens_, scene_, {shown.triangles(), tile}, std::span(tolerances_).subspan(1));
     } else {
         shown.set_tolerances(tile, tolerances_);
     }

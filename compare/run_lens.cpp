@@ -121,8 +121,8 @@ void set_runs(const Scene& scene, const Strip& strip, strips::Runs& runs) {
 }
 
 void set_tolerances(const strips::Kernel& kernel, const RunLens& lens, const Scene& scene,
-                    std::span<const PrimitiveId> triangles, const PixelBox& tile,
-                    std::span<DepthTolerance> tolerances) {
+                    const TrianglesInTile& of, std::span<DepthTolerance> tolerances) {
+    const auto& [triangles, tile] = of;
     for (const PrimitiveId triangle : triangles) __builtin_prefetch(&scene.triangles[std::size_t(triangle)]);
     strips::CornerPlaces corners;
     for (std::size_t first = 0; first < triangles.size(); first += corners.most) {

@@ -20,9 +20,13 @@ void fetch_triangles(const Scene& scene, const Strip& strip);
 /// a triangle.
 void set_runs(const Scene& scene, const Strip& strip, strips::Runs& runs);
 
-/// Tolerances of triangles of the scene in a tile.
+/// Triangles of the scene, and a part of the image.
+struct TrianglesInTile {
+    std::span<const PrimitiveId> triangles;
+    PixelBox tile;
+};
+/// Writes the tolerance of each there.
 void set_tolerances(const strips::Kernel& kernel, const strips::RunLens& lens, const Scene& scene,
-                    std::span<const PrimitiveId> triangles, const PixelBox& tile,
-                    std::span<DepthTolerance> tolerances);
+                    const TrianglesInTile& of, std::span<DepthTolerance> tolerances);
 
 }  // namespace zproof

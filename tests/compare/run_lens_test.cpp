@@ -162,11 +162,11 @@ std::vector<DepthTolerance> tolerances_by_all(const strips::RunLens& lens, const
     std::vector<PrimitiveId> ids;
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) ids.push_back(PrimitiveId(i));
     std::vector<DepthTolerance> expected(ids.size());
-    set_tolerances(strips::available_kernels().front(), lens, scene, ids, tile, expected);
+    set_tolerances(strips::available_kernels().front(), lens, scene, {ids, tile}, expected);
     using Bits = std::array<std::uint64_t, sizeof(DepthTolerance) / sizeof(double)>;
     for (const strips::Kernel& kernel : strips::available_kernels()) {
         std::vector<DepthTolerance> tolerances(ids.size());
-        set_tolerances(kernel, lens, scene, ids, tile, tolerances);
+        set_tolerances(kernel, lens, scene, {ids, tile}, tolerances);
         for (std::size_t i = 0; i < ids.size(); ++i) {
             if (expected[i].least <= expected[i].most)
                 EXPECT_EQ(std::bit_cast<Bits>(tolerances[i]), std::bit_cast<Bits>(expected[i]))
