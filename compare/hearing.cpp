@@ -5,7 +5,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 
 #include "compare/displacement.h"
 #include "compare/summary.h"
@@ -22,6 +21,10 @@ constexpr double first_reach = 2;
 /// costs more than the few triangles which are found for nothing.
 constexpr double least_search_px = 1.0 / 12;
 
+/// Of so many sittings that many pleas, the first, are asked whether that is far enough.
+constexpr std::size_t sittings_sampled = 32;
+constexpr std::uint32_t pleas_sampled = 2;
+
 /// On all threads. Some take a thousand times as long as others: each is shared out by itself.
 template <class Item, class Do>
 void for_each_of(const std::vector<Item>& items, const Do& act) {
@@ -29,30 +32,17 @@ void for_each_of(const std::vector<Item>& items, const Do& act) {
         std::size_t(0), items.size(), [&](std::size_t i) { act(items[i]); }, tbb::simple_partitioner());
 }
 
-/// The triangles of the latest answers: neighbouring pixels give the same.
-class LatestTriangles {
-  public:
-    const TriangleOfView& of(Acquaintance& acquaintance, std::uint32_t triangle, const ViewBounds& bounds) {
-        const std::size_t mixed = triangle ^ std::hash<const ViewBounds*>{}(&bounds) >> 6;
-        Latest& latest = latest_[mixed % latest_.size()];
-        if (latest.bounds != &bounds || latest.triangle != triangle)
-            latest = {triangle, &bounds, &acquaintance.of(triangle, bounds).of_view};
-        return *latest.found;
-    }
-
-  private:
-    struct Latest {
-        std::uint32_t triangle = 0;
-        const ViewBounds* bounds = nullptr;
-        const TriangleOfView* found = nullptr;
-    };
-    std::array<Latest, 16> latest_;
-};
-
 }  // namespace
 
 struct Hearing::Memories {
     Memories(const Scene& scene, const View& view) : sights(view), acquaintance(scene, view) {}
+
+    double first_reach_px(const Plea& plea) { return first_reach * own_eps_px(plea); }
+    double own_eps_px(const Plea& plea) {
+        if (plea.answer == PrimitiveId::none) return plea.bounds->background_eps_px();
+        const BoundedTriangle& triangle = acquaintance.of(std::uint32_t(plea.answer), *plea.bounds);
+        return triangle.of_view.eps_px(sights.at(plea.x, plea.y));
+    }
 
     Sights<double> sights;
     Acquaintance acquaintance;
@@ -119,8 +109,15 @@ class Hearing::Session {
             const Plea& p = plea(i);
             if (summary && !(latest && latest->x == p.x && latest->y == p.y)) summary->look_at(p.x, p.y);
             latest = &p;
-            Plaint plaint{p.bounds, p.answer, docket_.own_eps_px[i], docket_.reach_px[i], asked_};
-            const auto gather_here = [&] { return gather(i, plaint.reach_px, near, memories); };
+            const double own_eps_px = memories.own_eps_px(p);
+            const double known_px = docket_.reach_px[i];
+            const double reach_px = known_px != 0 ? known_px : first_reach * own_eps_px;
+            Plaint plaint{p.bounds, p.answer, own_eps_px, reach_px, asked_};
+            if (reach_px > searched_px(i)) {  // its triangles are not all known
+                lacking[i] = reach_px;
+                continue;
+            }
+            const auto gather_here = [&] { return gather(plaint, i, near, memories); };
             Estimate estimate(std::ref(gather_here), p.answer);
             const auto hear_at_reach = [&] {
                 if (const auto ruled = summary ? summary->rule(plaint, estimate) : std::nullopt) {
@@ -128,8 +125,7 @@ class Hearing::Session {
                     return 0.0;
                 }
                 const double reach = summary ? summary->lacking_reach_px(plaint) : 0;
-                return reach != 0 ? reach
-                                  : try_to_hear(i, plaint.reach_px, near, memories, rulings[p.number]);
+                return reach != 0 ? reach : try_to_hear(plaint, i, near, memories, rulings[p.number]);
             };
             lacking[i] = hear_at_reach();
             while (lacking[i] != 0 && lacking[i] <= searched_px(i)) {
@@ -139,25 +135,25 @@ class Hearing::Session {
         }
     }
 
-    /// What stands around the plea, as far as that.
-    Neighbourhood gather(std::size_t place, double reach_px, std::span<const std::uint32_t> near,
+    /// What stands around the plea, as far as the plaint's reach.
+    Neighbourhood gather(const Plaint& plaint, std::size_t place, std::span<const std::uint32_t> near,
                          Memories& memories) const {
         const Plea& p = plea(place);
-        Site site{p.x, p.y, reach_px, {}};
+        Site site{p.x, p.y, plaint.reach_px, {}};
         for (const std::uint32_t t : near)
             if (memories.acquaintance.of(t).filter.is_near(p.x, p.y, site.reach_px))
                 site.triangles.push_back(t);
         const auto look_up = [&](std::uint32_t t) -> const TriangleOfView& {
             return memories.acquaintance.of(t, *p.bounds).of_view;
         };
-        return neighbourhood_of(hearing_.view_, site, docket_.own_eps_px[place], look_up);
+        return neighbourhood_of(hearing_.view_, site, plaint.own_eps_px, look_up);
     }
     /// Decides the plea, or returns the reach that it needs.
-    double try_to_hear(std::size_t place, double reach_px, std::span<const std::uint32_t> near,
+    double try_to_hear(const Plaint& plaint, std::size_t place, std::span<const std::uint32_t> near,
                        Memories& memories, Ruled& ruled) const {
         const Plea& p = plea(place);
-        Neighbourhood around = gather(place, reach_px, near, memories);
-        if (around.eps_px > reach_px) return around.eps_px;
+        Neighbourhood around = gather(plaint, place, near, memories);
+        if (around.eps_px > plaint.reach_px) return around.eps_px;
         if (hearing_.amendment_) hearing_.amendment_(around, p.answer);
         ruled = {decide(around, p.answer, memories.coplanar), around.eps_px, std::nullopt};
         if (asked_ == Asked::standing_and_displacement && ruled.decision.standing == Standing::visible)
@@ -176,8 +172,7 @@ class Hearing::Session {
 auto Hearing::docket_of_all() const -> Docket {
     const Tiles tiles(view_);
     const std::size_t count = pleas_.size();
-    Docket docket{
-        std::vector<std::uint32_t>(count), std::vector<double>(count), std::vector<double>(count), {}};
+    Docket docket{std::vector<std::uint32_t>(count), std::vector<double>(count, 0), {}};
     // counted two places ahead, so that filling leaves each tile's end where the next one's first belongs
     std::vector<std::uint32_t> first(tiles.count() + 2);
     for (const Plea& plea : pleas_) ++first[tiles.of(plea.x, plea.y) + 2];
@@ -189,18 +184,22 @@ auto Hearing::docket_of_all() const -> Docket {
     return docket;
 }
 
+/// A sample says, of the pleas of both renderers: where it is wrong, that costs another search, or knowledge
+/// of triangles that is made twice.
+bool Hearing::may_reach_far(const Docket& docket, Memories& memories) const {
+    const std::size_t stride = docket.sittings.size() / sittings_sampled + 1;
+    for (std::size_t s = 0; s < docket.sittings.size(); s += stride) {
+        const auto [tile, first, end] = docket.sittings[s];
+        for (std::size_t i = first; i < std::min(end, first + pleas_sampled); ++i)
+            if (memories.first_reach_px(pleas_[docket.plea[i]]) > least_search_px) return true;
+    }
+    return false;
+}
+
 void Hearing::set_reach(Docket& docket, const Sitting& sitting, Memories& memories) const {
     memories.acquaintance.forget_if_much();
-    LatestTriangles latest;
-    for (std::size_t i = sitting.first; i < sitting.end; ++i) {
-        const Plea& p = pleas_[docket.plea[i]];
-        const double own_eps = p.answer == PrimitiveId::none
-                                   ? p.bounds->background_eps_px()
-                                   : latest.of(memories.acquaintance, std::uint32_t(p.answer), *p.bounds)
-                                         .eps_px(memories.sights.at(p.x, p.y));
-        docket.own_eps_px[i] = own_eps;
-        docket.reach_px[i] = first_reach * own_eps;
-    }
+    for (std::size_t i = sitting.first; i < sitting.end; ++i)
+        docket.reach_px[i] = memories.first_reach_px(pleas_[docket.plea[i]]);
 }
 
 auto Hearing::left_over(const Docket& docket, const std::vector<double>& lacking) const -> Docket {
@@ -210,7 +209,6 @@ auto Hearing::left_over(const Docket& docket, const std::vector<double>& lacking
         for (std::size_t i = sitting.first; i < sitting.end; ++i) {
             if (lacking[i] == 0) continue;
             left.plea.push_back(docket.plea[i]);
-            left.own_eps_px.push_back(docket.own_eps_px[i]);
             left.reach_px.push_back(lacking[i]);
         }
         const auto end = std::uint32_t(left.plea.size());
@@ -224,7 +222,8 @@ std::vector<Ruled> Hearing::hear(Asked asked) {
     std::vector<Ruled> rulings(added_);
     ThreadMemories memories([&] { return Memories(scene_, view_); });
     Docket docket = docket_of_all();
-    for_each_of(docket.sittings, [&](const Sitting& s) { set_reach(docket, s, memories.local()); });
+    if (may_reach_far(docket, memories.local()))
+        for_each_of(docket.sittings, [&](const Sitting& s) { set_reach(docket, s, memories.local()); });
     while (!docket.plea.empty())
         docket = left_over(docket, Session(*this, docket, asked, memories).hear(rulings));
     return rulings;

@@ -49,8 +49,8 @@ class Hearing {
     /// The pleas that are left, tile by tile, each in the order in which they were added.
     struct Docket {
         std::vector<std::uint32_t> plea;  ///< a place among pleas_
-        std::vector<double> own_eps_px, reach_px;
-        std::vector<Sitting> sittings;  ///< by tile; none without a plea
+        std::vector<double> reach_px;     ///< 0 where it is not known yet
+        std::vector<Sitting> sittings;    ///< by tile; none without a plea
     };
     /// What one thread remembers of a hearing.
     struct Memories;
@@ -59,6 +59,8 @@ class Hearing {
     class Session;
 
     Docket docket_of_all() const;
+    /// Is it worth it to ask every plea for its reach before triangles are searched for?
+    bool may_reach_far(const Docket& docket, Memories& memories) const;
     void set_reach(Docket& docket, const Sitting& sitting, Memories& memories) const;
     Docket left_over(const Docket& docket, const std::vector<double>& lacking) const;
 

@@ -1,0 +1,56 @@
+/// Answers heard together earn what each earns by itself.
+#include "compare/hearing.h"
+
+#include <gtest/gtest.h>
+
+#include "stage.h"
+
+namespace zproof {
+namespace {
+
+RasterPrecision with_subpixel_bits(int bits) {
+    return {.transform = Arithmetic::float64, .subpixel_bits = bits};
+}
+
+/// In the square of half-side 1/8 around the only place asked about, but farther from it than 1/12, two walls
+/// meet in front of a third.
+class ACoarseAnswerAmongFineOnes : public testing::TestWithParam<Projection> {
+  protected:
+    static constexpr double seam_x = 2.609375, front_depth = 1, back_depth = 4;
+    static constexpr std::uint32_t back = 2;
+
+    View view = pixel_view(GetParam(), 16, 16);
+    Scene scene = scene_of(
+        view, {wall_left_of(seam_x, front_depth), wall_right_of(seam_x, front_depth), wall(back_depth)});
+    ViewBounds fine{view, with_subpixel_bits(8)}, coarse{view, with_subpixel_bits(2)};
+
+    /// Of that triangle by the coarse renderer, after so many of the fine one in the same tile.
+    Ruled heard_after(std::size_t fine_ones, PrimitiveId answer) const {
+        Hearing hearing(scene, view);
+        for (std::size_t i = 0; i < fine_ones; ++i) hearing.add(fine, PrimitiveId(0), 0, int(i));
+        hearing.add(coarse, answer, 2, 2);
+        return hearing.hear(Asked::standing_and_displacement).back();
+    }
+};
+
+TEST_P(ACoarseAnswerAmongFineOnes, IsHeardByAllThatItsOwnSquareReaches) {
+    const Ruled alone = heard_after(0, PrimitiveId(back));
+    EXPECT_EQ(alone.decision.standing, Standing::hidden);
+    EXPECT_GE(alone.eps_px, 0.125);
+    for (std::uint32_t triangle = 0; triangle < scene.triangles.size(); ++triangle) {
+        SCOPED_TRACE(triangle);
+        const Ruled expected = heard_after(0, PrimitiveId(triangle));
+        for (std::size_t fine_ones = 1; fine_ones < 5; ++fine_ones) {
+            const Ruled ruled = heard_after(fine_ones, PrimitiveId(triangle));
+            EXPECT_EQ(ruled.decision.standing, expected.decision.standing);
+            EXPECT_EQ(ruled.eps_px, expected.eps_px);
+            EXPECT_EQ(ruled.displacement_over_eps, expected.displacement_over_eps);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Projections, ACoarseAnswerAmongFineOnes,
+                         testing::Values(Projection::perspective, Projection::parallel));
+
+}  // namespace
+}  // namespace zproof
