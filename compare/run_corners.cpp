@@ -1,6 +1,7 @@
 #include "compare/run_corners.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace zproof {
 

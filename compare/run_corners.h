@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "compare/float_projection.h"
+#include "math/bulk.h"
 
 namespace zproof {
 
@@ -16,10 +16,12 @@ class FloatCorners {
     FloatCorners(const FloatBox& a, const FloatBox& b, const FloatBox& c) : corners_{a, b, c} {}
 
     FloatBox all() const {
-        FloatBox all = corners_[0];
-        all.add(corners_[1]);
-        all.add(corners_[2]);
+        FloatBox all;
+        add_to(all);
         return all;
+    }
+    void add_to(FloatBox& box) const {
+        for (const FloatBox& corner : corners_) box.add(corner);
     }
     CornerBoxes in_double() const;
 
@@ -44,7 +46,7 @@ class RunCorners {
   private:
     bool is_shared_ = false;
     std::uint32_t first_ = 0;
-    std::vector<FloatBox> boxes_;
+    Bulk<FloatBox> boxes_;
 };
 
 }  // namespace zproof

@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -28,12 +27,6 @@ struct Meeting {
     std::uint32_t tile, triangle;
 };
 
-FloatBox around_all(std::span<const FloatBox> boxes) {
-    FloatBox all = boxes[0];
-    for (const FloatBox& one : boxes.subspan(1)) all.add(one);
-    return all;
-}
-
 /// Finds the tiles that one triangle meets. Its edges are asked only where its box does not say no.
 class TileSearch {
   public:
@@ -51,14 +44,15 @@ class TileSearch {
     void search(std::size_t first, std::size_t end, std::vector<Meeting>& found) const {
         const std::span run = std::span(scene_.triangles).subspan(first, end - first);
         const RunCorners corners(scene_.vertices.position_world, FloatProjection(projection_), run);
-        std::array<FloatBox, neighbours> boxes;
         for (std::size_t i = 0; i < run.size(); i += neighbours) {
-            const std::size_t some = std::min(run.size() - i, neighbours);
-            for (std::size_t k = 0; k < some; ++k) boxes[k] = corners.of(i + k, run[i + k]).all();
-            if (!asked_cells_.any(around_all(std::span(boxes).first(some)))) continue;
-            for (std::size_t k = 0; k < some; ++k)
-                if (asked_cells_.any(boxes[k]))
-                    search(std::uint32_t(first + i + k), corners.of(i + k, run[i + k]), found);
+            const std::size_t last = std::min(run.size(), i + neighbours);
+            FloatBox all;
+            for (std::size_t k = i; k < last; ++k) corners.of(k, run[k]).add_to(all);
+            if (!asked_cells_.any(all)) continue;
+            for (std::size_t k = i; k < last; ++k) {
+                const FloatCorners of_one = corners.of(k, run[k]);
+                if (asked_cells_.any(of_one.all())) search(std::uint32_t(first + k), of_one, found);
+            }
         }
     }
 

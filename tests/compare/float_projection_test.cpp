@@ -19,11 +19,22 @@ bool holds(const FloatBox& outer, const Box& inner) {
     return box.left <= inner.left && inner.right <= box.right && box.top <= inner.top &&
            inner.bottom <= box.bottom;
 }
-/// By some units in the last place of its farthest side.
-bool is_little_more(const FloatBox& outer, Box inner) {
-    const double size = std::max(
-        {1.0, std::abs(inner.left), std::abs(inner.right), std::abs(inner.top), std::abs(inner.bottom)});
-    inner.widen(0x1p-20 * size);
+/// By some units of single precision: of the corner's distance from the eye, seen from its depth, of its
+/// place in the window and in the image, and of its own size.
+bool is_little_more(const FloatBox& outer, Box inner, const BoxProjection::Terms& terms,
+                    const glm::vec3& p_world) {
+    const Camera& c = terms.camera;
+    const glm::dvec3 v = glm::dvec3(p_world) - glm::dvec3(c.eye_world);
+    const double distance = std::abs(v.x) + std::abs(v.y) + std::abs(v.z),
+                 depth = terms.perspective ? -dot(c.back, v) : 1;
+    const double in_image = std::abs(inner.middle_x()) + std::abs(inner.middle_y()),
+                 px_per_u = std::max(terms.px_per_u, terms.px_per_v),
+                 of_window = std::abs(c.window.left) + std::abs(c.window.top),
+                 in_window = in_image / std::min(terms.px_per_u, terms.px_per_v) + of_window,
+                 oblique = terms.perspective ? in_window : 2 * (std::abs(c.shear.x) + std::abs(c.shear.y));
+    const double spread = distance / depth * (1 + oblique);
+    const double own_size = inner.right - inner.left + inner.bottom - inner.top;
+    inner.widen(0x1p-19 * (px_per_u * (spread + in_window + of_window) + in_image + own_size) + 0x1p-31);
     const Box box = outer.in_double();
     return inner.left <= box.left && box.right <= inner.right && inner.top <= box.top &&
            box.bottom <= inner.bottom;
@@ -42,7 +53,9 @@ TEST(FloatProjection, HoldsTheBoxesOfCorners) {
             const auto box = projection(p_world[i]);
             const bool is_everywhere = holds(boxes[i], FloatBox::everywhere().in_double());
             ASSERT_TRUE(box ? holds(boxes[i], *box) : is_everywhere) << i;
-            ASSERT_TRUE(!box || is_everywhere || is_little_more(boxes[i], *box)) << i;
+            ASSERT_TRUE(!box || is_everywhere ||
+                        is_little_more(boxes[i], *box, projection.terms(), p_world[i]))
+                << i;
             ++(is_everywhere ? everywhere : held);
         }
     }
