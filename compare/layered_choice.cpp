@@ -14,11 +14,11 @@ namespace zproof {
 
 namespace {
 
-/// Open pixels of a tile from which on it is worth the trouble to look at whole rows, and of each row that
-/// has any.
-constexpr std::uint32_t many = 16, many_of_row = 4;
+/// Open pixels of a tile from which on it is worth the trouble to look at whole rows, and of each row and
+/// column that has any, on the average: fewer lie along a line, and mostly next to an edge.
+constexpr std::uint32_t many = 8, many_of_line = 2;
 
-/// For so many triangles a pixel by itself is as much trouble as finding those that come near.
+/// For so many triangles of the scene a pixel by itself is as much trouble as finding those that come near.
 constexpr std::size_t triangles_per_pixel = 4;
 
 /// Do both have a corner in common, or a side with each on its own side of it? Such are seldom seen one over
@@ -49,15 +49,17 @@ bool is_worth_it(const Comparands& of, const OpenTiles& open, int column, int ro
     const std::uint32_t count = open.count(column, row);
     if (count < many) return false;
     std::uint32_t rows = 0;
+    ColumnMask columns = 0;
     bool lie_over = false;
     for (int y = row * Tiles::side_px; y < (row + 1) * Tiles::side_px; ++y) {
         const ColumnMask pixels = open.row(column, y).pixels;
         if (pixels == 0) continue;
         ++rows;
+        columns |= pixels;
         const int x = column * Tiles::side_px + std::countr_zero(pixels);
         lie_over = lie_over || lie_over_each_other(of, {x, y});
     }
-    return count >= many_of_row * rows && lie_over;
+    return lie_over && count >= many_of_line * std::max(rows, std::uint32_t(std::popcount(columns)));
 }
 
 }  // namespace
@@ -92,5 +94,8 @@ AskedBoxes boxes_worth_layers(const Comparands& of, const OpenTiles& open, doubl
     if (triangles_per_pixel * sum < of.scene.triangles.size()) return AskedBoxes(tiles.count());
     return asked;
 }
+
+/// What is to be known of a triangle costs about as much as a pixel by itself.
+bool is_worth_layers(std::size_t pixels, std::size_t triangles) { return pixels >= triangles; }
 
 }  // namespace zproof

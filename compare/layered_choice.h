@@ -15,4 +15,7 @@ Around centres_of(const OpenTiles& open, int column, int row);
 /// any where there are too few pixels for a look at every triangle of the scene.
 AskedBoxes boxes_worth_layers(const Comparands& of, const OpenTiles& open, double reach_px);
 
+/// Is such a tile still worth it, once it is known how many triangles come near its open pixels?
+bool is_worth_layers(std::size_t pixels, std::size_t triangles);
+
 }  // namespace zproof

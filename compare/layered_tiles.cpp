@@ -166,7 +166,7 @@ class LayeredPass {
         memories.acquaintance.forget_if_much();
         std::optional<Layers> layers;
         const std::size_t tile = open_.tiles().index(column, row);
-        if (!asked_.of(tile).empty())
+        if (!asked_.of(tile).empty() && is_worth_layers(open_.count(column, row), near.of(tile).size()))
             layers.emplace(Layers::Shared{sights_, memories.acquaintance, memories.coplanar},
                            centres_of(open_, column, row), near.of(tile), bounds());
         const bool may_ask = layers && layers->are_known() && layers->widest_px() <= reach_px;

@@ -36,8 +36,8 @@ Summary::Summary(const Shared& shared, const Around& tile, std::span<const std::
         const KnownTriangle& known = shared_.acquaintance.of(t);
         for (Renderer& r : renderers_) {
             const BoundedTriangle& bounded = shared_.acquaintance.of(t, *r.bounds);
-            widest_px_ = std::max(widest_px_, bounded.most_eps_px(known.filter, tile));
-            r.triangles.push_back(&bounded);
+            r.triangles.push_back({&bounded, bounded.most_eps_px(known.filter, tile)});
+            widest_px_ = std::max(widest_px_, r.triangles.back().most_eps_px);
             r.is_never_cut &= bounded.is_never_cut;
         }
         present_.push_back({t, &known, false});
@@ -93,12 +93,19 @@ std::optional<std::size_t> Summary::index_of(PrimitiveId answer) const {
     return std::size_t(found - present_.begin());
 }
 
-/// As neighbourhood_of has it. The image of a triangle that is not trusted may say anything.
-double Summary::eps_px(const Renderer& renderer, const Plaint& plaint) {
+/// As neighbourhood_of has it; the answer's own is in it from the start. The image of a triangle that is not
+/// trusted may say anything.
+double Summary::eps_px(const Renderer& renderer, const Plaint& plaint,
+                       std::optional<std::size_t> answer) const {
     double eps = plaint.own_eps_px;
-    for (const std::size_t i : covering_) eps = std::max(eps, renderer.triangles[i]->of_view.eps_px(sight_));
+    const auto may_be_larger = [&](std::size_t i) {
+        return i != answer && !(renderer.triangles[i].most_eps_px <= eps);
+    };
+    for (const std::size_t i : covering_)
+        if (may_be_larger(i)) eps = std::max(eps, renderer.triangles[i].triangle->of_view.eps_px(sight_));
     const auto count_in = [&](std::size_t i) {
-        const TriangleOfView& triangle = renderer.triangles[i]->of_view;
+        if (!may_be_larger(i)) return;
+        const TriangleOfView& triangle = renderer.triangles[i].triangle->of_view;
         const double its_eps = triangle.eps_px(sight_);
         if (its_eps <= eps) return;
         const auto image = triangle.seen->image.at(sight_);
@@ -113,7 +120,7 @@ double Summary::eps_px(const Renderer& renderer, const Plaint& plaint) {
 bool Summary::is_uncut(const Renderer& renderer) const {
     if (renderer.is_never_cut) return true;
     const auto is_uncut = [&](std::size_t i) {
-        return renderer.triangles[i]->is_uncut(filter(i), square(widest_px_));
+        return renderer.triangles[i].triangle->is_uncut(filter(i), square(widest_px_));
     };
     return std::ranges::all_of(covering_, is_uncut) && std::ranges::all_of(cutting_, is_uncut);
 }
@@ -121,7 +128,7 @@ bool Summary::is_uncut(const Renderer& renderer) const {
 /// All of the box, between near and far.
 bool Summary::covers(const Renderer& renderer, std::size_t i, const Around& box) const {
     return filter(i).place_of(box) == Place::covers &&
-           renderer.triangles[i]->is_clear_of_planes(filter(i), box);
+           renderer.triangles[i].triangle->is_clear_of_planes(filter(i), box);
 }
 
 bool Summary::is_inside(std::size_t i, const PixelOffset& at) const {
@@ -238,9 +245,7 @@ bool Summary::are_coplanar(std::size_t a, std::size_t b) const {
 bool Summary::hides(const Renderer& renderer, std::size_t front, std::size_t back, const Around& box) const {
     if (!filter(back).is_trusted) return false;
     if (order_in(box, filter(front), filter(back)) != 1 && !are_coplanar(front, back)) return false;
-    const Neighbour f = neighbour_of(sight_, renderer.triangles[front]->of_view),
-                    b = neighbour_of(sight_, renderer.triangles[back]->of_view);
-    return f.greatest_nearness >= b.least_nearness;
+    return nearness_of(renderer, front).greatest >= nearness_of(renderer, back).least;
 }
 
 bool Summary::is_hidden_in(const Renderer& renderer, std::optional<std::size_t> answer,
@@ -252,9 +257,17 @@ bool Summary::is_hidden_in(const Renderer& renderer, std::optional<std::size_t> 
     });
 }
 
+auto Summary::nearness_of(const Renderer& renderer, std::size_t i) const -> const Nearness& {
+    const Bounded& bounded = renderer.triangles[i];
+    if (bounded.nearness.pixel != pixel_) {
+        const Neighbour n = neighbour_of(sight_, bounded.triangle->of_view);
+        bounded.nearness = {pixel_, n.least_nearness, n.greatest_nearness};
+    }
+    return bounded.nearness;
+}
+
 bool Summary::may_be_hidden_for_certain(const Renderer& renderer, std::size_t front, std::size_t back) const {
-    return neighbour_of(sight_, renderer.triangles[front]->of_view).least_nearness >
-           neighbour_of(sight_, renderer.triangles[back]->of_view).greatest_nearness;
+    return nearness_of(renderer, front).least > nearness_of(renderer, back).greatest;
 }
 
 /// Where all that is present covers the box: is some of it not behind, and none in front for certain? Of two
@@ -264,7 +277,7 @@ bool Summary::is_tied(const Renderer& renderer, std::size_t answer, const Around
                       const IsCertain& may_be_certain) const {
     bool is_tied = false;
     for (const std::size_t i : covering_) {
-        if (!renderer.triangles[i]->is_clear_of_planes(filter(i), box)) return false;
+        if (!renderer.triangles[i].triangle->is_clear_of_planes(filter(i), box)) return false;
         if (i == answer) continue;
         const int order = order_in(box, filter(i), filter(answer));
         if (order < 0) continue;
@@ -316,7 +329,7 @@ Ruled Summary::visible(const Renderer& renderer, const Plaint& plaint, std::opti
 double Summary::lacking_reach_px(const Plaint& plaint) {
     if (!std::isfinite(widest_px_) || plaint.own_eps_px > widest_px_) return 0;
     sort_out_pixel();
-    const double eps = eps_px(renderer_of(plaint.bounds), plaint);
+    const double eps = eps_px(renderer_of(plaint.bounds), plaint, index_of(plaint.answer));
     return eps > plaint.reach_px ? eps : 0;
 }
 
@@ -328,7 +341,7 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint, Estimate& estimate) {
     const std::optional<std::size_t> answer = is_background ? std::nullopt : index_of(plaint.answer);
     if (!is_background && !answer) return std::nullopt;
     if (!is_uncut(renderer)) return std::nullopt;
-    const double eps = eps_px(renderer, plaint);
+    const double eps = eps_px(renderer, plaint, answer);
     if (eps > plaint.reach_px) return std::nullopt;
     if (answer && standing_in_tile(renderer, *answer) == Standing::tied)
         return Ruled{{Standing::tied, false}, eps, std::nullopt};

@@ -34,7 +34,7 @@ class Summary {
             std::span<const ViewBounds* const> renderers);
 
     /// Turns to another pixel.
-    void look_at(int x, int y) { x_ = x, y_ = y, is_sorted_out_ = false; }
+    void look_at(int x, int y) { x_ = x, y_ = y, is_sorted_out_ = false, ++pixel_; }
     /// What decide() and displacement_over_eps() would say in the neighbourhood of the pixel. Nothing where
     /// that takes more than this. The estimate, of the same answer there, is asked for places to look at, and
     /// of squares that leave the displacement open.
@@ -50,9 +50,20 @@ class Summary {
         const KnownTriangle* known;
         bool covers_tile;
     };
+    /// What a renderer may hold for a triangle's nearness at the pixel in hand.
+    struct Nearness {
+        std::uint32_t pixel = 0;  ///< as pixel_ counts them: of an earlier one it says nothing
+        double least = 0, greatest = 0;
+    };
+    /// A triangle that is present, by a renderer's bounds.
+    struct Bounded {
+        const BoundedTriangle* triangle;
+        double most_eps_px;  ///< anywhere in the tile
+        mutable Nearness nearness{};
+    };
     struct Renderer {
         const ViewBounds* bounds;
-        std::vector<const BoundedTriangle*> triangles;  ///< of present_, in order
+        std::vector<Bounded> triangles;                 ///< of present_, in order
         bool is_never_cut = true;                       ///< any of them
         std::vector<std::optional<Standing>> standing;  ///< by present_, of all pixels; if all cover the tile
     };
@@ -63,7 +74,7 @@ class Summary {
     void sort_out_pixel();
     const TriangleFilter& filter(std::size_t i) const { return present_[i].known->filter; }
     Renderer& renderer_of(const ViewBounds* bounds);
-    double eps_px(const Renderer& renderer, const Plaint& plaint);
+    double eps_px(const Renderer& renderer, const Plaint& plaint, std::optional<std::size_t> answer) const;
     bool is_uncut(const Renderer& renderer) const;
     bool covers(const Renderer& renderer, std::size_t i, const Around& box) const;
     std::optional<std::size_t> index_of(PrimitiveId answer) const;
@@ -82,6 +93,7 @@ class Summary {
     bool are_coplanar(std::size_t a, std::size_t b) const;
     bool is_hidden_in(const Renderer& renderer, std::optional<std::size_t> answer, double half_side_px) const;
     bool hides(const Renderer& renderer, std::size_t front, std::size_t back, const Around& box) const;
+    const Nearness& nearness_of(const Renderer& renderer, std::size_t i) const;
     bool may_be_hidden_for_certain(const Renderer& renderer, std::size_t front, std::size_t back) const;
     template <class IsCertain>
     bool is_tied(const Renderer& renderer, std::size_t answer, const Around& box,
@@ -98,6 +110,7 @@ class Summary {
     double widest_px_ = 0;  ///< no square in the tile has a larger half-side
     bool all_cover_ = true;
     int x_ = 0, y_ = 0;
+    std::uint32_t pixel_ = 0;     ///< how many pixels it turned to
     bool is_sorted_out_ = false;  ///< do sight_, covering_ and cutting_ speak of the pixel?
     Sight<double> sight_;
     std::vector<std::size_t> covering_, cutting_;  ///< the pixel's widest square
