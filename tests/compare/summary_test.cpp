@@ -21,17 +21,10 @@ class OnePixel {
         for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) all_.push_back(t);
     }
 
-    double own_eps_px(PrimitiveId answer) const {
-        return zproof::own_eps_px(scene_, view_, bounds_, {x_, y_}, answer);
-    }
-    Neighbourhood around(PrimitiveId answer) const {
-        Site site{x_, y_, 2 * own_eps_px(answer), {}};
-        const TriangleFilters filters(view_);
-        for (const std::uint32_t t : all_)
-            if (filters.of(corners_of(scene_, t)).is_near(x_, y_, site.reach_px)) site.triangles.push_back(t);
-        return neighbourhood_of(scene_, view_, bounds_, site, own_eps_px(answer));
-    }
-    /// As a pixel of a tile whose centres reach that far from its own.
+    double own_eps_px(PrimitiveId answer) const { return own_eps_px(answer, x_); }
+    Neighbourhood around(PrimitiveId answer) const { return around(answer, x_); }
+    /// As a pixel of a tile whose centres reach that far from its own; in all others than its own after the
+    /// pixel beside it.
     std::optional<Ruled> summarily(PrimitiveId answer, double tile_px) const {
         const Sights<double> sights(view_);
         Acquaintance acquaintance(scene_, view_);
@@ -39,11 +32,16 @@ class OnePixel {
         const std::array<const ViewBounds*, 1> renderers{&bounds_};
         Summary summary({view_, sights, acquaintance, coplanar}, {double(x_), double(y_), tile_px, tile_px},
                         all_, renderers);
-        summary.look_at(x_, y_);
-        const double own = own_eps_px(answer);
-        Estimate estimate([&] { return around(answer); }, answer);
-        return summary.rule({&bounds_, answer, own, 2 * own, zproof::Asked::standing_and_displacement},
-                            estimate);
+        std::optional<Ruled> latest;
+        for (const int x : {x_ - 1, x_}) {
+            if (x != x_ && tile_px == 0) continue;
+            summary.look_at(x, y_);
+            const double own = own_eps_px(answer, x);
+            Estimate estimate([&] { return around(answer, x); }, answer);
+            latest = summary.rule({&bounds_, answer, own, 2 * own, zproof::Asked::standing_and_displacement},
+                                  estimate);
+        }
+        return latest;
     }
 
     /// In the same tile, as one of a row.
@@ -65,6 +63,17 @@ class OnePixel {
     }
 
   private:
+    double own_eps_px(PrimitiveId answer, int x) const {
+        return zproof::own_eps_px(scene_, view_, bounds_, {x, y_}, answer);
+    }
+    Neighbourhood around(PrimitiveId answer, int x) const {
+        Site site{x, y_, 2 * own_eps_px(answer, x), {}};
+        const TriangleFilters filters(view_);
+        for (const std::uint32_t t : all_)
+            if (filters.of(corners_of(scene_, t)).is_near(x, y_, site.reach_px)) site.triangles.push_back(t);
+        return neighbourhood_of(scene_, view_, bounds_, site, own_eps_px(answer, x));
+    }
+
     const Scene& scene_;
     const View& view_;
     ViewBounds bounds_;
@@ -199,6 +208,25 @@ TEST(Summary, TellsTiesWithinWhichEdgesPassAsRationalsDo) {
     const Comparison comparison = heard(random_torn_walls);
     EXPECT_GT(comparison.said[std::size_t(Standing::tied)], 1000);
     EXPECT_GT(comparison.left, 1000) << "hidden ones, for one";
+}
+
+/// A wall, and others that pass through it along upright lines, so slowly that they are tied with it for some
+/// pixels to either side.
+std::vector<Triangle> random_crossing_walls(Dice& dice) {
+    std::vector<Triangle> walls{wall(4)};
+    for (int count = 1 + dice.below(2); count > 0; --count) {
+        const double line_x = dice.between(-4, 7),
+                     per_px = std::ldexp(dice.between(-1, 1), -12 - dice.below(16));
+        const auto corner = [&](double x, double y) { return Corner{x, y, 4 + per_px * (x - line_x)}; };
+        walls.push_back({corner(-1000, -1000), corner(3000, -1000), corner(-1000, 3000)});
+    }
+    return walls;
+}
+
+TEST(Summary, TellsTiesOfCrossingWallsAsRationalsDo) {
+    const Comparison comparison = heard(random_crossing_walls);
+    EXPECT_GT(comparison.said[std::size_t(Standing::visible)], 1000);
+    EXPECT_GT(comparison.said[std::size_t(Standing::tied)], 300);
 }
 
 TEST(ImageOfView, HasTheBitsOfImageOfAtEveryPixel) {
