@@ -9,8 +9,11 @@ AskedCells::AskedCells(const View& view, const AskedTiles& asked)
       rows_((view.height + side_px - 1) / side_px),
       sums_(std::size_t(columns_ + 1) * std::size_t(rows_ + 1)) {
     std::vector<bool> is_marked(std::size_t(rows_), false);
-    for (const AskedTiles::Tile& tile : asked.all())
-        for (const FloatBox& box : tile.boxes) mark(cells_of(box), is_marked);
+    for (const AskedTiles::Tile& tile : asked.all()) {
+        const bool are_large = !tile.boxes[0].fits(Tiles::side_px);  // and mostly in each other
+        for (const FloatBox& box : are_large ? std::span(&tile.all, 1) : tile.boxes)
+            mark(cells_of(box), is_marked);
+    }
     for (int row = 0; row < rows_; ++row) {
         if (is_marked[std::size_t(row)])
             sum_up(row);
