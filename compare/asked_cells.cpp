@@ -7,6 +7,7 @@ namespace zproof {
 AskedCells::AskedCells(const View& view, const AskedTiles& asked)
     : columns_((view.width + side_px - 1) / side_px),
       rows_((view.height + side_px - 1) / side_px),
+      last_{columns_ - 1, rows_ - 1, columns_ - 1, rows_ - 1},
       sums_(std::size_t(columns_ + 1) * std::size_t(rows_ + 1)) {
     std::vector<bool> is_marked(std::size_t(rows_), false);
     for (const AskedTiles::Tile& tile : asked.all()) {

@@ -30,9 +30,7 @@ class AskedCells {
     static constexpr int side_px = 4;
     using Sum = std::uint16_t;
 
-    FloatBox::Places cells_of(const FloatBox& box) const {
-        return box.cells(side_px, FloatBox::Places{columns_ - 1, rows_ - 1, columns_ - 1, rows_ - 1});
-    }
+    FloatBox::Places cells_of(const FloatBox& box) const { return box.cells(side_px, last_); }
     void mark(const FloatBox::Places& cells, std::vector<bool>& is_marked);
     void sum_up(int row);
     std::size_t place(int column, int row) const {
@@ -42,6 +40,7 @@ class AskedCells {
     Sum at(int column, int row) const { return sums_[place(column, row)]; }
 
     int columns_, rows_;
+    FloatBox::Places last_;  ///< cells, as cells_of() has them
     std::vector<Sum> sums_;
 };
 
