@@ -34,7 +34,8 @@ static_assert(sizeof(FloatBox) == side_count * sizeof(float));
 /// Of corners that follow each other, x, y and z in turn, to the sides of their boxes. What single precision
 /// is off by: with u its unit roundoff and d = corner - eye, each coordinate in camera space by 5u |d|_1; so
 /// a quotient a / z by 10u |d|_1 (1 + |a / z|) / z, where that error leaves z more than half, and 2u |a / z|;
-/// scale and window are rounded themselves. `units` of each hold them all, and what their sum is rounded by.
+/// scale and window are rounded themselves. `units` of each hold them all, and what their sum is rounded by;
+/// px_of_rounding and least_reach_px hold what BoxProjection adds.
 template <bool perspective>
 [[gnu::always_inline]] inline void project(const Lens& lens, const float* p_world, float* sides) {
     constexpr float unlimited_px = std::numeric_limits<float>::infinity(),
@@ -84,8 +85,6 @@ template <bool perspective>
     project<false>(lens, p_world, sides);
 }
 
-}  // namespace
-
 /// No less than half the near depth, nor than what numbers without denormals can tell.
 float least_depth_of(const BoxProjection::Terms& terms) {
     if (!terms.perspective) return -std::numeric_limits<float>::infinity();
@@ -110,6 +109,8 @@ Lens lens_of(const BoxProjection::Terms& terms) {
             .offset = float(std::abs(c.window.left) + std::abs(c.window.top)),
             .px_of_rounding = float(terms.px_of_rounding * (1 + 16 * unit_roundoff_float32))};
 }
+
+}  // namespace
 
 void FloatProjection::project(std::span<const glm::vec3> p_world, std::span<FloatBox> boxes) const {
     const Lens lens = lens_of(terms_);
