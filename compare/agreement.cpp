@@ -16,6 +16,7 @@
 #include "compare/presort.h"
 #include "compare/run_lens.h"
 #include "compare/shown_triangles.h"
+#include "compare/strip_laws.h"
 #include "compare/strips/dispatch.h"
 
 namespace zproof {
@@ -60,6 +61,7 @@ class Comparison {
           largest_(largest),
           shown_(scene, candidate, reference),
           kernel_(strips::widest_kernel()),
+          laws_(scene, kernel_, shown_),
           presort_(scene, candidate, reference, kernel_),
           look_(scene, candidate, reference) {
         if (wanted.histograms) histograms_.emplace();
@@ -67,6 +69,8 @@ class Comparison {
             scribes_.emplace(Scribes{{candidate_, triangle_count_, wanted.errors->candidate},
                                      {reference_, triangle_count_, wanted.errors->reference}});
     }
+
+    Comparison(const Comparison&) = delete;  // its laws look into what it has seen
 
     /// Compares the pixels of a tile.
     void compare(const PixelBox& tile, OpenTiles& open) {
@@ -152,7 +156,7 @@ class Comparison {
             find_runs(rows[0]);
             return;
         }
-        for (Strip& strip : rows) look_up_laws(strip);
+        for (Strip& strip : rows) laws_.look_up(strip);
         if (histograms_ || scribes_ || shown_.count() > many_laws) return;
         way_ = Way::by_tolerance;
         presort_.turn_to(tile, shown_);
@@ -175,50 +179,12 @@ class Comparison {
         if (way_ == Way::by_tolerance) presort_.sort(shown_, largest, strip, sorted_);
         if (way_ != Way::by_corners) return;
         const Strip::Pixels certain = presort_.certain_by_corners(largest, strip, runs_of(strip));
-        if (certain != Strip::all) look_up_laws_around(strip, ~certain);
+        if (certain != Strip::all) laws_.look_up_around(strip, ~certain);
         presort_.sort_others(shown_, largest, strip, certain, sorted_);
     }
 
     strips::Runs& runs_of(const Strip& strip) { return runs_[std::size_t(strip.y) % runs_.size()]; }
     void find_runs(const Strip& strip) { set_runs(scene_, strip, runs_of(strip)); }
-
-    /// Of runs in the chunks of some pixels.
-    void look_up_laws_around(Strip& strip, Strip::Pixels pixels) {
-        Strip::Pixels around = 0;
-        for (std::size_t first = 0; first < Strip::width; first += Strip::chunk)
-            if (Strip::in_chunk(pixels, first) != 0) around |= Strip::Pixels{all_columns} << first;
-        std::size_t run = 0;
-        for (Strip::Pixels turns = strip.turns; turns != 0;) {
-            const Strip::Pixels from_first = -(turns & -turns);
-            const PrimitiveId triangle = strip.candidate.primitive[std::countr_zero(turns)];
-            turns &= turns - 1;
-            const bool is_asked = (around & from_first & ~-(turns & -turns)) != 0;
-            strip.law_of_run[run++] = is_asked ? law_of(triangle) : 0;
-        }
-        look_up_other_laws(strip);
-    }
-
-    /// Once for every run of pixels at which the candidate shows the same, and where the reference differs.
-    void look_up_laws(Strip& strip) {
-        std::size_t run = 0;
-        for (Strip::Pixels rest = strip.turns; rest != 0; rest &= rest - 1)
-            strip.law_of_run[run++] = law_of(strip.candidate.primitive[std::countr_zero(rest)]);
-        look_up_other_laws(strip);
-    }
-    void look_up_other_laws(Strip& strip) {
-        PrimitiveId latest = PrimitiveId::none;
-        std::uint32_t its_law = 0;
-        for (Strip::Pixels rest = strip.differ; rest != 0; rest &= rest - 1) {
-            const auto i = std::size_t(std::countr_zero(rest));
-            const PrimitiveId triangle = strip.reference.primitive[i];
-            if (triangle != latest) latest = triangle, its_law = law_of(triangle);
-            strip.law_of_other[i] = its_law;
-        }
-    }
-
-    std::uint32_t law_of(PrimitiveId triangle) {
-        return std::size_t(triangle) < triangle_count_ ? shown_.place_of(triangle) : 0;
-    }
 
     void record(BoundRecord& of, double error_over_bound) const {
         histograms_ ? count(of, error_over_bound) : raise(of, error_over_bound);
@@ -289,6 +255,7 @@ class Comparison {
     LargestSoFar& largest_;
     ShownTriangles shown_;
     const strips::Kernel& kernel_;
+    StripLaws laws_;
     Presort presort_;
     std::array<strips::Runs, 2> runs_;  ///< of the strip at hand and the next one, by y
     std::array<Strip, tile_height> strips_;

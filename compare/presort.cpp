@@ -36,6 +36,14 @@ strips::Depths in_kernel(const Strip& strip) {
             .law_of_run = strip.law_of_run.data()};
 }
 
+/// Where what is shown has no law.
+Strip::Pixels lawless_among(const Strip::ShownOnes& shown) {
+    Strip::Pixels found = 0;
+    for (int i = 0; i < shown.count; ++i)
+        if (const auto& [law, pixels] = shown.of[std::size_t(i)]; law == 0) found |= pixels;
+    return found;
+}
+
 /// In chunks with any of the pixels, and there of all.
 Strip::Pixels where_equal_in(Strip::Pixels pixels, const float* depths, float depth) {
     Strip::Pixels found = 0;
@@ -73,7 +81,8 @@ void Presort::turn_to_unknown() {
 void Presort::sort(ShownTriangles& shown, Largest& largest, const Strip& strip, SortedStrip& sorted) {
     Strip::Pixels certain = ~strip.differ & certain_if_same(strip, largest);
     if (certain != Strip::all) certain |= certain_where_level(strip, largest, ~(strip.differ | certain));
-    sort_chunks(shown, largest, strip, certain, sorted);
+    const Decided decided = strip.differ != 0 ? decided_where_they_differ(strip) : Decided{};
+    sort_chunks(shown, largest, strip, {certain | decided.all, decided.lawful}, sorted);
 }
 
 Strip::Pixels Presort::certain_by_corners(const Largest& largest, const Strip& strip,
@@ -86,19 +95,22 @@ void Presort::sort_others(ShownTriangles& shown, Largest& largest, const Strip& 
                           SortedStrip& sorted) {
     tolerances_.resize(shown.count() + 1, tolerance_of_nothing);
     met_.resize(tolerances_.size());
-    sort_chunks(shown, largest, strip, certain, sorted);
+    sort_chunks(shown, largest, strip, {.all = certain, .lawful = 0}, sorted);
 }
 
-/// All pixels that are not certain.
-void Presort::sort_chunks(ShownTriangles& shown, Largest& largest, const Strip& strip, Strip::Pixels certain,
+/// All pixels that are not decided.
+void Presort::sort_chunks(ShownTriangles& shown, Largest& largest, const Strip& strip, const Decided& decided,
                           SortedStrip& sorted) {
-    sorted.open = sorted.lawful = {};
     sorted.sorted = SortedStrip::all_sorted;
-    if (certain == Strip::all) return;
+    for (std::size_t chunk = 0; chunk < sorted.open.size(); ++chunk) {
+        sorted.open[chunk] = Strip::in_chunk(strip.differ, chunk * Strip::chunk);
+        sorted.lawful[chunk] = Strip::in_chunk(decided.lawful, chunk * Strip::chunk);
+    }
+    if (decided.all == Strip::all) return;
     const LawsAlong along = laws_along(strip);
     const std::uint32_t *const ours = along.candidate.data(), *const theirs = along.reference.data();
     for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
-        const ColumnMask settled = Strip::in_chunk(certain, first);
+        const ColumnMask settled = Strip::in_chunk(decided.all, first);
         if (settled == all_columns) continue;
         const Source source{shown, largest, strip, first, ours + first, theirs + first, settled};
         if (!sort_chunk(source, sorted)) sorted.sorted &= ~(1u << first / Strip::chunk);
@@ -127,13 +139,28 @@ Strip::Pixels Presort::certain_where_level(const Strip& strip, const Largest& la
     return found;
 }
 
+/// Where the tile's tolerances say that both depths are lawful; no more is asked where one shows nothing that
+/// has a law.
+auto Presort::decided_where_they_differ(const Strip& strip) const -> Decided {
+    const auto decide = [&](const Strip::ShownOnes& shown, const float* camera_depth,
+                            DepthTolerance::Bound DepthTolerance::*bound) {
+        return Decided{
+            .all = lawless_among(shown),
+            .lawful = kernel_.lawful({strip.x, strip.y, camera_depth, shown.of.data(), shown.count, bound},
+                                     tolerances_.data(), projection_)};
+    };
+    const Decided ours = decide(candidates_where_they_differ(strip), strip.candidate.camera_depth,
+                                &DepthTolerance::candidate),
+                  theirs = decide(strip.others, strip.reference.camera_depth, &DepthTolerance::reference);
+    const Strip::Pixels lawful = ours.lawful & theirs.lawful;
+    return {.all = ours.all | theirs.all | lawful, .lawful = lawful};
+}
+
 auto Presort::met_where_level(const Strip& strip, Strip::Pixels asked) const -> PixelsOfBoth {
     PixelsOfBoth met;
     const std::uint32_t* law = strip.law_of_run.data();
     for (Strip::Pixels turns = strip.turns; turns != 0; ++law) {
-        const Strip::Pixels from_first = -(turns & -turns);
-        turns &= turns - 1;
-        const Strip::Pixels run = asked & from_first & ~-(turns & -turns);
+        const Strip::Pixels run = asked & Strip::take_run(turns);
         if (run == 0 || !is_level(tolerances_[*law])) continue;
         const auto& [candidate, reference] = met_[*law];
         met.candidate |= run & where_equal_in(run, strip.candidate.camera_depth, candidate);
@@ -242,8 +269,7 @@ bool Presort::sort_chunk(const Source& source, SortedStrip& sorted) {
         left = without(left, here);
     }
     const std::size_t chunk = source.first / Strip::chunk;
-    sorted.open[chunk] = ~same & all_columns;
-    sorted.lawful[chunk] = sorted.open[chunk] & lawful;
+    sorted.lawful[chunk] |= sorted.open[chunk] & lawful;
     return true;
 }
 

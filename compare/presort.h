@@ -92,7 +92,12 @@ class Presort {
                                  const PartsOfBoth& parts, const RowPlace& place) const;
     ColumnMask unlawful_in_full(const Part& part, ColumnMask asked, const RowPlace& place,
                                 TileRow& ratio) const;
-    void sort_chunks(ShownTriangles& shown, Largest& largest, const Strip& strip, Strip::Pixels certain,
+    /// Pixels of which nothing more is asked; where frames differ, those of them with lawful depths.
+    struct Decided {
+        Strip::Pixels all = 0, lawful = 0;
+    };
+    Decided decided_where_they_differ(const Strip& strip) const;
+    void sort_chunks(ShownTriangles& shown, Largest& largest, const Strip& strip, const Decided& decided,
                      SortedStrip& sorted);
     bool sort_chunk(const Source& source, SortedStrip& sorted);
 

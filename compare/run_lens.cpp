@@ -105,16 +105,15 @@ void set_runs(const Scene& scene, const Strip& strip, strips::Runs& runs) {
     runs.count = 0;
     runs.shown = runs.bare = 0;
     for (Strip::Pixels turns = strip.turns; turns != 0; ++runs.count) {
-        const int first = std::countr_zero(turns);
-        const Strip::Pixels from_first = -(turns & -turns);
-        turns &= turns - 1;
+        const Strip::Pixels run = Strip::take_run(turns);
+        const int first = std::countr_zero(run);
         const PrimitiveId shown = strip.candidate.primitive[first];
         const bool is_triangle = std::size_t(shown) < scene.triangles.size();
         const auto k = std::size_t(runs.count);
         runs.first[k] = first;
         set_corners(scene, is_triangle ? std::size_t(shown) : 0, runs.corners, k);
         runs.shown |= Strip::Pixels{is_triangle} << k;
-        if (shown == PrimitiveId::none) runs.bare |= from_first & ~-(turns & -turns);
+        if (shown == PrimitiveId::none) runs.bare |= run;
     }
     std::fill_n(runs.first + runs.count, vector, int(Strip::width));
     fill_up(runs.corners, std::size_t(runs.count));

@@ -32,8 +32,25 @@ struct Strip {
     Pixels differ = 0;  ///< the reference shows another triangle than the candidate
     /// Of the candidate's runs, which begin where it turns, in order: places among the laws.
     Values<std::uint32_t> law_of_run;
-    Values<std::uint32_t> law_of_other;  ///< the reference's where they differ; elsewhere unwritten
 
+    /// A triangle that one frame shows at some pixels, by its place among the laws.
+    struct Shown {
+        std::uint32_t law;
+        Pixels pixels;
+    };
+    /// Several of them, each once, no pixel twice.
+    struct ShownOnes {
+        Values<Shown> of;
+        int count = 0;
+    };
+    ShownOnes others;  ///< what the reference shows where they differ
+
+    /// The pixels of the first of the runs that begin where it turns; takes it from them.
+    static Pixels take_run(Pixels& turns) {
+        const Pixels from_first = -(turns & -turns);
+        turns &= turns - 1;
+        return from_first & ~-(turns & -turns);
+    }
     /// Of a chunk, which begins at pixel `first`.
     static ColumnMask in_chunk(Pixels pixels, std::size_t first) {
         return ColumnMask(pixels >> first) & all_columns;
@@ -60,5 +77,8 @@ struct LawsAlong {
     SpreadValues<std::uint32_t, Strip::width> candidate, reference;
 };
 LawsAlong laws_along(const Strip& strip);
+
+/// What the candidate shows where the frames differ, run by run.
+Strip::ShownOnes candidates_where_they_differ(const Strip& strip);
 
 }  // namespace zproof

@@ -18,16 +18,27 @@ double most_error(const DepthTolerance& t, const DepthTolerance::Bound& bound, d
 }
 
 /// A triangle along the strip.
+struct Line {
+    Doubles w_per_x, w_of_row, w_offset, least, most;
+
+    Line(const DepthTolerance& t, int y)
+        : w_per_x(all(t.w_per_x)),
+          w_of_row(all(t.w_per_y * y)),
+          w_offset(all(t.w_offset)),
+          least(all(t.least)),
+          most(all(t.most)) {}
+
+    Doubles w_at(const Doubles& x) const { return w_per_x * x + w_of_row + w_offset; }
+    Mask holds_at(const Doubles& w) const { return not_greater(least, w) & not_greater(w, most); }
+};
+
+/// And what errors of both renderers are at most.
 struct Row {
-    Doubles w_per_x, w_of_row, w_offset, least, most, our_most, their_most;
+    Line line;
+    Doubles our_most, their_most;
 };
 Row row_of(const DepthTolerance& t, int y, const Tolerated& by) {
-    return {all(t.w_per_x),
-            all(t.w_per_y * y),
-            all(t.w_offset),
-            all(t.least),
-            all(t.most),
-            all(most_error(t, t.candidate, by.candidate_at_most)),
+    return {Line(t, y), all(most_error(t, t.candidate, by.candidate_at_most)),
             all(most_error(t, t.reference, by.reference_at_most))};
 }
 
@@ -43,11 +54,11 @@ struct Columns {
 /// The pixels from i on, as many as there are lanes.
 template <class Projected>
 Pixels certain_from(const Row& row, const Depths& depths, const Columns& columns, int i) {
-    const Doubles w = row.w_per_x * loaded(columns.x + i) + row.w_of_row + row.w_offset;
+    const Doubles w = row.line.w_at(loaded(columns.x + i));
     const Doubles ours = Projected::error(widened(depths.candidate + i), w),
                   theirs = Projected::error(widened(depths.reference + i), w);
-    return Pixels{bits_of(not_greater(row.least, w) & not_greater(w, row.most) &
-                          not_greater(ours, row.our_most) & not_greater(theirs, row.their_most))};
+    return Pixels{bits_of(row.line.holds_at(w) & not_greater(ours, row.our_most) &
+                          not_greater(theirs, row.their_most))};
 }
 
 /// Sixteen pixels.
@@ -103,4 +114,28 @@ Pixels certain_in_runs(const Depths& depths, const Tolerated& by) {
 Pixels certain(const Depths& depths, const Tolerated& by) noexcept {
     return by.projection == Projection::perspective ? certain_in_runs<Perspective>(depths, by)
                                                     : certain_in_runs<Parallel>(depths, by);
+}
+
+template <class Projected>
+Pixels lawful_in(const OneFrame& frame, const DepthTolerance* tolerances) {
+    const Columns columns(frame.x);
+    Pixels found = 0;
+    for (int k = 0; k < frame.count; ++k) {
+        const auto& [law, pixels] = frame.shown[k];
+        const DepthTolerance& t = tolerances[law];
+        const Line line(t, frame.y);
+        const Doubles most = all(most_error(t, t.*frame.bound, __builtin_inf()));
+        const int first = __builtin_ctzll(pixels), end = width - __builtin_clzll(pixels);
+        found |= pixels & in_run<lanes>(first, end, [&](int i) {
+                     const Doubles w = line.w_at(loaded(columns.x + i));
+                     const Doubles error = Projected::error(widened(frame.camera_depth + i), w);
+                     return Pixels{bits_of(line.holds_at(w) & not_greater(error, most))};
+                 });
+    }
+    return found;
+}
+
+Pixels lawful(const OneFrame& frame, const DepthTolerance* tolerances, Projection projection) noexcept {
+    return projection == Projection::perspective ? lawful_in<Perspective>(frame, tolerances)
+                                                 : lawful_in<Parallel>(frame, tolerances);
 }

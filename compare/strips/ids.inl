@@ -1,5 +1,11 @@
 // Ids of a strip, sixteen at a time.
 
+Pixels where_shown(const PrimitiveId* ids, PrimitiveId id) noexcept {
+    Pixels shown = 0;
+    for (int first = 0; first < width; first += 16) shown |= Pixels{where_equal(ids + first, id)} << first;
+    return shown;
+}
+
 Ids compare(const PrimitiveId* candidate, const PrimitiveId* reference) noexcept {
     Pixels same = 0, goes_on = 0;
     for (int first = 0; first < width; first += 16)

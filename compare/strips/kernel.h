@@ -40,6 +40,15 @@ struct Tolerated {
     double candidate_at_most = 0, reference_at_most = 0;  ///< errors over their bounds
 };
 
+/// What one frame shows along a strip, of the triangles that are asked about.
+struct OneFrame {
+    int x = 0, y = 0;  ///< of the first pixel
+    const float* camera_depth = nullptr;
+    const Strip::Shown* shown = nullptr;
+    int count = 0;
+    DepthTolerance::Bound DepthTolerance::*bound = nullptr;  ///< its renderer's
+};
+
 /// What a perspective's runs are looked at with when nothing is known of their triangles but the corners
 /// (docs/truth.md, "Runs by themselves"). Of one view and two renderers.
 struct RunLens {
@@ -85,7 +94,12 @@ struct Kernel {
     /// Where the depths of both frames are certain, if both show what the candidate does. Where that is
     /// nothing, they are the background's.
     Pixels (*certain)(const Depths& depths, const Tolerated& by) noexcept = nullptr;
-    /// The same without tolerances, from the triangles' corners; it may say less.
+    /// Where one frame's depths are lawful for certain.
+    Pixels (*lawful)(const OneFrame& frame, const DepthTolerance* tolerances,
+                     Projection projection) noexcept = nullptr;
+    /// Of `width` ids, those that are `id`.
+    Pixels (*where_shown)(const PrimitiveId* ids, PrimitiveId id) noexcept = nullptr;
+    /// The same as certain() without tolerances, from the triangles' corners; it may say less.
     Pixels (*certain_by_corners)(const Depths& depths, const Runs& runs, const RunLens& lens,
                                  const AtMost& at_most) noexcept = nullptr;
     /// Of `count` triangles in a tile, as tolerance_of has it; they may say less.

@@ -65,14 +65,19 @@ Doubles chosen(const Mask& mask, const Doubles& a, const Doubles& b) {
 unsigned bits_of(const Mask& mask) { return static_cast<unsigned>(_mm256_movemask_pd(mask.lanes)); }
 
 /// Of eight.
-unsigned where_equal_of_half(const PrimitiveId* a, const PrimitiveId* b) {
-    const __m256i ours = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(a)),
-                  theirs = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(b));
-    const __m256 same = _mm256_castsi256_ps(_mm256_cmpeq_epi32(ours, theirs));
-    return static_cast<unsigned>(_mm256_movemask_ps(same));
+__m256i ids_of_half(const PrimitiveId* ids) {
+    return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ids));
+}
+unsigned where_equal(__m256i a, __m256i b) {
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpeq_epi32(a, b))));
 }
 unsigned where_equal(const PrimitiveId* a, const PrimitiveId* b) {
-    return where_equal_of_half(a, b) | where_equal_of_half(a + 8, b + 8) << 8;
+    return where_equal(ids_of_half(a), ids_of_half(b)) | where_equal(ids_of_half(a + 8), ids_of_half(b + 8))
+                                                             << 8;
+}
+unsigned where_equal(const PrimitiveId* a, PrimitiveId b) {
+    const __m256i eight = _mm256_set1_epi32(int(b));
+    return where_equal(ids_of_half(a), eight) | where_equal(ids_of_half(a + 8), eight) << 8;
 }
 
 /// Of eight.
@@ -92,6 +97,6 @@ unsigned where_background(const float* depth) {
 
 }  // namespace
 
-const Kernel kernel{"AVX2", compare, certain, certain_by_corners, set_tolerances};
+const Kernel kernel{"AVX2", compare, certain, lawful, where_shown, certain_by_corners, set_tolerances};
 
 }  // namespace zproof::strips::avx2

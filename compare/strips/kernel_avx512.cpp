@@ -65,6 +65,10 @@ unsigned where_equal(const PrimitiveId* a, const PrimitiveId* b) {
     return _cvtmask16_u32(_mm512_cmpeq_epi32_mask(_mm512_loadu_si512(a), _mm512_loadu_si512(b)));
 }
 
+unsigned where_equal(const PrimitiveId* a, PrimitiveId b) {
+    return _cvtmask16_u32(_mm512_cmpeq_epi32_mask(_mm512_loadu_si512(a), _mm512_set1_epi32(int(b))));
+}
+
 /// Of sixteen.
 unsigned where_background(const float* depth) {
     return _cvtmask16_u32(
@@ -78,6 +82,6 @@ unsigned where_background(const float* depth) {
 
 }  // namespace
 
-const Kernel kernel{"AVX-512", compare, certain, certain_by_corners, set_tolerances};
+const Kernel kernel{"AVX-512", compare, certain, lawful, where_shown, certain_by_corners, set_tolerances};
 
 }  // namespace zproof::strips::avx512

@@ -33,6 +33,12 @@ unsigned where_equal(const PrimitiveId* a, const PrimitiveId* b) {
     return same;
 }
 
+unsigned where_equal(const PrimitiveId* a, PrimitiveId b) {
+    unsigned same = 0;
+    for (int i = 0; i < 16; ++i) same |= unsigned(a[i] == b) << i;
+    return same;
+}
+
 /// Of sixteen.
 unsigned where_background(const float* depth) {
     unsigned bare = 0;
@@ -47,6 +53,6 @@ unsigned where_background(const float* depth) {
 
 }  // namespace
 
-const Kernel kernel{"scalar", compare, certain, certain_by_corners, set_tolerances};
+const Kernel kernel{"scalar", compare, certain, lawful, where_shown, certain_by_corners, set_tolerances};
 
 }  // namespace zproof::strips::scalar

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "compare/certain_depths.h"
 #include "compare/depth_bound.h"
@@ -293,6 +295,54 @@ TEST(StripKernels, FindTheDepthsCertainOfEachTriangleByItself) {
     EXPECT_GT(found[0], 20'000);
     EXPECT_GT(found[1], 20'000);
     EXPECT_GT(found[2], 50);
+}
+
+/// Triangles that a strip shows, each at some of its pixels.
+Strip::ShownOnes some_of(Dice& dice, const Strip::Values<std::uint32_t>& law) {
+    Strip::ShownOnes shown;
+    for (std::uint32_t of = 0; of < 3; ++of) {
+        Strip::Pixels pixels = 0;
+        for (std::size_t i = 0; i < Strip::width; ++i)
+            pixels |= Strip::Pixels{law[i] == of && dice.below(3) != 0} << i;
+        if (pixels != 0) shown.of[std::size_t(shown.count++)] = {of, pixels};
+    }
+    return shown;
+}
+
+TEST(StripKernels, FindTheDepthsOfOneFrameLawful) {
+    std::array<int, 2> found{};
+    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const Projection projection = dice.below(2) != 0 ? Projection::perspective : Projection::parallel;
+        DepthTolerance nowhere{};
+        nowhere.least = 1, nowhere.most = -1;
+        const std::array tolerances{nowhere, some_tolerance(dice, projection),
+                                    some_tolerance(dice, projection)};
+        const FewTriangles strip(dice);
+        const Strip::ShownOnes shown = some_of(dice, strip.law);
+        const bool is_ours = dice.below(2) != 0;
+        const float* const depths = is_ours ? strip.our_depth.data() : strip.their_depth.data();
+        Strip::Pixels expected = 0, asked = 0;
+        for (const auto& [law, pixels] : std::span(shown.of.data(), std::size_t(shown.count)))
+            for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
+                const auto [ours, theirs] = certain_depths(
+                    tolerances[law], projection, {{64 + int(first), 3}, depths + first, depths + first}, {});
+                expected |= pixels & Strip::Pixels{is_ours ? ours : theirs} << first;
+                asked |= pixels;
+            }
+        for (const strips::Kernel& kernel : strips::available_kernels()) {
+            const Strip::Pixels lawful =
+                kernel.lawful({64, 3, depths, shown.of.data(), shown.count,
+                               is_ours ? &DepthTolerance::candidate : &DepthTolerance::reference},
+                              tolerances.data(), projection);
+            ASSERT_EQ(lawful, expected) << kernel.name;
+        }
+        found[0] += std::popcount(asked & ~expected);
+        found[1] += std::popcount(expected);
+    }
+    EXPECT_GT(found[0], 20'000);
+    EXPECT_GT(found[1], 20'000);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <random>
+#include <span>
 
 #include "compare/runs.h"
 #include "compare/strips/dispatch.h"
@@ -50,6 +51,7 @@ TEST(StripKernels, SayWhereIdsTurnAndDiffer) {
             for (std::size_t i = 0; i < Strip::width; ++i) {
                 ASSERT_EQ((turns >> i & 1) != 0, i == 0 || ours[i] != ours[i - 1]) << i;
                 ASSERT_EQ((differ >> i & 1) != 0, ours[i] != theirs[i]) << i;
+                ASSERT_EQ((kernel.where_shown(theirs, ours[9]) >> i & 1) != 0, theirs[i] == ours[9]) << i;
             }
         }
     });
@@ -57,15 +59,35 @@ TEST(StripKernels, SayWhereIdsTurnAndDiffer) {
 
 TEST(Strip, HasTheLawsOfItsRunsAndOfWhatDiffers) {
     for_each_strip([](Strip strip) {
-        for (std::size_t i = 0; i < Strip::width; ++i)
-            strip.law_of_run[i] = std::uint32_t(100 + i), strip.law_of_other[i] = std::uint32_t(200 + i);
+        for (std::size_t i = 0; i < Strip::width; ++i) strip.law_of_run[i] = std::uint32_t(100 + i);
+        Strip::Pixels even = 0x5555'5555'5555'5555 & strip.differ, odd = strip.differ & ~even;
+        for (const Strip::Pixels some : {even, odd})
+            if (some != 0)
+                strip.others.of[std::size_t(strip.others.count++)] = {some == even ? 200u : 201u, some};
         const LawsAlong laws = laws_along(strip);
         std::uint32_t run = 99;
         for (std::size_t i = 0; i < Strip::width; ++i) {
             run += std::uint32_t(strip.turns >> i & 1);
             ASSERT_EQ(laws.candidate[i], run) << i;
-            ASSERT_EQ(laws.reference[i], (strip.differ >> i & 1) != 0 ? 200 + i : run) << i;
+            ASSERT_EQ(laws.reference[i], (strip.differ >> i & 1) != 0 ? 200 + i % 2 : run) << i;
         }
+    });
+}
+
+TEST(Strip, TellsWhatTheCandidateShowsWhereTheyDiffer) {
+    for_each_strip([](Strip strip) {
+        for (std::size_t i = 0; i < Strip::width; ++i) strip.law_of_run[i] = std::uint32_t(100 + i);
+        const LawsAlong laws = laws_along(strip);
+        const Strip::ShownOnes shown = candidates_where_they_differ(strip);
+        Strip::Pixels told = 0;
+        for (const auto& [law, pixels] : std::span(shown.of.data(), std::size_t(shown.count))) {
+            ASSERT_NE(pixels, 0u);
+            ASSERT_EQ(told & pixels, 0u);
+            told |= pixels;
+            for (std::size_t i = 0; i < Strip::width; ++i)
+                ASSERT_TRUE((pixels >> i & 1) == 0 || law == laws.candidate[i]) << i;
+        }
+        ASSERT_EQ(told, strip.differ);
     });
 }
 
