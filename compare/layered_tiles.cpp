@@ -10,7 +10,7 @@
 
 #include "compare/layered_choice.h"
 #include "compare/layers.h"
-#include "compare/masks.h"
+#include "compare/shown_tile.h"
 
 namespace zproof {
 
@@ -33,57 +33,38 @@ struct Memories {
     Memory<std::uint32_t, LawOfBoth> laws{1024};
 };
 
-/// A row of a tile; beyond the image is what is given.
-template <class T>
-TileRowOf<T> taken(const Plane<T>& plane, const RowPlace& at, T beyond) {
-    TileRowOf<T> row;
-    const std::span<const T> rest = plane.row(at.y).subspan(std::size_t(at.left));
-    if (rest.size() >= tile_columns) {
-        std::copy_n(rest.begin(), tile_columns, row.begin());
-    } else {
-        row.fill(beyond);
-        std::ranges::copy(rest, row.begin());
+using OpenRows = std::span<const OpenTiles::Row>;
+
+TileMask pixels_of(OpenRows rows, ColumnMask OpenTiles::Row::*columns) {
+    TileMask pixels;
+    for (int y = 0; y < TileMask::rows; ++y) pixels.add(y, rows[std::size_t(y)].*columns);
+    return pixels;
+}
+
+/// A tile with open pixels, as both show it.
+struct LayeredTile {
+    TilePlace place;
+    OpenRows rows;
+    TileMask open, lawful;  ///< lawful: the depths of both are so for certain
+    ShownTile ours, theirs;
+
+    LayeredTile(const Comparands& of, const OpenTiles& tiles, const TilePlace& at)
+        : place(at),
+          rows(tiles.rows_of(at.left / Tiles::side_px, at.top / Tiles::side_px)),
+          open(pixels_of(rows, &OpenTiles::Row::pixels)),
+          lawful(pixels_of(rows, &OpenTiles::Row::lawful)),
+          ours(of.candidate.frame(), at, open),
+          theirs(of.reference.frame(), at, open) {}
+
+    /// Of an open pixel, among all that are open.
+    std::uint32_t number_of(int y, int column) const {
+        const auto& [pixels, lawful_ones, first] = rows[std::size_t(y)];
+        return first + std::uint32_t(std::popcount(pixels & ((ColumnMask{1} << column) - 1)));
     }
-    return row;
-}
-
-/// One renderer's row of a tile. Few ask for depths.
-struct Shown {
-    const Frame& frame;
-    RowPlace at;
-    TileRowOf<PrimitiveId> primitive = taken(frame.primitive, at, PrimitiveId::none);
-
-    TileRowOf<float> camera_depth() const { return taken(frame.camera_depth, at, background_depth); }
 };
 
-/// What both show of the same row.
-struct ShownByBoth {
-    RowPlace at;
-    Shown ours, theirs;
-
-    ShownByBoth(const Comparands& of, const RowPlace& row)
-        : at(row), ours{of.candidate.frame(), row}, theirs{of.reference.frame(), row} {}
-};
-
-/// Has fetched what both show. Inlined, or gcc 12 takes it for a function without effects and leaves it out.
-[[gnu::always_inline]] inline void fetch(const Comparands& of, const RowPlace& row) {
-    for (const Frame* const frame : {&of.candidate.frame(), &of.reference.frame()})
-        __builtin_prefetch(&frame->primitive.row(row.y)[std::size_t(row.left)]);
-}
-
-/// Along a row: pixels at which one renderer's, or both's, answers are tied, and visible.
+/// Pixels at which one renderer's, or both's, answers are tied, and visible.
 using Standings = Layers::Standings;
-
-/// Answers of triangles that the pixels of a row show, one triangle after the other.
-template <class Visit>
-void for_each_shown(const TileRowOf<PrimitiveId>& shown, ColumnMask pixels, const Visit& visit) {
-    while (pixels != 0) {
-        const PrimitiveId triangle = shown[std::size_t(std::countr_zero(pixels))];
-        const ColumnMask here = pixels & where_equal(shown.data(), triangle);
-        pixels &= ~here;
-        visit(triangle, here);
-    }
-}
 
 class LayeredPass {
   public:
@@ -147,63 +128,60 @@ class LayeredPass {
         return sum;
     }
 
-    static RowPlace row_of(int column, int row, int y) {
-        return {column * Tiles::side_px, row * Tiles::side_px + y};
-    }
-    const OpenTiles::Row& pixels_of(const RowPlace& at) const {
-        return open_.row(at.left / Tiles::side_px, at.y);
-    }
+    static TilePlace place_of(int column, int row) { return {column * Tiles::side_px, row * Tiles::side_px}; }
 
-    /// A row that will be asked about: one of the next tile with each of this one.
-    void fetch_open(const RowPlace& at) const {
-        if (pixels_of(at).pixels != 0) fetch(of_, at);
+    /// Asks for what both show in a tile that comes next.
+    void fetch(int column, int row) const {
+        if (column >= open_.tiles().columns || open_.count(column, row) == 0) return;
+        const TilePlace at = place_of(column, row);
+        for (const Frame* const frame : {&of_.candidate.frame(), &of_.reference.frame()})
+            for (int y = 0; y < TileMask::rows && at.top + y < frame->size().height; ++y)
+                __builtin_prefetch(&frame->primitive.row(at.top + y)[std::size_t(at.left)]);
     }
 
     void settle_tile(int column, int row, const TrianglesByTile& near, Band& band) {
         if (open_.count(column, row) == 0) return;
-        const bool is_next_open = column + 1 < open_.tiles().columns && open_.count(column + 1, row) != 0;
-        Memories& memories = memories_.local();
-        memories.acquaintance.forget_if_much();
-        std::optional<Layers> layers;
+        fetch(column + 1, row);
+        const LayeredTile tile(of_, open_, place_of(column, row));
+        const TileMask settled =
+            is_worth_it(column, row, near) ? settle(column, row, near, tile, band.counts) : TileMask{};
+        for_each_row(tile.open & ~settled, [&](int y, ColumnMask rest) {
+            for (; rest != 0; rest &= rest - 1) {
+                const int x = std::countr_zero(rest);
+                band.left.push_back({{tile.place.left + x, tile.place.top + y}, tile.number_of(y, x)});
+            }
+        });
+    }
+
+    bool is_worth_it(int column, int row, const TrianglesByTile& near) const {
         const std::size_t tile = open_.tiles().index(column, row);
-        if (!asked_.of(tile).empty() && is_worth_layers(open_.count(column, row), near.of(tile).size()))
-            layers.emplace(Layers::Shared{sights_, memories.acquaintance, memories.coplanar},
-                           centres_of(open_, column, row), near.of(tile), bounds());
-        const bool may_ask = layers && layers->are_known() && layers->widest_px() <= reach_px;
-        for (int y = 0; y < Tiles::side_px; ++y) {
-            const RowPlace at = row_of(column, row, y);
-            if (is_next_open) fetch_open(row_of(column + 1, row, y));
-            const OpenTiles::Row& pixels = pixels_of(at);
-            if (pixels.pixels == 0) continue;
-            const ColumnMask settled = may_ask ? settle_row(*layers, at, pixels, band.counts) : 0;
-            std::uint32_t place = pixels.first;
-            for (ColumnMask rest = pixels.pixels; rest != 0; rest &= rest - 1, ++place)
-                if ((settled & -rest & rest) == 0)
-                    band.left.push_back({{at.left + std::countr_zero(rest), at.y}, place});
-        }
+        return !asked_.of(tile).empty() && is_worth_layers(open_.count(column, row), near.of(tile).size());
     }
 
     /// Writes what is certain.
-    ColumnMask settle_row(Layers& layers, const RowPlace& at, const OpenTiles::Row& row,
-                          ClassCounts& counts) {
-        const ShownByBoth shown(of_, at);
-        const Shown &ours = shown.ours, &theirs = shown.theirs;
-        const ColumnMask open =
-            layers.turn_to(at.y, row.pixels & ~where_equal(ours.primitive.data(), theirs.primitive.data()));
-        if (open == 0) return 0;
-        const Standings candidate = standings(layers, 0, ours, open);
-        const Standings reference = standings(layers, 1, theirs, candidate.tied | candidate.visible);
-        const ColumnMask settled = lawful(shown, row, reference.tied | reference.visible);
-        const ColumnMask tied = settled & (candidate.tied | reference.tied);
-        write(class_of(Standing::tied, Standing::visible), at, tied, counts);
-        write(class_of(Standing::visible, Standing::visible), at, settled & ~tied, counts);
-        if (!findings_.empty() && settled != 0) list(layers, shown, row, settled);
+    TileMask settle(int column, int row, const TrianglesByTile& near, const LayeredTile& tile,
+                    ClassCounts& counts) {
+        Memories& memories = memories_.local();
+        memories.acquaintance.forget_if_much();
+        Layers layers({sights_, memories.acquaintance, memories.coplanar}, tile.place,
+                      centres_of(open_, column, row), near.of(open_.tiles().index(column, row)), bounds());
+        if (!layers.are_known() || layers.widest_px() > reach_px) return {};
+        const TileMask open = layers.turn_to(where_they_differ(tile.ours, tile.theirs, tile.open));
+        const Standings candidate = standings(layers, 0, tile.ours, open);
+        const Standings reference = standings(layers, 1, tile.theirs, candidate.tied | candidate.visible);
+        const TileMask settled = lawful(tile, reference.tied | reference.visible);
+        const TileMask tied = settled & (candidate.tied | reference.tied);
+        write(class_of(Standing::tied, Standing::visible), tile.place, tied, counts);
+        write(class_of(Standing::visible, Standing::visible), tile.place, settled & ~tied, counts);
+        if (!findings_.empty())
+            for_each_row(settled, [&](int y, ColumnMask columns) { list(layers, tile, y, columns); });
         return settled;
     }
 
-    static Standings standings(Layers& layers, std::size_t renderer, const Shown& shown, ColumnMask pixels) {
+    static Standings standings(Layers& layers, std::size_t renderer, const ShownTile& shown,
+                               const TileMask& pixels) {
         Standings all;
-        for_each_shown(shown.primitive, pixels, [&](PrimitiveId triangle, ColumnMask here) {
+        shown.for_each(pixels, [&](PrimitiveId triangle, const TileMask& here) {
             const Standings some = layers.standings(renderer, std::uint32_t(triangle), here);
             all.tied |= some.tied;
             all.visible |= some.visible;
@@ -212,61 +190,70 @@ class LayeredPass {
     }
 
     /// Where the depths of both are lawful for certain; the first pass knows most.
-    ColumnMask lawful(const ShownByBoth& shown, const OpenTiles::Row& row, ColumnMask pixels) {
-        ColumnMask unknown = pixels & ~row.lawful;
-        unknown &= lawful_by_laws(&LawOfBoth::candidate, shown.at, shown.ours, unknown);
-        unknown &= lawful_by_laws(&LawOfBoth::reference, shown.at, shown.theirs, unknown);
-        return pixels & (row.lawful | unknown);
+    TileMask lawful(const LayeredTile& tile, const TileMask& pixels) {
+        TileMask found = pixels & tile.lawful;
+        for_each_row(pixels & ~tile.lawful, [&](int y, ColumnMask columns) {
+            const RowPlace at = tile.place.row(y);
+            columns = lawful_by_laws(&LawOfBoth::candidate, at, row_of(tile.ours, y), columns);
+            found.add(y, lawful_by_laws(&LawOfBoth::reference, at, row_of(tile.theirs, y), columns));
+        });
+        return found;
     }
 
-    /// One renderer's.
-    ColumnMask lawful_by_laws(DepthLaw LawOfBoth::*law, const RowPlace& at, const Shown& shown,
+    /// A row as one renderer shows it.
+    struct ShownRow {
+        const PrimitiveId* primitive;
+        TileRowOf<float> camera_depth;
+    };
+    static ShownRow row_of(const ShownTile& shown, int y) {
+        return {shown.primitive(y), shown.camera_depth(y)};
+    }
+
+    ColumnMask lawful_by_laws(DepthLaw LawOfBoth::*law, const RowPlace& at, const ShownRow& shown,
                               ColumnMask pixels) {
-        if (pixels == 0) return 0;
-        const TileRowOf<float> camera_depth = shown.camera_depth();
         ColumnMask lawful = 0;
-        for_each_shown(shown.primitive, pixels, [&](PrimitiveId triangle, ColumnMask here) {
+        while (pixels != 0) {
+            const PrimitiveId triangle = shown.primitive[std::countr_zero(pixels)];
+            const ColumnMask here = pixels & where_equal(shown.primitive, triangle);
+            pixels &= ~here;
             const DepthRow depth =
-                depths_in_row(law_of(triangle).*law, of_.candidate.projection(), at, camera_depth);
+                depths_in_row(law_of(triangle).*law, of_.candidate.projection(), at, shown.camera_depth);
             lawful |= here & at_least_zero(depth.ratio);
-        });
+        }
         return lawful;
     }
 
-    /// Lists the findings of pixels that are settled.
-    void list(Layers& layers, const ShownByBoth& shown, const OpenTiles::Row& row, ColumnMask settled) {
-        const RowPlace& at = shown.at;
-        const Shown &ours = shown.ours, &theirs = shown.theirs;
-        const TileRow eps_px = layers.eps_px(0);
-        const TileRowOf<float> our_depth = ours.camera_depth(), their_depth = theirs.camera_depth();
-        TileRowOf<std::uint32_t> place;
-        std::uint32_t next = row.first;
-        for (std::size_t i = 0; i < tile_columns; ++i) {
-            place[i] = next;
-            next += row.pixels >> i & 1;
-        }
-        for_each_shown(ours.primitive, settled, [&](PrimitiveId triangle, ColumnMask here) {
+    /// Lists the findings of pixels of a row that are settled.
+    void list(Layers& layers, const LayeredTile& tile, int y, ColumnMask settled) {
+        const RowPlace at = tile.place.row(y);
+        const ShownRow ours = row_of(tile.ours, y), theirs = row_of(tile.theirs, y);
+        const TileRow eps_px = layers.eps_px(0, y);
+        while (settled != 0) {
+            const PrimitiveId triangle = ours.primitive[std::countr_zero(settled)];
+            ColumnMask here = settled & where_equal(ours.primitive, triangle);
+            settled &= ~here;
             const DepthRow depth =
-                depths_in_row(law_of(triangle).candidate, of_.candidate.projection(), at, our_depth);
+                depths_in_row(law_of(triangle).candidate, of_.candidate.projection(), at, ours.camera_depth);
             for (; here != 0; here &= here - 1) {
                 const auto i = std::size_t(std::countr_zero(here));
-                findings_[place[i]] = {.x = at.left + int(i),
-                                       .y = at.y,
-                                       .verdict = classes_.at(at.left + int(i), at.y),
-                                       .candidate = {triangle, our_depth[i]},
-                                       .reference = {theirs.primitive[i], their_depth[i]},
-                                       .eps_px = eps_px[i],
-                                       .candidate_depth = {depth.low[i], depth.truth[i], depth.high[i]},
-                                       .error_over_bound = depth.ratio[i]};
+                findings_[tile.number_of(y, int(i))] = {
+                    .x = at.left + int(i),
+                    .y = at.y,
+                    .verdict = classes_.at(at.left + int(i), at.y),
+                    .candidate = {triangle, ours.camera_depth[i]},
+                    .reference = {theirs.primitive[i], theirs.camera_depth[i]},
+                    .eps_px = eps_px[i],
+                    .candidate_depth = {depth.low[i], depth.truth[i], depth.high[i]},
+                    .error_over_bound = depth.ratio[i]};
             }
-        });
+        }
     }
 
-    void write(PixelClass verdict, const RowPlace& at, ColumnMask pixels, ClassCounts& counts) {
-        counts[std::size_t(verdict)] += std::uint64_t(std::popcount(pixels));
-        if (pixels == 0) return;
-        PixelClass* const row = &classes_.in_open(at.left, at.y);
-        for (; pixels != 0; pixels &= pixels - 1) row[std::countr_zero(pixels)] = verdict;
+    void write(PixelClass verdict, const TilePlace& at, const TileMask& pixels, ClassCounts& counts) {
+        counts[std::size_t(verdict)] += std::uint64_t(pixels.count());
+        for_each_row(pixels, [&](int y, ColumnMask columns) {
+            put_where(columns, verdict, &classes_.in_open(at.left, at.top + y));
+        });
     }
 
     const LawOfBoth& law_of(PrimitiveId primitive) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compare/coplanar.h"
+#include "compare/squares_of_tile.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -21,11 +22,11 @@ Extremes extremes(const Affine<double>& f, const Around& box) {
 
 }  // namespace
 
-Layers::Layers(const Shared& shared, const Around& centres, std::span<const std::uint32_t> near,
-               std::span<const ViewBounds* const> renderers)
-    : shared_(shared), tile_(centres), left_(int(centres.x - centres.half_x)) {
+Layers::Layers(const Shared& shared, const TilePlace& tile, const Around& centres,
+               std::span<const std::uint32_t> near, std::span<const ViewBounds* const> renderers)
+    : shared_(shared), place_(tile), tile_(centres) {
     for (const ViewBounds* bounds : renderers) {
-        renderers_.push_back({.bounds = bounds, .triangles = {}, .nearness = {}, .close = {}});
+        renderers_.push_back({.bounds = bounds, .triangles = {}, .close = {}});
         widest_px_ = std::max(widest_px_, bounds->background_eps_px());
     }
     meet(near);
@@ -54,57 +55,42 @@ void Layers::sort_out() {
         const TriangleFilter::Place place = filter.place_of(tile_);
         if (place == TriangleFilter::Place::misses && filter.is_trusted) continue;
         are_known_ = are_known_ && filter.is_trusted;
-        layers_[kept] = layers_[i];
+        if (kept != i) layers_[kept] = std::move(layers_[i]);
         layers_[kept].cutting = place == TriangleFilter::Place::covers ? 0 : filter.edges_within(tile_);
         for (Renderer& r : renderers_) r.triangles[kept] = r.triangles[i];
         ++kept;
     }
     layers_.resize(kept);
     are_known_ = are_known_ && kept <= most;
-    if (!are_known_) return;
-    for (Renderer& r : renderers_)
-        for (std::size_t i = 0; i < kept; ++i)
-            r.clear |= Set(r.triangles[i]->is_clear_of_planes(layers_[i].known->filter, tile_)) << i;
 }
 
-void Layers::place(int y) {
-    row_ = {left_, y};
-    cut_ = 0;
-    for (Layer& layer : layers_) {
-        const PlaceMasks places = places_in_row(layer.known->filter, layer.cutting, row_, widest_px_);
+TileMask Layers::turn_to(const TileMask& pixels) {
+    TileMask cut;
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+        Layer& layer = layers_[i];
+        const PlaceMasks places = places_of_squares(layer.known->filter, layer.cutting, place_, widest_px_);
         layer.covers = places.covers;
-        cut_ |= places.cuts;
+        cut |= places.cuts;
+        for (Renderer& r : renderers_)
+            if (!r.triangles[i]->is_clear_of_planes(layer.known->filter, tile_)) r.unclear |= places.covers;
     }
+    return pixels & ~cut;
 }
 
-ColumnMask Layers::turn_to(int y, ColumnMask pixels) {
-    place(y);
-    asked_ = pixels & ~cut_;
-    if (asked_ == 0) return 0;
-    sight_.reset();
-    for (Layer& layer : layers_) layer.row.reset();
-    for (Renderer& r : renderers_) {
-        r.unclear = 0;
-        for (std::size_t i = 0; i < layers_.size(); ++i)
-            if ((r.clear >> i & 1) == 0) r.unclear |= layers_[i].covers;
-        r.known = 0;
-    }
-    return asked_;
+const TriangleRow& Layers::row_of(std::size_t layer, int y) {
+    return layers_[layer].rows(y, [&] {
+        const SightRow& sight = sights_(y, [&] { return SightRow(shared_.sights, place_.row(y)); });
+        return TriangleRow(layers_[layer].known->seen.image, sight);
+    });
 }
 
-const TriangleRow& Layers::row_of(std::size_t layer) {
-    std::optional<TriangleRow>& row = layers_[layer].row;
-    if (!sight_) sight_.emplace(shared_.sights, row_);
-    if (!row) row.emplace(layers_[layer].known->seen.image, *sight_);
-    return *row;
-}
-
-TileRow Layers::eps_px(std::size_t renderer) {
+TileRow Layers::eps_px(std::size_t renderer, int y) {
     TileRow eps_px{};
     for (std::size_t i = 0; i < layers_.size(); ++i) {
-        if ((layers_[i].covers & asked_) == 0) continue;
-        const TileRow of_layer = row_of(i).eps_px(renderers_[renderer].triangles[i]->of_view);
-        eps_px = raised(eps_px, of_layer, layers_[i].covers);
+        const ColumnMask covered = layers_[i].covers.row(y);
+        if (covered == 0) continue;
+        const TileRow of_layer = row_of(i, y).eps_px(renderers_[renderer].triangles[i]->of_view);
+        eps_px = raised(eps_px, of_layer, covered);
     }
     return eps_px;
 }
@@ -115,29 +101,23 @@ std::optional<std::size_t> Layers::index_of(std::uint32_t triangle) const {
     return std::size_t(found - layers_.begin());
 }
 
-auto Layers::relations_of(std::size_t layer) -> const Relations& {
-    Layer& one = layers_[layer];
-    if (one.others) return *one.others;
-    one.others = Relations{};
-    for (std::size_t i = 0; i < layers_.size(); ++i) {
-        if (i == layer) continue;
-        const KnownTriangle& other = *layers_[i].known;
-        const int order = order_in(tile_, other.filter, one.known->filter);
-        const auto are_coplanar = [&] {  // asked one way round: of triangles that are seen it is the same
-            const std::size_t a = std::min(i, layer), b = std::max(i, layer);
-            const std::uint64_t pair = std::uint64_t{layers_[a].triangle} << 32 | layers_[b].triangle;
-            return shared_.coplanar(pair, [&] {
-                return coplanar(layers_[a].known->seen.p_world, layers_[b].known->seen.p_world);
-            });
-        };
-        if (order < 0)
-            one.others->behind |= Set{1} << i;
-        else if (order > 0)
-            one.others->ahead |= Set{1} << i;
-        else if (are_coplanar())
-            one.others->level |= Set{1} << i;
-    }
-    return *one.others;
+auto Layers::relation(std::size_t other, std::size_t answer) -> Relation {
+    relations_.resize(layers_.size() * layers_.size(), Relation::not_asked);
+    Relation& known = relations_[answer * layers_.size() + other];
+    if (known != Relation::not_asked) return known;
+    const int order = order_in(tile_, layers_[other].known->filter, layers_[answer].known->filter);
+    known = order < 0                     ? Relation::behind
+            : order > 0                   ? Relation::ahead
+            : are_coplanar(other, answer) ? Relation::level
+                                          : Relation::crossing;
+    return known;
+}
+
+/// Asked one way round: of triangles that are seen it is the same.
+bool Layers::are_coplanar(std::size_t one, std::size_t other) {
+    const Layer &a = layers_[std::min(one, other)], &b = layers_[std::max(one, other)];
+    const std::uint64_t pair = std::uint64_t{a.triangle} << 32 | b.triangle;
+    return shared_.coplanar(pair, [&] { return coplanar(a.known->seen.p_world, b.known->seen.p_world); });
 }
 
 /// Is it clear all over the tile that `front` is nowhere in front of `back` for certain? Either range of
@@ -167,42 +147,46 @@ auto Layers::close_to(Renderer& renderer, std::size_t back) -> Set {
     return *close;
 }
 
-const TriangleRow::Range& Layers::nearness(Renderer& renderer, std::size_t layer) {
+const TriangleRow::Range& Layers::nearness(Renderer& renderer, std::size_t layer, int y) {
     renderer.nearness.resize(layers_.size());
-    if ((renderer.known >> layer & 1) == 0)
-        renderer.nearness[layer] = row_of(layer).nearness_range(renderer.triangles[layer]->of_view);
-    renderer.known |= Set{1} << layer;
-    return renderer.nearness[layer];
+    return renderer.nearness[layer](
+        y, [&] { return row_of(layer, y).nearness_range(renderer.triangles[layer]->of_view); });
 }
 
-ColumnMask Layers::ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back) {
-    return above(nearness(renderer, front).least, nearness(renderer, back).greatest);
+TileMask Layers::ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back,
+                                   const TileMask& pixels) {
+    TileMask ahead;
+    for_each_row(pixels, [&](int y, ColumnMask columns) {
+        ahead.add(y,
+                  columns & above(nearness(renderer, front, y).least, nearness(renderer, back, y).greatest));
+    });
+    return ahead;
 }
 
 /// Of two in one plane neither is in front for certain, and what is behind is not (docs/truth.md, "Layers").
-auto Layers::standings(std::size_t of, std::uint32_t triangle, ColumnMask pixels) -> Standings {
+auto Layers::standings(std::size_t of, std::uint32_t triangle, const TileMask& pixels) -> Standings {
     const std::optional<std::size_t> answer = index_of(triangle);
     if (!answer) return {};
     Renderer& renderer = renderers_[of];
-    const ColumnMask covered = pixels & layers_[*answer].covers & ~cut_ & ~renderer.unclear;
-    if (covered == 0) return {};
-    const Relations& others = relations_of(*answer);
-    ColumnMask rivals = 0, undecided = 0;
+    const TileMask covered = pixels & layers_[*answer].covers & ~renderer.unclear;
+    if (covered.is_none()) return {};
+    TileMask rivals, undecided;
     for (std::size_t i = 0; i < layers_.size(); ++i) {
-        ColumnMask shared = layers_[i].covers & covered;
-        const Set bit = Set{1} << i;
-        if (shared == 0 || i == *answer || (others.behind & bit) != 0) continue;
-        ColumnMask ahead = (others.ahead & bit) != 0 ? shared : 0;
-        if ((others.crossing() & bit) != 0) {
-            const OrderMasks order =
-                orders_in_row(layers_[i].known->filter, layers_[*answer].known->filter, row_, widest_px_);
+        TileMask shared = layers_[i].covers & covered;
+        if (i == *answer || shared.is_none()) continue;
+        const Relation is = relation(i, *answer);
+        if (is == Relation::behind) continue;
+        TileMask ahead = is == Relation::ahead ? shared : TileMask{};
+        if (is == Relation::crossing) {
+            const OrderMasks order = orders_in_squares(layers_[i].known->filter,
+                                                       layers_[*answer].known->filter, place_, widest_px_);
             shared &= ~order.behind;
             ahead = shared & order.ahead;
             undecided |= shared & ~ahead;
         }
         rivals |= shared;
-        if (ahead != 0 && (close_to(renderer, *answer) & bit) == 0)
-            undecided |= ahead & ahead_for_certain(renderer, i, *answer);
+        if (!ahead.is_none() && (close_to(renderer, *answer) >> i & 1) == 0)
+            undecided |= ahead_for_certain(renderer, i, *answer, ahead);
     }
     return {.tied = rivals & ~undecided, .visible = covered & ~rivals};
 }

@@ -45,7 +45,27 @@ template <class Id>
     });
 }
 
+/// Puts a value where the mask says so; the others of those sixteen are written as they are.
+template <class Byte>
+[[gnu::always_inline]] inline void put_where(ColumnMask mask, Byte value, Byte* row) {
+    static_assert(sizeof(Byte) == 1);
+    const __m128i twice = _mm_unpacklo_epi8(_mm_cvtsi32_si128(int(mask)), _mm_cvtsi32_si128(int(mask)));
+    const __m128i four_times = _mm_unpacklo_epi16(twice, twice);
+    const __m128i half_a_mask_each = _mm_unpacklo_epi32(four_times, four_times);
+    const __m128i own_bit = _mm_set1_epi64x(std::int64_t(0x8040'2010'0804'0201u));
+    const __m128i chosen = _mm_cmpeq_epi8(_mm_and_si128(half_a_mask_each, own_bit), own_bit);
+    auto* const place = reinterpret_cast<__m128i*>(row);
+    const __m128i values = _mm_set1_epi8(static_cast<char>(value)), before = _mm_loadu_si128(place);
+    _mm_storeu_si128(place, _mm_or_si128(_mm_and_si128(chosen, values), _mm_andnot_si128(chosen, before)));
+}
+
 #else
+
+template <class Byte>
+void put_where(ColumnMask mask, Byte value, Byte* row) {
+    for (std::size_t i = 0; i < tile_columns; ++i)
+        if ((mask >> i & 1) != 0) row[i] = value;
+}
 
 template <class Holds>
 ColumnMask mask_where(const Holds& holds) {

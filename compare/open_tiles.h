@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "compare/pixel_place.h"
@@ -36,6 +38,12 @@ class OpenTiles {
         static constexpr Row nothing_open{};
         const OpenTile* const tile = tile_at(column, y / Tiles::side_px);
         return tile ? tile->rows[std::size_t(y % Tiles::side_px)] : nothing_open;
+    }
+    /// Of a tile with open pixels.
+    std::span<const Row> rows_of(int column, int tile_row) const {
+        const OpenTile* const tile = tile_at(column, tile_row);
+        assert(tile);
+        return tile->rows;
     }
     /// Are both depths of an open pixel lawful for certain?
     bool is_lawful(const PixelPlace& pixel) const {

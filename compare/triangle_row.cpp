@@ -1,7 +1,6 @@
 #include "compare/triangle_row.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "compare/nearness_range.h"
@@ -12,27 +11,6 @@
 namespace zproof {
 
 namespace {
-
-/// Where values that may be off by `unsure` are certainly above or below 0.
-struct Signs {
-    ColumnMask above, below;
-};
-
-[[gnu::target_clones("default", "avx2", "avx512f")]] Signs signs(const Affine<double> f, const RowPlace row,
-                                                                 double unsure) {
-    const double along_column = f.b * row.y;
-    std::uint64_t above = 0, below = 0;
-    for (std::size_t i = 0; i < tile_columns; ++i) {
-        const double middle = f.a * double(row.left + int(i)) + along_column + f.c;
-        above |= std::uint64_t(middle - unsure > 0) << i;
-        below |= std::uint64_t(middle + unsure < 0) << i;
-    }
-    return {ColumnMask(above), ColumnMask(below)};
-}
-
-double reach(const Affine<double>& f, double half_side_px) {
-    return half_side_px * std::abs(f.a) + half_side_px * std::abs(f.b);
-}
 
 [[gnu::target_clones("default", "avx2", "avx512f")]] void set_nearness(
     const KeptPlane plane, const std::array<TileRow, 3>& direction, TileRow& nearness) {
@@ -113,26 +91,6 @@ TileRow SightRow::nearness(const KeptPlane& plane) const {
     TileRow nearness;
     set_nearness(plane, direction_, nearness);
     return nearness;
-}
-
-PlaceMasks places_in_row(const TriangleFilter& filter, std::uint32_t edges, const RowPlace& row,
-                         double half_side_px) {
-    ColumnMask covers = all_columns, misses = 0;
-    for (; edges != 0; edges &= edges - 1) {
-        const Affine<double>& e = filter.edge[std::size_t(std::countr_zero(edges))];
-        const Signs inside = signs(e, row, reach(e, half_side_px) + filter.edge_error);
-        covers &= inside.above;
-        misses |= inside.below;
-    }
-    return {covers & ~misses, ~covers & ~misses & all_columns};
-}
-
-OrderMasks orders_in_row(const TriangleFilter& front, const TriangleFilter& back, const RowPlace& row,
-                         double half_side_px) {
-    const Affine<double> ahead = front.nearness - back.nearness;
-    const Signs order =
-        signs(ahead, row, reach(ahead, half_side_px) + front.nearness_error + back.nearness_error);
-    return {.ahead = order.above, .behind = order.below};
 }
 
 TriangleRow::TriangleRow(const ImageOfView& image, const SightRow& sight)

@@ -22,23 +22,6 @@ class SightRow {
     std::array<TileRow, 3> direction_;
 };
 
-struct PlaceMasks {
-    ColumnMask covers = 0, cuts = 0;  ///< cuts: neither covers nor misses for certain
-};
-
-/// TriangleFilter::place_of the squares of that half-side, as far as some of the edges say: bit k is edge k,
-/// and every square lies inside the others. For filters that are trusted.
-PlaceMasks places_in_row(const TriangleFilter& filter, std::uint32_t edges, const RowPlace& row,
-                         double half_side_px);
-
-struct OrderMasks {
-    ColumnMask ahead = 0, behind = 0;  ///< of `front`, all over the square, for certain
-};
-
-/// order_in() the squares of that half-side.
-OrderMasks orders_in_row(const TriangleFilter& front, const TriangleFilter& back, const RowPlace& row,
-                         double half_side_px);
-
 /// One triangle along a row.
 class TriangleRow {
   public:

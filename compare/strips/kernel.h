@@ -1,5 +1,5 @@
 /// The first look at a strip: where ids turn and differ, and which depths are certain, by the widest vectors
-/// that the machine has.
+/// that the machine has; and on which side of an edge a tile's pixels are.
 ///
 /// kernel_scalar.cpp, kernel_avx2.cpp and kernel_avx512.cpp are compiled for one instruction set each and
 /// share the algorithm of certain.inl and ids.inl. All say the same: every lane's operations are those of
@@ -10,6 +10,8 @@
 #include <cstdint>
 
 #include "compare/certain_depths.h"
+#include "compare/strip.h"
+#include "compare/tiles.h"
 
 namespace zproof::strips {
 
@@ -87,6 +89,17 @@ struct Runs {
     Pixels bare = 0;   ///< pixels that show none
 };
 
+/// The affine function a x + b y + c at the pixels of a tile; values may be off by `unsure`.
+struct Signed {
+    double a = 0, b = 0, c = 0, unsure = 0;
+    int left = 0, top = 0;  ///< of the tile's pixels
+};
+/// By row: bit i is column i.
+struct Signs {
+    static constexpr int side = Tiles::side_px;
+    std::uint16_t above[side], below[side];  ///< 0, for certain
+};
+
 struct Kernel {
     const char* name = "";
     /// Of `width` ids each.
@@ -105,6 +118,7 @@ struct Kernel {
     /// Of `count` triangles in a tile, as tolerance_of has it; they may say less.
     void (*set_tolerances)(const RunLens& lens, const CornerPlaces& corners, int count, const PixelBox& tile,
                            DepthTolerance* tolerances) noexcept = nullptr;
+    void (*set_signs)(const Signed& of, Signs& signs) noexcept = nullptr;
 };
 
 namespace scalar {

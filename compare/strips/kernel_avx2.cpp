@@ -56,6 +56,7 @@ Doubles gathered(const float* table, const Indices& at) {
 }
 
 /// False of a NaN.
+Mask less(const Doubles& a, const Doubles& b) { return {_mm256_cmp_pd(a.lanes, b.lanes, _CMP_LT_OQ)}; }
 Mask not_greater(const Doubles& a, const Doubles& b) { return {_mm256_cmp_pd(a.lanes, b.lanes, _CMP_LE_OQ)}; }
 Mask operator&(const Mask& a, const Mask& b) { return {_mm256_and_pd(a.lanes, b.lanes)}; }
 /// Where it is said, a; elsewhere b.
@@ -93,10 +94,12 @@ unsigned where_background(const float* depth) {
 #include "compare/strips/certain.inl"
 #include "compare/strips/ids.inl"
 #include "compare/strips/runs.inl"
+#include "compare/strips/signs.inl"
 #include "compare/strips/tolerances.inl"
 
 }  // namespace
 
-const Kernel kernel{"AVX2", compare, certain, lawful, where_shown, certain_by_corners, set_tolerances};
+const Kernel kernel{"AVX2",         compare,  certain, lawful, where_shown, certain_by_corners,
+                    set_tolerances, set_signs};
 
 }  // namespace zproof::strips::avx2

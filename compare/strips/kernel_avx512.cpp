@@ -54,6 +54,7 @@ Doubles gathered(const float* table, const Indices& at) {
 Mask not_greater(const Doubles& a, const Doubles& b) {
     return {_mm512_cmp_pd_mask(a.lanes, b.lanes, _CMP_LE_OQ)};
 }
+Mask less(const Doubles& a, const Doubles& b) { return {_mm512_cmp_pd_mask(a.lanes, b.lanes, _CMP_LT_OQ)}; }
 Mask operator&(Mask a, Mask b) { return {__mmask8(a.lanes & b.lanes)}; }
 /// Where it is said, a; elsewhere b.
 Doubles chosen(Mask mask, const Doubles& a, const Doubles& b) {
@@ -78,10 +79,12 @@ unsigned where_background(const float* depth) {
 #include "compare/strips/certain.inl"
 #include "compare/strips/ids.inl"
 #include "compare/strips/runs.inl"
+#include "compare/strips/signs.inl"
 #include "compare/strips/tolerances.inl"
 
 }  // namespace
 
-const Kernel kernel{"AVX-512", compare, certain, lawful, where_shown, certain_by_corners, set_tolerances};
+const Kernel kernel{"AVX-512",          compare,        certain,  lawful, where_shown,
+                    certain_by_corners, set_tolerances, set_signs};
 
 }  // namespace zproof::strips::avx512

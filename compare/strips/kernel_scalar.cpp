@@ -21,6 +21,7 @@ double greater(double a, double b) { return b > a ? b : a; }
 /// A place below one.
 double at_places(const double* values, std::uint64_t) { return *values; }
 Mask not_greater(Doubles a, Doubles b) { return a <= b; }
+Mask less(Doubles a, Doubles b) { return a < b; }
 unsigned bits_of(Mask mask) { return mask; }
 
 using Indices = std::uint32_t;
@@ -49,10 +50,12 @@ unsigned where_background(const float* depth) {
 #include "compare/strips/certain.inl"
 #include "compare/strips/ids.inl"
 #include "compare/strips/runs.inl"
+#include "compare/strips/signs.inl"
 #include "compare/strips/tolerances.inl"
 
 }  // namespace
 
-const Kernel kernel{"scalar", compare, certain, lawful, where_shown, certain_by_corners, set_tolerances};
+const Kernel kernel{"scalar",           compare,        certain,  lawful, where_shown,
+                    certain_by_corners, set_tolerances, set_signs};
 
 }  // namespace zproof::strips::scalar

@@ -61,18 +61,17 @@ TEST(Layers, TieNowhereWithAWallThatIsInFrontForCertain) {
         const std::array<std::uint32_t, 2> near{0, 1};
         const std::array<const ViewBounds*, 1> renderers{&bounds};
         constexpr double middle = (side - 1) / 2.0;
-        Layers layers({sights, acquaintance, coplanar}, {middle, middle, middle, middle}, near, renderers);
+        Layers layers({sights, acquaintance, coplanar}, {0, 0}, {middle, middle, middle, middle}, near,
+                      renderers);
         ASSERT_TRUE(layers.are_known());
-        for (int y = 0; y < side; ++y) {
-            const ColumnMask asked = layers.turn_to(y, all_columns);
-            const ColumnMask as_tied = layers.standings(0, 1, asked).tied;
+        const TileMask as_tied = layers.standings(0, 1, layers.turn_to(TileMask::all())).tied;
+        for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 const auto [front, back] = alone(bounds, scene, sights.at(x, y));
                 const bool is_apart = front.least_nearness > back.greatest_nearness;
-                EXPECT_FALSE(is_apart && (as_tied >> x & 1) != 0) << x << ", " << y;
+                EXPECT_FALSE(is_apart && (as_tied.row(y) >> x & 1) != 0) << x << ", " << y;
                 ++(is_apart ? apart : tied);
             }
-        }
         if (HasFailure()) return;
     }
     EXPECT_GT(tied, 100'000u);

@@ -50,16 +50,18 @@ class OnePixel {
         Acquaintance acquaintance(scene_, view_);
         CoplanarMemory coplanar(16);
         const std::array<const ViewBounds*, 1> renderers{&bounds_};
-        Layers layers({sights, acquaintance, coplanar}, {double(x_), double(y_), tile_px, tile_px}, all_,
-                      renderers);
+        const int column = int(tile_px), row = 3;
+        Layers layers({sights, acquaintance, coplanar}, {x_ - column, y_ - row},
+                      {double(x_), double(y_), tile_px, tile_px}, all_, renderers);
         if (!layers.are_known()) return std::nullopt;
-        const auto column = std::size_t(tile_px);
-        const ColumnMask uncut = layers.turn_to(y_, ColumnMask{1} << column);
-        if (uncut == 0) return std::nullopt;
+        TileMask pixel;
+        pixel.add(row, ColumnMask{1} << column);
+        const TileMask uncut = layers.turn_to(pixel);
+        if (uncut.is_none()) return std::nullopt;
         const auto [tied, visible] = layers.standings(0, std::uint32_t(answer), uncut);
-        const double eps_px = layers.eps_px(0)[column];
-        if ((tied | visible) == 0 || eps_px > 2 * own_eps_px(answer)) return std::nullopt;
-        return Ruled{{tied != 0 ? Standing::tied : Standing::visible, false}, eps_px, std::nullopt};
+        const double eps_px = layers.eps_px(0, row)[std::size_t(column)];
+        if ((tied | visible).is_none() || eps_px > 2 * own_eps_px(answer)) return std::nullopt;
+        return Ruled{{tied.is_none() ? Standing::visible : Standing::tied, false}, eps_px, std::nullopt};
     }
 
   private:
