@@ -1,11 +1,10 @@
-/// Which of a tile's triangles cover a pixel's square, and which may cut it, four triangles at a time.
+/// Which of a tile's triangles cover a pixel's square, and which may cut it, side by side.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
-#include "compare/four.h"
+#include "compare/strips/kernel.h"
 #include "compare/triangle_filter.h"
 
 namespace zproof {
@@ -13,6 +12,8 @@ namespace zproof {
 /// Triangles by their places in the order of being added. One thread at a time.
 class SquarePlaces {
   public:
+    SquarePlaces();
+
     /// Of squares of that half-side; nothing is known of their triangles yet.
     void turn_to(double half_side_px);
     /// One that must be trusted; `covers_all` says that it covers every square which will be asked about.
@@ -25,19 +26,18 @@ class SquarePlaces {
     void sort(int x, int y, std::vector<std::size_t>& covering, std::vector<std::size_t>& cutting) const;
 
   private:
-    /// An edge of each of four triangles.
-    struct alignas(four_alignment) Edges {
-        Four a{}, b{}, c{};
-        Four reach{};  ///< how far values in a square may be from that in its middle, and their error
+    /// Where a triangle stands among others.
+    struct Lane {
+        strips::Eight& eight;
+        std::size_t lane;
     };
-    using Group = std::array<Edges, 3>;
+    Lane next();
 
-    /// Where the next triangle stands.
-    Group& group_of_next();
-
+    const strips::Kernel& kernel_;
     double half_side_px_ = 0;
     std::size_t count_ = 0;
-    std::vector<Group> groups_;
+    std::vector<strips::Eight> eights_;
+    mutable std::vector<strips::PlacesOfEight> places_;  ///< of the square at hand
 };
 
 }  // namespace zproof

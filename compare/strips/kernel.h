@@ -100,6 +100,19 @@ struct Signs {
     std::uint16_t above[side], below[side];  ///< 0, for certain
 };
 
+/// An edge of each of eight triangles: a x + b y + c in the middle of a square; anywhere in it values may be
+/// off from that by `reach`.
+struct EdgesOfEight {
+    double a[8], b[8], c[8], reach[8];
+};
+struct Eight {
+    EdgesOfEight edges[3];
+};
+/// Of eight triangles, bit k is triangle k: covers the square for certain; neither that nor misses it.
+struct PlacesOfEight {
+    std::uint8_t covers, cuts;
+};
+
 struct Kernel {
     const char* name = "";
     /// Of `width` ids each.
@@ -119,6 +132,9 @@ struct Kernel {
     void (*set_tolerances)(const RunLens& lens, const CornerPlaces& corners, int count, const PixelBox& tile,
                            DepthTolerance* tolerances) noexcept = nullptr;
     void (*set_signs)(const Signed& of, Signs& signs) noexcept = nullptr;
+    /// Of `count` times eight triangles, in the square around (x, y).
+    void (*set_places)(const Eight* triangles, int count, double x, double y,
+                       PlacesOfEight* places) noexcept = nullptr;
 };
 
 namespace scalar {

@@ -80,11 +80,12 @@ unsigned where_background(const float* depth) {
 #include "compare/strips/ids.inl"
 #include "compare/strips/runs.inl"
 #include "compare/strips/signs.inl"
+#include "compare/strips/squares.inl"
 #include "compare/strips/tolerances.inl"
 
 }  // namespace
 
-const Kernel kernel{"AVX-512",          compare,        certain,  lawful, where_shown,
-                    certain_by_corners, set_tolerances, set_signs};
+const Kernel kernel{"AVX-512",          compare,        certain,   lawful,    where_shown,
+                    certain_by_corners, set_tolerances, set_signs, set_places};
 
 }  // namespace zproof::strips::avx512
