@@ -35,7 +35,10 @@ void for_each_of(const std::vector<Item>& items, const Do& act) {
 }  // namespace
 
 struct Hearing::Memories {
-    Memories(const Scene& scene, const View& view) : sights(view), acquaintance(scene, view) {}
+    Memories(const Scene& scene, const View& view)
+        : sights(view), acquaintance(scene, view), summary({view, sights, acquaintance, coplanar}) {}
+    Memories(const Memories&) = delete;  // what is summed up looks at the rest
+    Memories& operator=(const Memories&) = delete;
 
     double first_reach_px(const Plea& plea) { return first_reach * own_eps_px(plea); }
     double own_eps_px(const Plea& plea) {
@@ -47,6 +50,7 @@ struct Hearing::Memories {
     Sights<double> sights;
     Acquaintance acquaintance;
     CoplanarMemory coplanar{4096};
+    Summary summary;
 };
 
 class Hearing::Session {
@@ -56,7 +60,6 @@ class Hearing::Session {
           docket_(docket),
           asked_(asked),
           memories_(memories),
-          sights_(hearing.view_),
           near_(hearing.scene_, hearing.view_, asked_boxes()) {}
 
     /// Decides what it can; for each plea of the docket the reach that it needs, or 0 where it is decided.
@@ -99,11 +102,8 @@ class Hearing::Session {
         const std::span near = near_.of(sitting.tile);
         Memories& memories = memories_.local();
         memories.acquaintance.forget_if_much();
-        std::optional<Summary> summary;
-        if (!hearing_.amendment_)
-            summary.emplace(
-                Summary::Shared{hearing_.view_, sights_, memories.acquaintance, memories.coplanar},
-                centres(sitting), near, renderers_of(sitting));
+        Summary* const summary = hearing_.amendment_ ? nullptr : &memories.summary;
+        if (summary) summary->turn_to(centres(sitting), near, renderers_of(sitting));
         const Plea* latest = nullptr;
         for (std::size_t i = sitting.first; i < sitting.end; ++i) {
             const Plea& p = plea(i);
@@ -165,7 +165,6 @@ class Hearing::Session {
     const Docket& docket_;
     Asked asked_;
     ThreadMemories& memories_;
-    Sights<double> sights_;
     TrianglesByTile near_;
 };
 

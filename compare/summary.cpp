@@ -21,28 +21,43 @@ double value_at(const Affine<double>& f, double x, double y, double dx, double d
 
 }  // namespace
 
-Summary::Summary(const Shared& shared, const Around& tile, std::span<const std::uint32_t> near,
-                 std::span<const ViewBounds* const> renderers)
-    : shared_(shared), tile_(tile) {
-    renderers_.reserve(renderers.size());
-    for (const ViewBounds* bounds : renderers) {
-        renderers_.push_back({.bounds = bounds, .triangles = {}, .standing = {}});
-        renderers_.back().triangles.reserve(near.size());
-        widest_px_ = std::max(widest_px_, bounds->background_eps_px());
+void Summary::Renderer::turn_to(const ViewBounds& to) {
+    bounds = &to;
+    triangles.clear();
+    is_never_cut = true;
+    standing.clear();
+}
+
+void Summary::turn_to(const Around& tile, std::span<const std::uint32_t> near,
+                      std::span<const ViewBounds* const> renderers) {
+    tile_ = tile;
+    widest_px_ = 0;
+    all_cover_ = true;
+    is_sorted_out_ = false;
+    pixel_ = 0;
+    untrusted_.clear();
+    renderers_.resize(renderers.size());
+    for (std::size_t i = 0; i < renderers.size(); ++i) {
+        renderers_[i].turn_to(*renderers[i]);
+        widest_px_ = std::max(widest_px_, renderers[i]->background_eps_px());
     }
-    present_.reserve(near.size());
+    meet(near);
+    if (std::isfinite(widest_px_)) sort_out();
+}
+
+void Summary::meet(std::span<const std::uint32_t> near) {
+    present_.clear();
     shared_.acquaintance.expect(near);
     for (const std::uint32_t t : near) {
         const KnownTriangle& known = shared_.acquaintance.of(t);
         for (Renderer& r : renderers_) {
             const BoundedTriangle& bounded = shared_.acquaintance.of(t, *r.bounds);
-            r.triangles.push_back({&bounded, bounded.most_eps_px(known.filter, tile)});
+            r.triangles.push_back({&bounded, bounded.most_eps_px(known.filter, tile_)});
             widest_px_ = std::max(widest_px_, r.triangles.back().most_eps_px);
             r.is_never_cut &= bounded.is_never_cut;
         }
         present_.push_back({t, &known, false});
     }
-    if (std::isfinite(widest_px_)) sort_out();
 }
 
 /// Keeps what does not certainly miss the tile.
@@ -65,8 +80,6 @@ void Summary::sort_out() {
         r.triangles.resize(kept);
         r.standing.resize(kept);
     }
-    covering_.reserve(kept);
-    cutting_.reserve(kept);
     places_.turn_to(widest_px_);
     for (std::size_t i = 0; i < kept; ++i)
         filter(i).is_trusted ? places_.add(filter(i), present_[i].covers_tile) : places_.add_unknown();

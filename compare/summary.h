@@ -18,7 +18,7 @@ struct Plaint {
     Asked asked = Asked::standing;
 };
 
-/// Decides answers at the pixels of one tile, one pixel after the other, in double precision.
+/// Decides answers at the pixels of one tile after the other, one pixel after the other, in double precision.
 class Summary {
   public:
     struct Shared {
@@ -28,12 +28,14 @@ class Summary {
         CoplanarMemory& coplanar;
     };
 
-    /// `tile` holds the centres of all pixels that will be asked about, `near` every triangle within the
-    /// reach of any of them, `renderers` the bounds of all plaints.
-    Summary(const Shared& shared, const Around& tile, std::span<const std::uint32_t> near,
-            std::span<const ViewBounds* const> renderers);
+    explicit Summary(const Shared& shared) : shared_(shared) {}
 
-    /// Turns to another pixel.
+    /// Turns to another tile: `tile` holds the centres of all pixels that will be asked about, `near` every
+    /// triangle within the reach of any of them, `renderers` the bounds of all plaints. What is known of
+    /// triangles must not be forgotten until it turns to the next.
+    void turn_to(const Around& tile, std::span<const std::uint32_t> near,
+                 std::span<const ViewBounds* const> renderers);
+    /// Turns to another pixel of it.
     void look_at(int x, int y) { x_ = x, y_ = y, is_sorted_out_ = false, ++pixel_; }
     /// What decide() and displacement_over_eps() would say in the neighbourhood of the pixel. Nothing where
     /// that takes more than this. The estimate, of the same answer there, is asked for places to look at, and
@@ -62,14 +64,17 @@ class Summary {
         mutable Nearness nearness{};
     };
     struct Renderer {
-        const ViewBounds* bounds;
+        const ViewBounds* bounds = nullptr;
         std::vector<Bounded> triangles;                 ///< of present_, in order
         bool is_never_cut = true;                       ///< any of them
         std::vector<std::optional<Standing>> standing;  ///< by present_, of all pixels; if all cover the tile
+
+        void turn_to(const ViewBounds& to);
     };
     /// A square around the pixel's centre, or a place in it.
     Around square(double half_side_px) const { return {double(x_), double(y_), half_side_px, half_side_px}; }
 
+    void meet(std::span<const std::uint32_t> near);
     void sort_out();
     void sort_out_pixel();
     const TriangleFilter& filter(std::size_t i) const { return present_[i].known->filter; }
@@ -106,7 +111,7 @@ class Summary {
     Shared shared_;
     std::vector<Present> present_;
     std::vector<Renderer> renderers_;
-    Around tile_;
+    Around tile_{};
     double widest_px_ = 0;  ///< no square in the tile has a larger half-side
     bool all_cover_ = true;
     int x_ = 0, y_ = 0;

@@ -30,8 +30,9 @@ class OnePixel {
         Acquaintance acquaintance(scene_, view_);
         CoplanarMemory coplanar(16);
         const std::array<const ViewBounds*, 1> renderers{&bounds_};
-        Summary summary({view_, sights, acquaintance, coplanar}, {double(x_), double(y_), tile_px, tile_px},
-                        all_, renderers);
+        Summary summary({view_, sights, acquaintance, coplanar});
+        look_elsewhere(summary, answer);
+        summary.turn_to({double(x_), double(y_), tile_px, tile_px}, all_, renderers);
         std::optional<Ruled> latest;
         for (const int x : {x_ - 1, x_}) {
             if (x != x_ && tile_px == 0) continue;
@@ -65,6 +66,16 @@ class OnePixel {
     }
 
   private:
+    /// At a pixel of a tile that has fewer triangles, by another renderer's bounds as well.
+    void look_elsewhere(Summary& summary, PrimitiveId answer) const {
+        const ViewBounds wide(view_, RasterPrecision{.subpixel_bits = 2});
+        const std::array<const ViewBounds*, 2> renderers{&wide, &bounds_};
+        summary.turn_to({double(x_), double(y_ + 1), 0, 0}, std::span(all_).first(all_.size() / 2),
+                        renderers);
+        summary.look_at(x_, y_ + 1);
+        Estimate estimate([&] { return around(answer, x_); }, answer);
+        summary.rule({&wide, answer, wide.background_eps_px(), 2}, estimate);
+    }
     double own_eps_px(PrimitiveId answer, int x) const {
         return zproof::own_eps_px(scene_, view_, bounds_, {x, y_}, answer);
     }
