@@ -5,8 +5,8 @@
 namespace zproof {
 
 DepthTolerance tolerance_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
-                            const PixelBox& part, Reach reach) {
-    return tolerance_of<double>(candidate, reference, projection, part, reach);
+                            const PixelBox& part) {
+    return tolerance_of<double>(candidate, reference, projection, part);
 }
 
 }  // namespace zproof

@@ -2,6 +2,8 @@
 /// "Tolerances").
 #pragma once
 
+#include <limits>
+
 #include "compare/depth_law.h"
 
 namespace zproof {
@@ -16,29 +18,41 @@ struct PixelBox {
 /// |z w - 1| for perspectives, |z - w| for parallel projections.
 template <class Number>
 struct DepthToleranceOf {
-    /// One renderer's.
+    /// One renderer's: error / bound is at most error / room, and the depth lawful up to an error of
+    /// `lawful`.
     struct Bound {
-        Number room;    ///< error / bound is at most error / room
-        Number lawful;  ///< and the depth lawful up to that ratio
+        Number room, lawful;
+    };
+    /// Where the renderer keeps to the corners' depths a displaced plane ends at them, so that less of
+    /// displacement counts next to them: the room is
+    /// at_corners + per_shift * min(shift, distance of w from theirs), and the depth lawful up to that - own.
+    struct NextToCorners {
+        Number at_corners, per_shift, shift, own;
     };
 
     Number w_per_x, w_per_y, w_offset;
-    Number least, most;  ///< of w: between them it holds
-    Number largest;      ///< no larger errors are told of
-    Number unsure;       ///< what errors may be off by
+    Number full_least, full_most;  ///< of w: between them with the most room
+    Number unsure;                 ///< what errors may be off by; `lawful` is less by that
     Bound candidate, reference;
+
+    Number least, most;                ///< of w: between them with less, next to corners
+    Number corner_least, corner_most;  ///< of w, at the corners
+    Number largest;                    ///< no larger errors are told of
+    NextToCorners candidate_there, reference_there;
 };
 using DepthTolerance = DepthToleranceOf<double>;
 
-/// What of a triangle a tolerance is for. A displaced plane ends at the corners' depths, so that next to them
-/// less of displacement counts.
-enum class Reach {
-    but_corners,  ///< all but what lies next to them
-    all,
-};
+/// It holds nowhere, and nothing is said of the triangle.
+inline constexpr DepthTolerance tolerance_of_nothing = [] {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    DepthTolerance t{};
+    t.w_per_x = t.w_per_y = std::numeric_limits<double>::quiet_NaN();
+    t.least = t.full_least = infinite, t.most = t.full_most = -infinite;
+    return t;
+}();
 
 /// Where nothing is certain it holds nowhere: `least` is then larger than `most`.
 DepthTolerance tolerance_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
-                            const PixelBox& part, Reach reach);
+                            const PixelBox& part);
 
 }  // namespace zproof

@@ -95,9 +95,8 @@ using FourLaws = std::span<DepthLaw, four_count>;
     std::span<DepthTolerance, four_count> tolerances) {
     LawsOfFour laws;
     set(laws, lens, p_world);
-    part<DepthToleranceOf>(tolerance_of<Four>(laws.candidate, laws.reference, lens.first_pixel.projection,
-                                              tile, Reach::but_corners),
-                           tolerances);
+    part<DepthToleranceOf>(
+        tolerance_of<Four>(laws.candidate, laws.reference, lens.first_pixel.projection, tile), tolerances);
 }
 
 /// Of triangles that are so much further on, memory is asked for what will be read; a triangle's indices say
@@ -183,7 +182,7 @@ void LawMaker::make_tolerances(std::span<const PrimitiveId> triangles, const Pix
         });
     else
         for_each(triangles, [&](std::size_t i, const DepthLaw& ours, const DepthLaw& theirs) {
-            tolerances[i] = tolerance_of(ours, theirs, candidate_.projection(), tile, Reach::but_corners);
+            tolerances[i] = tolerance_of(ours, theirs, candidate_.projection(), tile);
         });
 }
 

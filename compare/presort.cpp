@@ -17,15 +17,6 @@ bool is_none(const ColumnsOfBoth& columns) { return (columns.candidate | columns
 /// At one depth all over the image: there a depth that was lawful and counted is so again.
 bool is_level(const DepthTolerance& t) { return t.w_per_x == 0 && t.w_per_y == 0; }
 
-/// It holds nowhere, and nothing is said of the triangle.
-constexpr DepthTolerance tolerance_of_nothing = [] {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    DepthTolerance t{};
-    t.w_per_x = t.w_per_y = std::numeric_limits<double>::quiet_NaN();
-    t.least = infinite, t.most = -infinite;
-    return t;
-}();
-
 strips::Depths in_kernel(const Strip& strip) {
     return {.x = strip.x,
             .y = strip.y,
@@ -33,6 +24,7 @@ strips::Depths in_kernel(const Strip& strip) {
             .candidate = strip.candidate.camera_depth,
             .reference = strip.reference.camera_depth,
             .turns = strip.turns,
+            .asked = ~strip.differ,
             .law_of_run = strip.law_of_run.data()};
 }
 
@@ -143,15 +135,17 @@ Strip::Pixels Presort::certain_where_level(const Strip& strip, const Largest& la
 /// has a law.
 auto Presort::decided_where_they_differ(const Strip& strip) const -> Decided {
     const auto decide = [&](const Strip::ShownOnes& shown, const float* camera_depth,
-                            DepthTolerance::Bound DepthTolerance::*bound) {
-        return Decided{
-            .all = lawless_among(shown),
-            .lawful = kernel_.lawful({strip.x, strip.y, camera_depth, shown.of.data(), shown.count, bound},
-                                     tolerances_.data(), projection_)};
+                            DepthTolerance::Bound DepthTolerance::*bound,
+                            DepthTolerance::NextToCorners DepthTolerance::*there) {
+        return Decided{.all = lawless_among(shown),
+                       .lawful = kernel_.lawful(
+                           {strip.x, strip.y, camera_depth, shown.of.data(), shown.count, bound, there},
+                           tolerances_.data(), projection_)};
     };
     const Decided ours = decide(candidates_where_they_differ(strip), strip.candidate.camera_depth,
-                                &DepthTolerance::candidate),
-                  theirs = decide(strip.others, strip.reference.camera_depth, &DepthTolerance::reference);
+                                &DepthTolerance::candidate, &DepthTolerance::candidate_there),
+                  theirs = decide(strip.others, strip.reference.camera_depth, &DepthTolerance::reference,
+                                  &DepthTolerance::reference_there);
     const Strip::Pixels lawful = ours.lawful & theirs.lawful;
     return {.all = ours.all | theirs.all | lawful, .lawful = lawful};
 }
@@ -209,17 +203,12 @@ ColumnsOfBoth Presort::uncertain_by(const DepthTolerance& tolerance, const Quest
 }
 
 /// What holds in the chunk alone says more.
-ColumnsOfBoth Presort::uncertain_here(std::uint32_t law, Question asked, const Source& source) const {
+ColumnsOfBoth Presort::uncertain_here(std::uint32_t law, const Question& asked, const Source& source) const {
     const auto [left, y] = source.place();
     const PixelBox chunk{left, y, left + int(tile_columns), y + 1};
     const LawsOfBoth& laws = source.shown.laws();
-    for (const Reach reach : {Reach::all, Reach::but_corners}) {
-        if (is_none(asked.pixels)) break;
-        const DepthTolerance tolerance =
-            tolerance_of(laws.candidate[law], laws.reference[law], projection_, chunk, reach);
-        asked.pixels = uncertain_by(tolerance, asked, source);
-    }
-    return asked.pixels;
+    return uncertain_by(tolerance_of(laws.candidate[law], laws.reference[law], projection_, chunk), asked,
+                        source);
 }
 
 /// Those of them that are asked about are held against the whole formula.

@@ -87,7 +87,7 @@ class Presort {
     };
     ColumnsOfBoth uncertain_by(const DepthTolerance& tolerance, const Question& asked,
                                const Source& source) const;
-    ColumnsOfBoth uncertain_here(std::uint32_t law, Question asked, const Source& source) const;
+    ColumnsOfBoth uncertain_here(std::uint32_t law, const Question& asked, const Source& source) const;
     ColumnsOfBoth lawful_in_full(const ColumnsOfBoth& here, const ColumnsOfBoth& asked,
                                  const PartsOfBoth& parts, const RowPlace& place) const;
     ColumnMask unlawful_in_full(const Part& part, ColumnMask asked, const RowPlace& place,

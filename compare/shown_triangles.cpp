@@ -1,7 +1,5 @@
 #include "compare/shown_triangles.h"
 
-#include <limits>
-
 namespace zproof {
 
 ShownTriangles::ShownTriangles(const Scene& scene, const Witness& candidate, const Witness& reference)
@@ -41,10 +39,8 @@ void ShownTriangles::make_laws() {
 }
 
 void ShownTriangles::set_tolerances(const PixelBox& tile, std::vector<DepthTolerance>& tolerances) const {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
     tolerances.resize(triangles_.size());
-    tolerances[0] = {};
-    tolerances[0].least = infinite, tolerances[0].most = -infinite;
+    tolerances[0] = tolerance_of_nothing;
     maker_.make_tolerances(std::span(triangles_).subspan(1), tile, std::span(tolerances).subspan(1));
 }
 

@@ -44,46 +44,66 @@ Range<Number> range_of(const DepthToleranceOf<Number>& t, const Range<Number>& c
             smaller(corners.most, larger(left, right) + larger(top, bottom) + t.w_offset)};
 }
 
-/// So far from their corners all places lie, or else are left out.
+/// What displacement does to the room of one renderer's errors, which is at_corners + per_shift * shift.
 template <class Number>
-Number distance(const Range<Number>& w, const Range<Number>& corners, Reach reach) {
-    if (reach == Reach::but_corners) return (corners.most - corners.least) / 4.0;
-    return smaller(w.least - corners.least, corners.most - w.most);
-}
+struct RoomTerms {
+    Number at_corners, per_shift, own;
+};
 
-/// See docs/truth.md.
+/// With no more displacement than comes to `shift` in w; see docs/truth.md.
 template <class Number>
-typename DepthToleranceOf<Number>::Bound bound_of(const DepthLawOf<Number>& law, const Range<Number>& w,
-                                                  const Number& shift, Projection projection) {
-    constexpr double u = unit_roundoff_float64, infinite = std::numeric_limits<double>::infinity();
-    const Number one = everywhere<Number>(1), none = everywhere<Number>(0);
+RoomTerms<Number> room_terms(const DepthLawOf<Number>& law, const Range<Number>& w, const Number& shift,
+                             Projection projection) {
+    constexpr double u = unit_roundoff_float64;
+    const Number one = everywhere<Number>(1),
+                 infinite = everywhere<Number>(std::numeric_limits<double>::infinity());
     if (projection == Projection::parallel) {
         const auto is_covered = (law.plane_offset == 0.0) & (law.per == 0.0) & (law.relative < infinite);
-        const Number r = smaller(law.relative, one);
-        const Number room = shift * (1.0 - r) + r * w.least + law.absolute;
-        const Number lawful = 1.0 - (law.own_error + 12 * u * w.most) / room;
-        return {room, is_covered ? lawful : none};
+        const Number r = smaller(law.relative, one), own = law.own_error + 12 * u * w.most;
+        return {r * w.least + law.absolute, 1.0 - r, is_covered ? own : infinite};
     }
     const Number most_r = compounded(law.depth_factor + law.plane_offset / w.least);
     const Number least_r = smaller(law.depth_factor + law.plane_offset / w.most, one);
-    const Number room =
-        shift * (1.0 - smaller(most_r, one)) / (w.most + shift) + least_r + law.absolute * w.least;
-    const Number lawful = 1.0 - (4.5 * law.own_error / w.least + 12 * u) / room;
-    return {room, most_r < infinite ? lawful : none};
+    const Number own = 4.5 * law.own_error / w.least + 12 * u;
+    return {least_r + law.absolute * w.least, (1.0 - smaller(most_r, one)) / (w.most + shift),
+            most_r < infinite ? own : infinite};
+}
+
+template <class Number>
+typename DepthToleranceOf<Number>::NextToCorners next_to_corners(const DepthLawOf<Number>& law,
+                                                                 const Range<Number>& w,
+                                                                 const Range<Number>& corners,
+                                                                 Projection projection) {
+    const auto keeps = keeps_to_corners(law);
+    const Number any = shift_at(law, w.least), kept = smaller(any, (corners.most - corners.least) / 4.0);
+    const Number shift = keeps ? kept : any, none = everywhere<Number>(0);
+    const RoomTerms<Number> terms = room_terms(law, w, shift, projection);
+    return {.at_corners = keeps ? terms.at_corners : terms.at_corners + terms.per_shift * shift,
+            .per_shift = keeps ? terms.per_shift : none,
+            .shift = keeps ? shift : none,
+            .own = terms.own};
+}
+
+/// Far from the corners.
+template <class Number>
+typename DepthToleranceOf<Number>::Bound bound_of(const DepthToleranceOf<Number>& t,
+                                                  const typename DepthToleranceOf<Number>::NextToCorners& c) {
+    const Number room = c.at_corners + c.per_shift * c.shift;
+    return {room, smaller(room - c.own - t.unsure, t.largest)};
 }
 
 }  // namespace detail
 
-/// Where nothing is certain it holds nowhere: `least` is then larger than `most`.
+/// Where nothing is certain it holds nowhere, as DepthTolerance has it.
 template <class Number>
 DepthToleranceOf<Number> tolerance_of(const DepthLawOf<Number>& candidate,
                                       const DepthLawOf<Number>& reference, Projection projection,
-                                      const PixelBox& part, Reach reach) {
+                                      const PixelBox& part) {
     using namespace detail;
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const bool perspective = projection == Projection::perspective;
     const double sign = perspective ? 1 : -1;
-    const Number one = everywhere<Number>(1), none = everywhere<Number>(0);
+    const Number one = everywhere<Number>(1);
     DepthToleranceOf<Number> t{};
     t.w_per_x = sign * candidate.nearness_per_x;
     t.w_per_y = sign * candidate.nearness_per_y;
@@ -91,23 +111,22 @@ DepthToleranceOf<Number> tolerance_of(const DepthLawOf<Number>& candidate,
     const Range<Number> corners{(perspective ? candidate.least : 1.0 / candidate.highest) * (1 - widening),
                                 (perspective ? candidate.highest : 1.0 / candidate.least) * (1 + widening)};
     const Range<Number> w = range_of(t, corners, part);
-    const Number away = distance(w, corners, reach);
-    const Number our_shift = shift_at(candidate, w.least), their_shift = shift_at(reference, w.least);
-    const auto we_keep = keeps_to_corners(candidate), they_keep = keeps_to_corners(reference);
-    const Number ours = we_keep ? smaller(our_shift, away) : our_shift,
-                 theirs = they_keep ? smaller(their_shift, away) : their_shift;
     t.largest = 0.5 * (perspective ? one : w.least);
     t.unsure = 8 * widening * (perspective ? one : w.most);
-    t.candidate = bound_of(candidate, w, ours, projection);
-    t.reference = bound_of(reference, w, theirs, projection);
+    t.candidate_there = next_to_corners(candidate, w, corners, projection);
+    t.reference_there = next_to_corners(reference, w, corners, projection);
+    t.candidate = bound_of(t, t.candidate_there);
+    t.reference = bound_of(t, t.reference_there);
     const auto holds = (w.least > 0.0) & (w.least <= w.most) & (w.most < infinite) &
-                       (t.candidate.lawful > 0.0) & (t.reference.lawful > 0.0);
-    const Number kept_out = larger(we_keep ? ours : none, they_keep ? theirs : none),
-                 left_out = reach == Reach::all ? none : kept_out;
-    const Number least = larger(w.least, corners.least + left_out),
-                 most = smaller(w.most, corners.most - left_out);
-    t.least = holds ? least : everywhere<Number>(infinite);
-    t.most = holds ? most : everywhere<Number>(-infinite);
+                       (t.candidate_there.own < t.candidate.room) &
+                       (t.reference_there.own < t.reference.room);
+    const Number next_to = larger(t.candidate_there.shift, t.reference_there.shift);
+    const Number nothing = everywhere<Number>(infinite);
+    t.least = holds ? w.least : nothing;
+    t.most = holds ? w.most : -nothing;
+    t.corner_least = corners.least, t.corner_most = corners.most;
+    t.full_least = larger(t.least, corners.least + next_to);
+    t.full_most = smaller(t.most, corners.most - next_to);
     return t;
 }
 

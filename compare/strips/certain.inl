@@ -12,35 +12,72 @@ struct Parallel {
 constexpr double lesser(double a, double b) { return b < a ? b : a; }
 constexpr int lesser(int a, int b) { return b < a ? b : a; }
 
-/// Up to that an error is.
-double most_error(const DepthTolerance& t, const DepthTolerance::Bound& bound, double at_most) {
-    return lesser(lesser(bound.lawful, at_most) * bound.room - t.unsure, t.largest);
-}
-
 /// A triangle along the strip.
 struct Line {
-    Doubles w_per_x, w_of_row, w_offset, least, most;
+    Doubles w_per_x, w_of_row, w_offset;
 
     Line(const DepthTolerance& t, int y)
-        : w_per_x(all(t.w_per_x)),
-          w_of_row(all(t.w_per_y * y)),
-          w_offset(all(t.w_offset)),
-          least(all(t.least)),
-          most(all(t.most)) {}
+        : w_per_x(all(t.w_per_x)), w_of_row(all(t.w_per_y * y)), w_offset(all(t.w_offset)) {}
 
     Doubles w_at(const Doubles& x) const { return w_per_x * x + w_of_row + w_offset; }
-    Mask holds_at(const Doubles& w) const { return not_greater(least, w) & not_greater(w, most); }
 };
 
-/// And what errors of both renderers are at most.
-struct Row {
-    Line line;
-    Doubles our_most, their_most;
+struct Between {
+    Doubles least, most;
+
+    Mask hold(const Doubles& w) const { return not_greater(least, w) & not_greater(w, most); }
 };
-Row row_of(const DepthTolerance& t, int y, const Tolerated& by) {
-    return {Line(t, y), all(most_error(t, t.candidate, by.candidate_at_most)),
-            all(most_error(t, t.reference, by.reference_at_most))};
+
+/// Where a tolerance has the most room.
+struct Full {
+    Line line;
+    Between between;
+
+    Full(const DepthTolerance& t, int y) : line(t, y), between{all(t.full_least), all(t.full_most)} {}
+};
+/// Up to that an error is there.
+double most_error(const DepthTolerance& t, const DepthTolerance::Bound& bound, double at_most) {
+    return lesser(bound.lawful, at_most * bound.room - t.unsure);
 }
+
+/// Where it has less, next to corners.
+struct NextToCorners {
+    Line line;
+    Between between;
+    Doubles corner_least, corner_most, unsure, largest;
+
+    NextToCorners(const DepthTolerance& t, int y)
+        : line(t, y),
+          between{all(t.least), all(t.most)},
+          corner_least(all(t.corner_least)),
+          corner_most(all(t.corner_most)),
+          unsure(all(t.unsure)),
+          largest(all(t.largest)) {}
+
+    Doubles distance(const Doubles& w) const { return lesser(w - corner_least, corner_most - w); }
+};
+/// Of a renderer.
+struct RoomThere {
+    Doubles at_corners, per_shift, shift, own, at_most;
+
+    RoomThere(const DepthTolerance::NextToCorners& there, double most)
+        : at_corners(all(there.at_corners)),
+          per_shift(all(there.per_shift)),
+          shift(all(there.shift)),
+          own(all(there.own)),
+          at_most(all(most)) {}
+
+    Doubles most_error(const NextToCorners& triangle, const Doubles& distance) const {
+        const Doubles room = at_corners + per_shift * lesser(shift, distance);
+        return lesser(lesser(room - own, at_most * room) - triangle.unsure, triangle.largest);
+    }
+};
+
+/// At one depth all over the image, which is its corners': an error that is not the largest's is certain there
+/// with the most room or not at all.
+bool is_level(const DepthTolerance& t) { return t.w_per_x == 0 && t.w_per_y == 0; }
+
+bool has_less_next_to_corners(const DepthTolerance& t) { return t.least < t.full_least || t.full_most < t.most; }
 
 /// The x of each pixel of a strip.
 struct Columns {
@@ -51,16 +88,6 @@ struct Columns {
     }
 };
 
-/// The pixels from i on, as many as there are lanes.
-template <class Projected>
-Pixels certain_from(const Row& row, const Depths& depths, const Columns& columns, int i) {
-    const Doubles w = row.line.w_at(loaded(columns.x + i));
-    const Doubles ours = Projected::error(widened(depths.candidate + i), w),
-                  theirs = Projected::error(widened(depths.reference + i), w);
-    return Pixels{bits_of(row.line.holds_at(w) & not_greater(ours, row.our_most) &
-                          not_greater(theirs, row.their_most))};
-}
-
 /// Sixteen pixels.
 Pixels bare_from(const Depths& depths, int i) {
     return Pixels{where_background(depths.candidate + i) & where_background(depths.reference + i)};
@@ -68,7 +95,7 @@ Pixels bare_from(const Depths& depths, int i) {
 
 /// Asks for `step` pixels at once, until all from first to before end were asked for.
 template <int step, class From>
-Pixels in_run(int first, int end, const From& from) {
+[[gnu::always_inline]] inline Pixels in_run(int first, int end, const From& from) {
     constexpr int last = width - step;
     Pixels found = 0;
     for (int i = lesser(first, last);; i = lesser(i + step, last)) {
@@ -77,62 +104,136 @@ Pixels in_run(int first, int end, const From& from) {
     }
 }
 
+int first_of(Pixels some) { return __builtin_ctzll(some); }
+int end_of(Pixels some) { return width - __builtin_clzll(some); }
+
 /// Pixels that show one triangle: from first to before end.
 struct Run {
     std::uint32_t law;
     int first, end;
 };
 
-/// The pixels of a run; of others, anything.
+/// Of the pixels of a run; of others, anything.
 template <class Projected>
-[[gnu::always_inline]] inline Pixels certain_in_run(const Depths& depths, const Columns& columns,
-                                                    const Tolerated& by, const Run& run) {
-    if (run.law == 0) {
-        if (depths.primitive[run.first] != PrimitiveId::none) return 0;
-        return in_run<16>(run.first, run.end, [&](int i) { return bare_from(depths, i); });
-    }
-    const Row row = row_of(by.tolerances[run.law], depths.y, by);
-    return in_run<lanes>(run.first, run.end,
-                         [&](int i) { return certain_from<Projected>(row, depths, columns, i); });
+[[gnu::always_inline]] inline Pixels certain_of_triangle(const Depths& depths, const Columns& columns,
+                                                         const Tolerated& by, const Run& run) {
+    const DepthTolerance& t = by.tolerances[run.law];
+    const Full full(t, depths.y);
+    const Doubles our_most = all(most_error(t, t.candidate, by.candidate_at_most)),
+                  their_most = all(most_error(t, t.reference, by.reference_at_most));
+    return in_run<lanes>(run.first, run.end, [&](int i) {
+        const Doubles w = full.line.w_at(loaded(columns.x + i));
+        const Doubles ours = Projected::error(widened(depths.candidate + i), w),
+                      theirs = Projected::error(widened(depths.reference + i), w);
+        return Pixels{bits_of(full.between.hold(w) & not_greater(ours, our_most) &
+                              not_greater(theirs, their_most))};
+    });
 }
 
 template <class Projected>
-Pixels certain_in_runs(const Depths& depths, const Tolerated& by) {
-    const Columns columns(depths.x);
+Pixels certain_in_runs(const Depths& depths, const Tolerated& by, const Columns& columns) {
     Pixels all_certain = 0;
     const std::uint32_t* law = depths.law_of_run;
     for (Pixels turns = depths.turns; turns != 0; ++law) {
         const Pixels from_first = -(turns & -turns);  // all pixels from the run's first on
         turns &= turns - 1;
-        const Pixels beyond = -(turns & -turns);  // and from the next one's
+        const Pixels of_run = from_first & ~-(turns & -turns);  // to before the next one's
+        if ((of_run & depths.asked) == 0) continue;
         const Run run{*law, __builtin_ctzll(from_first), turns != 0 ? __builtin_ctzll(turns) : width};
-        all_certain |= certain_in_run<Projected>(depths, columns, by, run) & from_first & ~beyond;
+        if (run.law != 0)
+            all_certain |= of_run & certain_of_triangle<Projected>(depths, columns, by, run);
+        else if (depths.primitive[run.first] == PrimitiveId::none)
+            all_certain |=
+                of_run & in_run<16>(run.first, run.end, [&](int i) { return bare_from(depths, i); });
     }
     return all_certain;
 }
 
+/// Of some pixels of a run.
+template <class Projected>
+Pixels certain_there(const Depths& depths, const Columns& columns, const Tolerated& by,
+                     const DepthTolerance& t, Pixels some) {
+    const NextToCorners triangle(t, depths.y);
+    const RoomThere our_room(t.candidate_there, by.candidate_at_most),
+        their_room(t.reference_there, by.reference_at_most);
+    return some & in_run<lanes>(first_of(some), end_of(some), [&](int i) {
+               const Doubles w = triangle.line.w_at(loaded(columns.x + i)), distance = triangle.distance(w);
+               const Doubles ours = Projected::error(widened(depths.candidate + i), w),
+                             theirs = Projected::error(widened(depths.reference + i), w);
+               return Pixels{bits_of(triangle.between.hold(w) &
+                                     not_greater(ours, our_room.most_error(triangle, distance)) &
+                                     not_greater(theirs, their_room.most_error(triangle, distance)))};
+           });
+}
+
+/// Of those pixels. By itself, so that what most strips need keeps its registers.
+template <class Projected>
+[[gnu::noinline]] Pixels certain_next_to_corners(const Depths& depths, const Tolerated& by,
+                                                 const Columns& columns, Pixels asked) {
+    Pixels all_certain = 0;
+    const std::uint32_t* law = depths.law_of_run;
+    for (Pixels turns = depths.turns; turns != 0; ++law) {
+        const Pixels from_first = -(turns & -turns);
+        turns &= turns - 1;
+        const Pixels some = asked & from_first & ~-(turns & -turns);
+        const DepthTolerance& t = by.tolerances[*law];
+        if (some != 0 && has_less_next_to_corners(t) && !is_level(t))
+            all_certain |= certain_there<Projected>(depths, columns, by, t, some);
+    }
+    return all_certain;
+}
+
+template <class Projected>
+Pixels certain_by(const Depths& depths, const Tolerated& by) {
+    const Columns columns(depths.x);
+    const Pixels found = depths.asked & certain_in_runs<Projected>(depths, by, columns);
+    const Pixels left = depths.asked & ~found;
+    return left == 0 ? found : found | certain_next_to_corners<Projected>(depths, by, columns, left);
+}
+
 Pixels certain(const Depths& depths, const Tolerated& by) noexcept {
-    return by.projection == Projection::perspective ? certain_in_runs<Perspective>(depths, by)
-                                                    : certain_in_runs<Parallel>(depths, by);
+    return by.projection == Projection::perspective ? certain_by<Perspective>(depths, by)
+                                                    : certain_by<Parallel>(depths, by);
+}
+
+/// Of one frame, as the same of both; with any ratio that is lawful.
+template <class Projected>
+Pixels lawful_of_triangle(const OneFrame& frame, const Columns& columns, const DepthTolerance& t,
+                          Pixels some) {
+    const Full full(t, frame.y);
+    const Doubles most = all((t.*frame.bound).lawful);
+    return in_run<lanes>(first_of(some), end_of(some), [&](int i) {
+        const Doubles w = full.line.w_at(loaded(columns.x + i));
+        const Doubles error = Projected::error(widened(frame.camera_depth + i), w);
+        return Pixels{bits_of(full.between.hold(w) & not_greater(error, most))};
+    });
+}
+template <class Projected>
+[[gnu::noinline]] Pixels lawful_next_to_corners(const OneFrame& frame, const Columns& columns, const DepthTolerance& t,
+                              Pixels some) {
+    const NextToCorners triangle(t, frame.y);
+    const RoomThere room(t.*frame.there, __builtin_inf());
+    return in_run<lanes>(first_of(some), end_of(some), [&](int i) {
+        const Doubles w = triangle.line.w_at(loaded(columns.x + i));
+        const Doubles error = Projected::error(widened(frame.camera_depth + i), w),
+                      most = room.most_error(triangle, triangle.distance(w));
+        return Pixels{bits_of(triangle.between.hold(w) & not_greater(error, most))};
+    });
 }
 
 template <class Projected>
 Pixels lawful_in(const OneFrame& frame, const DepthTolerance* tolerances) {
     const Columns columns(frame.x);
-    Pixels found = 0;
+    Pixels all_lawful = 0;
     for (int k = 0; k < frame.count; ++k) {
         const auto& [law, pixels] = frame.shown[k];
         const DepthTolerance& t = tolerances[law];
-        const Line line(t, frame.y);
-        const Doubles most = all(most_error(t, t.*frame.bound, __builtin_inf()));
-        const int first = __builtin_ctzll(pixels), end = width - __builtin_clzll(pixels);
-        found |= pixels & in_run<lanes>(first, end, [&](int i) {
-                     const Doubles w = line.w_at(loaded(columns.x + i));
-                     const Doubles error = Projected::error(widened(frame.camera_depth + i), w);
-                     return Pixels{bits_of(line.holds_at(w) & not_greater(error, most))};
-                 });
+        Pixels found = pixels & lawful_of_triangle<Projected>(frame, columns, t, pixels);
+        if (const Pixels left = pixels & ~found; left != 0 && has_less_next_to_corners(t))
+            found |= left & lawful_next_to_corners<Projected>(frame, columns, t, left);
+        all_lawful |= found;
     }
-    return found;
+    return all_lawful;
 }
 
 Pixels lawful(const OneFrame& frame, const DepthTolerance* tolerances, Projection projection) noexcept {

@@ -32,6 +32,7 @@ struct Depths {
     const PrimitiveId* primitive = nullptr;                  ///< the candidate's
     const float *candidate = nullptr, *reference = nullptr;  ///< camera depths
     Pixels turns = 1;                                        ///< as Ids has it
+    Pixels asked = 0;                                        ///< about these; of others, nothing is said
     const std::uint32_t* law_of_run = nullptr;  ///< of each run, in order: a place among tolerances
 };
 
@@ -49,6 +50,7 @@ struct OneFrame {
     const Strip::Shown* shown = nullptr;
     int count = 0;
     DepthTolerance::Bound DepthTolerance::*bound = nullptr;  ///< its renderer's
+    DepthTolerance::NextToCorners DepthTolerance::*there = nullptr;
 };
 
 /// What a perspective's runs are looked at with when nothing is known of their triangles but the corners

@@ -2,7 +2,7 @@
 
 /// Triangles side by side.
 struct Tolerances {
-    Doubles w_per_x, w_per_y, w_offset, least, most, our_room, our_lawful, their_room, their_lawful;
+    Doubles w_per_x, w_per_y, w_offset, least, most, our_room, their_room, own;
 };
 
 [[gnu::always_inline]] inline Tolerances tolerances_of(const RunLens& lens, const Planes& planes,
@@ -35,30 +35,33 @@ struct Tolerances {
             chosen(holds, least, all(infinite)),
             chosen(holds, most, all(-infinite)),
             ours,
-            all(1) - own / ours,
             theirs,
-            all(1) - own / theirs};
+            own};
 }
 
-/// To each its own.
+/// To each its own; nothing is said of what lies next to corners.
 void put(const Tolerances& side_by_side, int count, DepthTolerance* tolerances) {
-    double numbers[9][lanes];
+    double numbers[8][lanes];
     store(side_by_side.w_per_x, numbers[0]);
     store(side_by_side.w_per_y, numbers[1]);
     store(side_by_side.w_offset, numbers[2]);
     store(side_by_side.least, numbers[3]);
     store(side_by_side.most, numbers[4]);
     store(side_by_side.our_room, numbers[5]);
-    store(side_by_side.our_lawful, numbers[6]);
-    store(side_by_side.their_room, numbers[7]);
-    store(side_by_side.their_lawful, numbers[8]);
+    store(side_by_side.their_room, numbers[6]);
+    store(side_by_side.own, numbers[7]);
+    constexpr double infinite = __builtin_inf();
     for (int i = 0; i < count; ++i) {
         DepthTolerance& t = tolerances[i];
         t.w_per_x = numbers[0][i], t.w_per_y = numbers[1][i], t.w_offset = numbers[2][i];
-        t.least = numbers[3][i], t.most = numbers[4][i];
+        t.least = t.full_least = numbers[3][i], t.most = t.full_most = numbers[4][i];
+        t.corner_least = -infinite, t.corner_most = infinite;
         t.largest = 0.5, t.unsure = unsure;
-        t.candidate.room = numbers[5][i], t.candidate.lawful = numbers[6][i];
-        t.reference.room = numbers[7][i], t.reference.lawful = numbers[8][i];
+        const double ours = numbers[5][i], theirs = numbers[6][i], own = numbers[7][i];
+        t.candidate = {ours, lesser(ours - own - unsure, 0.5)};
+        t.reference = {theirs, lesser(theirs - own - unsure, 0.5)};
+        t.candidate_there = {ours, 0, 0, own};
+        t.reference_there = {theirs, 0, 0, own};
     }
 }
 

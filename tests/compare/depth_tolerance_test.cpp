@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include "compare/certain_depths.h"
 #include "compare/depth_bound.h"
 #include "compare/strips/dispatch.h"
+#include "full_room.h"
 #include "random_surroundings.h"
 
 namespace zproof {
@@ -102,16 +104,14 @@ TEST(DepthTolerance, IsOfLawfulDepthsThatErrNoMore) {
             candidate.set_depths(dice, at_most.candidate);
             reference.set_depths(dice, at_most.reference);
             const PixelBox part = part_around(dice, at);
-            for (const Reach reach : {Reach::but_corners, Reach::all}) {
-                const DepthTolerance triangle =
-                    tolerance_of(candidate.law, reference.law, projection, part, reach);
-                ++asked, usable += triangle.least <= triangle.most;
-                const ColumnsOfBoth certain = certain_depths(
-                    triangle, projection, {at, candidate.z.data(), reference.z.data()}, at_most);
-                try_side(certain.candidate, candidate, projection, at_most.candidate, ours);
-                try_side(certain.reference, reference, projection, at_most.reference, theirs);
-                if (HasFatalFailure()) return;
-            }
+            const DepthTolerance triangle = tolerance_of(candidate.law, reference.law, projection, part);
+            ++asked, usable += triangle.least <= triangle.most;
+            ASSERT_TRUE(triangle.least > triangle.most || has_full_room_inside_only(triangle));
+            const ColumnsOfBoth certain =
+                certain_depths(triangle, projection, {at, candidate.z.data(), reference.z.data()}, at_most);
+            try_side(certain.candidate, candidate, projection, at_most.candidate, ours);
+            try_side(certain.reference, reference, projection, at_most.reference, theirs);
+            if (HasFatalFailure()) return;
         }
     }
     EXPECT_GT(usable, asked / 4);
@@ -156,36 +156,33 @@ TEST(DepthTolerance, HoldsOfWideBounds) {
         for (float& depth : z) depth = float(4 + std::ldexp(dice.between(-1, 1), dice.below(30) - 25));
         const DepthRow exact = depths_in_row(law, projection, {0, 0}, z);
         const double at_most = dice.below(2) != 0 ? 1 : dice.between(0, 1);
-        for (const Reach reach : {Reach::but_corners, Reach::all}) {
-            const DepthTolerance wall = tolerance_of(law, law, projection, a_row, reach);
-            const ColumnMask certain =
-                certain_depths(wall, projection, {{0, 0}, z.data(), z.data()}, {at_most, at_most}).candidate;
-            try_row(certain, exact, z, at_most, tried);
-            if (HasFatalFailure()) return;
-        }
+        const DepthTolerance wall = tolerance_of(law, law, projection, a_row);
+        const ColumnMask certain =
+            certain_depths(wall, projection, {{0, 0}, z.data(), z.data()}, {at_most, at_most}).candidate;
+        try_row(certain, exact, z, at_most, tried);
+        if (HasFatalFailure()) return;
     }
     EXPECT_GT(tried.certain, tried.lawful / 2);
 }
 
 /// Whoever has an error that is nearly the largest has it found nearly everywhere.
 TEST(DepthTolerance, OfAWallIsNearlyItsBound) {
-    for (const Projection projection : {Projection::perspective, Projection::parallel})
-        for (const Reach reach : {Reach::but_corners, Reach::all}) {
-            const DepthLaw law = wall_law(0x1p-20, 0x1p-23, projection);
-            TileRowOf<float> z;
-            for (std::size_t i = 0; i < tile_columns; ++i) z[i] = 4 + float(i) * 0x1p-22f;
-            const ColumnsOfBoth certain = certain_depths(tolerance_of(law, law, projection, a_row, reach),
-                                                         projection, {{0, 0}, z.data(), z.data()}, {1, 0.5});
-            const DepthRow exact = depths_in_row(law, projection, {0, 0}, z);
-            ColumnMask lawful = 0, half = 0;
-            for (std::size_t i = 0; i < tile_columns; ++i) {
-                lawful |= ColumnMask(exact.ratio[i] >= 0 && exact.ratio[i] < 0.999) << i;
-                half |= ColumnMask(exact.ratio[i] >= 0 && exact.ratio[i] < 0.499) << i;
-            }
-            EXPECT_NE(lawful, half);
-            EXPECT_EQ(certain.candidate, lawful);
-            EXPECT_EQ(certain.reference, half);
+    for (const Projection projection : {Projection::perspective, Projection::parallel}) {
+        const DepthLaw law = wall_law(0x1p-20, 0x1p-23, projection);
+        TileRowOf<float> z;
+        for (std::size_t i = 0; i < tile_columns; ++i) z[i] = 4 + float(i) * 0x1p-22f;
+        const ColumnsOfBoth certain = certain_depths(tolerance_of(law, law, projection, a_row), projection,
+                                                     {{0, 0}, z.data(), z.data()}, {1, 0.5});
+        const DepthRow exact = depths_in_row(law, projection, {0, 0}, z);
+        ColumnMask lawful = 0, half = 0;
+        for (std::size_t i = 0; i < tile_columns; ++i) {
+            lawful |= ColumnMask(exact.ratio[i] >= 0 && exact.ratio[i] < 0.999) << i;
+            half |= ColumnMask(exact.ratio[i] >= 0 && exact.ratio[i] < 0.499) << i;
         }
+        EXPECT_NE(lawful, half);
+        EXPECT_EQ(certain.candidate, lawful);
+        EXPECT_EQ(certain.reference, half);
+    }
 }
 
 TEST(DepthTolerance, SaysNothingBeyondItsPart) {
@@ -200,9 +197,8 @@ TEST(DepthTolerance, SaysNothingBeyondItsPart) {
             z[i] = float(projection == Projection::perspective ? 1 / nearness : -nearness);
         }
         const PixelBox part{4, 0, 8, 1};
-        const ColumnsOfBoth certain =
-            certain_depths(tolerance_of(law, law, projection, part, Reach::but_corners), projection,
-                           {{0, 0}, z.data(), z.data()}, {});
+        const ColumnsOfBoth certain = certain_depths(tolerance_of(law, law, projection, part), projection,
+                                                     {{0, 0}, z.data(), z.data()}, {});
         EXPECT_EQ(certain.candidate, 0xf0u);
         EXPECT_EQ(certain.reference, 0xf0u);
     }
@@ -218,10 +214,23 @@ DepthTolerance some_tolerance(Dice& dice, Projection projection) {
     t.w_offset = w - 96 * t.w_per_x - 3 * t.w_per_y;
     t.least = w - dice.between(0, 64) * step;
     t.most = w + dice.between(0, 64) * step;
+    t.corner_least = t.least - dice.between(0, 9) * step;
+    t.corner_most = t.most + dice.between(0, 9) * step;
     t.largest = 0.5 * (perspective ? 1 : w);
     t.unsure = 0x1p-10 * error;
-    t.candidate = {dice.between(1, 8) * error, dice.between(0, 1)};
-    t.reference = {dice.between(1, 8) * error, dice.between(0, 1)};
+    const auto set_some = [&](DepthTolerance::Bound& bound, DepthTolerance::NextToCorners& there) {
+        there.at_corners = dice.between(1, 8) * error;
+        there.shift = dice.below(2) != 0 ? dice.between(0, 32) * step : 0;
+        there.per_shift = there.shift > 0 ? dice.between(0, 8) * error / there.shift : 0;
+        bound.room = there.at_corners + there.per_shift * there.shift;
+        there.own = bound.room * dice.between(0, 1);
+        bound.lawful = std::min(bound.room - there.own - t.unsure, t.largest);
+    };
+    set_some(t.candidate, t.candidate_there);
+    set_some(t.reference, t.reference_there);
+    const double kept = std::max(t.candidate_there.shift, t.reference_there.shift);
+    t.full_least = std::max(t.least, t.corner_least + kept);
+    t.full_most = std::min(t.most, t.corner_most - kept);
     return t;
 }
 
@@ -261,9 +270,11 @@ TEST(StripKernels, FindTheDepthsCertainOfEachTriangleByItself) {
         SCOPED_TRACE(seed);
         Dice dice(seed);
         const Projection projection = dice.below(2) != 0 ? Projection::perspective : Projection::parallel;
-        const std::array tolerances{DepthTolerance{}, some_tolerance(dice, projection),
+        const std::array tolerances{tolerance_of_nothing, some_tolerance(dice, projection),
                                     some_tolerance(dice, projection)};
         const FewTriangles shown(dice);
+        const Strip::Pixels asked =
+            dice.below(2) != 0 ? Strip::all : Strip::Pixels{0xF0FFF0} << dice.below(48);
         const AtMost at_most{1, dice.below(2) != 0 ? 1 : 0.5};
         Strip::Pixels expected = 0;
         for (std::size_t i = 0; i < Strip::width; ++i) {
@@ -284,9 +295,10 @@ TEST(StripKernels, FindTheDepthsCertainOfEachTriangleByItself) {
                                 .candidate = shown.our_depth.data(),
                                 .reference = shown.their_depth.data(),
                                 .turns = shown.turns,
+                                .asked = asked,
                                 .law_of_run = shown.law_of_run.data()},
                                {tolerances.data(), projection, at_most.candidate, at_most.reference});
-            ASSERT_EQ(certain, expected) << kernel.name;
+            ASSERT_EQ(certain, expected & asked) << kernel.name;
         }
         found[1] += std::popcount(expected);
         found[0] += std::popcount(~expected);
@@ -315,9 +327,7 @@ TEST(StripKernels, FindTheDepthsOfOneFrameLawful) {
         SCOPED_TRACE(seed);
         Dice dice(seed);
         const Projection projection = dice.below(2) != 0 ? Projection::perspective : Projection::parallel;
-        DepthTolerance nowhere{};
-        nowhere.least = 1, nowhere.most = -1;
-        const std::array tolerances{nowhere, some_tolerance(dice, projection),
+        const std::array tolerances{tolerance_of_nothing, some_tolerance(dice, projection),
                                     some_tolerance(dice, projection)};
         const FewTriangles strip(dice);
         const Strip::ShownOnes shown = some_of(dice, strip.law);
@@ -334,7 +344,8 @@ TEST(StripKernels, FindTheDepthsOfOneFrameLawful) {
         for (const strips::Kernel& kernel : strips::available_kernels()) {
             const Strip::Pixels lawful =
                 kernel.lawful({64, 3, depths, shown.of.data(), shown.count,
-                               is_ours ? &DepthTolerance::candidate : &DepthTolerance::reference},
+                               is_ours ? &DepthTolerance::candidate : &DepthTolerance::reference,
+                               is_ours ? &DepthTolerance::candidate_there : &DepthTolerance::reference_there},
                               tolerances.data(), projection);
             ASSERT_EQ(lawful, expected) << kernel.name;
         }

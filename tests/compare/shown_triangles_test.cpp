@@ -65,8 +65,7 @@ TEST(ShownTriangles, HaveOnePlaceEachAndTheirOwnLaws) {
                            &their_law = shown.laws().reference[place];
             EXPECT_TRUE(are_the_same(our_law, depth_law_of(triangle, ours.bounds())));
             EXPECT_TRUE(are_the_same(their_law, depth_law_of(triangle, theirs.bounds())));
-            const DepthTolerance expected =
-                tolerance_of(our_law, their_law, Projection::perspective, part, Reach::but_corners);
+            const DepthTolerance expected = tolerance_of(our_law, their_law, Projection::perspective, part);
             EXPECT_EQ(tolerances[place].w_offset, expected.w_offset);
             EXPECT_EQ(tolerances[place].least, expected.least);
             EXPECT_EQ(tolerances[place].candidate.room, expected.candidate.room);
