@@ -73,11 +73,12 @@ struct RoomThere {
     }
 };
 
-/// At one depth all over the image, which is its corners': an error that is not the largest's is certain there
-/// with the most room or not at all.
+/// At one depth all over the image: there depths that were met say more.
 bool is_level(const DepthTolerance& t) { return t.w_per_x == 0 && t.w_per_y == 0; }
 
-bool has_less_next_to_corners(const DepthTolerance& t) { return t.least < t.full_least || t.full_most < t.most; }
+bool has_less_next_to_corners(const DepthTolerance& t) {
+    return t.least < t.full_least || t.full_most < t.most;
+}
 
 /// The x of each pixel of a strip.
 struct Columns {
@@ -125,8 +126,8 @@ template <class Projected>
         const Doubles w = full.line.w_at(loaded(columns.x + i));
         const Doubles ours = Projected::error(widened(depths.candidate + i), w),
                       theirs = Projected::error(widened(depths.reference + i), w);
-        return Pixels{bits_of(full.between.hold(w) & not_greater(ours, our_most) &
-                              not_greater(theirs, their_most))};
+        return Pixels{
+            bits_of(full.between.hold(w) & not_greater(ours, our_most) & not_greater(theirs, their_most))};
     });
 }
 
@@ -209,8 +210,8 @@ Pixels lawful_of_triangle(const OneFrame& frame, const Columns& columns, const D
     });
 }
 template <class Projected>
-[[gnu::noinline]] Pixels lawful_next_to_corners(const OneFrame& frame, const Columns& columns, const DepthTolerance& t,
-                              Pixels some) {
+[[gnu::noinline]] Pixels lawful_next_to_corners(const OneFrame& frame, const Columns& columns,
+                                                const DepthTolerance& t, Pixels some) {
     const NextToCorners triangle(t, frame.y);
     const RoomThere room(t.*frame.there, __builtin_inf());
     return in_run<lanes>(first_of(some), end_of(some), [&](int i) {

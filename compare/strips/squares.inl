@@ -6,7 +6,8 @@
     const Doubles none = all(0);
     unsigned misses = 0, covers = (1u << lanes) - 1;
     for (const EdgesOfEight& edges : triangles.edges) {
-        const Doubles middle = loaded(edges.a + from) * x + loaded(edges.b + from) * y + loaded(edges.c + from);
+        const Doubles middle =
+            loaded(edges.a + from) * x + loaded(edges.b + from) * y + loaded(edges.c + from);
         const Doubles reach = loaded(edges.reach + from);
         misses |= bits_of(less(middle + reach, none));
         covers &= bits_of(less(none, middle - reach));
