@@ -54,12 +54,12 @@ class Comparison {
   public:
     Comparison(const Scene& scene, const Witness& candidate, const Witness& reference, const Wanted& wanted,
                LargestSoFar& largest)
-        : scene_(scene),
+        : shown_(scene, candidate, reference),
+          scene_(scene),
           triangle_count_(scene.triangles.size()),
           candidate_(candidate),
           reference_(reference),
           largest_(largest),
-          shown_(scene, candidate, reference),
           kernel_(strips::widest_kernel()),
           laws_(scene, kernel_, shown_),
           presort_(scene, candidate, reference, kernel_),
@@ -249,11 +249,11 @@ class Comparison {
         ErrorScribe candidate, reference;
     };
 
+    ShownTriangles shown_;
     const Scene& scene_;
     std::size_t triangle_count_;
     const Witness &candidate_, &reference_;
     LargestSoFar& largest_;
-    ShownTriangles shown_;
     const strips::Kernel& kernel_;
     StripLaws laws_;
     Presort presort_;

@@ -26,10 +26,15 @@ struct LawOfBoth {
 
 /// What one thread remembers.
 struct Memories {
-    explicit Memories(const Comparands& of) : acquaintance(of.scene, of.view) {}
+    explicit Memories(const Comparands& of)
+        : sights(of.view), acquaintance(of.scene, of.view), layers({sights, acquaintance, coplanar}) {}
+    Memories(const Memories&) = delete;  // layers look at the rest
+    Memories& operator=(const Memories&) = delete;
 
+    Sights<double> sights;
     Acquaintance acquaintance;
     CoplanarMemory coplanar{4096};
+    Layers layers;
     Memory<std::uint32_t, LawOfBoth> laws{1024};
 };
 
@@ -69,7 +74,7 @@ using Standings = Layers::Standings;
 class LayeredPass {
   public:
     LayeredPass(const Comparands& of, const OpenTiles& open, ClassMap& classes, std::span<Finding> findings)
-        : of_(of), open_(open), classes_(classes), findings_(findings), sights_(of.view), memories_([&] {
+        : of_(of), open_(open), classes_(classes), findings_(findings), memories_([&] {
               return Memories(of);
           }) {}
 
@@ -163,10 +168,11 @@ class LayeredPass {
                     ClassCounts& counts) {
         Memories& memories = memories_.local();
         memories.acquaintance.forget_if_much();
-        Layers layers({sights_, memories.acquaintance, memories.coplanar}, tile.place,
-                      centres_of(open_, column, row), near.of(open_.tiles().index(column, row)), bounds());
+        Layers& layers = memories.layers;
+        layers.turn_to(tile.place, centres_of(open_, column, row), near.of(open_.tiles().index(column, row)),
+                       bounds());
         if (!layers.are_known() || layers.widest_px() > reach_px) return {};
-        const TileMask open = layers.turn_to(where_they_differ(tile.ours, tile.theirs, tile.open));
+        const TileMask open = layers.uncut(where_they_differ(tile.ours, tile.theirs, tile.open));
         const Standings candidate = standings(layers, 0, tile.ours, open);
         const Standings reference = standings(layers, 1, tile.theirs, candidate.tied | candidate.visible);
         const TileMask settled = lawful(tile, reference.tied | reference.visible);
@@ -268,7 +274,6 @@ class LayeredPass {
     const OpenTiles& open_;
     ClassMap& classes_;
     std::span<Finding> findings_;
-    Sights<double> sights_;
     AskedBoxes asked_{0};  ///< of tiles that are worth it
     tbb::enumerable_thread_specific<Memories> memories_;
 };

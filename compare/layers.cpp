@@ -22,15 +22,29 @@ Extremes extremes(const Affine<double>& f, const Around& box) {
 
 }  // namespace
 
-Layers::Layers(const Shared& shared, const TilePlace& tile, const Around& centres,
-               std::span<const std::uint32_t> near, std::span<const ViewBounds* const> renderers)
-    : shared_(shared), place_(tile), tile_(centres) {
-    for (const ViewBounds* bounds : renderers) {
-        renderers_.push_back({.bounds = bounds, .triangles = {}, .close = {}});
-        widest_px_ = std::max(widest_px_, bounds->background_eps_px());
+void Layers::Renderer::turn_to(const ViewBounds& to) {
+    bounds = &to;
+    triangles.clear();
+    unclear = {};
+    close.clear();
+    nearness.clear();
+}
+
+void Layers::turn_to(const TilePlace& tile, const Around& centres, std::span<const std::uint32_t> near,
+                     std::span<const ViewBounds* const> renderers) {
+    place_ = tile;
+    tile_ = centres;
+    widest_px_ = 0;
+    layers_.clear();
+    relations_.clear();
+    sights_ = {};
+    renderers_.resize(renderers.size());
+    for (std::size_t i = 0; i < renderers.size(); ++i) {
+        renderers_[i].turn_to(*renderers[i]);
+        widest_px_ = std::max(widest_px_, renderers[i]->background_eps_px());
     }
     meet(near);
-    are_known_ = are_known_ && std::isfinite(widest_px_);
+    are_known_ = std::isfinite(widest_px_);
     if (are_known_) sort_out();
 }
 
@@ -64,7 +78,7 @@ void Layers::sort_out() {
     are_known_ = are_known_ && kept <= most;
 }
 
-TileMask Layers::turn_to(const TileMask& pixels) {
+TileMask Layers::uncut(const TileMask& pixels) {
     TileMask cut;
     for (std::size_t i = 0; i < layers_.size(); ++i) {
         Layer& layer = layers_[i];

@@ -1,4 +1,4 @@
-/// What lies over the pixels of one tile, layer upon layer: decides answers side by side where every triangle
+/// What lies over the pixels of a tile, layer upon layer: decides answers side by side where every triangle
 /// near a pixel covers its square or misses it for certain, in double precision (docs/truth.md, "Layers").
 #pragma once
 
@@ -23,18 +23,21 @@ class Layers {
         CoplanarMemory& coplanar;
     };
 
-    /// `centres` holds those of all pixels that will be asked about; `near` every triangle within the reach
-    /// of any of them.
-    Layers(const Shared& shared, const TilePlace& tile, const Around& centres,
-           std::span<const std::uint32_t> near, std::span<const ViewBounds* const> renderers);
+    explicit Layers(const Shared& shared) : shared_(shared) {}
+
+    /// Turns to another tile: `centres` holds those of all pixels that will be asked about; `near` every
+    /// triangle within the reach of any of them. What is known of triangles must not be forgotten until it
+    /// turns to the next.
+    void turn_to(const TilePlace& tile, const Around& centres, std::span<const std::uint32_t> near,
+                 std::span<const ViewBounds* const> renderers);
 
     /// Are there few enough triangles, all of them trusted? If not, nothing may be asked.
     bool are_known() const { return are_known_; }
     /// No square in the tile has a larger half-side.
     double widest_px() const { return widest_px_; }
 
-    /// Of those pixels, the ones whose squares no edge may cut. Nothing may be asked of others.
-    TileMask turn_to(const TileMask& pixels);
+    /// Of those pixels, the ones whose squares no edge may cut. Nothing may be asked of others, nor before.
+    TileMask uncut(const TileMask& pixels);
 
     /// Pixels at which an answer is certainly what Standing calls tied or visible, the latter at
     /// the centre.
@@ -64,11 +67,13 @@ class Layers {
         ByRow<TriangleRow> rows{};
     };
     struct Renderer {
-        const ViewBounds* bounds;
+        const ViewBounds* bounds = nullptr;
         std::vector<const BoundedTriangle*> triangles;      ///< of layers_, in order
         TileMask unclear{};                                 ///< covered by one that near or far may cut
         std::vector<std::optional<Set>> close;              ///< to each layer, as is_close() has it
         std::vector<ByRow<TriangleRow::Range>> nearness{};  ///< of layers_
+
+        void turn_to(const ViewBounds& to);
     };
 
     void meet(std::span<const std::uint32_t> near);
@@ -85,7 +90,7 @@ class Layers {
 
     Shared shared_;
     TilePlace place_;
-    Around tile_;
+    Around tile_{};
     double widest_px_ = 0;  ///< no square in the tile has a larger half-side
     bool are_known_ = true;
     std::vector<Layer> layers_;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "compare/masks.h"
+#include "compare/strips/dispatch.h"
 #include "compare/tile_mask.h"
 
 namespace zproof {
@@ -43,13 +44,12 @@ class ShownTile {
     TileRowOf<float> camera_depth(int y) const {
         return taken(frame_.camera_depth, place_.row(y), background_depth);
     }
+    strips::IdsOfTile ids(unsigned rows) const { return {primitive_.data(), rows}; }
     /// Which of the pixels show that triangle.
     TileMask where(PrimitiveId triangle, const TileMask& pixels) const {
-        TileMask here;
-        for_each_row(pixels, [&](int y, ColumnMask columns) {
-            here.add(y, columns & where_equal(primitive(y), triangle));
-        });
-        return here;
+        strips::ColumnsOfTile columns;
+        strips::widest_kernel().where_shown_in_tile(ids(pixels.rows_with_some()), triangle, columns);
+        return pixels & TileMask::of(columns.of_row);
     }
     /// Calls visit(triangle, where) for each that the pixels show.
     template <class Visit>
@@ -72,11 +72,10 @@ class ShownTile {
 
 /// Of those pixels.
 inline TileMask where_they_differ(const ShownTile& ours, const ShownTile& theirs, const TileMask& pixels) {
-    TileMask differ;
-    for_each_row(pixels, [&](int y, ColumnMask columns) {
-        differ.add(y, columns & ~where_equal(ours.primitive(y), theirs.primitive(y)));
-    });
-    return differ;
+    const unsigned rows = pixels.rows_with_some();
+    strips::ColumnsOfTile same;
+    strips::widest_kernel().where_same_in_tile(ours.ids(rows), theirs.ids(rows), same);
+    return pixels & ~TileMask::of(same.of_row);
 }
 
 }  // namespace zproof

@@ -38,6 +38,12 @@ class TileMask {
     constexpr void add(int y, ColumnMask columns) {
         words_[word_of(y)] |= std::uint64_t{columns} << shift_of(y);
     }
+    /// Bit y: row y has some.
+    constexpr unsigned rows_with_some() const {
+        unsigned found = 0;
+        for (int y = 0; y < rows; ++y) found |= unsigned(row(y) != 0) << y;
+        return found;
+    }
     constexpr bool is_none() const { return (words_[0] | words_[1] | words_[2] | words_[3]) == 0; }
     constexpr int count() const {
         int sum = 0;

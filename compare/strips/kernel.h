@@ -115,6 +115,16 @@ struct PlacesOfEight {
     std::uint8_t covers, cuts;
 };
 
+/// What a frame shows in a tile: ids row by row, of those rows that are asked about.
+struct IdsOfTile {
+    const PrimitiveId* const* rows = nullptr;
+    unsigned asked = 0;  ///< bit y: row y; of others, nothing is read
+};
+/// By row: bit i is column i; none of rows that are not asked about.
+struct ColumnsOfTile {
+    std::uint16_t of_row[Tiles::side_px];
+};
+
 struct Kernel {
     const char* name = "";
     /// Of `width` ids each.
@@ -127,6 +137,11 @@ struct Kernel {
                      Projection projection) noexcept = nullptr;
     /// Of `width` ids, those that are `id`.
     Pixels (*where_shown)(const PrimitiveId* ids, PrimitiveId id) noexcept = nullptr;
+    /// The same in a tile, and where two frames show the same.
+    void (*where_shown_in_tile)(const IdsOfTile& ids, PrimitiveId id,
+                                ColumnsOfTile& columns) noexcept = nullptr;
+    void (*where_same_in_tile)(const IdsOfTile& a, const IdsOfTile& b,
+                               ColumnsOfTile& columns) noexcept = nullptr;
     /// The same as certain() without tolerances, from the triangles' corners; it may say less.
     Pixels (*certain_by_corners)(const Depths& depths, const Runs& runs, const RunLens& lens,
                                  const AtMost& at_most) noexcept = nullptr;

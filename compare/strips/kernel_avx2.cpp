@@ -100,7 +100,16 @@ unsigned where_background(const float* depth) {
 
 }  // namespace
 
-const Kernel kernel{"AVX2",         compare,   certain,   lawful, where_shown, certain_by_corners,
-                    set_tolerances, set_signs, set_places};
+const Kernel kernel{"AVX2",
+                    compare,
+                    certain,
+                    lawful,
+                    where_shown,
+                    where_shown_in_tile,
+                    where_same_in_tile,
+                    certain_by_corners,
+                    set_tolerances,
+                    set_signs,
+                    set_places};
 
 }  // namespace zproof::strips::avx2

@@ -85,7 +85,16 @@ unsigned where_background(const float* depth) {
 
 }  // namespace
 
-const Kernel kernel{"AVX-512",          compare,        certain,   lawful,    where_shown,
-                    certain_by_corners, set_tolerances, set_signs, set_places};
+const Kernel kernel{"AVX-512",
+                    compare,
+                    certain,
+                    lawful,
+                    where_shown,
+                    where_shown_in_tile,
+                    where_same_in_tile,
+                    certain_by_corners,
+                    set_tolerances,
+                    set_signs,
+                    set_places};
 
 }  // namespace zproof::strips::avx512

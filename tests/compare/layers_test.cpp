@@ -61,10 +61,12 @@ TEST(Layers, TieNowhereWithAWallThatIsInFrontForCertain) {
         const std::array<std::uint32_t, 2> near{0, 1};
         const std::array<const ViewBounds*, 1> renderers{&bounds};
         constexpr double middle = (side - 1) / 2.0;
-        Layers layers({sights, acquaintance, coplanar}, {0, 0}, {middle, middle, middle, middle}, near,
-                      renderers);
+        Layers layers({sights, acquaintance, coplanar});
+        layers.turn_to({-16, 0}, {middle - 16, middle, middle, middle}, near, renderers);
+        layers.standings(0, 0, layers.uncut(TileMask::all()));
+        layers.turn_to({0, 0}, {middle, middle, middle, middle}, near, renderers);
         ASSERT_TRUE(layers.are_known());
-        const TileMask as_tied = layers.standings(0, 1, layers.turn_to(TileMask::all())).tied;
+        const TileMask as_tied = layers.standings(0, 1, layers.uncut(TileMask::all())).tied;
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 const auto [front, back] = alone(bounds, scene, sights.at(x, y));

@@ -140,7 +140,7 @@ void try_strip(Dice& dice, const View& view, const Scene& scene, Tried& tried) {
                                           .reference = theirs.depth.data(),
                                           .turns = strip.turns,
                                           .law_of_run = nullptr},
-                                         runs, *lens, at_most);
+                                         runs, *pair.lens, at_most);
     };
     const Strip::Pixels certain = certain_by(strips::available_kernels().front());
     for (const strips::Kernel& kernel : strips::available_kernels())

@@ -53,7 +53,7 @@ void for_each_tile(const Visit& visit) {
 }
 
 PrimitiveId shown_at(const Frame& frame, const TilePlace& tile, int x, int y) {
-    return frame.primitive.row(tile.top + y)[std::size_t(tile.left + x)];
+    return frame.primitive.at(tile.left + x, tile.top + y);
 }
 
 TEST(ShownTile, VisitsEachTriangleOnceWhereItShows) {

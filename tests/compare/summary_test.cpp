@@ -52,12 +52,12 @@ class OnePixel {
         CoplanarMemory coplanar(16);
         const std::array<const ViewBounds*, 1> renderers{&bounds_};
         const int column = int(tile_px), row = 3;
-        Layers layers({sights, acquaintance, coplanar}, {x_ - column, y_ - row},
-                      {double(x_), double(y_), tile_px, tile_px}, all_, renderers);
+        Layers layers({sights, acquaintance, coplanar});
+        layers.turn_to({x_ - column, y_ - row}, {double(x_), double(y_), tile_px, tile_px}, all_, renderers);
         if (!layers.are_known()) return std::nullopt;
         TileMask pixel;
         pixel.add(row, ColumnMask{1} << column);
-        const TileMask uncut = layers.turn_to(pixel);
+        const TileMask uncut = layers.uncut(pixel);
         if (uncut.is_none()) return std::nullopt;
         const auto [tied, visible] = layers.standings(0, std::uint32_t(answer), uncut);
         const double eps_px = layers.eps_px(0, row)[std::size_t(column)];
