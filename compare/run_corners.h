@@ -17,11 +17,8 @@ class FloatCorners {
 
     FloatBox all() const {
         FloatBox all;
-        add_to(all);
+        for (const FloatBox& corner : corners_) all.add(corner);
         return all;
-    }
-    void add_to(FloatBox& box) const {
-        for (const FloatBox& corner : corners_) box.add(corner);
     }
     CornerBoxes in_double() const;
 

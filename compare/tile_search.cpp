@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -46,13 +47,13 @@ class TileSearch {
         const RunCorners corners(scene_.vertices.position_world, FloatProjection(projection_), run);
         for (std::size_t i = 0; i < run.size(); i += neighbours) {
             const std::size_t last = std::min(run.size(), i + neighbours);
+            std::array<FloatBox, neighbours> boxes;
             FloatBox all;
-            for (std::size_t k = i; k < last; ++k) corners.of(k, run[k]).add_to(all);
+            for (std::size_t k = i; k < last; ++k) all.add(boxes[k - i] = corners.of(k, run[k]).all());
             if (!asked_cells_.any(all)) continue;
-            for (std::size_t k = i; k < last; ++k) {
-                const FloatCorners of_one = corners.of(k, run[k]);
-                if (asked_cells_.any(of_one.all())) search(std::uint32_t(first + k), of_one, found);
-            }
+            for (std::size_t k = i; k < last; ++k)
+                if (asked_cells_.any(boxes[k - i]))
+                    search(std::uint32_t(first + k), corners.of(k, run[k]), found);
         }
     }
 
