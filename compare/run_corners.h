@@ -16,8 +16,9 @@ class FloatCorners {
     FloatCorners(const FloatBox& a, const FloatBox& b, const FloatBox& c) : corners_{a, b, c} {}
 
     FloatBox all() const {
-        FloatBox all;
-        for (const FloatBox& corner : corners_) all.add(corner);
+        FloatBox all = corners_[0];
+        all.add(corners_[1]);
+        all.add(corners_[2]);
         return all;
     }
     CornerBoxes in_double() const;

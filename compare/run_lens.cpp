@@ -105,8 +105,8 @@ void set_runs(const Scene& scene, const Strip& strip, strips::Runs& runs) {
     runs.count = 0;
     runs.shown = runs.bare = 0;
     for (Strip::Pixels turns = strip.turns; turns != 0; ++runs.count) {
+        const int first = std::countr_zero(turns);
         const Strip::Pixels run = Strip::take_run(turns);
-        const int first = std::countr_zero(run);
         const PrimitiveId shown = strip.candidate.primitive[first];
         const bool is_triangle = std::size_t(shown) < scene.triangles.size();
         const auto k = std::size_t(runs.count);
