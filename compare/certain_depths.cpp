@@ -27,27 +27,55 @@ struct Row {
     double w_at(std::size_t i) const { return w_per_x * double(left + int(i)) + w_of_row + w_offset; }
 };
 
-/// Up to that an error is, so far from the corners.
-[[gnu::always_inline]] inline double most_error(const DepthTolerance& t,
-                                                const DepthTolerance::NextToCorners& there, double distance,
-                                                double at_most) {
-    const double room = there.at_corners + there.per_shift * std::min(there.shift, distance);
-    return std::min(std::min(room - there.own, at_most * room) - t.unsure, t.largest);
-}
+/// Far from the corners.
+class FarOff {
+  public:
+    FarOff(const DepthTolerance& t, const AtMost& at_most)
+        : least_(t.least),
+          most_(t.most),
+          our_most_(std::min(t.candidate.lawful, at_most.candidate * t.candidate.room - t.unsure)),
+          their_most_(std::min(t.reference.lawful, at_most.reference * t.reference.room - t.unsure)) {}
 
-template <class Projected>
-[[gnu::always_inline]] inline ColumnsOfBoth certain(const DepthTolerance& t, const DepthsOfBoth& depths,
-                                                    const AtMost& at_most) {
-    const Row row(t, depths.place);
+    bool holds_at(double w) const { return (w >= least_) & (w <= most_); }
+    double our_most(double) const { return our_most_; }
+    double their_most(double) const { return their_most_; }
+
+  private:
+    double least_, most_;
+    double our_most_, their_most_;  ///< errors
+};
+
+/// And next to them.
+class Anywhere {
+  public:
+    Anywhere(const DepthTolerance& t, const CornerTolerance& c, const AtMost& at_most)
+        : unsure_(t.unsure), c_(c), at_most_(at_most) {}
+
+    bool holds_at(double w) const { return (w >= c_.least) & (w <= c_.most); }
+    double our_most(double w) const { return most_error(c_.candidate, w, at_most_.candidate); }
+    double their_most(double w) const { return most_error(c_.reference, w, at_most_.reference); }
+
+  private:
+    double most_error(const CornerTolerance::Bound& bound, double w, double at_most) const {
+        const double distance = std::min(w - c_.corner_least, c_.corner_most - w);
+        const double room = bound.at_corners + bound.per_shift * std::min(bound.shift, distance);
+        return std::min(std::min(room - bound.own, at_most * room) - unsure_, c_.largest);
+    }
+
+    double unsure_;
+    CornerTolerance c_;
+    AtMost at_most_;
+};
+
+template <class Projected, class Tolerated>
+[[gnu::always_inline]] inline ColumnsOfBoth certain(const Row& row, const Tolerated& by,
+                                                    const DepthsOfBoth& depths) {
     TileRowOf<std::uint32_t> ours, theirs;
     for (std::size_t i = 0; i < tile_columns; ++i) {
         const double w = row.w_at(i);
-        const double distance = std::min(w - t.corner_least, t.corner_most - w);
-        const bool holds = (w >= t.least) & (w <= t.most);
-        ours[i] = holds & (Projected::error(double(depths.candidate[i]), w) <=
-                           most_error(t, t.candidate_there, distance, at_most.candidate));
-        theirs[i] = holds & (Projected::error(double(depths.reference[i]), w) <=
-                             most_error(t, t.reference_there, distance, at_most.reference));
+        const bool holds = by.holds_at(w);
+        ours[i] = holds & (Projected::error(double(depths.candidate[i]), w) <= by.our_most(w));
+        theirs[i] = holds & (Projected::error(double(depths.reference[i]), w) <= by.their_most(w));
     }
     return {where_equal(ours.data(), 1u), where_equal(theirs.data(), 1u)};
 }
@@ -56,10 +84,16 @@ template <class Projected>
 
 // Compiled once per instruction set. No verdict depends on which runs: what is certain is so in any.
 [[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] ColumnsOfBoth certain_depths(
-    const DepthTolerance& triangle, Projection projection, const DepthsOfBoth& depths,
-    const AtMost& at_most) {
-    return projection == Projection::perspective ? certain<Perspective>(triangle, depths, at_most)
-                                                 : certain<Parallel>(triangle, depths, at_most);
+    const DepthTolerance& triangle, const CornerTolerance* next_to_corners, Projection projection,
+    const DepthsOfBoth& depths, const AtMost& at_most) {
+    const Row row(triangle, depths.place);
+    const bool perspective = projection == Projection::perspective;
+    if (!next_to_corners) {
+        const FarOff by(triangle, at_most);
+        return perspective ? certain<Perspective>(row, by, depths) : certain<Parallel>(row, by, depths);
+    }
+    const Anywhere by(triangle, *next_to_corners, at_most);
+    return perspective ? certain<Perspective>(row, by, depths) : certain<Parallel>(row, by, depths);
 }
 
 }  // namespace zproof

@@ -26,8 +26,9 @@ struct AtMost {
 };
 
 /// As if both frames showed that triangle everywhere: where the depth is lawful and its error over the bound
-/// is at most that much, both for certain.
-ColumnsOfBoth certain_depths(const DepthTolerance& triangle, Projection projection,
-                             const DepthsOfBoth& depths, const AtMost& at_most);
+/// is at most that much, both for certain. Next to its corners nothing is, unless it is told what holds
+/// there.
+ColumnsOfBoth certain_depths(const DepthTolerance& triangle, const CornerTolerance* next_to_corners,
+                             Projection projection, const DepthsOfBoth& depths, const AtMost& at_most);
 
 }  // namespace zproof

@@ -4,9 +4,9 @@
 
 namespace zproof {
 
-DepthTolerance tolerance_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
-                            const PixelBox& part) {
-    return tolerance_of<double>(candidate, reference, projection, part);
+Tolerances tolerances_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
+                         const PixelBox& part) {
+    return tolerances_of<double>(candidate, reference, projection, part);
 }
 
 }  // namespace zproof

@@ -23,36 +23,55 @@ struct DepthToleranceOf {
     struct Bound {
         Number room, lawful;
     };
-    /// Where the renderer keeps to the corners' depths a displaced plane ends at them, so that less of
-    /// displacement counts next to them: the room is
-    /// at_corners + per_shift * min(shift, distance of w from theirs), and the depth lawful up to that - own.
-    struct NextToCorners {
+
+    Number w_per_x, w_per_y, w_offset;
+    Number least, most;  ///< of w: between them it holds
+    Number unsure;       ///< what errors may be off by; `lawful` is less by that
+    Bound candidate, reference;
+};
+using DepthTolerance = DepthToleranceOf<double>;
+
+/// What holds next to its corners, too. Where a renderer keeps to the corners' depths a displaced plane ends
+/// at them, so that there less of displacement counts.
+template <class Number>
+struct CornerToleranceOf {
+    /// One renderer's: the room is at_corners + per_shift * min(shift, distance of w from the corners'), and
+    /// the depth lawful up to an error of that - own.
+    struct Bound {
         Number at_corners, per_shift, shift, own;
     };
 
-    Number w_per_x, w_per_y, w_offset;
-    Number full_least, full_most;  ///< of w: between them with the most room
-    Number unsure;                 ///< what errors may be off by; `lawful` is less by that
-    Bound candidate, reference;
-
-    Number least, most;                ///< of w: between them with less, next to corners
+    Number least, most;                ///< of w: between them it holds
     Number corner_least, corner_most;  ///< of w, at the corners
     Number largest;                    ///< no larger errors are told of
-    NextToCorners candidate_there, reference_there;
+    Bound candidate, reference;
 };
-using DepthTolerance = DepthToleranceOf<double>;
+using CornerTolerance = CornerToleranceOf<double>;
 
 /// It holds nowhere, and nothing is said of the triangle.
 inline constexpr DepthTolerance tolerance_of_nothing = [] {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     DepthTolerance t{};
     t.w_per_x = t.w_per_y = std::numeric_limits<double>::quiet_NaN();
-    t.least = t.full_least = infinite, t.most = t.full_most = -infinite;
+    t.least = infinite, t.most = -infinite;
+    return t;
+}();
+inline constexpr CornerTolerance corner_tolerance_of_nothing = [] {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    CornerTolerance t{};
+    t.least = infinite, t.most = -infinite;
     return t;
 }();
 
-/// Where nothing is certain it holds nowhere: `least` is then larger than `most`.
-DepthTolerance tolerance_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
-                            const PixelBox& part);
+template <class Number>
+struct TolerancesOf {
+    DepthToleranceOf<Number> far_off;  ///< from the corners
+    CornerToleranceOf<Number> next_to_corners;
+};
+using Tolerances = TolerancesOf<double>;
+
+/// Where nothing is certain both hold nowhere: `least` is then larger than `most`.
+Tolerances tolerances_of(const DepthLaw& candidate, const DepthLaw& reference, Projection projection,
+                         const PixelBox& part);
 
 }  // namespace zproof

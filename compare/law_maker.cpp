@@ -92,11 +92,13 @@ using FourLaws = std::span<DepthLaw, four_count>;
 
 [[gnu::flatten, gnu::target_clones("default", "avx2")]] void make_four(
     const LawMaker::Lens& lens, const std::array<CornersWorld, four_count>& p_world, const PixelBox& tile,
-    std::span<DepthTolerance, four_count> tolerances) {
+    std::span<DepthTolerance, four_count> far_off, std::span<CornerTolerance, four_count> next_to_corners) {
     LawsOfFour laws;
     set(laws, lens, p_world);
-    part<DepthToleranceOf>(
-        tolerance_of<Four>(laws.candidate, laws.reference, lens.first_pixel.projection, tile), tolerances);
+    const TolerancesOf<Four> both =
+        tolerances_of<Four>(laws.candidate, laws.reference, lens.first_pixel.projection, tile);
+    part<DepthToleranceOf>(both.far_off, far_off);
+    part<CornerToleranceOf>(both.next_to_corners, next_to_corners);
 }
 
 /// Of triangles that are so much further on, memory is asked for what will be read; a triangle's indices say
@@ -173,16 +175,21 @@ void LawMaker::make(std::span<const PrimitiveId> triangles, std::size_t first_pl
 }
 
 void LawMaker::make_tolerances(std::span<const PrimitiveId> triangles, const PixelBox& tile,
-                               std::span<DepthTolerance> tolerances) const {
+                               const TileTolerances& tolerances) const {
     if (is_common_)
         for_each_four(triangles, [&](std::size_t first, const auto& p_world) {
             std::array<DepthTolerance, four_count> four;
-            make_four(lens_, p_world, tile, four);
-            std::copy_n(four.begin(), std::min(four_count, triangles.size() - first), &tolerances[first]);
+            std::array<CornerTolerance, four_count> four_corners;
+            make_four(lens_, p_world, tile, four, four_corners);
+            const std::size_t count = std::min(four_count, triangles.size() - first);
+            std::copy_n(four.begin(), count, &tolerances.far_off[first]);
+            std::copy_n(four_corners.begin(), count, &tolerances.next_to_corners[first]);
         });
     else
         for_each(triangles, [&](std::size_t i, const DepthLaw& ours, const DepthLaw& theirs) {
-            tolerances[i] = tolerance_of(ours, theirs, candidate_.projection(), tile);
+            const Tolerances both = tolerances_of(ours, theirs, candidate_.projection(), tile);
+            tolerances.far_off[i] = both.far_off;
+            tolerances.next_to_corners[i] = both.next_to_corners;
         });
 }
 

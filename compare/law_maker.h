@@ -8,6 +8,12 @@
 
 namespace zproof {
 
+/// A place for each of some triangles.
+struct TileTolerances {
+    std::span<DepthTolerance> far_off;
+    std::span<CornerTolerance> next_to_corners;
+};
+
 class LawMaker {
   public:
     LawMaker(const Scene& scene, const Witness& candidate, const Witness& reference);
@@ -15,10 +21,10 @@ class LawMaker {
     /// Writes the laws of triangles of the scene from a place on, in their order: the bits of depth_law_of.
     /// Makes room where there is none; laws at later places are lost.
     void make(std::span<const PrimitiveId> triangles, std::size_t first_place, LawsOfBoth& laws) const;
-    /// Writes the tolerances of triangles of the scene in a tile, all but next to corners: what tolerance_of
-    /// says of their laws, which are not kept.
+    /// Writes the tolerances of triangles of the scene in a tile, in their order: the bits of tolerances_of
+    /// their laws, which are not kept.
     void make_tolerances(std::span<const PrimitiveId> triangles, const PixelBox& tile,
-                         std::span<DepthTolerance> tolerances) const;
+                         const TileTolerances& tolerances) const;
 
     /// What four triangles are asked about.
     struct alignas(four_alignment) Lens {

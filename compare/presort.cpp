@@ -60,7 +60,7 @@ void Presort::turn_to(const PixelBox& tile, const ShownTriangles& shown) {
         tolerances_[0] = tolerance_of_nothing;
         set_tolerances(kernel_, *lens_, scene_, {shown.triangles(), tile}, std::span(tolerances_).subspan(1));
     } else {
-        shown.set_tolerances(tile, tolerances_);
+        shown.set_tolerances(tile, tolerances_, corner_tolerances_);
     }
     met_.assign(tolerances_.size(), {});
 }
@@ -112,6 +112,7 @@ void Presort::sort_chunks(ShownTriangles& shown, Largest& largest, const Strip& 
 /// Where both show the same triangle.
 Strip::Pixels Presort::certain_if_same(const Strip& strip, const Largest& largest) const {
     return kernel_.certain(in_kernel(strip), {.tolerances = tolerances_.data(),
+                                              .next_to_corners = corner_tolerances(),
                                               .projection = projection_,
                                               .candidate_at_most = largest.candidate,
                                               .reference_at_most = largest.reference});
@@ -136,16 +137,18 @@ Strip::Pixels Presort::certain_where_level(const Strip& strip, const Largest& la
 auto Presort::decided_where_they_differ(const Strip& strip) const -> Decided {
     const auto decide = [&](const Strip::ShownOnes& shown, const float* camera_depth,
                             DepthTolerance::Bound DepthTolerance::*bound,
-                            DepthTolerance::NextToCorners DepthTolerance::*there) {
+                            CornerTolerance::Bound CornerTolerance::*bound_there) {
         return Decided{.all = lawless_among(shown),
                        .lawful = kernel_.lawful(
-                           {strip.x, strip.y, camera_depth, shown.of.data(), shown.count, bound, there},
-                           tolerances_.data(), projection_)};
+                           {strip.x, strip.y, camera_depth, shown.of.data(), shown.count, bound, bound_there},
+                           {.tolerances = tolerances_.data(),
+                            .next_to_corners = corner_tolerances(),
+                            .projection = projection_})};
     };
     const Decided ours = decide(candidates_where_they_differ(strip), strip.candidate.camera_depth,
-                                &DepthTolerance::candidate, &DepthTolerance::candidate_there),
+                                &DepthTolerance::candidate, &CornerTolerance::candidate),
                   theirs = decide(strip.others, strip.reference.camera_depth, &DepthTolerance::reference,
-                                  &DepthTolerance::reference_there);
+                                  &CornerTolerance::reference);
     const Strip::Pixels lawful = ours.lawful & theirs.lawful;
     return {.all = ours.all | theirs.all | lawful, .lawful = lawful};
 }
@@ -167,7 +170,9 @@ auto Presort::met_where_level(const Strip& strip, Strip::Pixels asked) const -> 
 /// raised.
 ColumnsOfBoth Presort::lawful_by(std::uint32_t law, const ColumnsOfBoth& here, const Source& source) {
     const ColumnMask counted = here.candidate & here.reference;
-    const ColumnsOfBoth left = uncertain_by(tolerances_[law], {here, counted}, source);
+    const CornerTolerance* const corners = corner_tolerances();
+    const ColumnsOfBoth left =
+        uncertain_by({&tolerances_[law], corners ? corners + law : nullptr}, {here, counted}, source);
     if (is_none(left)) return here;
     if (is_none(without(left, met_already(law, source)))) return here;
     const PartsOfBoth parts = parts_of(source, law);
@@ -189,16 +194,17 @@ ColumnsOfBoth Presort::met_already(std::uint32_t law, const Source& source) cons
             where_equal(&source.strip.reference.camera_depth[source.first], met_[law].reference)};
 }
 
-ColumnsOfBoth Presort::uncertain_by(const DepthTolerance& tolerance, const Question& asked,
+ColumnsOfBoth Presort::uncertain_by(const ToleratedBy& by, const Question& asked,
                                     const Source& source) const {
     const DepthsOfBoth depths{source.place(), &source.strip.candidate.camera_depth[source.first],
                               &source.strip.reference.camera_depth[source.first]};
     ColumnsOfBoth left = asked.pixels;
     if (asked.counted != 0)
-        left = without(left, certain_depths(tolerance, projection_, depths, source.at_most()));
+        left = without(
+            left, certain_depths(*by.far_off, by.next_to_corners, projection_, depths, source.at_most()));
     const ColumnMask lone = (left.candidate | left.reference) & ~asked.counted;
     if (lone == 0) return left;
-    const ColumnsOfBoth certain = certain_depths(tolerance, projection_, depths, {});
+    const ColumnsOfBoth certain = certain_depths(*by.far_off, by.next_to_corners, projection_, depths, {});
     return without(left, {certain.candidate & lone, certain.reference & lone});
 }
 
@@ -207,8 +213,9 @@ ColumnsOfBoth Presort::uncertain_here(std::uint32_t law, const Question& asked, 
     const auto [left, y] = source.place();
     const PixelBox chunk{left, y, left + int(tile_columns), y + 1};
     const LawsOfBoth& laws = source.shown.laws();
-    return uncertain_by(tolerance_of(laws.candidate[law], laws.reference[law], projection_, chunk), asked,
-                        source);
+    const auto [far_off, next_to_corners] =
+        tolerances_of(laws.candidate[law], laws.reference[law], projection_, chunk);
+    return uncertain_by({&far_off, &next_to_corners}, asked, source);
 }
 
 /// Those of them that are asked about are held against the whole formula.

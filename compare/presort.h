@@ -85,8 +85,11 @@ class Presort {
         ColumnsOfBoth pixels;
         ColumnMask counted;
     };
-    ColumnsOfBoth uncertain_by(const DepthTolerance& tolerance, const Question& asked,
-                               const Source& source) const;
+    struct ToleratedBy {
+        const DepthTolerance* far_off;
+        const CornerTolerance* next_to_corners;  ///< or nothing is said of what lies there
+    };
+    ColumnsOfBoth uncertain_by(const ToleratedBy& by, const Question& asked, const Source& source) const;
     ColumnsOfBoth uncertain_here(std::uint32_t law, const Question& asked, const Source& source) const;
     ColumnsOfBoth lawful_in_full(const ColumnsOfBoth& here, const ColumnsOfBoth& asked,
                                  const PartsOfBoth& parts, const RowPlace& place) const;
@@ -105,8 +108,13 @@ class Presort {
     Projection projection_;
     const strips::Kernel& kernel_;
     std::optional<strips::RunLens> lens_;
-    std::vector<DepthTolerance> tolerances_;  ///< by law
-    std::vector<Met> met_;                    ///< by law
+    const CornerTolerance* corner_tolerances() const {
+        return corner_tolerances_.empty() ? nullptr : corner_tolerances_.data();
+    }
+
+    std::vector<DepthTolerance> tolerances_;          ///< by law
+    std::vector<CornerTolerance> corner_tolerances_;  ///< by law; none where corners are asked themselves
+    std::vector<Met> met_;                            ///< by law
 };
 
 }  // namespace zproof

@@ -38,10 +38,14 @@ void ShownTriangles::make_laws() {
     made_ = triangles_.size();
 }
 
-void ShownTriangles::set_tolerances(const PixelBox& tile, std::vector<DepthTolerance>& tolerances) const {
-    tolerances.resize(triangles_.size());
-    tolerances[0] = tolerance_of_nothing;
-    maker_.make_tolerances(std::span(triangles_).subspan(1), tile, std::span(tolerances).subspan(1));
+void ShownTriangles::set_tolerances(const PixelBox& tile, std::vector<DepthTolerance>& far_off,
+                                    std::vector<CornerTolerance>& next_to_corners) const {
+    far_off.resize(triangles_.size());
+    next_to_corners.resize(triangles_.size());
+    far_off[0] = tolerance_of_nothing;
+    next_to_corners[0] = corner_tolerance_of_nothing;
+    maker_.make_tolerances(std::span(triangles_).subspan(1), tile,
+                           {std::span(far_off).subspan(1), std::span(next_to_corners).subspan(1)});
 }
 
 }  // namespace zproof

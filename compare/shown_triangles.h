@@ -28,8 +28,9 @@ class ShownTriangles {
         if (made_ < triangles_.size()) make_laws();
         return laws_;
     }
-    /// By place, in that tile; where nobody stands, a tolerance that holds nowhere.
-    void set_tolerances(const PixelBox& tile, std::vector<DepthTolerance>& tolerances) const;
+    /// By place, in that tile; where nobody stands, tolerances that hold nowhere.
+    void set_tolerances(const PixelBox& tile, std::vector<DepthTolerance>& far_off,
+                        std::vector<CornerTolerance>& next_to_corners) const;
 
   private:
     /// Of a table with open addressing; of this tile where its key is one of this tile's.

@@ -70,10 +70,10 @@ RoomTerms<Number> room_terms(const DepthLawOf<Number>& law, const Range<Number>&
 }
 
 template <class Number>
-typename DepthToleranceOf<Number>::NextToCorners next_to_corners(const DepthLawOf<Number>& law,
-                                                                 const Range<Number>& w,
-                                                                 const Range<Number>& corners,
-                                                                 Projection projection) {
+typename CornerToleranceOf<Number>::Bound next_to_corners(const DepthLawOf<Number>& law,
+                                                          const Range<Number>& w,
+                                                          const Range<Number>& corners,
+                                                          Projection projection) {
     const auto keeps = keeps_to_corners(law);
     const Number any = shift_at(law, w.least), kept = smaller(any, (corners.most - corners.least) / 4.0);
     const Number shift = keeps ? kept : any, none = everywhere<Number>(0);
@@ -86,48 +86,45 @@ typename DepthToleranceOf<Number>::NextToCorners next_to_corners(const DepthLawO
 
 /// Far from the corners.
 template <class Number>
-typename DepthToleranceOf<Number>::Bound bound_of(const DepthToleranceOf<Number>& t,
-                                                  const typename DepthToleranceOf<Number>::NextToCorners& c) {
-    const Number room = c.at_corners + c.per_shift * c.shift;
-    return {room, smaller(room - c.own - t.unsure, t.largest)};
+typename DepthToleranceOf<Number>::Bound far_off(const typename CornerToleranceOf<Number>::Bound& bound,
+                                                 const Number& unsure, const Number& largest) {
+    const Number room = bound.at_corners + bound.per_shift * bound.shift;
+    return {room, smaller(room - bound.own - unsure, largest)};
 }
 
 }  // namespace detail
 
-/// Where nothing is certain it holds nowhere, as DepthTolerance has it.
 template <class Number>
-DepthToleranceOf<Number> tolerance_of(const DepthLawOf<Number>& candidate,
-                                      const DepthLawOf<Number>& reference, Projection projection,
-                                      const PixelBox& part) {
+TolerancesOf<Number> tolerances_of(const DepthLawOf<Number>& candidate, const DepthLawOf<Number>& reference,
+                                   Projection projection, const PixelBox& part) {
     using namespace detail;
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const bool perspective = projection == Projection::perspective;
     const double sign = perspective ? 1 : -1;
-    const Number one = everywhere<Number>(1);
+    const Number one = everywhere<Number>(1), nothing = everywhere<Number>(infinite);
     DepthToleranceOf<Number> t{};
+    CornerToleranceOf<Number> c{};
     t.w_per_x = sign * candidate.nearness_per_x;
     t.w_per_y = sign * candidate.nearness_per_y;
     t.w_offset = sign * candidate.nearness_offset;
     const Range<Number> corners{(perspective ? candidate.least : 1.0 / candidate.highest) * (1 - widening),
                                 (perspective ? candidate.highest : 1.0 / candidate.least) * (1 + widening)};
     const Range<Number> w = range_of(t, corners, part);
-    t.largest = 0.5 * (perspective ? one : w.least);
     t.unsure = 8 * widening * (perspective ? one : w.most);
-    t.candidate_there = next_to_corners(candidate, w, corners, projection);
-    t.reference_there = next_to_corners(reference, w, corners, projection);
-    t.candidate = bound_of(t, t.candidate_there);
-    t.reference = bound_of(t, t.reference_there);
+    c.largest = 0.5 * (perspective ? one : w.least);
+    c.candidate = next_to_corners(candidate, w, corners, projection);
+    c.reference = next_to_corners(reference, w, corners, projection);
+    t.candidate = far_off(c.candidate, t.unsure, c.largest);
+    t.reference = far_off(c.reference, t.unsure, c.largest);
     const auto holds = (w.least > 0.0) & (w.least <= w.most) & (w.most < infinite) &
-                       (t.candidate_there.own < t.candidate.room) &
-                       (t.reference_there.own < t.reference.room);
-    const Number next_to = larger(t.candidate_there.shift, t.reference_there.shift);
-    const Number nothing = everywhere<Number>(infinite);
-    t.least = holds ? w.least : nothing;
-    t.most = holds ? w.most : -nothing;
-    t.corner_least = corners.least, t.corner_most = corners.most;
-    t.full_least = larger(t.least, corners.least + next_to);
-    t.full_most = smaller(t.most, corners.most - next_to);
-    return t;
+                       (c.candidate.own < t.candidate.room) & (c.reference.own < t.reference.room);
+    c.least = holds ? w.least : nothing;
+    c.most = holds ? w.most : -nothing;
+    c.corner_least = corners.least, c.corner_most = corners.most;
+    const Number away = larger(c.candidate.shift, c.reference.shift);
+    t.least = larger(c.least, corners.least + away);
+    t.most = smaller(c.most, corners.most - away);
+    return {t, c};
 }
 
 }  // namespace zproof

@@ -28,31 +28,31 @@ struct Between {
     Mask hold(const Doubles& w) const { return not_greater(least, w) & not_greater(w, most); }
 };
 
-/// Where a tolerance has the most room.
+/// Far from the corners.
 struct Full {
     Line line;
     Between between;
 
-    Full(const DepthTolerance& t, int y) : line(t, y), between{all(t.full_least), all(t.full_most)} {}
+    Full(const DepthTolerance& t, int y) : line(t, y), between{all(t.least), all(t.most)} {}
 };
 /// Up to that an error is there.
 double most_error(const DepthTolerance& t, const DepthTolerance::Bound& bound, double at_most) {
     return lesser(bound.lawful, at_most * bound.room - t.unsure);
 }
 
-/// Where it has less, next to corners.
+/// Next to corners.
 struct NextToCorners {
     Line line;
     Between between;
     Doubles corner_least, corner_most, unsure, largest;
 
-    NextToCorners(const DepthTolerance& t, int y)
+    NextToCorners(const DepthTolerance& t, const CornerTolerance& c, int y)
         : line(t, y),
-          between{all(t.least), all(t.most)},
-          corner_least(all(t.corner_least)),
-          corner_most(all(t.corner_most)),
+          between{all(c.least), all(c.most)},
+          corner_least(all(c.corner_least)),
+          corner_most(all(c.corner_most)),
           unsure(all(t.unsure)),
-          largest(all(t.largest)) {}
+          largest(all(c.largest)) {}
 
     Doubles distance(const Doubles& w) const { return lesser(w - corner_least, corner_most - w); }
 };
@@ -60,11 +60,11 @@ struct NextToCorners {
 struct RoomThere {
     Doubles at_corners, per_shift, shift, own, at_most;
 
-    RoomThere(const DepthTolerance::NextToCorners& there, double most)
-        : at_corners(all(there.at_corners)),
-          per_shift(all(there.per_shift)),
-          shift(all(there.shift)),
-          own(all(there.own)),
+    RoomThere(const CornerTolerance::Bound& bound, double most)
+        : at_corners(all(bound.at_corners)),
+          per_shift(all(bound.per_shift)),
+          shift(all(bound.shift)),
+          own(all(bound.own)),
           at_most(all(most)) {}
 
     Doubles most_error(const NextToCorners& triangle, const Doubles& distance) const {
@@ -75,10 +75,6 @@ struct RoomThere {
 
 /// At one depth all over the image: there depths that were met say more.
 bool is_level(const DepthTolerance& t) { return t.w_per_x == 0 && t.w_per_y == 0; }
-
-bool has_less_next_to_corners(const DepthTolerance& t) {
-    return t.least < t.full_least || t.full_most < t.most;
-}
 
 /// The x of each pixel of a strip.
 struct Columns {
@@ -152,11 +148,12 @@ Pixels certain_in_runs(const Depths& depths, const Tolerated& by, const Columns&
 
 /// Of some pixels of a run.
 template <class Projected>
-Pixels certain_there(const Depths& depths, const Columns& columns, const Tolerated& by,
-                     const DepthTolerance& t, Pixels some) {
-    const NextToCorners triangle(t, depths.y);
-    const RoomThere our_room(t.candidate_there, by.candidate_at_most),
-        their_room(t.reference_there, by.reference_at_most);
+Pixels certain_there(const Depths& depths, const Columns& columns, const Tolerated& by, std::uint32_t law,
+                     Pixels some) {
+    const CornerTolerance& corners = by.next_to_corners[law];
+    const NextToCorners triangle(by.tolerances[law], corners, depths.y);
+    const RoomThere our_room(corners.candidate, by.candidate_at_most),
+        their_room(corners.reference, by.reference_at_most);
     return some & in_run<lanes>(first_of(some), end_of(some), [&](int i) {
                const Doubles w = triangle.line.w_at(loaded(columns.x + i)), distance = triangle.distance(w);
                const Doubles ours = Projected::error(widened(depths.candidate + i), w),
@@ -177,9 +174,8 @@ template <class Projected>
         const Pixels from_first = -(turns & -turns);
         turns &= turns - 1;
         const Pixels some = asked & from_first & ~-(turns & -turns);
-        const DepthTolerance& t = by.tolerances[*law];
-        if (some != 0 && has_less_next_to_corners(t) && !is_level(t))
-            all_certain |= certain_there<Projected>(depths, columns, by, t, some);
+        if (some != 0 && !is_level(by.tolerances[*law]))
+            all_certain |= certain_there<Projected>(depths, columns, by, *law, some);
     }
     return all_certain;
 }
@@ -189,7 +185,9 @@ Pixels certain_by(const Depths& depths, const Tolerated& by) {
     const Columns columns(depths.x);
     const Pixels found = depths.asked & certain_in_runs<Projected>(depths, by, columns);
     const Pixels left = depths.asked & ~found;
-    return left == 0 ? found : found | certain_next_to_corners<Projected>(depths, by, columns, left);
+    return left == 0 || !by.next_to_corners
+               ? found
+               : found | certain_next_to_corners<Projected>(depths, by, columns, left);
 }
 
 Pixels certain(const Depths& depths, const Tolerated& by) noexcept {
@@ -211,9 +209,10 @@ Pixels lawful_of_triangle(const OneFrame& frame, const Columns& columns, const D
 }
 template <class Projected>
 [[gnu::noinline]] Pixels lawful_next_to_corners(const OneFrame& frame, const Columns& columns,
-                                                const DepthTolerance& t, Pixels some) {
-    const NextToCorners triangle(t, frame.y);
-    const RoomThere room(t.*frame.there, __builtin_inf());
+                                                const DepthTolerance& t, const CornerTolerance& corners,
+                                                Pixels some) {
+    const NextToCorners triangle(t, corners, frame.y);
+    const RoomThere room(corners.*frame.bound_there, __builtin_inf());
     return in_run<lanes>(first_of(some), end_of(some), [&](int i) {
         const Doubles w = triangle.line.w_at(loaded(columns.x + i));
         const Doubles error = Projected::error(widened(frame.camera_depth + i), w),
@@ -223,21 +222,22 @@ template <class Projected>
 }
 
 template <class Projected>
-Pixels lawful_in(const OneFrame& frame, const DepthTolerance* tolerances) {
+Pixels lawful_in(const OneFrame& frame, const Tolerated& by) {
     const Columns columns(frame.x);
     Pixels all_lawful = 0;
     for (int k = 0; k < frame.count; ++k) {
         const auto& [law, pixels] = frame.shown[k];
-        const DepthTolerance& t = tolerances[law];
+        const DepthTolerance& t = by.tolerances[law];
         Pixels found = pixels & lawful_of_triangle<Projected>(frame, columns, t, pixels);
-        if (const Pixels left = pixels & ~found; left != 0 && has_less_next_to_corners(t))
-            found |= left & lawful_next_to_corners<Projected>(frame, columns, t, left);
+        if (const Pixels left = pixels & ~found; left != 0 && by.next_to_corners)
+            found |=
+                left & lawful_next_to_corners<Projected>(frame, columns, t, by.next_to_corners[law], left);
         all_lawful |= found;
     }
     return all_lawful;
 }
 
-Pixels lawful(const OneFrame& frame, const DepthTolerance* tolerances, Projection projection) noexcept {
-    return projection == Projection::perspective ? lawful_in<Perspective>(frame, tolerances)
-                                                 : lawful_in<Parallel>(frame, tolerances);
+Pixels lawful(const OneFrame& frame, const Tolerated& by) noexcept {
+    return by.projection == Projection::perspective ? lawful_in<Perspective>(frame, by)
+                                                    : lawful_in<Parallel>(frame, by);
 }

@@ -38,7 +38,8 @@ struct Depths {
 
 /// By what they are certain.
 struct Tolerated {
-    const DepthTolerance* tolerances = nullptr;  ///< of the tile's triangles
+    const DepthTolerance* tolerances = nullptr;        ///< of the tile's triangles
+    const CornerTolerance* next_to_corners = nullptr;  ///< the same; or nothing is said of what lies there
     Projection projection = Projection::perspective;
     double candidate_at_most = 0, reference_at_most = 0;  ///< errors over their bounds
 };
@@ -49,8 +50,8 @@ struct OneFrame {
     const float* camera_depth = nullptr;
     const Strip::Shown* shown = nullptr;
     int count = 0;
-    DepthTolerance::Bound DepthTolerance::*bound = nullptr;  ///< its renderer's
-    DepthTolerance::NextToCorners DepthTolerance::*there = nullptr;
+    DepthTolerance::Bound DepthTolerance::*bound = nullptr;          ///< its renderer's
+    CornerTolerance::Bound CornerTolerance::*bound_there = nullptr;  ///< next to corners
 };
 
 /// What a perspective's runs are looked at with when nothing is known of their triangles but the corners
@@ -133,8 +134,7 @@ struct Kernel {
     /// nothing, they are the background's.
     Pixels (*certain)(const Depths& depths, const Tolerated& by) noexcept = nullptr;
     /// Where one frame's depths are lawful for certain.
-    Pixels (*lawful)(const OneFrame& frame, const DepthTolerance* tolerances,
-                     Projection projection) noexcept = nullptr;
+    Pixels (*lawful)(const OneFrame& frame, const Tolerated& by) noexcept = nullptr;
     /// Of `width` ids, those that are `id`.
     Pixels (*where_shown)(const PrimitiveId* ids, PrimitiveId id) noexcept = nullptr;
     /// The same in a tile, and where two frames show the same.

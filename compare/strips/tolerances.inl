@@ -50,18 +50,14 @@ void put(const Tolerances& side_by_side, int count, DepthTolerance* tolerances) 
     store(side_by_side.our_room, numbers[5]);
     store(side_by_side.their_room, numbers[6]);
     store(side_by_side.own, numbers[7]);
-    constexpr double infinite = __builtin_inf();
     for (int i = 0; i < count; ++i) {
         DepthTolerance& t = tolerances[i];
         t.w_per_x = numbers[0][i], t.w_per_y = numbers[1][i], t.w_offset = numbers[2][i];
-        t.least = t.full_least = numbers[3][i], t.most = t.full_most = numbers[4][i];
-        t.corner_least = -infinite, t.corner_most = infinite;
-        t.largest = 0.5, t.unsure = unsure;
-        const double ours = numbers[5][i], theirs = numbers[6][i], own = numbers[7][i];
-        t.candidate = {ours, lesser(ours - own - unsure, 0.5)};
-        t.reference = {theirs, lesser(theirs - own - unsure, 0.5)};
-        t.candidate_there = {ours, 0, 0, own};
-        t.reference_there = {theirs, 0, 0, own};
+        t.least = numbers[3][i], t.most = numbers[4][i];
+        t.unsure = unsure;
+        const double ours = numbers[5][i], theirs = numbers[6][i], own = numbers[7][i] + unsure;
+        t.candidate = {ours, lesser(ours - own, 0.5)};
+        t.reference = {theirs, lesser(theirs - own, 0.5)};
     }
 }
 

@@ -9,11 +9,11 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <tuple>
 
 #include "compare/certain_depths.h"
 #include "compare/depth_bound.h"
 #include "compare/strips/dispatch.h"
-#include "full_room.h"
 #include "random_surroundings.h"
 
 namespace zproof {
@@ -81,6 +81,9 @@ PixelBox part_around(Dice& dice, const RowPlace& row) {
     return {left, top, row.left + int(tile_columns) + dice.below(20), row.y + 1 + dice.below(8)};
 }
 
+/// Nobody says what holds next to corners.
+constexpr const CornerTolerance* no_corners = nullptr;
+
 TEST(DepthTolerance, IsOfLawfulDepthsThatErrNoMore) {
     Tried ours, theirs;
     int usable = 0, asked = 0;
@@ -104,14 +107,16 @@ TEST(DepthTolerance, IsOfLawfulDepthsThatErrNoMore) {
             candidate.set_depths(dice, at_most.candidate);
             reference.set_depths(dice, at_most.reference);
             const PixelBox part = part_around(dice, at);
-            const DepthTolerance triangle = tolerance_of(candidate.law, reference.law, projection, part);
-            ++asked, usable += triangle.least <= triangle.most;
-            ASSERT_TRUE(triangle.least > triangle.most || has_full_room_inside_only(triangle));
-            const ColumnsOfBoth certain =
-                certain_depths(triangle, projection, {at, candidate.z.data(), reference.z.data()}, at_most);
-            try_side(certain.candidate, candidate, projection, at_most.candidate, ours);
-            try_side(certain.reference, reference, projection, at_most.reference, theirs);
-            if (HasFatalFailure()) return;
+            const auto [far_off, next_to_corners] =
+                tolerances_of(candidate.law, reference.law, projection, part);
+            ++asked, usable += far_off.least <= far_off.most;
+            for (const CornerTolerance* const corners : {no_corners, &next_to_corners}) {
+                const ColumnsOfBoth certain = certain_depths(
+                    far_off, corners, projection, {at, candidate.z.data(), reference.z.data()}, at_most);
+                try_side(certain.candidate, candidate, projection, at_most.candidate, ours);
+                try_side(certain.reference, reference, projection, at_most.reference, theirs);
+                if (HasFatalFailure()) return;
+            }
         }
     }
     EXPECT_GT(usable, asked / 4);
@@ -156,11 +161,14 @@ TEST(DepthTolerance, HoldsOfWideBounds) {
         for (float& depth : z) depth = float(4 + std::ldexp(dice.between(-1, 1), dice.below(30) - 25));
         const DepthRow exact = depths_in_row(law, projection, {0, 0}, z);
         const double at_most = dice.below(2) != 0 ? 1 : dice.between(0, 1);
-        const DepthTolerance wall = tolerance_of(law, law, projection, a_row);
-        const ColumnMask certain =
-            certain_depths(wall, projection, {{0, 0}, z.data(), z.data()}, {at_most, at_most}).candidate;
-        try_row(certain, exact, z, at_most, tried);
-        if (HasFatalFailure()) return;
+        const auto [far_off, next_to_corners] = tolerances_of(law, law, projection, a_row);
+        for (const CornerTolerance* const corners : {no_corners, &next_to_corners}) {
+            const ColumnMask certain =
+                certain_depths(far_off, corners, projection, {{0, 0}, z.data(), z.data()}, {at_most, at_most})
+                    .candidate;
+            try_row(certain, exact, z, at_most, tried);
+            if (HasFatalFailure()) return;
+        }
     }
     EXPECT_GT(tried.certain, tried.lawful / 2);
 }
@@ -171,8 +179,9 @@ TEST(DepthTolerance, OfAWallIsNearlyItsBound) {
         const DepthLaw law = wall_law(0x1p-20, 0x1p-23, projection);
         TileRowOf<float> z;
         for (std::size_t i = 0; i < tile_columns; ++i) z[i] = 4 + float(i) * 0x1p-22f;
-        const ColumnsOfBoth certain = certain_depths(tolerance_of(law, law, projection, a_row), projection,
-                                                     {{0, 0}, z.data(), z.data()}, {1, 0.5});
+        const auto [far_off, next_to_corners] = tolerances_of(law, law, projection, a_row);
+        const ColumnsOfBoth certain =
+            certain_depths(far_off, &next_to_corners, projection, {{0, 0}, z.data(), z.data()}, {1, 0.5});
         const DepthRow exact = depths_in_row(law, projection, {0, 0}, z);
         ColumnMask lawful = 0, half = 0;
         for (std::size_t i = 0; i < tile_columns; ++i) {
@@ -197,42 +206,73 @@ TEST(DepthTolerance, SaysNothingBeyondItsPart) {
             z[i] = float(projection == Projection::perspective ? 1 / nearness : -nearness);
         }
         const PixelBox part{4, 0, 8, 1};
-        const ColumnsOfBoth certain = certain_depths(tolerance_of(law, law, projection, part), projection,
-                                                     {{0, 0}, z.data(), z.data()}, {});
-        EXPECT_EQ(certain.candidate, 0xf0u);
-        EXPECT_EQ(certain.reference, 0xf0u);
+        const auto [far_off, next_to_corners] = tolerances_of(law, law, projection, part);
+        for (const CornerTolerance* const corners : {no_corners, &next_to_corners}) {
+            const ColumnsOfBoth certain =
+                certain_depths(far_off, corners, projection, {{0, 0}, z.data(), z.data()}, {});
+            EXPECT_EQ(certain.candidate, 0xf0u);
+            EXPECT_EQ(certain.reference, 0xf0u);
+        }
     }
 }
 
 /// Of a triangle that leans a little, near depth 4 in the strip from pixel (64, 3) on.
-DepthTolerance some_tolerance(Dice& dice, Projection projection) {
+Tolerances some_tolerances(Dice& dice, Projection projection) {
     const bool perspective = projection == Projection::perspective;
     const double w = perspective ? 0.25 : 4, step = w * 0x1p-26, error = perspective ? 0x1p-22 : 0x1p-20;
-    DepthTolerance t;
+    Tolerances both;
+    auto& [t, c] = both;
     t.w_per_x = dice.between(-step, step);
     t.w_per_y = dice.between(-step, step);
     t.w_offset = w - 96 * t.w_per_x - 3 * t.w_per_y;
-    t.least = w - dice.between(0, 64) * step;
-    t.most = w + dice.between(0, 64) * step;
-    t.corner_least = t.least - dice.between(0, 9) * step;
-    t.corner_most = t.most + dice.between(0, 9) * step;
-    t.largest = 0.5 * (perspective ? 1 : w);
     t.unsure = 0x1p-10 * error;
-    const auto set_some = [&](DepthTolerance::Bound& bound, DepthTolerance::NextToCorners& there) {
+    c.least = w - dice.between(0, 64) * step;
+    c.most = w + dice.between(0, 64) * step;
+    c.corner_least = c.least - dice.between(0, 9) * step;
+    c.corner_most = c.most + dice.between(0, 9) * step;
+    c.largest = 0.5 * (perspective ? 1 : w);
+    const auto set_some = [&](DepthTolerance::Bound& far_off, CornerTolerance::Bound& there) {
         there.at_corners = dice.between(1, 8) * error;
         there.shift = dice.below(2) != 0 ? dice.between(0, 32) * step : 0;
         there.per_shift = there.shift > 0 ? dice.between(0, 8) * error / there.shift : 0;
-        bound.room = there.at_corners + there.per_shift * there.shift;
-        there.own = bound.room * dice.between(0, 1);
-        bound.lawful = std::min(bound.room - there.own - t.unsure, t.largest);
+        far_off.room = there.at_corners + there.per_shift * there.shift;
+        there.own = far_off.room * dice.between(0, 1);
+        far_off.lawful = std::min(far_off.room - there.own - t.unsure, c.largest);
     };
-    set_some(t.candidate, t.candidate_there);
-    set_some(t.reference, t.reference_there);
-    const double kept = std::max(t.candidate_there.shift, t.reference_there.shift);
-    t.full_least = std::max(t.least, t.corner_least + kept);
-    t.full_most = std::min(t.most, t.corner_most - kept);
-    return t;
+    set_some(t.candidate, c.candidate);
+    set_some(t.reference, c.reference);
+    const double away = std::max(c.candidate.shift, c.reference.shift);
+    t.least = std::max(c.least, c.corner_least + away);
+    t.most = std::min(c.most, c.corner_most - away);
+    return both;
 }
+
+/// Of three laws, the first of which says nothing; and whether it is told what holds next to corners.
+struct SomeTolerances {
+    std::array<DepthTolerance, 3> far_off{tolerance_of_nothing};
+    std::array<CornerTolerance, 3> next_to_corners{corner_tolerance_of_nothing};
+    bool tells_corners;
+    Projection projection;
+
+    explicit SomeTolerances(Dice& dice)
+        : tells_corners(dice.below(2) != 0),
+          projection(dice.below(2) != 0 ? Projection::perspective : Projection::parallel) {
+        for (std::size_t law = 1; law < far_off.size(); ++law)
+            std::tie(far_off[law], next_to_corners[law]) = as_tuple(some_tolerances(dice, projection));
+    }
+    const CornerTolerance* corners(std::size_t law) const {
+        return tells_corners ? &next_to_corners[law] : nullptr;
+    }
+    strips::Tolerated tolerated(const AtMost& at_most) const {
+        return {far_off.data(), tells_corners ? next_to_corners.data() : nullptr, projection,
+                at_most.candidate, at_most.reference};
+    }
+
+  private:
+    static std::tuple<DepthTolerance, CornerTolerance> as_tuple(const Tolerances& both) {
+        return {both.far_off, both.next_to_corners};
+    }
+};
 
 /// A strip in which each pixel shows one of a few triangles, nothing or an id of no triangle.
 struct FewTriangles {
@@ -269,9 +309,7 @@ TEST(StripKernels, FindTheDepthsCertainOfEachTriangleByItself) {
     for (std::uint32_t seed = 0; seed < 3000; ++seed) {
         SCOPED_TRACE(seed);
         Dice dice(seed);
-        const Projection projection = dice.below(2) != 0 ? Projection::perspective : Projection::parallel;
-        const std::array tolerances{tolerance_of_nothing, some_tolerance(dice, projection),
-                                    some_tolerance(dice, projection)};
+        const SomeTolerances tolerances(dice);
         const FewTriangles shown(dice);
         const Strip::Pixels asked =
             dice.below(2) != 0 ? Strip::all : Strip::Pixels{0xF0FFF0} << dice.below(48);
@@ -280,7 +318,7 @@ TEST(StripKernels, FindTheDepthsCertainOfEachTriangleByItself) {
         for (std::size_t i = 0; i < Strip::width; ++i) {
             const std::size_t first = i / tile_columns * tile_columns;
             const auto [a, b] = certain_depths(
-                tolerances[shown.law[i]], projection,
+                tolerances.far_off[shown.law[i]], tolerances.corners(shown.law[i]), tolerances.projection,
                 {{64 + int(first), 3}, &shown.our_depth[first], &shown.their_depth[first]}, at_most);
             const bool is_bare = shown.primitive[i] == PrimitiveId::none &&
                                  shown.our_depth[i] == background_depth &&
@@ -288,16 +326,15 @@ TEST(StripKernels, FindTheDepthsCertainOfEachTriangleByItself) {
             expected |= Strip::Pixels{is_bare || (a & b & 1u << (i - first)) != 0} << i;
         }
         for (const strips::Kernel& kernel : strips::available_kernels()) {
-            const Strip::Pixels certain =
-                kernel.certain({.x = 64,
-                                .y = 3,
-                                .primitive = shown.primitive.data(),
-                                .candidate = shown.our_depth.data(),
-                                .reference = shown.their_depth.data(),
-                                .turns = shown.turns,
-                                .asked = asked,
-                                .law_of_run = shown.law_of_run.data()},
-                               {tolerances.data(), projection, at_most.candidate, at_most.reference});
+            const Strip::Pixels certain = kernel.certain({.x = 64,
+                                                          .y = 3,
+                                                          .primitive = shown.primitive.data(),
+                                                          .candidate = shown.our_depth.data(),
+                                                          .reference = shown.their_depth.data(),
+                                                          .turns = shown.turns,
+                                                          .asked = asked,
+                                                          .law_of_run = shown.law_of_run.data()},
+                                                         tolerances.tolerated(at_most));
             ASSERT_EQ(certain, expected & asked) << kernel.name;
         }
         found[1] += std::popcount(expected);
@@ -326,9 +363,7 @@ TEST(StripKernels, FindTheDepthsOfOneFrameLawful) {
     for (std::uint32_t seed = 0; seed < 3000; ++seed) {
         SCOPED_TRACE(seed);
         Dice dice(seed);
-        const Projection projection = dice.below(2) != 0 ? Projection::perspective : Projection::parallel;
-        const std::array tolerances{tolerance_of_nothing, some_tolerance(dice, projection),
-                                    some_tolerance(dice, projection)};
+        const SomeTolerances tolerances(dice);
         const FewTriangles strip(dice);
         const Strip::ShownOnes shown = some_of(dice, strip.law);
         const bool is_ours = dice.below(2) != 0;
@@ -336,8 +371,9 @@ TEST(StripKernels, FindTheDepthsOfOneFrameLawful) {
         Strip::Pixels expected = 0, asked = 0;
         for (const auto& [law, pixels] : std::span(shown.of.data(), std::size_t(shown.count)))
             for (std::size_t first = 0; first < Strip::width; first += Strip::chunk) {
-                const auto [ours, theirs] = certain_depths(
-                    tolerances[law], projection, {{64 + int(first), 3}, depths + first, depths + first}, {});
+                const auto [ours, theirs] =
+                    certain_depths(tolerances.far_off[law], tolerances.corners(law), tolerances.projection,
+                                   {{64 + int(first), 3}, depths + first, depths + first}, {});
                 expected |= pixels & Strip::Pixels{is_ours ? ours : theirs} << first;
                 asked |= pixels;
             }
@@ -345,8 +381,8 @@ TEST(StripKernels, FindTheDepthsOfOneFrameLawful) {
             const Strip::Pixels lawful =
                 kernel.lawful({64, 3, depths, shown.of.data(), shown.count,
                                is_ours ? &DepthTolerance::candidate : &DepthTolerance::reference,
-                               is_ours ? &DepthTolerance::candidate_there : &DepthTolerance::reference_there},
-                              tolerances.data(), projection);
+                               is_ours ? &CornerTolerance::candidate : &CornerTolerance::reference},
+                              tolerances.tolerated({}));
             ASSERT_EQ(lawful, expected) << kernel.name;
         }
         found[0] += std::popcount(asked & ~expected);

@@ -51,8 +51,11 @@ TEST(ShownTriangles, HaveOnePlaceEachAndTheirOwnLaws) {
         }
         const PixelBox part{0, 0, view.width, 1 + tile % 4};
         std::vector<DepthTolerance> tolerances(7);
-        shown.set_tolerances(part, tolerances);
+        std::vector<CornerTolerance> next_to_corners(9);
+        shown.set_tolerances(part, tolerances, next_to_corners);
         ASSERT_EQ(tolerances.size(), places.size() + 1);
+        ASSERT_EQ(next_to_corners.size(), places.size() + 1);
+        EXPECT_GT(next_to_corners[0].least, next_to_corners[0].most) << "where nobody stands";
         EXPECT_GT(tolerances[0].least, tolerances[0].most) << "where nobody stands";
         std::vector<bool> is_taken(places.size() + 1);
         is_taken[0] = true;
@@ -65,7 +68,9 @@ TEST(ShownTriangles, HaveOnePlaceEachAndTheirOwnLaws) {
                            &their_law = shown.laws().reference[place];
             EXPECT_TRUE(are_the_same(our_law, depth_law_of(triangle, ours.bounds())));
             EXPECT_TRUE(are_the_same(their_law, depth_law_of(triangle, theirs.bounds())));
-            const DepthTolerance expected = tolerance_of(our_law, their_law, Projection::perspective, part);
+            const auto [expected, expected_next_to] =
+                tolerances_of(our_law, their_law, Projection::perspective, part);
+            EXPECT_EQ(next_to_corners[place].least, expected_next_to.least);
             EXPECT_EQ(tolerances[place].w_offset, expected.w_offset);
             EXPECT_EQ(tolerances[place].least, expected.least);
             EXPECT_EQ(tolerances[place].candidate.room, expected.candidate.room);
