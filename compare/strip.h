@@ -38,7 +38,7 @@ struct Strip {
         std::uint32_t law;
         Pixels pixels;
     };
-    /// Several of them, each once, no pixel twice.
+    /// Several of them; no pixel twice.
     struct ShownOnes {
         Values<Shown> of;
         int count = 0;
