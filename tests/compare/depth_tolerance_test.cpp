@@ -221,7 +221,8 @@ Tolerances some_tolerances(Dice& dice, Projection projection) {
     const bool perspective = projection == Projection::perspective;
     const double w = perspective ? 0.25 : 4, step = w * 0x1p-26, error = perspective ? 0x1p-22 : 0x1p-20;
     Tolerances both;
-    auto& [t, c] = both;
+    DepthTolerance& t = both.far_off;
+    CornerTolerance& c = both.next_to_corners;
     t.w_per_x = dice.between(-step, step);
     t.w_per_y = dice.between(-step, step);
     t.w_offset = w - 96 * t.w_per_x - 3 * t.w_per_y;
