@@ -2,7 +2,7 @@
 /// that the machine has; and on which side of an edge a tile's pixels are.
 ///
 /// kernel_scalar.cpp, kernel_avx2.cpp and kernel_avx512.cpp are compiled for one instruction set each and
-/// share the algorithm of certain.inl and ids.inl. All say the same: every lane's operations are those of
+/// share the algorithms of kernel.inl. All say the same: every lane's operations are those of
 /// certain_depths(), in the same order. Plain structs only: an inline function in here would be merged by
 /// the linker into whichever instruction set's copy it meets first.
 #pragma once

@@ -76,25 +76,10 @@ unsigned where_background(const float* depth) {
         _mm512_cmp_ps_mask(_mm512_loadu_ps(depth), _mm512_set1_ps(background_depth), _CMP_EQ_OQ));
 }
 
-#include "compare/strips/certain.inl"
-#include "compare/strips/ids.inl"
-#include "compare/strips/runs.inl"
-#include "compare/strips/signs.inl"
-#include "compare/strips/squares.inl"
-#include "compare/strips/tolerances.inl"
+#include "compare/strips/kernel.inl"
 
 }  // namespace
 
-const Kernel kernel{"AVX-512",
-                    compare,
-                    certain,
-                    lawful,
-                    where_shown,
-                    where_shown_in_tile,
-                    where_same_in_tile,
-                    certain_by_corners,
-                    set_tolerances,
-                    set_signs,
-                    set_places};
+constinit const Kernel kernel = kernel_named("AVX-512");
 
 }  // namespace zproof::strips::avx512

@@ -47,25 +47,10 @@ unsigned where_background(const float* depth) {
     return bare;
 }
 
-#include "compare/strips/certain.inl"
-#include "compare/strips/ids.inl"
-#include "compare/strips/runs.inl"
-#include "compare/strips/signs.inl"
-#include "compare/strips/squares.inl"
-#include "compare/strips/tolerances.inl"
+#include "compare/strips/kernel.inl"
 
 }  // namespace
 
-const Kernel kernel{"scalar",
-                    compare,
-                    certain,
-                    lawful,
-                    where_shown,
-                    where_shown_in_tile,
-                    where_same_in_tile,
-                    certain_by_corners,
-                    set_tolerances,
-                    set_signs,
-                    set_places};
+constinit const Kernel kernel = kernel_named("scalar");
 
 }  // namespace zproof::strips::scalar

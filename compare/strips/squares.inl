@@ -3,8 +3,9 @@
 /// Of as many triangles as there are lanes, from one on.
 [[gnu::always_inline]] inline PlacesOfEight places_from(const Eight& triangles, int from, const Doubles& x,
                                                         const Doubles& y) {
+    constexpr unsigned every = (1u << lanes) - 1;
     const Doubles none = all(0);
-    unsigned misses = 0, covers = (1u << lanes) - 1;
+    unsigned misses = 0, covers = every;
     for (const EdgesOfEight& edges : triangles.edges) {
         const Doubles middle =
             loaded(edges.a + from) * x + loaded(edges.b + from) * y + loaded(edges.c + from);
@@ -12,7 +13,6 @@
         misses |= bits_of(less(middle + reach, none));
         covers &= bits_of(less(none, middle - reach));
     }
-    const unsigned every = (1u << lanes) - 1;
     return {std::uint8_t(covers & ~misses), std::uint8_t(~covers & ~misses & every)};
 }
 
