@@ -14,7 +14,7 @@ namespace zproof {
 
 namespace {
 
-/// Open pixels of a tile from which on it is worth the trouble to look at whole rows, and of each row and
+/// Open pixels of a tile from which on it is worth the trouble to look at all together, and of each row and
 /// column that has any, on the average: fewer lie along a line, and mostly next to an edge.
 constexpr std::uint32_t many = 8, many_of_line = 2;
 

@@ -1,5 +1,5 @@
-/// Which tiles are worth being looked at in whole rows. It is a matter of time only: no verdict depends on
-/// it.
+/// Which tiles are worth having all their pixels looked at together. It is a matter of time only: no verdict
+/// depends on it.
 #pragma once
 
 #include "compare/open_tiles.h"

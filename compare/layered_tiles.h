@@ -1,5 +1,5 @@
 /// The second pass where much is open: tiles in which many pixels show different triangles, as surfaces in
-/// one plane do, are ruled on row by row.
+/// one plane do, are ruled on tile by tile.
 #pragma once
 
 #include <span>

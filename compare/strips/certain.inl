@@ -104,6 +104,13 @@ template <int step, class From>
 int first_of(Pixels some) { return __builtin_ctzll(some); }
 int end_of(Pixels some) { return width - __builtin_clzll(some); }
 
+/// Strip::take_run, for this instruction set.
+Pixels take_run(Pixels& turns) {
+    const Pixels from_first = -(turns & -turns);
+    turns &= turns - 1;
+    return from_first & ~-(turns & -turns);
+}
+
 /// Pixels that show one triangle: from first to before end.
 struct Run {
     std::uint32_t law;
@@ -132,11 +139,10 @@ Pixels certain_in_runs(const Depths& depths, const Tolerated& by, const Columns&
     Pixels all_certain = 0;
     const std::uint32_t* law = depths.law_of_run;
     for (Pixels turns = depths.turns; turns != 0; ++law) {
-        const Pixels from_first = -(turns & -turns);  // all pixels from the run's first on
-        turns &= turns - 1;
-        const Pixels of_run = from_first & ~-(turns & -turns);  // to before the next one's
+        const int first = first_of(turns);
+        const Pixels of_run = take_run(turns);
         if ((of_run & depths.asked) == 0) continue;
-        const Run run{*law, __builtin_ctzll(from_first), turns != 0 ? __builtin_ctzll(turns) : width};
+        const Run run{*law, first, turns != 0 ? first_of(turns) : width};
         if (run.law != 0)
             all_certain |= of_run & certain_of_triangle<Projected>(depths, columns, by, run);
         else if (depths.primitive[run.first] == PrimitiveId::none)
@@ -171,9 +177,7 @@ template <class Projected>
     Pixels all_certain = 0;
     const std::uint32_t* law = depths.law_of_run;
     for (Pixels turns = depths.turns; turns != 0; ++law) {
-        const Pixels from_first = -(turns & -turns);
-        turns &= turns - 1;
-        const Pixels some = asked & from_first & ~-(turns & -turns);
+        const Pixels some = asked & take_run(turns);
         if (some != 0 && !is_level(by.tolerances[*law]))
             all_certain |= certain_there<Projected>(depths, columns, by, *law, some);
     }

@@ -1,4 +1,4 @@
-/// Findings written for whole rows must be those of one pixel after the other.
+/// Findings written for whole tiles must be those of one pixel after the other.
 #include "compare/layered_tiles.h"
 
 #include <gtest/gtest.h>
