@@ -7,7 +7,6 @@
 #include <numeric>
 #include <type_traits>
 
-#include "compare/coplanar.h"
 #include "math/interval.h"
 #include "math/lazy_rational.h"
 
@@ -43,12 +42,13 @@ bool may_be_clipped(const Camera& camera, const Neighbour& n) {
 }  // namespace
 
 template <class Number>
-AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around)
+AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around, CoplanarMemory& coplanar)
     : around_(around),
       sight_(around.view, around.x, around.y),
       drawn_(around.neighbours.size()),
       pieces_(around.neighbours.size()),
-      nearest_first_(around.neighbours.size()) {
+      nearest_first_(around.neighbours.size()),
+      coplanar_(coplanar) {
     corners_by_hash_.fill(-1);
     set_half_side(around.eps_px);
     std::iota(nearest_first_.begin(), nearest_first_.end(), size_t(0));
@@ -96,24 +96,30 @@ auto AdmissibleSet<Number>::edge_line(const Affine<Number>& f, const CornersWorl
     -> LinePointer {
     const auto [low, high] =
         std::minmax({corner_id(p_world[(edge + 1) % 3]), corner_id(p_world[(edge + 2) % 3])});
-    const int id = edge_ids_.try_emplace({low, high}, int(edge_ids_.size())).first->second;
-    return &lines_.emplace_back(Line<Number>{f, id, {low, high}, locus_of(std::size_t(id), {low, high})});
+    const int id = edge_id(low, high);
+    return &lines_.emplace_back(Line<Number>{f, id, {low, high}, edges_[std::size_t(id)].locus});
 }
 
-/// The estimates in double are left as they are.
 template <class Number>
-int AdmissibleSet<Number>::locus_of(std::size_t edge_id, const std::array<int, 2>& ends) {
+int AdmissibleSet<Number>::edge_id(int low, int high) {
+    int& first = corners_[std::size_t(low)].first_edge;
+    for (int id = first; id >= 0; id = edges_[std::size_t(id)].next_of_end)
+        if (edges_[std::size_t(id)].ends[1] == high) return id;
+    edges_.push_back({{low, high}, locus_of({low, high}), first});
+    return first = int(edges_.size()) - 1;
+}
+
+/// Of an edge that is not among the others yet. The estimates in double are left as they are.
+template <class Number>
+int AdmissibleSet<Number>::locus_of(const std::array<int, 2>& ends) {
     if constexpr (std::is_same_v<Number, double>) return -1;
-    if (edge_id < edges_.size()) return edges_[edge_id].locus;
     const auto place = [&](int corner) { return corners_[std::size_t(corner)].p_world; };
     const auto along = [&](const MeshEdge& other) {
         return collinear(place(other.ends[0]), place(other.ends[1]), place(ends[0])) &&
                collinear(place(other.ends[0]), place(other.ends[1]), place(ends[1]));
     };
     const auto found = std::ranges::find_if(edges_, along);
-    const int locus = found == edges_.end() ? int(edge_id) : found->locus;
-    edges_.push_back({ends, locus});
-    return locus;
+    return found == edges_.end() ? int(edges_.size()) : found->locus;
 }
 
 template <class Number>
@@ -292,9 +298,7 @@ bool AdmissibleSet<Number>::meet_at_the_centre(size_t occluder, size_t seen) {
 
 template <class Number>
 bool AdmissibleSet<Number>::are_coplanar(size_t a, size_t b) {
-    const auto [known, is_new] = coplanar_.try_emplace({a, b}, false);
-    if (is_new) known->second = coplanar(around_.neighbours[a].p_world, around_.neighbours[b].p_world);
-    return known->second;
+    return coplanar_(around_.neighbours[a].of_scene(), around_.neighbours[b].of_scene());
 }
 
 /// Some that cover the square, nearest first: most are covered by the first. Nothing where all leave some of

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <deque>
-#include <map>
 #include <optional>
 
 #include "compare/edge_on.h"
@@ -29,7 +28,8 @@ struct Rules {
 template <class Number>
 class AdmissibleSet {
   public:
-    explicit AdmissibleSet(const Neighbourhood& neighbourhood);
+    /// Both must outlive it.
+    AdmissibleSet(const Neighbourhood& neighbourhood, CoplanarMemory& coplanar);
 
     /// Another half-side than the neighbourhood's eps_px, from here on.
     void set_half_side(double half_side_px);
@@ -75,7 +75,8 @@ class AdmissibleSet {
     LinePointer reversed(LinePointer line);
     LinePointer edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge);
     int corner_id(const glm::vec3& p_world);
-    int locus_of(std::size_t edge_id, const std::array<int, 2>& ends);
+    int edge_id(int low, int high);
+    int locus_of(const std::array<int, 2>& ends);
     Drawn draw(const Neighbour& neighbour);
     Region<Number> square();
 
@@ -118,20 +119,21 @@ class AdmissibleSet {
     std::array<LinePointer, 4> sides_{};
     struct CornerOfMesh {
         glm::vec3 p_world;
-        int next_of_hash;  ///< id of another, or -1
+        int next_of_hash;     ///< id of another, or -1
+        int first_edge = -1;  ///< id of one of which it is the first end, or -1
     };
     std::vector<CornerOfMesh> corners_;
     std::array<int, 256> corners_by_hash_{};
-    std::map<std::pair<int, int>, int> edge_ids_;
     struct MeshEdge {
-        std::array<int, 2> ends;
+        std::array<int, 2> ends;  ///< ids of corners, ascending
         int locus;
+        int next_of_end;  ///< id of another with the same first end, or -1
     };
     std::vector<MeshEdge> edges_;  ///< by id
     std::vector<std::optional<Drawn>> drawn_;
     std::vector<std::optional<std::vector<Piece>>> pieces_;  ///< in this square
     std::vector<size_t> nearest_first_;
-    std::map<std::pair<size_t, size_t>, bool> coplanar_;  ///< asked so far
+    CoplanarMemory& coplanar_;
     /// Occluders that cover this square, all edges staying: of what is seen there, once they were found.
     struct Covering {
         std::optional<size_t> seen;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "compare/asked_boxes.h"
+#include "compare/asked_tiles.h"
 #include "scenes/view.h"
 
 namespace zproof {

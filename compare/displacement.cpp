@@ -2,9 +2,8 @@
 
 namespace zproof {
 
-std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer) {
-    Estimate estimate([&] { return around; }, answer);
-    return least_step(around.eps_px, std::nullopt,
+std::optional<double> displacement_over_eps(Estimate& estimate) {
+    return least_step(estimate.around().eps_px, std::nullopt,
                       [&](double half_side_px) { return estimate.is_seen_within(half_side_px); });
 }
 

@@ -22,7 +22,7 @@ constexpr double least_px(double eps_px) { return eps_px / displacement_steps; }
 ///
 /// For a triangle that misses the centre this is how far its corners must have moved; for one that others
 /// hide there, or for background, how far those others must have moved aside.
-std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer);
+std::optional<double> displacement_over_eps(Estimate& estimate);
 
 /// The same where is_seen_within(half_side_px) says whether it is. What is seen in a square is seen in every
 /// larger one: by ever larger strides from the likely half-side, where one is given, and then by bisection.

@@ -3,7 +3,7 @@
 namespace zproof {
 
 AdmissibleSet<double>& Estimate::set_within(double half_side_px) {
-    if (!set_) set_.emplace(around_.emplace(gather_()));
+    if (!set_) set_.emplace(around(), coplanar_);
     set_->set_half_side(half_side_px);
     return *set_;
 }

@@ -13,12 +13,22 @@ namespace zproof {
 
 class Estimate {
   public:
-    /// `gather` says what stands around the answer's pixel. It is asked once, if anything is.
+    /// `gather` says what stands around the pixel of the answer at hand. It is asked once for each answer, if
+    /// anything is.
     using Gather = std::function<Neighbourhood()>;
-    Estimate(Gather gather, PrimitiveId answer) : gather_(std::move(gather)), answer_(answer) {}
+    Estimate(Gather gather, CoplanarMemory& coplanar) : gather_(std::move(gather)), coplanar_(coplanar) {}
     Estimate(const Estimate&) = delete;
     Estimate& operator=(const Estimate&) = delete;
 
+    /// Turns to another answer; before, nothing may be asked.
+    void turn_to(PrimitiveId answer) {
+        answer_ = answer;
+        set_.reset();
+        around_.reset();
+    }
+
+    /// What stands around the pixel.
+    const Neighbourhood& around() { return around_ ? *around_ : around_.emplace(gather_()); }
     /// Is the answer seen in a square of that half-side?
     bool is_seen_within(double half_side_px);
     /// Places in such a square where the answer, a triangle, is truly visible: the middle of each part that
@@ -29,7 +39,8 @@ class Estimate {
     AdmissibleSet<double>& set_within(double half_side_px);
 
     Gather gather_;
-    PrimitiveId answer_;
+    CoplanarMemory& coplanar_;
+    PrimitiveId answer_ = PrimitiveId::none;
     std::optional<Neighbourhood> around_;
     std::optional<AdmissibleSet<double>> set_;  ///< looks at around_
 };

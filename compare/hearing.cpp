@@ -60,7 +60,7 @@ class Hearing::Session {
           docket_(docket),
           asked_(asked),
           memories_(memories),
-          near_(hearing.scene_, hearing.view_, asked_boxes()) {}
+          near_(hearing.scene_, hearing.view_, asked_tiles()) {}
 
     /// Decides what it can; for each plea of the docket the reach that it needs, or 0 where it is decided.
     std::vector<double> hear(std::vector<Ruled>& rulings) {
@@ -74,15 +74,24 @@ class Hearing::Session {
 
     double searched_px(std::size_t place) const { return std::max(docket_.reach_px[place], least_search_px); }
 
-    AskedBoxes asked_boxes() const {
-        AskedBoxes boxes(Tiles(hearing_.view_).count());
-        for_each_of(docket_.sittings, [&](const Sitting& sitting) {
-            for (std::size_t i = sitting.first; i < sitting.end; ++i) {
-                const double reach = searched_px(i);
-                boxes.add(sitting.tile, square_around(plea(i).x, plea(i).y, reach), reach);
-            }
-        });
-        return boxes;
+    AskedTiles asked_tiles() const {
+        const Tiles tiles(hearing_.view_);
+        std::vector<std::uint32_t> pleas_of_tile(tiles.count());
+        for (const Sitting& sitting : docket_.sittings)
+            pleas_of_tile[sitting.tile] = sitting.end - sitting.first;
+        AskedTiles asked(tiles, pleas_of_tile);
+        for_each_of(docket_.sittings, [&](const Sitting& sitting) { add_squares(sitting, asked); });
+        return asked;
+    }
+    /// One for all pleas at a pixel that follow each other.
+    void add_squares(const Sitting& sitting, AskedTiles& asked) const {
+        for (std::size_t i = sitting.first; i < sitting.end;) {
+            const Plea& at = plea(i);
+            double reach_px = 0;
+            for (; i < sitting.end && plea(i).x == at.x && plea(i).y == at.y; ++i)
+                reach_px = std::max(reach_px, searched_px(i));
+            asked.add(sitting.tile, square_around(at.x, at.y, reach_px), reach_px);
+        }
     }
     Around centres(const Sitting& sitting) const {
         Box box;
@@ -104,38 +113,43 @@ class Hearing::Session {
         memories.acquaintance.forget_if_much();
         Summary* const summary = hearing_.amendment_ ? nullptr : &memories.summary;
         if (summary) summary->turn_to(centres(sitting), near, renderers_of(sitting));
+        Plaint plaint;
+        std::size_t i = sitting.first;
+        const auto gather_here = [&] { return gather(plaint, i, near, memories); };
+        Estimate estimate(std::ref(gather_here), memories.coplanar);
         const Plea* latest = nullptr;
-        for (std::size_t i = sitting.first; i < sitting.end; ++i) {
+        for (; i < sitting.end; ++i) {
             const Plea& p = plea(i);
+            Ruled& ruled = rulings[docket_.plea[i]];
             if (summary && !(latest && latest->x == p.x && latest->y == p.y)) summary->look_at(p.x, p.y);
             latest = &p;
             const double own_eps_px = memories.own_eps_px(p);
             const double known_px = docket_.reach_px[i];
             const double reach_px = known_px != 0 ? known_px : first_reach * own_eps_px;
-            Plaint plaint{p.bounds, p.answer, own_eps_px, reach_px, asked_};
+            plaint = {p.bounds, p.answer, own_eps_px, reach_px, asked_};
             if (reach_px > searched_px(i)) {  // its triangles are not all known
                 lacking[i] = reach_px;
                 continue;
             }
-            const auto gather_here = [&] { return gather(plaint, i, near, memories); };
-            Estimate estimate(std::ref(gather_here), p.answer);
+            estimate.turn_to(p.answer);
             const auto hear_at_reach = [&] {
-                if (const auto ruled = summary ? summary->rule(plaint, estimate) : std::nullopt) {
-                    rulings[p.number] = *ruled;
+                if (const auto known = summary ? summary->rule(plaint, estimate) : std::nullopt) {
+                    ruled = *known;
                     return 0.0;
                 }
                 const double reach = summary ? summary->lacking_reach_px(plaint) : 0;
-                return reach != 0 ? reach : try_to_hear(plaint, i, near, memories, rulings[p.number]);
+                return reach != 0 ? reach : try_to_hear(plaint, estimate, memories, ruled);
             };
             lacking[i] = hear_at_reach();
             while (lacking[i] != 0 && lacking[i] <= searched_px(i)) {
                 plaint.reach_px = lacking[i];
+                estimate.turn_to(p.answer);
                 lacking[i] = hear_at_reach();
             }
         }
     }
 
-    /// What stands around the plea, as far as the plaint's reach.
+    /// What stands around the plea, as far as the plaint's reach, as the law or the amendment has it.
     Neighbourhood gather(const Plaint& plaint, std::size_t place, std::span<const std::uint32_t> near,
                          Memories& memories) const {
         const Plea& p = plea(place);
@@ -146,18 +160,17 @@ class Hearing::Session {
         const auto look_up = [&](std::uint32_t t) -> const TriangleOfView& {
             return memories.acquaintance.of(t, *p.bounds).of_view;
         };
-        return neighbourhood_of(hearing_.view_, site, plaint.own_eps_px, look_up);
+        Neighbourhood around = neighbourhood_of(hearing_.view_, site, plaint.own_eps_px, look_up);
+        if (hearing_.amendment_) hearing_.amendment_(around, p.answer);
+        return around;
     }
     /// Decides the plea, or returns the reach that it needs.
-    double try_to_hear(const Plaint& plaint, std::size_t place, std::span<const std::uint32_t> near,
-                       Memories& memories, Ruled& ruled) const {
-        const Plea& p = plea(place);
-        Neighbourhood around = gather(plaint, place, near, memories);
+    double try_to_hear(const Plaint& plaint, Estimate& estimate, Memories& memories, Ruled& ruled) const {
+        const Neighbourhood& around = estimate.around();
         if (around.eps_px > plaint.reach_px) return around.eps_px;
-        if (hearing_.amendment_) hearing_.amendment_(around, p.answer);
-        ruled = {decide(around, p.answer, memories.coplanar), around.eps_px, std::nullopt};
+        ruled = {decide(around, plaint.answer, memories.coplanar), around.eps_px, std::nullopt};
         if (asked_ == Asked::standing_and_displacement && ruled.decision.standing == Standing::visible)
-            ruled.displacement_over_eps = displacement_over_eps(around, p.answer);
+            ruled.displacement_over_eps = displacement_over_eps(estimate);
         return 0;
     }
 
@@ -170,14 +183,15 @@ class Hearing::Session {
 
 auto Hearing::docket_of_all() const -> Docket {
     const Tiles tiles(view_);
-    const std::size_t count = pleas_.size();
-    Docket docket{std::vector<std::uint32_t>(count), std::vector<double>(count, 0), {}};
     // counted two places ahead, so that filling leaves each tile's end where the next one's first belongs
     std::vector<std::uint32_t> first(tiles.count() + 2);
-    for (const Plea& plea : pleas_) ++first[tiles.of(plea.x, plea.y) + 2];
+    for (const Plea& plea : pleas_)
+        if (plea.bounds) ++first[tiles.of(plea.x, plea.y) + 2];
     for (std::size_t t = 2; t < first.size(); ++t) first[t] += first[t - 1];
-    for (std::uint32_t i = 0; i < count; ++i)
-        docket.plea[first[tiles.of(pleas_[i].x, pleas_[i].y) + 1]++] = i;
+    const std::size_t count = first.back();
+    Docket docket{std::vector<std::uint32_t>(count), std::vector<double>(count, 0), {}};
+    for (std::uint32_t i = 0; i < pleas_.size(); ++i)
+        if (const Plea& plea = pleas_[i]; plea.bounds) docket.plea[first[tiles.of(plea.x, plea.y) + 1]++] = i;
     for (std::size_t t = 0; t < tiles.count(); ++t)
         if (first[t] != first[t + 1]) docket.sittings.push_back({t, first[t], first[t + 1]});
     return docket;
@@ -217,8 +231,9 @@ auto Hearing::left_over(const Docket& docket, const std::vector<double>& lacking
 }
 
 /// The squares that grow beyond their first reach are looked at once more with their full reach.
-std::vector<Ruled> Hearing::hear(Asked asked) {
-    std::vector<Ruled> rulings(added_);
+std::vector<Ruled> Hearing::hear(std::vector<Plea> pleas, Asked asked) {
+    pleas_ = std::move(pleas);
+    std::vector<Ruled> rulings(pleas_.size());
     ThreadMemories memories([&] { return Memories(scene_, view_); });
     Docket docket = docket_of_all();
     if (may_reach_far(docket, memories.local()))

@@ -16,37 +16,30 @@ namespace zproof {
 /// Changes what stands around an answer before it is decided: another rule of drawing than the law.
 using Amendment = std::function<void(Neighbourhood& around, PrimitiveId answer)>;
 
-/// Hearings take a pass over the scene whatever their number: put many answers into one.
+/// An answer to be heard: a triangle of the scene, or none, at a pixel.
+struct Plea {
+    const ViewBounds* bounds = nullptr;  ///< the renderer's; without, nothing is asked
+    PrimitiveId answer = PrimitiveId::none;
+    int x = 0, y = 0;
+};
+
+/// A hearing takes a pass over the scene whatever the number of pleas: put many into one.
 class Hearing {
   public:
     Hearing(const Scene& scene, const View& view, Amendment amendment = nullptr)
         : scene_(scene), view_(view), amendment_(std::move(amendment)) {}
 
-    /// That many answers will be added.
-    void expect(std::size_t count) { pleas_.reserve(count); }
-    /// `answer` is a triangle of the scene, or none. `bounds` must outlive the hearing.
-    void add(const ViewBounds& bounds, PrimitiveId answer, int x, int y) {
-        pleas_.push_back({&bounds, answer, x, y, added_++});
-    }
-    /// Nothing is asked; what is ruled there is empty.
-    void add_none() { ++added_; }
-
-    /// Decides every answer, in the order in which they were added, on all threads.
-    std::vector<Ruled> hear(Asked asked = Asked::standing);
+    /// Decides every plea, on all threads; the rulings are in the pleas' order. Where nothing is asked they
+    /// are empty.
+    std::vector<Ruled> hear(std::vector<Plea> pleas, Asked asked = Asked::standing);
 
   private:
-    struct Plea {
-        const ViewBounds* bounds = nullptr;
-        PrimitiveId answer = PrimitiveId::none;
-        int x = 0, y = 0;
-        std::uint32_t number = 0;
-    };
     /// The pleas of a tile: places from first to before end.
     struct Sitting {
         std::size_t tile;
         std::uint32_t first, end;
     };
-    /// The pleas that are left, tile by tile, each in the order in which they were added.
+    /// The pleas that are left, tile by tile, each in their order.
     struct Docket {
         std::vector<std::uint32_t> plea;  ///< a place among pleas_
         std::vector<double> reach_px;     ///< 0 where it is not known yet
@@ -68,7 +61,6 @@ class Hearing {
     const View& view_;
     Amendment amendment_;
     std::vector<Plea> pleas_;
-    std::uint32_t added_ = 0;
 };
 
 }  // namespace zproof

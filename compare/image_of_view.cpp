@@ -34,8 +34,14 @@ std::optional<TriangleImage<double>> ImageOfView::at(const Sight<double>& sight)
     return image;
 }
 
+std::optional<Affine<double>> ImageOfView::nearness(const Sight<double>& sight) const {
+    if (!is_kept_) return nearness_of(sight, p_world_);
+    if (is_edge_on_) return std::nullopt;
+    return Affine<double>{at_any_.nearness.a, at_any_.nearness.b, nearness_at(sight)};
+}
+
 double ImageOfView::nearness_at(const Sight<double>& sight) const {
-    if (!is_kept_) return image_of(sight, p_world_)->nearness.c;
+    if (!is_kept_) return nearness_of(sight, p_world_)->c;
     return plane_.nearness_at(sight.direction);
 }
 

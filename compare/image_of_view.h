@@ -41,7 +41,9 @@ class ImageOfView {
     bool is_edge_on() const { return is_edge_on_; }
     /// Nothing where image_of gives nothing.
     std::optional<TriangleImage<double>> at(const Sight<double>& sight) const;
-    /// Its nearness at the pixel's centre. Only where at() gives an image.
+    /// The image's nearness and nothing else.
+    std::optional<Affine<double>> nearness(const Sight<double>& sight) const;
+    /// At the pixel's centre. Only where at() gives an image.
     double nearness_at(const Sight<double>& sight) const;
     /// The image at `any`; nothing for parallel projections and edge-on triangles.
     std::optional<TriangleImage<double>> at_any() const {

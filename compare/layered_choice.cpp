@@ -62,8 +62,7 @@ bool is_worth_it(const Comparands& of, const OpenTiles& open, int column, int ro
     return lie_over && count >= many_of_line * std::max(rows, std::uint32_t(std::popcount(columns)));
 }
 
-}  // namespace
-
+/// Of a tile's open pixels, of which there are some.
 Around centres_of(const OpenTiles& open, int column, int row) {
     const int left = column * Tiles::side_px, top = row * Tiles::side_px;
     ColumnMask any = 0;
@@ -77,22 +76,37 @@ Around centres_of(const OpenTiles& open, int column, int row) {
     return {box.middle_x(), box.middle_y(), 0.5 * (box.right - box.left), 0.5 * (box.bottom - box.top)};
 }
 
-AskedBoxes boxes_worth_layers(const Comparands& of, const OpenTiles& open, double reach_px) {
+AskedTiles asked_around(std::span<const Around> centres, std::span<const std::uint32_t> is_asked,
+                        const Tiles& tiles, double reach_px) {
+    AskedTiles asked(tiles, is_asked);
+    for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
+        if (is_asked[tile] == 0) continue;
+        Around box = centres[tile];
+        box.half_x += reach_px, box.half_y += reach_px;
+        asked.add(tile, raster_box(box), reach_px);
+    }
+    return asked;
+}
+
+}  // namespace
+
+LayeredChoice choose_layered_tiles(const Comparands& of, const OpenTiles& open, double reach_px) {
     const Tiles& tiles = open.tiles();
-    AskedBoxes asked(tiles.count());
+    Bulk<Around> centres(tiles.count());
+    std::vector<std::uint32_t> is_asked(tiles.count());
     std::vector<std::size_t> pixels(std::size_t(tiles.rows));
     tbb::parallel_for(0, tiles.rows, [&](int row) {
         for (int column = 0; column < tiles.columns; ++column) {
             if (!is_worth_it(of, open, column, row)) continue;
-            Around box = centres_of(open, column, row);
-            box.half_x += reach_px, box.half_y += reach_px;
-            asked.add(tiles.index(column, row), raster_box(box), reach_px);
+            const std::size_t tile = tiles.index(column, row);
+            is_asked[tile] = 1;
+            centres[tile] = centres_of(open, column, row);
             pixels[std::size_t(row)] += open.count(column, row);
         }
     });
     const std::size_t sum = std::accumulate(pixels.begin(), pixels.end(), std::size_t(0));
-    if (triangles_per_pixel * sum < of.scene.triangles.size()) return AskedBoxes(tiles.count());
-    return asked;
+    if (triangles_per_pixel * sum < of.scene.triangles.size()) is_asked.assign(tiles.count(), 0);
+    return {asked_around(centres, is_asked, tiles, reach_px), std::move(centres)};
 }
 
 /// What is to be known of a triangle costs about as much as a pixel by itself.

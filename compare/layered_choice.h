@@ -8,12 +8,13 @@
 
 namespace zproof {
 
-/// The centres of a tile's open pixels, of which there are some.
-Around centres_of(const OpenTiles& open, int column, int row);
+struct LayeredChoice {
+    AskedTiles asked;      ///< such tiles, each with one box: its open pixels and what is around them
+    Bulk<Around> centres;  ///< by tile, where asked: the centres of its open pixels
+};
 
-/// Boxes that hold every open pixel of such a tile with `reach_px` around it; none for other tiles, nor for
-/// any where there are too few pixels for a look at every triangle of the scene.
-AskedBoxes boxes_worth_layers(const Comparands& of, const OpenTiles& open, double reach_px);
+/// No tile is asked about where there are too few pixels for a look at every triangle of the scene.
+LayeredChoice choose_layered_tiles(const Comparands& of, const OpenTiles& open, double reach_px);
 
 /// Is such a tile still worth it, once it is known how many triangles come near its open pixels?
 bool is_worth_layers(std::size_t pixels, std::size_t triangles);

@@ -74,15 +74,17 @@ using Standings = Layers::Standings;
 class LayeredPass {
   public:
     LayeredPass(const Comparands& of, const OpenTiles& open, ClassMap& classes, std::span<Finding> findings)
-        : of_(of), open_(open), classes_(classes), findings_(findings), memories_([&] {
-              return Memories(of);
-          }) {}
+        : of_(of),
+          open_(open),
+          classes_(classes),
+          findings_(findings),
+          choice_(choose_layered_tiles(of, open, reach_px)),
+          memories_([&] { return Memories(of); }) {}
 
     LayeredFindings settle() {
         const Tiles& tiles = open_.tiles();
-        asked_ = boxes_worth_layers(of_, open_, reach_px);
-        if (asked_.reach_px() == 0) return all_left();
-        const TrianglesByTile near(of_.scene, of_.view, asked_);
+        if (choice_.asked.all().empty()) return all_left();
+        const TrianglesByTile near(of_.scene, of_.view, choice_.asked);
         std::vector<LayeredFindings> bands(std::size_t(tiles.rows));
         tbb::parallel_for(0, tiles.rows, [&](int row) {
             Band band;
@@ -160,7 +162,8 @@ class LayeredPass {
 
     bool is_worth_it(int column, int row, const TrianglesByTile& near) const {
         const std::size_t tile = open_.tiles().index(column, row);
-        return !asked_.of(tile).empty() && is_worth_layers(open_.count(column, row), near.of(tile).size());
+        return choice_.asked.has(column, row) &&
+               is_worth_layers(open_.count(column, row), near.of(tile).size());
     }
 
     /// Writes what is certain.
@@ -169,8 +172,8 @@ class LayeredPass {
         Memories& memories = memories_.local();
         memories.acquaintance.forget_if_much();
         Layers& layers = memories.layers;
-        layers.turn_to(tile.place, centres_of(open_, column, row), near.of(open_.tiles().index(column, row)),
-                       bounds());
+        const std::size_t index = open_.tiles().index(column, row);
+        layers.turn_to(tile.place, choice_.centres[index], near.of(index), bounds());
         if (!layers.are_known() || layers.widest_px() > reach_px) return {};
         const TileMask open = layers.uncut(where_they_differ(tile.ours, tile.theirs, tile.open));
         const Standings candidate = standings(layers, 0, tile.ours, open);
@@ -274,7 +277,7 @@ class LayeredPass {
     const OpenTiles& open_;
     ClassMap& classes_;
     std::span<Finding> findings_;
-    AskedBoxes asked_{0};  ///< of tiles that are worth it
+    LayeredChoice choice_;
     tbb::enumerable_thread_specific<Memories> memories_;
 };
 

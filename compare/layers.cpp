@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/coplanar.h"
 #include "compare/squares_of_tile.h"
 #include "math/rounding.h"
 
@@ -129,9 +128,10 @@ auto Layers::relation(std::size_t other, std::size_t answer) -> Relation {
 
 /// Asked one way round: of triangles that are seen it is the same.
 bool Layers::are_coplanar(std::size_t one, std::size_t other) {
-    const Layer &a = layers_[std::min(one, other)], &b = layers_[std::max(one, other)];
-    const std::uint64_t pair = std::uint64_t{a.triangle} << 32 | b.triangle;
-    return shared_.coplanar(pair, [&] { return coplanar(a.known->seen.p_world, b.known->seen.p_world); });
+    const auto of_scene = [&](std::size_t i) {
+        return CoplanarMemory::Triangle{layers_[i].triangle, layers_[i].known->seen.p_world};
+    };
+    return shared_.coplanar(of_scene(std::min(one, other)), of_scene(std::max(one, other)));
 }
 
 /// Is it clear all over the tile that `front` is nowhere in front of `back` for certain? Either range of

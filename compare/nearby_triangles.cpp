@@ -11,7 +11,9 @@ namespace zproof {
 
 void find_nearby_triangles(const Scene& scene, const View& view, std::span<Site> sites) {
     const Tiles tiles(view);
-    AskedBoxes asked(tiles.count());
+    std::vector<std::uint32_t> sites_of_tile(tiles.count());
+    for (const Site& site : sites) ++sites_of_tile[tiles.of(site.x, site.y)];
+    AskedTiles asked(tiles, sites_of_tile);
     for (const Site& site : sites)
         asked.add(tiles.of(site.x, site.y), square_around(site.x, site.y, site.reach_px), site.reach_px);
     const TrianglesByTile near(scene, view, asked);

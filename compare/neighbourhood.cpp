@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/nearness_range.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -12,20 +11,29 @@ namespace {
 
 double steepness(const Affine<double>& f) { return std::abs(f.a) + std::abs(f.b); }
 
-void set_nearness_range(Neighbour& n, Projection projection, bool keeps_to_corners) {
-    const bool perspective = projection == Projection::perspective;
-    const LocalBounds& bounds = n.bounds;
-    NearnessRange range{perspective ? 1 / n.farthest : -n.farthest, perspective ? 1 / n.nearest : -n.nearest};
-    if (n.image) {
-        n.is_plane_known = std::isfinite(n.plane_error);
-        range = on_plane({n.image->nearness.c, n.gradient, n.plane_error}, bounds, range, keeps_to_corners);
-    }
+/// By its functional of nearness at a pixel.
+PlaneHere plane_here(const ViewedTriangle& triangle, const Affine<double>& nearness) {
+    const double gradient = steepness(nearness);
+    return {nearness.c, gradient, triangle.plane_error.at(std::abs(nearness.c) + gradient)};
+}
+
+bool is_known(const std::optional<PlaneHere>& plane) { return plane && std::isfinite(plane->error); }
+
+LocalBounds bounds_at(const TriangleOfView& triangle, const std::optional<PlaneHere>& plane) {
+    const double nearest = triangle.bounds.nearest, highest = nearest > 0 ? 1 / nearest : 0;
+    return triangle.bounds_at(plane ? plane->nearness : highest, plane ? plane->gradient : 0);
+}
+
+NearnessRange nearness_range(const TriangleOfView& triangle, const std::optional<PlaneHere>& plane,
+                             const LocalBounds& bounds, Projection projection) {
+    const bool perspective = projection == Projection::perspective, keeps = triangle.keeps_to_corners;
+    const double farthest = triangle.bounds.farthest, nearest = triangle.bounds.nearest;
+    const NearnessRange corners{perspective ? 1 / farthest : -farthest, perspective ? 1 / nearest : -nearest};
     const bool is_bounded =
         std::isfinite(bounds.depth_relative + bounds.depth_absolute + bounds.nearness_error) &&
-        (n.is_plane_known || keeps_to_corners);
-    const NearnessRange all = is_bounded ? rounded(range, bounds, perspective) : any_nearness;
-    n.least_nearness = all.least;
-    n.greatest_nearness = all.greatest;
+        (is_known(plane) || keeps);
+    if (!is_bounded) return any_nearness;
+    return rounded(plane ? on_plane(*plane, bounds, corners, keeps) : corners, bounds, perspective);
 }
 
 /// Forward error of an edge's value within a pixel of the centre: at most 16 roundings in a triple product,
@@ -82,22 +90,32 @@ Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, con
 Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangle) {
     Neighbour n;
     n.p_world = triangle.seen->p_world;
-    const TriangleBounds& of_triangle = triangle.bounds;
     n.image = triangle.seen->image.at(sight);
-    const auto& image = n.image;
-    const double highest = of_triangle.nearest > 0 ? 1 / of_triangle.nearest : 0;
-    if (image) {
-        n.gradient = steepness(image->nearness);
-        n.plane_error = triangle.seen->plane_error.at(std::abs(image->nearness.c) + n.gradient);
+    std::optional<PlaneHere> plane;
+    if (n.image) {
+        plane = plane_here(*triangle.seen, n.image->nearness);
+        n.gradient = plane->gradient;
+        n.plane_error = plane->error;
+        n.is_plane_known = is_known(plane);
         n.edge_error = edge_error(sight, n.p_world);
     }
-    n.bounds = triangle.bounds_at(image ? image->nearness.c : highest, n.gradient);
+    n.bounds = bounds_at(triangle, plane);
+    const TriangleBounds& of_triangle = triangle.bounds;
     n.near_slack = of_triangle.near_slack;
     n.far_slack = of_triangle.far_slack;
     n.nearest = of_triangle.nearest;
     n.farthest = of_triangle.farthest;
-    set_nearness_range(n, sight.projection, triangle.keeps_to_corners);
+    const NearnessRange range = nearness_range(triangle, plane, n.bounds, sight.projection);
+    n.least_nearness = range.least;
+    n.greatest_nearness = range.greatest;
     return n;
+}
+
+NearnessRange nearness_range_of(const Sight<double>& sight, const TriangleOfView& triangle) {
+    std::optional<PlaneHere> plane;
+    if (const auto nearness = triangle.seen->image.nearness(sight))
+        plane = plane_here(*triangle.seen, *nearness);
+    return nearness_range(triangle, plane, bounds_at(triangle, plane), sight.projection);
 }
 
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "compare/bounds.h"
+#include "compare/coplanar.h"
 #include "compare/image_of_view.h"
+#include "compare/nearness_range.h"
 #include "compare/pixel_place.h"
 #include "frame/frame.h"
 
@@ -34,6 +36,8 @@ struct Neighbour {
     double edge_error = 0, plane_error = 0;
     /// What a faultless renderer may hold for its nearness at the pixel, all bounds included.
     double least_nearness = 0, greatest_nearness = 0;
+
+    CoplanarMemory::Triangle of_scene() const { return {triangle, p_world}; }
 };
 
 struct Neighbourhood {
@@ -90,6 +94,8 @@ bool comes_within(const TriangleImage<double>& image, double eps_px);
 
 /// One triangle's bounds at a pixel (`triangle` is left 0).
 Neighbour neighbour_of(const Sight<double>& sight, const TriangleOfView& triangle);
+/// What it says of nearness, in the same bits.
+NearnessRange nearness_range_of(const Sight<double>& sight, const TriangleOfView& triangle);
 Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world);
 
 /// eps of an answer by itself, before its surroundings are looked at.

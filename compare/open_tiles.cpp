@@ -1,5 +1,7 @@
 #include "compare/open_tiles.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -37,14 +39,26 @@ void OpenTiles::open(int column, int y, ColumnMask pixels, ColumnMask lawful) {
     tile.count += std::uint32_t(std::popcount(pixels));
 }
 
+std::vector<std::uint32_t> OpenTiles::first_of_bands() const {
+    std::vector<std::uint32_t> first{0};
+    for (const Band& band : bands_) {
+        std::uint32_t next = first.back();
+        for (const OpenTile& tile : band) next += tile.count;
+        first.push_back(next);
+    }
+    return first;
+}
+
 std::size_t OpenTiles::number() {
-    std::uint32_t count = 0;
-    for (std::size_t i = 0; i < bands_.size(); ++i)
+    const std::vector<std::uint32_t> first = first_of_bands();
+    tbb::parallel_for(std::size_t(0), bands_.size(), [&](std::size_t i) {
+        std::uint32_t next = first[i];
         for_each_row(bands_[i], int(i), [&](int, int, Row& row) {
-            row.first = count;
-            count += std::uint32_t(std::popcount(row.pixels));
+            row.first = next;
+            next += std::uint32_t(std::popcount(row.pixels));
         });
-    return count;
+    });
+    return first.back();
 }
 
 std::size_t OpenTiles::tiles_open() const {
@@ -54,12 +68,15 @@ std::size_t OpenTiles::tiles_open() const {
 }
 
 std::vector<PixelPlace> OpenTiles::places() const {
-    std::vector<PixelPlace> all;
-    for (std::size_t i = 0; i < bands_.size(); ++i)
+    const std::vector<std::uint32_t> first = first_of_bands();
+    std::vector<PixelPlace> all(first.back());
+    tbb::parallel_for(std::size_t(0), bands_.size(), [&](std::size_t i) {
+        PixelPlace* next = all.data() + first[i];
         for_each_row(bands_[i], int(i), [&](int column, int y, const Row& row) {
             for (ColumnMask rest = row.pixels; rest != 0; rest &= rest - 1)
-                all.push_back({column * Tiles::side_px + std::countr_zero(rest), y});
+                *next++ = {column * Tiles::side_px + std::countr_zero(rest), y};
         });
+    });
     return all;
 }
 

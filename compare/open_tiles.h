@@ -74,6 +74,9 @@ class OpenTiles {
         return place != 0 ? &bands_[std::size_t(tile_row)][place - 1u] : nullptr;
     }
 
+    /// The place of each band's first pixel among all that are open; at the end, how many there are.
+    std::vector<std::uint32_t> first_of_bands() const;
+
     Tiles tiles_;
     std::vector<std::uint16_t> place_;  ///< by tile: in its band, counted from 1; 0 where nothing is open
     std::vector<Band> bands_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/coplanar.h"
-
 namespace zproof {
 
 namespace {
@@ -40,8 +38,7 @@ Hiding hiding_of(const Neighbour& front, const Neighbour& back, double half_side
     const double slope = half_side * (front.gradient + back.gradient);
     if (front.greatest_nearness + slope < back.least_nearness) return Hiding::none;
     if (front.greatest_nearness < back.least_nearness) return Hiding::unknown;
-    const std::uint64_t key = std::uint64_t{front.triangle} << 32 | back.triangle;
-    if (memory(key, [&] { return coplanar(front.p_world, back.p_world); })) return Hiding::by_tie;
+    if (memory(front.of_scene(), back.of_scene())) return Hiding::by_tie;
     const Affine<double> ahead = front.image->nearness - back.image->nearness;
     const double unsure = 2 * (front.plane_error + back.plane_error) + reach(ahead, half_side);
     if (ahead.c > unsure) return Hiding::by_tie;

@@ -144,22 +144,24 @@ Amendment in_district(const Amendment& amend, const District& district) {
 /// Squares that grow beyond the district's reach are judged in the whole scene.
 std::uint64_t count_lawful(const CaseFile& file, const District& district, const Reading& reading) {
     const Hypothesis& supposed = reading.hypothesis();
-    Hearing hearing(district.scene(), supposed.view, in_district(supposed.amend, district));
+    std::vector<Plea> pleas;
     std::vector<const Claim*> heard;
     for (const Claim& claim : reading.claims()) {
         const std::optional<PrimitiveId> id = district.id_of(claim.answer.primitive);
         if (!id) continue;
-        hearing.add(reading.bounds(), *id, claim.x, claim.y);
+        pleas.push_back({&reading.bounds(), *id, claim.x, claim.y});
         heard.push_back(&claim);
     }
-    std::vector<Ruled> rulings = hearing.hear();
-    Hearing appeal(file.scene, supposed.view, supposed.amend);
+    std::vector<Ruled> rulings =
+        Hearing(district.scene(), supposed.view, in_district(supposed.amend, district)).hear(pleas);
+    std::vector<Plea> appeals;
     for (std::size_t i = 0; i < heard.size(); ++i) {
         if (rulings[i].eps_px <= district.reach_px(*heard[i])) continue;
         rulings[i].decision.standing = Standing::outside;
-        appeal.add(reading.bounds(), heard[i]->answer.primitive, heard[i]->x, heard[i]->y);
+        appeals.push_back({&reading.bounds(), heard[i]->answer.primitive, heard[i]->x, heard[i]->y});
     }
-    return lawful_among(rulings) + lawful_among(appeal.hear());
+    return lawful_among(rulings) +
+           lawful_among(Hearing(file.scene, supposed.view, supposed.amend).hear(appeals));
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ Standing standing_of_triangle(AdmissibleSet<Number>& set, size_t index, size_t c
 }
 
 template <class Number>
-Standing standing_in(const Neighbourhood& around, PrimitiveId answer) {
-    AdmissibleSet<Number> set(around);
+Standing standing_in(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& memory) {
+    AdmissibleSet<Number> set(around, memory);
     const size_t count = around.neighbours.size();
     if (answer == PrimitiveId::none) return standing_of_background(set, count);
     const std::optional<size_t> index = around.index_of(answer);
@@ -55,9 +55,9 @@ Decision decide(const Neighbourhood& around, PrimitiveId answer) {
 Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& memory) {
     if (const auto plain = standing_without_edges(around, answer, memory)) return {*plain, false};
     try {
-        return {standing_in<Interval>(around, answer), false};
+        return {standing_in<Interval>(around, answer, memory), false};
     } catch (const UndecidedSign&) {
-        return {standing_in<LazyRational>(around, answer), true};
+        return {standing_in<LazyRational>(around, answer, memory), true};
     }
 }
 

@@ -1,14 +1,11 @@
 /// How one renderer's answer at one pixel stands before the scene.
 #pragma once
 
-#include "compare/memory.h"
+#include "compare/coplanar.h"
 #include "compare/neighbourhood.h"
 #include "compare/pixel_class.h"
 
 namespace zproof {
-
-/// Answers to coplanar() by the ids of both triangles: the first in the upper half, the second in the lower.
-using CoplanarMemory = Memory<std::uint64_t, bool>;
 
 /// Why an answer is lawful, or how it is wrong. Lawful ones first.
 enum class Standing : std::uint8_t {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "compare/coplanar.h"
 #include "compare/displacement.h"
 
 namespace zproof {
@@ -248,9 +247,10 @@ auto Summary::middle_of(std::size_t i, double half_side_px) const -> std::option
 }
 
 bool Summary::are_coplanar(std::size_t a, std::size_t b) const {
-    const std::uint64_t key = std::uint64_t{present_[a].triangle} << 32 | present_[b].triangle;
-    return shared_.coplanar(
-        key, [&] { return coplanar(present_[a].known->seen.p_world, present_[b].known->seen.p_world); });
+    const auto of_scene = [&](std::size_t i) {
+        return CoplanarMemory::Triangle{present_[i].triangle, present_[i].known->seen.p_world};
+    };
+    return shared_.coplanar(of_scene(a), of_scene(b));
 }
 
 /// Does `front`, which covers the box, take all of `back` away there by the strict rule and by true
@@ -270,13 +270,11 @@ bool Summary::is_hidden_in(const Renderer& renderer, std::optional<std::size_t> 
     });
 }
 
-auto Summary::nearness_of(const Renderer& renderer, std::size_t i) const -> const Nearness& {
+const NearnessRange& Summary::nearness_of(const Renderer& renderer, std::size_t i) const {
     const Bounded& bounded = renderer.triangles[i];
-    if (bounded.nearness.pixel != pixel_) {
-        const Neighbour n = neighbour_of(sight_, bounded.triangle->of_view);
-        bounded.nearness = {pixel_, n.least_nearness, n.greatest_nearness};
-    }
-    return bounded.nearness;
+    if (bounded.nearness.pixel != pixel_)
+        bounded.nearness = {pixel_, nearness_range_of(sight_, bounded.triangle->of_view)};
+    return bounded.nearness.range;
 }
 
 bool Summary::may_be_hidden_for_certain(const Renderer& renderer, std::size_t front, std::size_t back) const {

@@ -55,7 +55,7 @@ class Summary {
     /// What a renderer may hold for a triangle's nearness at the pixel in hand.
     struct Nearness {
         std::uint32_t pixel = 0;  ///< as pixel_ counts them: of an earlier one it says nothing
-        double least = 0, greatest = 0;
+        NearnessRange range{};
     };
     /// A triangle that is present, by a renderer's bounds.
     struct Bounded {
@@ -98,7 +98,7 @@ class Summary {
     bool are_coplanar(std::size_t a, std::size_t b) const;
     bool is_hidden_in(const Renderer& renderer, std::optional<std::size_t> answer, double half_side_px) const;
     bool hides(const Renderer& renderer, std::size_t front, std::size_t back, const Around& box) const;
-    const Nearness& nearness_of(const Renderer& renderer, std::size_t i) const;
+    const NearnessRange& nearness_of(const Renderer& renderer, std::size_t i) const;
     bool may_be_hidden_for_certain(const Renderer& renderer, std::size_t front, std::size_t back) const;
     template <class IsCertain>
     bool is_tied(const Renderer& renderer, std::size_t answer, const Around& box,

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "compare/asked_cells.h"
@@ -21,6 +22,9 @@ namespace {
 /// Triangles that are searched together: long runs share more of their corners, short ones more threads.
 std::size_t chunk_triangles(std::size_t count) { return std::clamp<std::size_t>(count / 64, 64, 32768); }
 
+/// From so many triangles on it is worth it to mark the cells that are asked about.
+constexpr std::size_t cells_from_triangles = 8192;
+
 /// Triangles that are asked about together.
 constexpr std::size_t neighbours = 8;
 
@@ -31,14 +35,15 @@ struct Meeting {
 /// Finds the tiles that one triangle meets. Its edges are asked only where its box does not say no.
 class TileSearch {
   public:
-    TileSearch(const Scene& scene, const View& view, const AskedBoxes& asked)
+    TileSearch(const Scene& scene, const View& view, const AskedTiles& asked)
         : scene_(scene),
           reach_px_(float(asked.reach_px()) + rounding_px),
           tiles_(view),
-          asked_(tiles_, asked),
-          asked_cells_(view, asked_),
+          asked_(asked),
           projection_(view),
-          filters_(view) {}
+          filters_(view) {
+        if (scene.triangles.size() >= cells_from_triangles) asked_cells_.emplace(view, asked);
+    }
 
     /// Triangles from first to before end, ascending. Neighbours in a mesh lie close together: most are far
     /// from all that is asked about, and so are those around them.
@@ -50,14 +55,15 @@ class TileSearch {
             std::array<FloatBox, neighbours> boxes;
             FloatBox all;
             for (std::size_t k = i; k < last; ++k) all.add(boxes[k - i] = corners.of(k, run[k]).all());
-            if (!asked_cells_.any(all)) continue;
+            if (!may_hold_any(all)) continue;
             for (std::size_t k = i; k < last; ++k)
-                if (asked_cells_.any(boxes[k - i]))
+                if (may_hold_any(boxes[k - i]))
                     search(std::uint32_t(first + k), corners.of(k, run[k]), found);
         }
     }
 
   private:
+    bool may_hold_any(const FloatBox& box) const { return !asked_cells_ || asked_cells_->any(box); }
     void search(std::uint32_t triangle, const FloatCorners& corners, std::vector<Meeting>& found) const {
         const FloatBox box = corners.all();
         if (box.is_everywhere()) return search_clipped(triangle, found);
@@ -112,15 +118,15 @@ class TileSearch {
     const Scene& scene_;
     float reach_px_;
     Tiles tiles_;
-    AskedTiles asked_;
-    AskedCells asked_cells_;
+    const AskedTiles& asked_;
+    std::optional<AskedCells> asked_cells_;
     BoxProjection projection_;
     TriangleFilters filters_;
 };
 
 }  // namespace
 
-TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const AskedBoxes& asked)
+TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const AskedTiles& asked)
     : first_(Tiles(view).count() + 2) {
     const TileSearch tile_search(scene, view, asked);
     const std::size_t count = scene.triangles.size();

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "compare/asked_boxes.h"
+#include "compare/asked_tiles.h"
 #include "scenes/scene.h"
 
 namespace zproof {
@@ -16,7 +16,7 @@ class TrianglesByTile {
     /// All triangles whose image (in front of half the near depth) may meet a box that its tile asks for. Too
     /// many is harmless, too few is not: images are widened by the rounding error of their own computation.
     /// Runs on all threads; one pass over the scene.
-    TrianglesByTile(const Scene& scene, const View& view, const AskedBoxes& asked);
+    TrianglesByTile(const Scene& scene, const View& view, const AskedTiles& asked);
 
     std::span<const std::uint32_t> of(std::size_t tile) const {
         return std::span(triangles_).subspan(first_[tile], first_[tile + 1] - first_[tile]);

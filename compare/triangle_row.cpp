@@ -74,9 +74,9 @@ struct PlaneOfView {
 TriangleRow::Range ranges_one_by_one(const TriangleOfView& triangle, const SightRow& sight) {
     TriangleRow::Range row;
     for (std::size_t i = 0; i < tile_columns; ++i) {
-        const Neighbour n = neighbour_of(sight.at(i), triangle);
-        row.least[i] = n.least_nearness;
-        row.greatest[i] = n.greatest_nearness;
+        const NearnessRange range = nearness_range_of(sight.at(i), triangle);
+        row.least[i] = range.least;
+        row.greatest[i] = range.greatest;
     }
     return row;
 }

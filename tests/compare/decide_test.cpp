@@ -19,7 +19,8 @@ TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
     for (std::uint32_t seed = 0; seed < 1000; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
-        AdmissibleSet<Rational> set(s.around);
+        CoplanarMemory memory(16);
+        AdmissibleSet<Rational> set(s.around, memory);
         const std::size_t count = s.around.neighbours.size();
         const Decision bare = decide(s.around, PrimitiveId::none);
         ASSERT_EQ(bare.standing, word_for(set, count, std::nullopt));
@@ -60,7 +61,8 @@ TEST(Decide, ASilhouetteIsDecidedAsRationalsDecideHardlyEverByThem) {
         const Scene scene = scene_of(view, random_silhouette(dice));
         const ViewBounds bounds(view, dice.below(2) ? raster_precision() : ray_precision());
         const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
-        AdmissibleSet<Rational> set(around);
+        CoplanarMemory memory(16);
+        AdmissibleSet<Rational> set(around, memory);
         for (std::size_t i = 0; i < around.neighbours.size(); ++i) {
             const Decision decision = decide(around, PrimitiveId(std::uint32_t(i)));
             ASSERT_EQ(decision.standing, word_for(set, around.neighbours.size(), i)) << i;
@@ -80,8 +82,9 @@ TEST(Decide, OneSetIsAskedAboutAllAnswers) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
         const std::size_t count = s.around.neighbours.size();
-        AdmissibleSet<Rational> by_arithmetic(s.around);
-        AdmissibleSet<LazyRational> set(s.around);
+        CoplanarMemory memory(16);
+        AdmissibleSet<Rational> by_arithmetic(s.around, memory);
+        AdmissibleSet<LazyRational> set(s.around, memory);
         for (std::size_t i = 0; i < count; ++i)
             ASSERT_EQ(word_for(set, count, i), word_for(by_arithmetic, count, i)) << i;
         ASSERT_EQ(word_for(set, count, std::nullopt), word_for(by_arithmetic, count, std::nullopt));
@@ -98,8 +101,8 @@ TEST(Decide, APlainCaseIsDecidedAsRationalsDecide) {
         const Scene scene = random_walls(dice, view);
         const ViewBounds bounds(view, dice.below(2) ? raster_precision() : ray_precision());
         const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
-        AdmissibleSet<Rational> set(around);
-        CoplanarMemory memory(8);
+        CoplanarMemory memory(16);
+        AdmissibleSet<Rational> set(around, memory);
         for (std::size_t i = 0; i < around.neighbours.size(); ++i) {
             const auto plain = standing_without_edges(around, PrimitiveId(std::uint32_t(i)), memory);
             ++(plain ? plain_cases : others);

@@ -38,7 +38,8 @@ class OnePixel {
             if (x != x_ && tile_px == 0) continue;
             summary.look_at(x, y_);
             const double own = own_eps_px(answer, x);
-            Estimate estimate([&] { return around(answer, x); }, answer);
+            Estimate estimate([&] { return around(answer, x); }, coplanar);
+            estimate.turn_to(answer);
             latest = summary.rule({&bounds_, answer, own, 2 * own, zproof::Asked::standing_and_displacement},
                                   estimate);
         }
@@ -73,7 +74,9 @@ class OnePixel {
         summary.turn_to({double(x_), double(y_ + 1), 0, 0}, std::span(all_).first(all_.size() / 2),
                         renderers);
         summary.look_at(x_, y_ + 1);
-        Estimate estimate([&] { return around(answer, x_); }, answer);
+        CoplanarMemory coplanar(16);
+        Estimate estimate([&] { return around(answer, x_); }, coplanar);
+        estimate.turn_to(answer);
         summary.rule({&wide, answer, wide.background_eps_px(), 2}, estimate);
     }
     double own_eps_px(PrimitiveId answer, int x) const {
@@ -113,12 +116,15 @@ class Comparison {
         const Neighbourhood around = pixel.around(answer);
         ASSERT_LE(around.eps_px, 2 * pixel.own_eps_px(answer));
         ASSERT_EQ(ruled->eps_px, around.eps_px);
-        AdmissibleSet<Rational> set(around);
+        CoplanarMemory memory(16);
+        AdmissibleSet<Rational> set(around, memory);
         const auto index = around.index_of(answer);
         ASSERT_TRUE(index || answer == PrimitiveId::none);
         ASSERT_EQ(ruled->decision.standing, word_for(set, around.neighbours.size(), index));
+        Estimate estimate([&] { return around; }, memory);
+        estimate.turn_to(answer);
         ASSERT_EQ(ruled->displacement_over_eps, ruled->decision.standing == Standing::visible
-                                                    ? displacement_over_eps(around, answer)
+                                                    ? displacement_over_eps(estimate)
                                                     : std::nullopt);
         ++said[std::size_t(ruled->decision.standing)];
         moved += ruled->displacement_over_eps.has_value();

@@ -146,7 +146,8 @@ TEST(BoundedTriangle, ClearOfThePlanesMeansNothingIsCut) {
     for (std::uint32_t seed = 0; seed < 400; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
-        AdmissibleSet<Rational> set(s.around);
+        CoplanarMemory memory(16);
+        AdmissibleSet<Rational> set(s.around, memory);
         const ViewBounds bounds(s.view, seed % 2 ? raster_precision() : ray_precision());
         const Sight<double> any(s.view, s.x, s.y);
         for (std::size_t i = 0; i < s.around.neighbours.size(); ++i) {
@@ -160,7 +161,7 @@ TEST(BoundedTriangle, ClearOfThePlanesMeansNothingIsCut) {
             clear += triangle.is_clear_of_planes(filter, square);
             Neighbourhood one{s.view, s.x, s.y, s.around.eps_px, {}};
             one.neighbours.push_back(neighbour_of(any, triangle.of_view));
-            ASSERT_FALSE(AdmissibleSet<Rational>(one).is_clipped(0));
+            ASSERT_FALSE(AdmissibleSet<Rational>(one, memory).is_clipped(0));
         }
     }
     EXPECT_GT(clear, 100);
