@@ -51,7 +51,7 @@ void Summary::meet(std::span<const std::uint32_t> near) {
         const KnownTriangle& known = shared_.acquaintance.of(t);
         for (Renderer& r : renderers_) {
             const BoundedTriangle& bounded = shared_.acquaintance.of(t, *r.bounds);
-            r.triangles.push_back({&bounded, bounded.most_eps_px(known.filter, tile_)});
+            r.triangles.emplace_back(bounded, bounded.most_eps_px(known.filter, tile_));
             widest_px_ = std::max(widest_px_, r.triangles.back().most_eps_px);
             r.is_never_cut &= bounded.is_never_cut;
         }
@@ -76,7 +76,7 @@ void Summary::sort_out() {
     }
     present_.resize(kept);
     for (Renderer& r : renderers_) {
-        r.triangles.resize(kept);
+        r.triangles.erase(r.triangles.begin() + std::ptrdiff_t(kept), r.triangles.end());
         r.standing.resize(kept);
     }
     places_.turn_to(widest_px_);

@@ -59,6 +59,8 @@ class Summary {
     };
     /// A triangle that is present, by a renderer's bounds.
     struct Bounded {
+        Bounded(const BoundedTriangle& of, double most) : triangle(&of), most_eps_px(most) {}
+
         const BoundedTriangle* triangle;
         double most_eps_px;  ///< anywhere in the tile
         mutable Nearness nearness{};

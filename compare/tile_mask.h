@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 #include "compare/tile_row.h"
@@ -18,62 +19,69 @@ struct TilePlace {
     RowPlace row(int y) const { return {left, top + y}; }
 };
 
-/// A bit for each pixel of a tile; rows are counted from its top.
+/// A bit for each pixel of a tile; rows are counted from its top. In vectors throughout: what is written by
+/// halves and read whole waits for its own stores.
 class TileMask {
   public:
     static constexpr int rows = Tiles::side_px;
 
-    constexpr TileMask() = default;
-    static constexpr TileMask all() { return ~TileMask{}; }
+    TileMask() = default;
+    static TileMask all() { return ~TileMask{}; }
 
-    static constexpr TileMask of(std::span<const std::uint16_t, rows> columns_of_row) {
+    static TileMask of(std::span<const std::uint16_t, rows> columns_of_row) {
         TileMask mask;
-        for (int y = 0; y < rows; ++y) mask.add(y, columns_of_row[std::size_t(y)]);
+        std::memcpy(mask.halves_.data(), columns_of_row.data(), columns_of_row.size_bytes());
         return mask;
     }
 
-    constexpr ColumnMask row(int y) const {
-        return ColumnMask(words_[word_of(y)] >> shift_of(y)) & all_columns;
-    }
-    constexpr void add(int y, ColumnMask columns) {
-        words_[word_of(y)] |= std::uint64_t{columns} << shift_of(y);
+    ColumnMask row(int y) const { return halves_[half_of(y)][y % rows_of_half]; }
+    void add(int y, ColumnMask columns) {
+        std::uint16_t row = std::uint16_t(this->row(y) | columns);
+        halves_[half_of(y)][y % rows_of_half] = row;
     }
     /// Bit y: row y has some.
-    constexpr unsigned rows_with_some() const {
+    unsigned rows_with_some() const {
         unsigned found = 0;
         for (int y = 0; y < rows; ++y) found |= unsigned(row(y) != 0) << y;
         return found;
     }
-    constexpr bool is_none() const { return (words_[0] | words_[1] | words_[2] | words_[3]) == 0; }
-    constexpr int count() const {
+    bool is_none() const {
+        const auto words = std::bit_cast<Words>(halves_[0] | halves_[1]);
+        return (words[0] | words[1]) == 0;
+    }
+    int count() const {
         int sum = 0;
-        for (const std::uint64_t word : words_) sum += std::popcount(word);
+        for (const Half& half : halves_)
+            for (const std::uint64_t word : std::bit_cast<Words>(half)) sum += std::popcount(word);
         return sum;
     }
 
-    constexpr TileMask& operator&=(const TileMask& other) {
-        for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
+    TileMask& operator&=(const TileMask& other) {
+        for (std::size_t i = 0; i < halves_.size(); ++i) halves_[i] &= other.halves_[i];
         return *this;
     }
-    constexpr TileMask& operator|=(const TileMask& other) {
-        for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
+    TileMask& operator|=(const TileMask& other) {
+        for (std::size_t i = 0; i < halves_.size(); ++i) halves_[i] |= other.halves_[i];
         return *this;
     }
-    friend constexpr TileMask operator&(TileMask a, const TileMask& b) { return a &= b; }
-    friend constexpr TileMask operator|(TileMask a, const TileMask& b) { return a |= b; }
-    friend constexpr TileMask operator~(const TileMask& a) {
-        TileMask others;
-        for (std::size_t i = 0; i < a.words_.size(); ++i) others.words_[i] = ~a.words_[i];
-        return others;
+    friend TileMask operator&(TileMask a, const TileMask& b) { return a &= b; }
+    friend TileMask operator|(TileMask a, const TileMask& b) { return a |= b; }
+    friend TileMask operator~(TileMask a) {
+        for (Half& half : a.halves_) half = ~half;
+        return a;
     }
-    friend constexpr bool operator==(const TileMask&, const TileMask&) = default;
+    friend bool operator==(const TileMask& a, const TileMask& b) {
+        return std::bit_cast<Bits>(a.halves_) == std::bit_cast<Bits>(b.halves_);
+    }
 
   private:
-    static constexpr int rows_in_word = 64 / int(tile_columns);
-    static constexpr std::size_t word_of(int y) { return std::size_t(y / rows_in_word); }
-    static constexpr int shift_of(int y) { return y % rows_in_word * int(tile_columns); }
+    using Half [[gnu::vector_size(16)]] = std::uint16_t;
+    using Words = std::array<std::uint64_t, 2>;
+    using Bits = std::array<std::uint64_t, 4>;
+    static constexpr int rows_of_half = sizeof(Half) / sizeof(std::uint16_t);
+    static constexpr std::size_t half_of(int y) { return std::size_t(y / rows_of_half); }
 
-    std::array<std::uint64_t, rows / rows_in_word> words_{};
+    std::array<Half, rows / rows_of_half> halves_{};
 };
 
 /// Calls visit(y, columns) for each row that has any of the pixels.
