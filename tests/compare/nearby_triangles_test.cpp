@@ -86,16 +86,24 @@ TEST(NearbyTriangles, AreTheSameHoweverFarApartTheirIndicesAre) {
     }
 }
 
-/// Of 256 x 256 cells each is asked about: as many as a sum of them forgets.
-TEST(NearbyTriangles, OneThatCoversEverythingIsFoundEverywhere) {
-    constexpr int side = 1024;
-    const View view = pixel_view(Projection::parallel, side, side);
-    const Scene scene = scene_of(view, {{{{-64, -64, 4}, {4 * side, -64, 4}, {-64, 4 * side, 4}}}});
-    std::vector<Site> sites;
-    for (int y = 8; y < side; y += 16)
-        for (int x = 8; x < side; x += 16) sites.push_back({x, y, 7.75, {}});
-    find_nearby_triangles(scene, view, sites);
-    for (const Site& site : sites) ASSERT_EQ(site.triangles, std::vector<std::uint32_t>{0});
+/// The same triangles again and again, so many that cells of the image are marked for them.
+TEST(NearbyTriangles, OfManyAreTheSameAsOfFew) {
+    constexpr std::uint32_t many = 9000;
+    for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        const Surroundings s = random_surroundings(seed);
+        const auto count = std::uint32_t(s.scene.triangles.size());
+        Scene crowd = s.scene;
+        for (std::uint32_t t = count; t < many; ++t) crowd.triangles.push_back(s.scene.triangles[t % count]);
+        std::vector<Site> few{{s.x, s.y, 0x1p-9, {}}, {1, 1, 0, {}}}, all = few;
+        find_nearby_triangles(s.scene, s.view, few);
+        find_nearby_triangles(crowd, s.view, all);
+        for (std::size_t i = 0; i < few.size(); ++i) {
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t t = 0; t < many; ++t)
+                if (std::ranges::count(few[i].triangles, t % count) != 0) expected.push_back(t);
+            EXPECT_EQ(all[i].triangles, expected) << "seed " << seed;
+        }
+    }
 }
 
 /// One is seen edge-on; both reach behind half the near depth.
