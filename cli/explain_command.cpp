@@ -6,7 +6,7 @@
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
 #include "cli/usage_error.h"
-#include "compare/explain.h"
+#include "compare/explanation/explain.h"
 
 namespace zproof {
 namespace {

@@ -13,7 +13,7 @@
 #include "cli/view_result.h"
 #include "cli/viewer_evidence.h"
 #include "cli/witness_hearing.h"
-#include "compare/diagnosis.h"
+#include "compare/diagnosis/diagnosis.h"
 #include "compare/judge_in_full.h"
 #include "oracle/oracle_error.h"
 #include "reports/evidence.h"

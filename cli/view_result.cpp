@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cli/arguments.h"
-#include "compare/explain.h"
+#include "compare/explanation/explain.h"
 
 namespace zproof {
 namespace {

@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "cli/arguments.h"
-#include "compare/illustration.h"
+#include "compare/explanation/illustration.h"
 #include "frame/exr.h"
 #include "reports/planes/view_planes.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/witness_hearing.h"
-#include "compare/explain.h"
+#include "compare/explanation/explain.h"
 #include "compare/judge_in_full.h"
 
 namespace zproof {

@@ -7,10 +7,10 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "compare/adjudication.h"
-#include "compare/agreement.h"
+#include "compare/first_pass/agreement.h"
+#include "compare/hearing/adjudication.h"
 #include "compare/judge_in_full.h"
-#include "compare/layered_tiles.h"
+#include "compare/layers/layered_tiles.h"
 
 namespace zproof {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "compare/error_map.h"
-#include "compare/standing.h"
+#include "compare/first_pass/error_map.h"
+#include "compare/truth/standing.h"
 
 namespace zproof {
 

@@ -53,7 +53,7 @@ struct Verdict {
     /// judge_with_histograms() and judge_in_full().
     BoundRecord candidate_depth, reference_depth;
     /// Displacement over eps, where the two differ and an answer is lawful by its place but not right at the
-    /// centre (compare/displacement.h).
+    /// centre (compare/truth/displacement.h).
     BoundRecord candidate_edges, reference_edges;
     std::uint64_t reference_defects = 0;  ///< pixels at which the reference's own answer is inadmissible
     std::uint64_t adjudicated = 0;        ///< pixels that needed the admissible set

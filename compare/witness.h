@@ -2,8 +2,8 @@
 /// time.
 #pragma once
 
-#include "compare/depth_bound.h"
 #include "compare/judge.h"
+#include "compare/truth/depth_bound.h"
 
 namespace zproof {
 

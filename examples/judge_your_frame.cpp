@@ -5,7 +5,7 @@
 #include <exception>
 #include <iostream>
 
-#include "compare/explain.h"
+#include "compare/explanation/explain.h"
 #include "compare/judge.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"

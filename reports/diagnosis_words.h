@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "compare/diagnosis.h"
+#include "compare/diagnosis/diagnosis.h"
 
 namespace zproof {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "compare/accord.h"
-#include "compare/diagnosis.h"
-#include "compare/picture_difference.h"
+#include "compare/diagnosis/diagnosis.h"
+#include "compare/metrics/picture_difference.h"
 #include "compare/verdict.h"
 #include "compare/waivers/coverage.h"
 

@@ -37,6 +37,21 @@ const std::map<std::string, Names> may_include{
       "reports"}},
 };
 
+/// The judge's own rooms: what each may look into beside itself and what stands in compare/ itself.
+const std::map<std::string, Names> may_include_in_compare{
+    {"bounds", {}},
+    {"truth", {"bounds"}},
+    {"search", {"bounds", "truth"}},
+    {"strips", {"bounds"}},
+    {"first_pass", {"bounds", "strips"}},
+    {"layers", {"bounds", "truth", "search", "strips", "first_pass"}},
+    {"hearing", {"truth", "search", "strips", "first_pass"}},
+    {"diagnosis", {"search", "hearing"}},
+    {"explanation", {"truth", "search", "hearing"}},
+    {"metrics", {}},
+    {"waivers", {}},
+};
+
 /// Where a foreign library is spoken to; everywhere else it is unknown. <iostream>: library rooms never
 /// print.
 const std::map<std::string, Names> spoken_to_in{
@@ -113,6 +128,22 @@ std::string fault_of_foreign_header(const std::string& room, const std::string& 
     return "";
 }
 
+/// The second folder of a path below compare/; empty where it has none.
+std::string room_in_compare(const std::string& path) {
+    static const std::regex inner{"^compare/([^/]+)/.*"};
+    std::smatch match;
+    return std::regex_match(path, match, inner) ? match[1].str() : "";
+}
+
+std::string fault_within_compare(const std::string& path, const std::string& header) {
+    const std::string room = room_in_compare(path), target = room_in_compare(header);
+    if (room.empty() || target.empty() || room == target) return "";
+    const auto allowed = may_include_in_compare.find(room);
+    if (allowed == may_include_in_compare.end()) return "compare/" + room + "/ is no room of the house";
+    if (allowed->second.contains(target)) return "";
+    return "compare/" + room + "/ may not look into compare/" + target + "/ (docs/design.md, The house)";
+}
+
 std::vector<std::string> include_faults(const SourceFile& file) {
     static const std::regex include{R"re(^\s*#\s*include\s*(["<])([^">]+)[">])re"};
     std::vector<std::string> faults;
@@ -120,9 +151,10 @@ std::vector<std::string> include_faults(const SourceFile& file) {
         std::smatch match;
         if (!std::regex_search(file.lines[i], match, include)) continue;
         const bool own = match[1] == "\"";
-        const std::string fault =
-            own ? fault_of_own_header(file.room, match[2]) : fault_of_foreign_header(file.room, match[2]);
-        if (!fault.empty()) faults.push_back(at(file, i) + fault);
+        for (const std::string& fault :
+             {own ? fault_of_own_header(file.room, match[2]) : fault_of_foreign_header(file.room, match[2]),
+              fault_within_compare(file.path, match[2])})
+            if (!fault.empty()) faults.push_back(at(file, i) + fault);
     }
     return faults;
 }
@@ -174,6 +206,12 @@ TEST(HousePlan, APlantedIntruderIsNamed) {
     EXPECT_EQ(include_faults({"reports/a.cpp", "reports", {"  # include <iostream>"}}).size(), 1u);
     EXPECT_EQ(include_faults({"oracle/a.cpp", "oracle", {"#include \"embree.h\""}}).size(), 1u);
     EXPECT_TRUE(include_faults({"oracle/a.cpp", "oracle", {"#include <embree3/rtcore.h>"}}).empty());
+    const std::vector<std::string> judge{"#include \"compare/judge.h\""},
+        hearing{"#include \"compare/hearing/hearing.h\""};
+    EXPECT_TRUE(include_faults({"compare/truth/a.cpp", "compare", judge}).empty());
+    EXPECT_TRUE(include_faults({"compare/diagnosis/hypotheses/a.cpp", "compare", hearing}).empty());
+    EXPECT_EQ(include_faults({"compare/truth/a.cpp", "compare", hearing}).size(), 1u);
+    EXPECT_EQ(include_faults({"compare/attic/a.cpp", "compare", hearing}).size(), 1u);
 }
 
 TEST(HousePlan, APlantedGiantIsNamed) {

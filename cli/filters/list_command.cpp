@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "cli/commands.h"
-#include "compare/picture_metric.h"
+#include "compare/metrics/picture_metric.h"
 #include "scenes/filter_scenes.h"
 #include "texture/catalogue.h"
 

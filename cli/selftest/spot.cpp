@@ -4,7 +4,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "compare/depth_bound.h"
+#include "compare/truth/depth_bound.h"
 
 namespace zproof::selftest {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "cli/selftest/catalogue.h"
-#include "compare/neighbourhood.h"
+#include "compare/truth/neighbourhood.h"
 
 namespace zproof::selftest {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "compare/picture_metric.h"
+#include "compare/metrics/picture_metric.h"
 
 namespace zproof {
 

@@ -1,7 +1,7 @@
 /// The metrics, a file for each family.
 #pragma once
 
-#include "compare/picture_metric.h"
+#include "compare/metrics/picture_metric.h"
 
 namespace zproof {
 

@@ -9,8 +9,8 @@
 
 #include <cstdint>
 
-#include "compare/certain_depths.h"
-#include "compare/strip.h"
+#include "compare/strips/certain_depths.h"
+#include "compare/strips/strip.h"
 #include "compare/tiles.h"
 
 namespace zproof::strips {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/explain.h"
-#include "compare/illustration.h"
+#include "compare/explanation/explain.h"
+#include "compare/explanation/illustration.h"
 #include "compare/verdict.h"
 #include "frame/frame.h"
 #include "frame/picture.h"
@@ -39,7 +39,7 @@ struct Renderer {
 struct ViewFacts {
     std::string scene, view;
     std::string explain_before, explain_after;  ///< "zproof explain room ", " --view corner": around "X Y"
-    double least_nearness = 0, greatest_nearness = 0;  ///< at far and near (compare/triangle_image.h)
+    double least_nearness = 0, greatest_nearness = 0;  ///< at far and near (compare/bounds/triangle_image.h)
     bool perspective = true;                           ///< or is nearness the negative depth?
 };
 
@@ -48,7 +48,7 @@ struct ViewPlanes {
     Renderer candidate, reference;
     std::vector<Renderer> witnesses;
     const Verdict& verdict;
-    Plane<float> candidate_error, reference_error;  ///< error / bound (compare/error_map.h)
+    Plane<float> candidate_error, reference_error;  ///< error / bound (compare/first_pass/error_map.h)
     std::vector<TriangleRange> ranges;
     std::vector<Story> stories;
 };

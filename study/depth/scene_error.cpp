@@ -9,7 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "compare/triangle_image.h"
+#include "compare/bounds/triangle_image.h"
 #include "math/interval.h"
 #include "math/interval_functions.h"
 #include "math/rational.h"

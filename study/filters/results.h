@@ -8,7 +8,7 @@
 
 namespace zproof::study {
 
-/// A metric as the reports need it; compare/picture_metric.h computes it.
+/// A metric as the reports need it; compare/metrics/picture_metric.h computes it.
 struct MetricCard {
     std::string name, definition, source;
     bool higher_is_better = false;

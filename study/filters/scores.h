@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "compare/picture_metric.h"
+#include "compare/metrics/picture_metric.h"
 #include "frame/picture.h"
 #include "study/filters/regions.h"
 #include "study/filters/results.h"

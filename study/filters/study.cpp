@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "compare/picture_metric.h"
+#include "compare/metrics/picture_metric.h"
 #include "rasterizer/rasterizer.h"
 #include "study/filters/cost.h"
 #include "study/filters/scores.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "compare/bounds.h"
+#include "compare/bounds/bounds.h"
 
 namespace zproof::study::projection {
 

@@ -1,5 +1,5 @@
 /// What a thread knows of triangles: the same after it forgot, and never many more than it may.
-#include "compare/acquaintance.h"
+#include "compare/search/acquaintance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 /// The admissible set beside the brute-force one: not one disagreement, in exact numbers or in intervals.
-#include "compare/admissible.h"
+#include "compare/truth/admissible.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "brute_force.h"
-#include "compare/standing.h"
+#include "compare/truth/standing.h"
 #include "math/interval.h"
 #include "math/lazy_rational.h"
 #include "random_surroundings.h"

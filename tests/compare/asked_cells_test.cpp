@@ -1,5 +1,5 @@
 /// Cells may hold too much, never too little of what is asked about.
-#include "compare/asked_cells.h"
+#include "compare/search/asked_cells.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 /// The tiles that are asked about are found by their places.
-#include "compare/asked_tiles.h"
+#include "compare/search/asked_tiles.h"
 
 #include <gtest/gtest.h>
 

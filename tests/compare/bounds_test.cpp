@@ -1,12 +1,12 @@
 /// Do the derived bounds bound? A rasterizer's transform is done in its own arithmetic, and how far each
 /// corner strays from its exact place is measured in rationals.
-#include "compare/bounds.h"
+#include "compare/bounds/bounds.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "compare/triangle_image.h"
+#include "compare/bounds/triangle_image.h"
 #include "math/rational.h"
 #include "random_surroundings.h"
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "compare/admissible.h"
+#include "compare/truth/admissible.h"
 #include "math/rational.h"
 
 namespace zproof::brute_force {

@@ -1,4 +1,4 @@
-#include "compare/by_triangle.h"
+#include "compare/search/by_triangle.h"
 
 #include <gtest/gtest.h>
 

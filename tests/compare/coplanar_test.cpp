@@ -1,4 +1,4 @@
-#include "compare/coplanar.h"
+#include "compare/truth/coplanar.h"
 
 #include <gtest/gtest.h>
 

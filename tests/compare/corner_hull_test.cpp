@@ -1,9 +1,9 @@
 /// Boxes of corners hold them, and a hull may part too little from its triangle, never what meets it.
-#include "compare/corner_hull.h"
+#include "compare/search/corner_hull.h"
 
 #include <gtest/gtest.h>
 
-#include "compare/acquaintance.h"
+#include "compare/search/acquaintance.h"
 #include "random_surroundings.h"
 
 namespace zproof {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "brute_force.h"
-#include "compare/plain_case.h"
+#include "compare/truth/plain_case.h"
 #include "math/lazy_rational.h"
 #include "random_surroundings.h"
 #include "stage.h"

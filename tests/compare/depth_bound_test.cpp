@@ -1,11 +1,12 @@
-#include "compare/depth_bound.h"
+#include "compare/truth/depth_bound.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "compare/admissible.h"
+#include "compare/first_pass/held_depths.h"
+#include "compare/truth/admissible.h"
 #include "math/rational.h"
 #include "random_surroundings.h"
 #include "stage.h"

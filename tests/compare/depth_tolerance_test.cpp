@@ -1,5 +1,5 @@
 /// What a tolerance calls certain must be what the whole formula finds.
-#include "compare/depth_tolerance.h"
+#include "compare/bounds/depth_tolerance.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,10 @@
 #include <span>
 #include <tuple>
 
-#include "compare/certain_depths.h"
-#include "compare/depth_bound.h"
+#include "compare/first_pass/held_depths.h"
+#include "compare/strips/certain_depths.h"
 #include "compare/strips/dispatch.h"
+#include "compare/truth/depth_bound.h"
 #include "random_surroundings.h"
 
 namespace zproof {

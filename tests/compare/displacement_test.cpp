@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "compare/displacement.h"
+#include "compare/truth/displacement.h"
 #include "stage.h"
 
 namespace zproof {

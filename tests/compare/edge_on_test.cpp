@@ -1,7 +1,7 @@
 /// Triangles seen exactly edge-on, and other degenerate ones, as neighbours and as answers.
 #include <gtest/gtest.h>
 
-#include "compare/explain.h"
+#include "compare/explanation/explain.h"
 #include "stage.h"
 
 namespace zproof {

@@ -1,4 +1,4 @@
-#include "compare/error_map.h"
+#include "compare/first_pass/error_map.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "compare/illustration.h"
+#include "compare/explanation/illustration.h"
 #include "stage.h"
 
 namespace zproof {

@@ -1,4 +1,4 @@
-#include "compare/explain.h"
+#include "compare/explanation/explain.h"
 
 #include <gtest/gtest.h>
 

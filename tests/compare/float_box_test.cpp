@@ -1,5 +1,5 @@
 /// Boxes in single precision hold those in double, and meet where those do.
-#include "compare/float_box.h"
+#include "compare/search/float_box.h"
 
 #include <gtest/gtest.h>
 

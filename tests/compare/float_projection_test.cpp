@@ -1,5 +1,5 @@
 /// Whatever box a corner has, its box in single precision must hold it, and not much more.
-#include "compare/float_projection.h"
+#include "compare/search/float_projection.h"
 
 #include <gtest/gtest.h>
 

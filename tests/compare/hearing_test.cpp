@@ -1,5 +1,5 @@
 /// Answers heard together earn what each earns by itself.
-#include "compare/hearing.h"
+#include "compare/hearing/hearing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "compare/law_maker.h"
+#include "compare/first_pass/law_maker.h"
 
 #include <gtest/gtest.h>
 

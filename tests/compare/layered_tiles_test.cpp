@@ -1,5 +1,5 @@
 /// Findings written for whole tiles must be those of one pixel after the other.
-#include "compare/layered_tiles.h"
+#include "compare/layers/layered_tiles.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <iterator>
 #include <set>
 
-#include "compare/adjudication.h"
-#include "compare/agreement.h"
+#include "compare/first_pass/agreement.h"
+#include "compare/hearing/adjudication.h"
 #include "random_surroundings.h"
 #include "stage.h"
 

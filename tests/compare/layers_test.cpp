@@ -1,5 +1,5 @@
 /// What may be decided for a whole tile must hold at each of its pixels.
-#include "compare/layers.h"
+#include "compare/layers/layers.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <numeric>
 
-#include "compare/depth_bound.h"
+#include "compare/truth/depth_bound.h"
 #include "stage.h"
 
 namespace zproof {

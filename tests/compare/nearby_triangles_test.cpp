@@ -1,5 +1,5 @@
 /// The search may find too many triangles, never too few.
-#include "compare/nearby_triangles.h"
+#include "compare/search/nearby_triangles.h"
 
 #include <gtest/gtest.h>
 

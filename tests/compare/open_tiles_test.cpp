@@ -1,4 +1,4 @@
-#include "compare/open_tiles.h"
+#include "compare/first_pass/open_tiles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Metrics against values worked by hand from their definitions, and against what must hold of them.
-#include "compare/picture_metric.h"
+#include "compare/metrics/picture_metric.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Does the bound of a plane equation bound? Random triangles are interpolated in float32, step by step, and
 /// held against their planes in double, whose own error is 2^29 times smaller.
-#include "compare/plane_equation.h"
+#include "compare/bounds/plane_equation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 /// Pixels that are settled by tolerances must be judged as those that are not: histograms want every ratio,
 /// so judge_with_histograms() and judge_in_full() settle none so.
-#include "compare/presort.h"
+#include "compare/first_pass/presort.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "compare/agreement.h"
-#include "compare/depth_bound.h"
+#include "compare/first_pass/agreement.h"
 #include "compare/judge.h"
+#include "compare/truth/depth_bound.h"
 #include "compare/witness.h"
 #include "random_surroundings.h"
 #include "stage.h"

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "compare/neighbourhood.h"
+#include "compare/truth/neighbourhood.h"
 #include "scenes/scene.h"
 
 namespace zproof {

@@ -1,6 +1,6 @@
 /// What runs by themselves are certain of must be what the whole formula finds, and the same for every
 /// kernel.
-#include "compare/run_lens.h"
+#include "compare/first_pass/run_lens.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,10 @@
 #include <limits>
 #include <optional>
 
-#include "compare/certain_depths.h"
-#include "compare/depth_bound.h"
+#include "compare/first_pass/held_depths.h"
+#include "compare/strips/certain_depths.h"
 #include "compare/strips/dispatch.h"
+#include "compare/truth/depth_bound.h"
 #include "random_surroundings.h"
 #include "stage.h"
 

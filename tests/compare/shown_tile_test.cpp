@@ -1,5 +1,5 @@
 /// What a frame shows in a tile, inside the image and at its ends.
-#include "compare/shown_tile.h"
+#include "compare/layers/shown_tile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 /// A triangle has one place in a tile, and there its own laws, whatever earlier tiles showed.
-#include "compare/shown_triangles.h"
+#include "compare/first_pass/shown_triangles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 /// Four side by side say of a square what each triangle's filter says by itself.
-#include "compare/square_places.h"
+#include "compare/hearing/square_places.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 /// What is found of a tile's squares together must be what is found of each.
-#include "compare/squares_of_tile.h"
+#include "compare/layers/squares_of_tile.h"
 
 #include <gtest/gtest.h>
 

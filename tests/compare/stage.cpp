@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compare/nearby_triangles.h"
+#include "compare/search/nearby_triangles.h"
 
 namespace zproof {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compare/judge_in_full.h"
-#include "compare/neighbourhood.h"
+#include "compare/truth/neighbourhood.h"
 
 namespace zproof {
 

@@ -1,4 +1,4 @@
-#include "compare/strip.h"
+#include "compare/strips/strip.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 #include <span>
 
-#include "compare/runs.h"
 #include "compare/strips/dispatch.h"
+#include "compare/strips/runs.h"
 
 namespace zproof {
 namespace {

@@ -1,10 +1,10 @@
 /// What is decided summarily must be decided as the long way decides it, to the last bit.
-#include "compare/summary.h"
+#include "compare/hearing/summary.h"
 
 #include <gtest/gtest.h>
 
-#include "compare/displacement.h"
-#include "compare/layers.h"
+#include "compare/layers/layers.h"
+#include "compare/truth/displacement.h"
 #include "math/rational.h"
 #include "random_surroundings.h"
 #include "stage.h"

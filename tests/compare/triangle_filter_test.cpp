@@ -1,10 +1,10 @@
 /// What the filter says for certain, exact rationals must say as well.
-#include "compare/triangle_filter.h"
+#include "compare/search/triangle_filter.h"
 
 #include <gtest/gtest.h>
 
-#include "compare/acquaintance.h"
-#include "compare/admissible.h"
+#include "compare/search/acquaintance.h"
+#include "compare/truth/admissible.h"
 #include "math/rational.h"
 #include "random_surroundings.h"
 #include "stage.h"

@@ -1,5 +1,5 @@
 /// What is found of sixteen pixels together must be what is found of each, to the last bit.
-#include "compare/triangle_row.h"
+#include "compare/layers/triangle_row.h"
 
 #include <gtest/gtest.h>
 

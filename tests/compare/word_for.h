@@ -1,8 +1,8 @@
-/// The words of compare/standing.h spelled out over any set of answers, long ways and all.
+/// The words of compare/truth/standing.h spelled out over any set of answers, long ways and all.
 #pragma once
 
-#include "compare/admissible.h"
-#include "compare/standing.h"
+#include "compare/truth/admissible.h"
+#include "compare/truth/standing.h"
 
 namespace zproof {
 

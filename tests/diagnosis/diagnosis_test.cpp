@@ -1,5 +1,5 @@
 /// Every known fault is called by its name.
-#include "compare/diagnosis.h"
+#include "compare/diagnosis/diagnosis.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "compare/judge_in_full.h"
-#include "compare/neighbourhood.h"
+#include "compare/truth/neighbourhood.h"
 #include "oracle/embree.h"
 #include "rasterizer/pipeline.h"
 #include "rasterizer/rasterizer.h"

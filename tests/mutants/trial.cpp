@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "cli/selftest/theatre.h"
-#include "compare/diagnosis.h"
+#include "compare/diagnosis/diagnosis.h"
 #include "frame/exr.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "compare/picture_metric.h"
+#include "compare/metrics/picture_metric.h"
 #include "rasterizer/texel_map.h"
 #include "scenes/filter_scenes.h"
 #include "study/filters/study.h"

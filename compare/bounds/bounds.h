@@ -1,0 +1,153 @@
+/// From declared precision to bounds: how far a faultless renderer may displace a triangle in the image, and
+/// how far its depth may be off. Every term is derived in docs/bounds.md under the name it has here.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "compare/bounds/depth_terms.h"
+#include "frame/precision.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace zproof {
+
+/// A bound where nothing is known.
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+using CornersWorld = std::array<glm::vec3, 3>;
+
+/// The bounds of one triangle at one place of the image.
+struct LocalBounds {
+    double eps_px = 0;          ///< coverage: displacement in x and in y
+    double depth_eps_px = 0;    ///< displacement at which depth may have been taken
+    double depth_relative = 0;  ///< delta: relative error of depth; infinite where the plane is not known
+    double depth_absolute = 0;  ///< alpha: absolute error of depth, scene units
+    double nearness_error = 0;  ///< of nearness itself; unlimited where the plane is not known
+};
+
+/// A triangle as the error analysis sees it, the same for every renderer of a view.
+struct TriangleExtent {
+    std::array<glm::dvec3, 3> v_world;  ///< corner - eye
+    TriangleSize<double> size;
+
+    double largest_depth() const;  ///< of the corners, in absolute value
+};
+
+/// The terms of every triangle's depth, where a renderer has such.
+using CommonTerms = std::variant<std::monostate, RasterTerms, RayTerms>;
+
+/// The bounds of one triangle, as functions of its nearness (1/depth; perspective) at the pixel.
+struct TriangleBounds {
+    double eps_base_px = 0, eps_per_nearness = 0;              ///< eps = base + per_nearness * nearness
+    double depth_eps_base_px = 0, depth_eps_per_nearness = 0;  ///< the same for depth
+    double depth_factor = 0;  ///< sum of the relative errors of depth's factors
+    double depth_absolute = 0;
+    double nearness_error = 0;             ///< z-buffer: of nearness, anywhere on the triangle
+    double plane_offset = 0;               ///< ray: error of (normal . direction) / volume, in nearness
+    double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
+    double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
+
+    /// At a place where nearness is `nearness` and changes by `gradient` (|d/dx| + |d/dy|) per pixel.
+    LocalBounds at(double nearness, double gradient) const;
+};
+
+/// The same for many places of one triangle: what does not change from pixel to pixel is worked out once.
+class BoundsOnPlane {
+  public:
+    BoundsOnPlane(const TriangleBounds& bounds, double gradient);
+
+    LocalBounds at(double nearness) const {
+        const double here = std::clamp(nearness, corners_.least, corners_.highest);
+        return {.eps_px = eps_px_.at(here),
+                .depth_eps_px = depth_eps_px_.at(here),
+                .depth_relative =
+                    plane_offset_ > 0 ? compounded(depth_factor_ + plane_offset_ / here) : depth_relative_,
+                .depth_absolute = depth_absolute_,
+                .nearness_error = nearness_error_};
+    }
+
+    /// As much of a law as bounds say; the rest is 0.
+    DepthLaw depth_law() const;
+
+  private:
+    CornerNearness<double> corners_;
+    Displacement<double> eps_px_, depth_eps_px_;
+    double depth_factor_, plane_offset_, depth_relative_, depth_absolute_, nearness_error_;
+};
+
+/// What a renderer's precision means for one view.
+class ViewBounds {
+  public:
+    ViewBounds(const View& view, const Precision& precision);
+
+    TriangleExtent extent_of(const CornersWorld& p_world) const;
+    TriangleBounds of(const TriangleExtent& extent) const;
+    TriangleBounds of(const CornersWorld& p_world) const { return of(extent_of(p_world)); }
+    /// What depth needs of it; eps and slack may be missing.
+    TriangleBounds of_depth(const TriangleExtent& extent) const;
+    CommonTerms common_terms() const;
+    /// What triangles are measured with, in double or four at a time.
+    template <class Number>
+    Gauge<Number> gauge() const {
+        const auto all = [](const glm::dvec3& v) {
+            return Vector3<Number>{everywhere<Number>(v.x), everywhere<Number>(v.y), everywhere<Number>(v.z)};
+        };
+        const Camera& c = view_.camera;
+        const glm::dvec3 eye(c.eye_world);
+        return {.projection = c.projection,
+                .eye = all(eye),
+                .eye_abs = all(glm::abs(eye)),
+                .back = all(c.back),
+                .axes_abs = {all(glm::abs(c.right)), all(glm::abs(c.up)), all(glm::abs(c.back))},
+                .direction = all(c.shear.x * c.right + c.shear.y * c.up - c.back),
+                .direction_abs = all(direction_abs_),
+                .origin_abs = all(origin_abs_)};
+    }
+    /// See KeepsToCorners.
+    bool keeps_to_corners() const;
+    /// The share that every triangle has in common; above 0.
+    double background_eps_px() const { return background_eps_px_; }
+
+  private:
+    TriangleBounds bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const;
+    /// Replaces the terms of interpolated depth by those of a reversed z from a plane equation.
+    void set_reversed_z(TriangleBounds& bounds, const TriangleExtent& extent) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const RayPrecision& precision) const;
+    double transform_error(const RasterPrecision& precision, int cuts) const;
+    RasterTerms raster_terms(const RasterPrecision& precision, double transform, double viewport) const;
+    RayTerms ray_terms(const RayPrecision& precision) const;
+    static double framing_by(const RayPrecision& precision);
+    TriangleBounds between_the_planes(TriangleBounds bounds, const TriangleExtent& extent) const;
+    TriangleBounds bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
+    /// How far a point that a ray met may seem to lie from where it is on its triangle, scene units.
+    double plane_test_error(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
+    /// The largest sum of coordinates of a point or origin that the arithmetic of a ray caster meets.
+    double ray_reach(const TriangleExtent& extent) const;
+    double lateral_px(const glm::dvec3& camera_abs) const;
+    /// The farthest that a corner lies from the image's origin or the window's centre, px; `limit` where near
+    /// may cut the triangle or clipping keeps corners nearer.
+    double reach_px(const TriangleExtent& extent, double limit) const;
+    /// The same for corners that clipping put on the window's sides.
+    double window_reach_px() const;
+    /// Planes of the view volume with a corner of the triangle beyond.
+    int cut_count(const TriangleExtent& extent) const;
+    double edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const;
+    void set_aim(double unit, double offset_px = 0);
+
+    View view_;
+    Precision precision_;
+    bool perspective_;
+    ImageScale scale_;
+    double largest_u_, largest_v_;  ///< of |window|
+    glm::dvec3 direction_abs_;      ///< per world axis, the largest |direction| in the image
+    glm::dvec3 origin_abs_;         ///< per world axis, the largest |origin - eye|
+    double orthonormality_;         ///< largest entry of |R R^T - I|
+    double background_eps_px_ = 0;
+    /// A ray's own rounding: sideways, px (and px per unit of depth), and along the view axis.
+    double aim_px_ = 0, aim_px_per_depth_ = 0, aim_depth_relative_ = 0, aim_depth_absolute_ = 0;
+    Gauge<double> gauge_;
+};
+
+}  // namespace zproof

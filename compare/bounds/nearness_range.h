@@ -1,0 +1,46 @@
+/// The nearness that a faultless renderer may hold for a triangle at a pixel. An estimate in double of
+/// numbers that are bounds themselves.
+#pragma once
+
+#include <cmath>
+
+#include "compare/bounds/bounds.h"
+#include "compare/bounds/four.h"
+
+namespace zproof {
+
+struct NearnessRange {
+    double least, greatest;
+};
+
+/// Of everything.
+inline constexpr NearnessRange any_nearness{-unlimited, unlimited};
+
+/// A triangle's plane at a pixel.
+struct PlaneHere {
+    double nearness, gradient;  ///< |d/dx| + |d/dy| per px
+    double error;               ///< of our own nearness; `unlimited` where the plane is not known
+};
+
+/// From the plane's slope over eps, kept to the corners' nearness where the renderer keeps to them.
+inline NearnessRange on_plane(const PlaneHere& plane, const LocalBounds& bounds, const NearnessRange& corners,
+                              bool keeps_to_corners) {
+    const double shift =
+        bounds.depth_eps_px * (plane.gradient + plane.error) + plane.error + bounds.nearness_error;
+    const double low = plane.nearness - shift, high = plane.nearness + shift;
+    const double least = held_between(low, corners.least, corners.greatest);
+    const double greatest = held_between(high, least, corners.greatest);
+    return {keeps_to_corners ? least : low, keeps_to_corners ? greatest : high};
+}
+
+/// Widened by what rounding does to depth; divisions come first and what they give is chosen afterwards.
+inline NearnessRange rounded(const NearnessRange& range, const LocalBounds& bounds, bool perspective) {
+    const double r = bounds.depth_relative, a = bounds.depth_absolute;
+    const double least_abs = std::abs(range.least), greatest_abs = std::abs(range.greatest);
+    if (!perspective) return {range.least - least_abs * r - a, range.greatest + greatest_abs * r + a};
+    const double share = r + a * greatest_abs;
+    const double greatest = range.greatest + greatest_abs * share / (1 - share);
+    return {range.least - least_abs * (r + a * least_abs), share < 1 ? greatest : unlimited};
+}
+
+}  // namespace zproof

@@ -1,0 +1,104 @@
+/// A triangle as seen around one pixel: half-planes and a nearness functional (homogeneous rasterization,
+/// Olano and Greer 1997; docs/truth.md).
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "compare/bounds/sight.h"
+#include "math/affine.h"
+#include "math/sign.h"
+
+namespace zproof {
+
+template <class Number>
+using Corners = std::array<Vector3<Number>, 3>;
+
+/// All functionals take the offset from the pixel's centre in px.
+template <class Number>
+struct TriangleImage {
+    std::array<Affine<Number>, 3> edge;  ///< >= 0 inside; edge i is opposite corner i
+    /// Larger is nearer: 1/depth for perspective, -depth for parallel projections.
+    Affine<Number> nearness;
+};
+
+namespace detail {
+
+template <class Number>
+Affine<Number> perspective_functional(const Sight<Number>& sight, const Vector3<Number>& normal) {
+    return {dot(normal, sight.step_x), dot(normal, sight.step_y), dot(normal, sight.direction)};
+}
+
+/// The edge from r1 to r2 (relative to the origin of the centre's line of sight), for a constant direction d:
+/// ((r1 - e) x (r2 - e)) . d with e = x step_x + y step_y.
+template <class Number>
+Affine<Number> parallel_edge(const Sight<Number>& sight, const Vector3<Number>& r1,
+                             const Vector3<Number>& r2) {
+    const Vector3<Number> side = cross(r2 - r1, sight.direction);
+    return {-dot(side, sight.step_x), -dot(side, sight.step_y), dot(cross(r1, r2), sight.direction)};
+}
+
+template <class Number>
+TriangleImage<Number> oriented(TriangleImage<Number> image, int orientation) {
+    if (orientation < 0)
+        for (auto& edge : image.edge) edge = -edge;
+    return image;
+}
+
+}  // namespace detail
+
+/// The nearness functional before its division: the plane holds the line of sight's origin (perspective) or
+/// direction (parallel) where the divisor is 0.
+template <class Number>
+struct ScaledNearness {
+    Number divisor;
+    Affine<Number> scaled;
+};
+
+template <class Number>
+ScaledNearness<Number> scaled_nearness(const Sight<Number>& sight, const Corners<Number>& p_world) {
+    const Vector3<Number> v0 = p_world[0] - sight.origin;
+    const Vector3<Number> normal = cross((p_world[1] - sight.origin) - v0, (p_world[2] - sight.origin) - v0);
+    if (sight.projection == Projection::perspective)
+        return {dot(v0, normal), detail::perspective_functional(sight, normal)};
+    return {-dot(normal, sight.direction),
+            {-dot(normal, sight.step_x), -dot(normal, sight.step_y), dot(normal, v0)}};
+}
+
+/// The nearness of image_of() and nothing else, in the same bits.
+template <class Number>
+std::optional<Affine<Number>> nearness_of(const Sight<Number>& sight, const Corners<Number>& p_world) {
+    const ScaledNearness<Number> plane = scaled_nearness(sight, p_world);
+    if (sign(plane.divisor) == 0) return std::nullopt;
+    return (Number(1) / plane.divisor) * plane.scaled;
+}
+
+/// The image of a triangle, or nothing where its plane holds the line of sight's origin (perspective) or
+/// direction (parallel): seen exactly edge-on it covers no area.
+template <class Number>
+std::optional<TriangleImage<Number>> image_of(const Sight<Number>& sight, const Corners<Number>& p_world) {
+    const Vector3<Number> v0 = p_world[0] - sight.origin, v1 = p_world[1] - sight.origin,
+                          v2 = p_world[2] - sight.origin;
+    const Vector3<Number> normal = cross(v1 - v0, v2 - v0);
+    TriangleImage<Number> image;
+    if (sight.projection == Projection::perspective) {
+        const Number volume = dot(v0, normal);
+        const int orientation = sign(volume);
+        if (orientation == 0) return std::nullopt;
+        image.edge = {detail::perspective_functional(sight, cross(v1, v2)),
+                      detail::perspective_functional(sight, cross(v2, v0)),
+                      detail::perspective_functional(sight, cross(v0, v1))};
+        image.nearness = (Number(1) / volume) * detail::perspective_functional(sight, normal);
+        return detail::oriented(image, orientation);
+    }
+    const Number facing = dot(normal, sight.direction);
+    const int orientation = sign(facing);
+    if (orientation == 0) return std::nullopt;
+    image.edge = {detail::parallel_edge(sight, v1, v2), detail::parallel_edge(sight, v2, v0),
+                  detail::parallel_edge(sight, v0, v1)};
+    image.nearness = (Number(-1) / facing) *
+                     Affine<Number>{-dot(normal, sight.step_x), -dot(normal, sight.step_y), dot(normal, v0)};
+    return detail::oriented(image, orientation);
+}
+
+}  // namespace zproof

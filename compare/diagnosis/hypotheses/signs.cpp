@@ -1,0 +1,77 @@
+#include <cmath>
+
+#include "compare/diagnosis/hypotheses/catalogue.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr Resolution single_pixel{1, 1};
+
+bool is_background(const Claim& claim) { return claim.answer.primitive == PrimitiveId::none; }
+
+/// Whatever depth is told will do.
+ReportedDepth anything(const DepthBound&, const Claim&) {
+    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+}
+
+/// Triangles' depths that are `wrong` say nothing; their ids are judged.
+template <class IsWrong>
+Hypothesis no_depth(const CaseFile& file, const std::string& name, const std::string& description,
+                    IsWrong is_wrong) {
+    Hypothesis h = as_declared(file, name, description);
+    h.cell = single_pixel;
+    h.restate = [is_wrong](Claim claim) -> std::optional<Claim> {
+        if (is_background(claim) || !is_wrong(claim.answer.camera_depth)) return std::nullopt;
+        claim.answer.camera_depth = 0;
+        return claim;
+    };
+    h.report = anything;
+    return h;
+}
+
+Hypothesis negated(const CaseFile& file) {
+    Hypothesis h = as_declared(file, "depth has the wrong sign",
+                               "Depth is z in camera space, which is negative ahead, instead of -z.");
+    h.restate = [](Claim claim) -> std::optional<Claim> {
+        if (!is_background(claim)) claim.answer.camera_depth = -claim.answer.camera_depth;
+        return claim;
+    };
+    return h;
+}
+
+Hypothesis background_with_depth(const CaseFile& file) {
+    Hypothesis h = as_declared(file, "background has a depth",
+                               "Where nothing is seen, the id says so and the depth is not +infinity.");
+    h.cell = single_pixel;
+    h.restate = [](Claim claim) -> std::optional<Claim> {
+        if (!is_background(claim)) return std::nullopt;
+        claim.answer.camera_depth = background_depth;
+        return claim;
+    };
+    return h;
+}
+
+Hypothesis background_with_id(const CaseFile& file) {
+    Hypothesis h = as_declared(file, "background has an id",
+                               "Where nothing is seen, the depth is +infinity and the id is not 0xFFFFFFFF.");
+    h.cell = single_pixel;
+    h.restate = [](Claim claim) -> std::optional<Claim> {
+        if (claim.answer.camera_depth != background_depth) return std::nullopt;
+        claim.answer.primitive = PrimitiveId::none;
+        return claim;
+    };
+    return h;
+}
+
+}  // namespace
+
+std::vector<Hypothesis> hypotheses_of_signs(const CaseFile& file) {
+    return {no_depth(file, "depth is not a number", "The id is right, the depth is NaN.",
+                     [](float depth) { return std::isnan(depth); }),
+            no_depth(file, "depth is infinite", "The id of a triangle is right, its depth is infinite.",
+                     [](float depth) { return std::isinf(depth); }),
+            background_with_depth(file), background_with_id(file), negated(file)};
+}
+
+}  // namespace zproof

@@ -1,0 +1,73 @@
+/// One way in which a renderer may have gone wrong, put so that the judge can decide it (docs/diagnosis.md).
+///
+/// What the renderer answered at a pixel is read as its answer to the question that it would have been asked
+/// if the hypothesis held: about another place, another view, in other units, or under another rule of
+/// drawing. That answer is lawful or it is not, by the same rule and the same bounds as every other.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/hearing/hearing.h"
+#include "compare/judge.h"
+
+namespace zproof {
+
+/// What a renderer says of one pixel.
+struct Claim {
+    int x = 0, y = 0;
+    Answer answer;
+};
+
+/// Does the claim speak of a pixel of an image of this size?
+constexpr bool holds(Resolution size, const Claim& claim) {
+    return claim.x >= 0 && claim.y >= 0 && claim.x < size.width && claim.y < size.height;
+}
+
+/// Numbers that a renderer may report for a depth; both ends belong to it.
+struct ReportedDepth {
+    double low = 0, high = 0;
+};
+
+/// How much a hypothesis commits itself. Where one of an earlier kind explains most of the defects, none of a
+/// later kind is named.
+enum class Kind {
+    firm,     ///< it holds answers unlawful that were lawful, and others lawful that were not
+    lenient,  ///< it only widens bounds: wide enough ones explain anything, so the narrowest are named
+    fitted,   ///< it learns from the two frames what it then explains
+};
+
+struct Hypothesis {
+    std::string name;         ///< what is wrong, as a clause: "the image is flipped in y"
+    std::string description;  ///< one line: what is supposed of the defective pixels, or of the frame
+    Kind kind = Kind::firm;
+    /// A grid of such cells, px: what is supposed befell those cells that hold a defect, whole. Pixels that
+    /// agree in them must be lawful under the hypothesis, too.
+    Resolution cell;
+    View view;            ///< what was drawn; its depths are told apart by `report`
+    Precision precision;  ///< and how precisely
+    /// The claim as it was meant; nothing where the hypothesis cannot account for it. Absent: as it stands.
+    std::function<std::optional<Claim>(const Claim&)> restate;
+    /// Another rule of drawing. Absent: the law.
+    Amendment amend;
+    /// What is reported where the depth lies within the bound. Absent: the depth.
+    std::function<ReportedDepth(const DepthBound&, const Claim&)> report;
+};
+
+/// All that a diagnosis starts from.
+struct CaseFile {
+    const Scene& scene;
+    const View& view;
+    const Testimony& candidate;
+    const Testimony& reference;
+};
+
+/// The view whose image stands `step_px` (x right, y down) further than that of `view`.
+View shifted_view(const View& view, const glm::dvec2& step_px);
+
+/// Supposes nothing yet: the view as it is, drawn as precisely as declared.
+Hypothesis as_declared(const CaseFile& file, std::string name, std::string description);
+
+}  // namespace zproof

@@ -1,0 +1,199 @@
+#include "compare/diagnosis/retrial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "compare/search/nearby_triangles.h"
+#include "compare/witness.h"
+
+namespace zproof {
+
+namespace {
+
+/// The widest step aside that a hypothesis may take within its own view, px (hypotheses/places.cpp).
+constexpr double farthest_shift_px = 1;
+
+/// A question's claims as they were meant, less those that fail by themselves.
+class Reading {
+  public:
+    Reading(const CaseFile& file, const Question& question)
+        : scene_(file.scene),
+          hypothesis_(*question.hypothesis),
+          bounds_(hypothesis_.view, hypothesis_.precision) {
+        for (const Claim& claim : question.claims) {
+            const std::optional<Claim> meant = hypothesis_.restate ? hypothesis_.restate(claim) : claim;
+            if (meant && is_sound(*meant)) claims_.push_back(*meant);
+        }
+    }
+
+    const Hypothesis& hypothesis() const { return hypothesis_; }
+    const ViewBounds& bounds() const { return bounds_; }
+    const std::vector<Claim>& claims() const { return claims_; }
+
+  private:
+    bool is_sound(const Claim& claim) const {
+        if (!holds({hypothesis_.view.width, hypothesis_.view.height}, claim)) return false;
+        const PrimitiveId id = claim.answer.primitive;
+        if (id == PrimitiveId::none) return claim.answer.camera_depth == background_depth;
+        return is_triangle(id) && has_lawful_depth(claim);
+    }
+
+    bool is_triangle(PrimitiveId id) const { return std::size_t(id) < scene_.triangles.size(); }
+
+    CornersWorld corners_at(const Claim& claim) const {
+        return corners_of(scene_, std::uint32_t(claim.answer.primitive));
+    }
+
+    bool has_lawful_depth(const Claim& claim) const {
+        const float depth = claim.answer.camera_depth;
+        const CornersWorld p_world = corners_at(claim);
+        const TriangleDepth triangle = depth_of({hypothesis_.view, bounds_, p_world}, bounds_);
+        const DepthBound bound = triangle.at(claim.x, claim.y);
+        if (hypothesis_.report) {
+            const ReportedDepth reported = hypothesis_.report(bound, claim);
+            return reported.low <= depth && depth <= reported.high;
+        }
+        return depth >= 0 && (triangle.certainly_holds(bound, depth) ||
+                              is_lawful_depth(hypothesis_.view, bounds_, p_world, {claim.x, claim.y}, depth));
+    }
+
+    const Scene& scene_;
+    const Hypothesis& hypothesis_;
+    ViewBounds bounds_;
+    std::vector<Claim> claims_;
+};
+
+/// The triangles that come near any place in question, as a scene of their own: small, so that every
+/// hypothesis can be heard in it by itself. Order is kept; vertices are not shared, since corners are told by
+/// their positions.
+class District {
+  public:
+    District(const CaseFile& file, std::span<const Reading> readings) {
+        for (const Reading& reading : readings)
+            for (const Claim& claim : reading.claims()) widen(file, reading, claim);
+        std::vector<Site> sites;
+        for (const auto& [place, reach_px] : reaches_)
+            sites.push_back({place.second, place.first, reach_px + farthest_shift_px, {}});
+        find_nearby_triangles(file.scene, widest(file, readings), sites);
+        for (const Site& site : sites)
+            triangles_.insert(triangles_.end(), site.triangles.begin(), site.triangles.end());
+        std::ranges::sort(triangles_);
+        triangles_.erase(std::unique(triangles_.begin(), triangles_.end()), triangles_.end());
+        for (const std::uint32_t triangle : triangles_) settle(corners_of(file.scene, triangle));
+    }
+
+    const Scene& scene() const { return scene_; }
+    double reach_px(const Claim& claim) const { return reaches_.at({claim.y, claim.x}); }
+
+    PrimitiveId id_in_scene(std::uint32_t triangle) const { return PrimitiveId(triangles_[triangle]); }
+
+    /// The triangle's id within the district; nothing where it comes near no place in question.
+    std::optional<PrimitiveId> id_of(PrimitiveId primitive) const {
+        if (primitive == PrimitiveId::none) return primitive;
+        const auto found = std::ranges::lower_bound(triangles_, std::uint32_t(primitive));
+        if (found == triangles_.end() || *found != std::uint32_t(primitive)) return std::nullopt;
+        return PrimitiveId(found - triangles_.begin());
+    }
+
+  private:
+    void widen(const CaseFile& file, const Reading& reading, const Claim& claim) {
+        const double own = own_eps_px(file.scene, reading.hypothesis().view, reading.bounds(),
+                                      {claim.x, claim.y}, claim.answer.primitive);
+        double& reach = reaches_[{claim.y, claim.x}];
+        reach = std::max(reach, own);
+    }
+
+    /// The search looks from half the near depth on: from the nearest near plane that anyone supposes.
+    static View widest(const CaseFile& file, std::span<const Reading> readings) {
+        View view = file.view;
+        for (const Reading& reading : readings)
+            view.camera.near_depth =
+                std::min(view.camera.near_depth, reading.hypothesis().view.camera.near_depth);
+        return view;
+    }
+
+    void settle(const CornersWorld& p_world) {
+        const auto first = std::uint32_t(scene_.vertices.position_world.size());
+        for (const glm::vec3& p : p_world) scene_.vertices.position_world.push_back(p);
+        scene_.triangles.push_back({first, first + 1, first + 2});
+    }
+
+    std::map<std::pair<int, int>, double> reaches_;  ///< by row, then column
+    std::vector<std::uint32_t> triangles_;
+    Scene scene_;
+};
+
+std::uint64_t lawful_among(std::span<const Ruled> rulings) {
+    return std::uint64_t(
+        std::ranges::count_if(rulings, [](const Ruled& r) { return is_lawful(r.decision.standing); }));
+}
+
+/// Rules of drawing speak of the scene's ids.
+Amendment in_district(const Amendment& amend, const District& district) {
+    if (!amend) return nullptr;
+    return [&](Neighbourhood& around, PrimitiveId answer) {
+        for (Neighbour& n : around.neighbours) n.triangle = std::uint32_t(district.id_in_scene(n.triangle));
+        const bool background = answer == PrimitiveId::none;
+        amend(around, background ? answer : district.id_in_scene(std::uint32_t(answer)));
+        for (Neighbour& n : around.neighbours)
+            n.triangle = std::uint32_t(*district.id_of(PrimitiveId(n.triangle)));
+    };
+}
+
+/// Squares that grow beyond the district's reach are judged in the whole scene.
+std::uint64_t count_lawful(const CaseFile& file, const District& district, const Reading& reading) {
+    const Hypothesis& supposed = reading.hypothesis();
+    std::vector<Plea> pleas;
+    std::vector<const Claim*> heard;
+    for (const Claim& claim : reading.claims()) {
+        const std::optional<PrimitiveId> id = district.id_of(claim.answer.primitive);
+        if (!id) continue;
+        pleas.push_back({&reading.bounds(), *id, claim.x, claim.y});
+        heard.push_back(&claim);
+    }
+    std::vector<Ruled> rulings =
+        Hearing(district.scene(), supposed.view, in_district(supposed.amend, district)).hear(pleas);
+    std::vector<Plea> appeals;
+    for (std::size_t i = 0; i < heard.size(); ++i) {
+        if (rulings[i].eps_px <= district.reach_px(*heard[i])) continue;
+        rulings[i].decision.standing = Standing::outside;
+        appeals.push_back({&reading.bounds(), heard[i]->answer.primitive, heard[i]->x, heard[i]->y});
+    }
+    return lawful_among(rulings) +
+           lawful_among(Hearing(file.scene, supposed.view, supposed.amend).hear(appeals));
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> count_lawful(const CaseFile& file, std::span<const Question> questions) {
+    std::vector<Reading> readings;
+    readings.reserve(questions.size());
+    for (const Question& question : questions) readings.emplace_back(file, question);
+    const District district(file, readings);
+    std::vector<std::uint64_t> counts;
+    for (const Reading& reading : readings) counts.push_back(count_lawful(file, district, reading));
+    return counts;
+}
+
+double leniency_of(const CaseFile& file, const Question& question) {
+    const Hypothesis& supposed = *question.hypothesis;
+    const ViewBounds declared(file.view, file.candidate.precision),
+        widened(supposed.view, supposed.precision);
+    double sum = 0, count = 0;
+    for (const Claim& claim : question.claims) {
+        if (std::size_t(claim.answer.primitive) >= file.scene.triangles.size()) continue;
+        const CornersWorld p_world = corners_of(file.scene, std::uint32_t(claim.answer.primitive));
+        const DepthBound law = depth_of({file.view, declared, p_world}, declared).at(claim.x, claim.y);
+        const DepthBound bound = depth_of({supposed.view, widened, p_world}, widened).at(claim.x, claim.y);
+        const ReportedDepth reported =
+            supposed.report ? supposed.report(bound, claim) : ReportedDepth{bound.low, bound.high};
+        const double wider = std::log((reported.high - reported.low) / (law.high - law.low));
+        if (!std::isfinite(wider)) continue;
+        sum += wider;
+        ++count;
+    }
+    return count > 0 ? sum / count : 0;
+}
+
+}  // namespace zproof

@@ -1,0 +1,49 @@
+/// The whole story of one pixel.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "compare/judge.h"
+#include "compare/pixel_place.h"
+#include "compare/truth/standing.h"
+
+namespace zproof {
+
+/// A triangle that comes near the pixel, as the judge sees it.
+struct Candidate {
+    PrimitiveId primitive = PrimitiveId::none;
+    /// Signed distance of the pixel's centre from each edge (0: v1v2, 1: v2v0, 2: v0v1), in 1/256 px;
+    /// positive inside; all NaN where the triangle is seen edge-on.
+    std::array<double, 3> edge_distance{};
+    DepthBound depth;
+    Decision decision;
+};
+
+struct PixelStory {
+    Finding finding;
+    Decision candidate, reference;  ///< both answers, each judged by its own renderer's precision
+    double reference_eps_px = 0;    ///< half-side of the square that the reference's answer was judged in
+    bool ids_differ = false;        ///< otherwise the decisions were not needed and say nothing
+    std::vector<Candidate>
+        candidates;       ///< triangles within eps of the centre, nearest first; candidate's precision
+    Decision background;  ///< would background have been lawful?
+};
+
+/// Judges one pixel and keeps the evidence. It must lie inside the view (std::out_of_range otherwise).
+PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
+                   const Testimony& reference, const PixelPlace& place);
+
+/// The same for many pixels of one view, in order, with few passes over the scene.
+std::vector<PixelStory> explain(const Scene& scene, const View& view, const Testimony& candidate,
+                                const Testimony& reference, std::span<const PixelPlace> places);
+
+/// One sentence for a report: what was answered, what was expected, and why the verdict.
+std::string in_words(const Scene& scene, const Finding& finding);
+
+/// The story in full, several lines of plain text ending in a newline.
+std::string in_words(const Scene& scene, const PixelStory& story);
+
+}  // namespace zproof

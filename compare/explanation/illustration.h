@@ -1,0 +1,44 @@
+/// The triangles around a pixel as geometry, for a drawing beside its story. Nothing is decided from it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "compare/explanation/explain.h"
+#include "compare/judge_in_full.h"
+#include "math/affine.h"
+
+namespace zproof {
+
+/// A triangle's image around a pixel's centre, in double; (x, y) are offsets from the centre, px, y down.
+struct NearbyImage {
+    PrimitiveId primitive = PrimitiveId::none;
+    std::array<Affine<double>, 3> edge;  ///< signed distance from each edge, px, positive inside
+    Affine<double> nearness;             ///< larger is nearer: compare/bounds/triangle_image.h
+};
+
+/// For each place, the triangles whose image may come within reach_px of its centre, nearest at the centre
+/// first, at most `most` of them; none that is seen edge-on. One pass over the scene for all places.
+std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const View& view,
+                                                    std::span<const PixelPlace> places, double reach_px,
+                                                    std::size_t most);
+
+/// A story, and what is drawn beside it.
+struct IllustratedStory {
+    PixelStory story;
+    std::vector<NearbyImage> images;
+};
+
+/// What is told and drawn; see images_around().
+struct IllustratedPlaces {
+    std::span<const PixelPlace> places;
+    double reach_px = 0;
+    std::size_t most = 0;
+    std::span<const RuledPlace> known{};  ///< rulings that need not be made again, in raster order
+};
+
+/// explain() and images_around() together: the scene is searched once for both.
+std::vector<IllustratedStory> illustrate(const Scene& scene, const View& view, const Testimony& candidate,
+                                         const Testimony& reference, const IllustratedPlaces& places);
+
+}  // namespace zproof

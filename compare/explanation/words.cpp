@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "compare/explanation/explain.h"
+
+namespace zproof {
+
+namespace {
+
+std::string number(double value, int digits) {
+    std::ostringstream text;
+    text.precision(digits);
+    text << value;
+    return text.str();
+}
+
+std::string name_of(PrimitiveId primitive) {
+    return primitive == PrimitiveId::none ? "background"
+                                          : "triangle " + std::to_string(std::uint32_t(primitive));
+}
+
+/// "triangle 17 (node Wheel, mesh Spokes)".
+std::string full_name_of(const Scene& scene, PrimitiveId primitive) {
+    const auto holds = [&](const Part& part) {
+        return std::uint32_t(primitive) - part.first_triangle < part.triangle_count;
+    };
+    const auto part = std::ranges::find_if(scene.parts, holds);
+    if (primitive == PrimitiveId::none || part == scene.parts.end()) return name_of(primitive);
+    return name_of(primitive) + " (node " + (part->node.empty() ? "unnamed" : part->node) + ", mesh " +
+           (part->mesh.empty() ? "unnamed" : part->mesh) + ")";
+}
+
+std::string depth_sentence(const Finding& f) {
+    return "depth " + number(f.candidate.camera_depth, 9) + ", lawful from " +
+           number(f.candidate_depth.low, 9) + " to " + number(f.candidate_depth.high, 9) + " (error/bound " +
+           number(f.error_over_bound, 3) + ")";
+}
+
+std::string reason(const Finding& f) {
+    const std::string square = "within " + number(f.eps_px, 4) + " px";
+    switch (f.verdict) {
+        case PixelClass::agree:
+            return "same id, depth within its bound";
+        case PixelClass::edge:
+            return "both are visible " + square + " of the centre: they meet at an edge";
+        case PixelClass::depth_tie:
+            return "both are visible " + square + ", but one only because the depths tie within their bounds";
+        case PixelClass::abutting_edges:
+            return "visible only through a crack: occluders abut " + square + " without sharing an edge";
+        case PixelClass::clip:
+            return "both are lawful " + square + ": the near or far plane cuts there";
+        case PixelClass::reference_wrong:
+            return "the candidate is lawful " + square + ", the reference is not";
+        case PixelClass::wrong_depth:
+            return "the id is right, the depth is not: " + depth_sentence(f);
+        case PixelClass::hole:
+            return "the square of " + number(f.eps_px, 4) + " px around the centre is covered for certain";
+        case PixelClass::outside:
+            return "its triangle does not come " + square + " of the centre";
+        case PixelClass::hidden:
+            return "it is occluded for certain everywhere " + square + " of the centre";
+        case PixelClass::invalid:
+            return "that is no answer: depth " + number(f.candidate.camera_depth, 9);
+    }
+    return {};
+}
+
+const char* words_for(Standing s) {
+    switch (s) {
+        case Standing::visible:
+            return "lawful: visible";
+        case Standing::clipped:
+            return "lawful: visible, at a clip plane";
+        case Standing::tied:
+            return "lawful: within the depth bounds of the nearest";
+        case Standing::through_a_crack:
+            return "lawful only through a crack of the scene";
+        case Standing::hole:
+            return "not lawful: covered for certain";
+        case Standing::outside:
+            return "not lawful: does not reach the square";
+        case Standing::hidden:
+            return "not lawful: occluded for certain";
+    }
+    return "";
+}
+
+void tell(std::ostream& text, const Scene& scene, const Candidate& c) {
+    text << "  " << full_name_of(scene, c.primitive) << "\n      edges";
+    for (const double distance : c.edge_distance) text << ' ' << number(distance, 5);
+    text << "  (1/256 px, inside > 0)\n      depth " << number(c.depth.truth, 12) << ", lawful "
+         << number(c.depth.low, 12) << " to " << number(c.depth.high, 12) << "\n      "
+         << words_for(c.decision.standing) << (c.decision.exact ? "  [exact rationals]" : "") << '\n';
+}
+
+/// "  candidate  triangle 17, depth 3.25; eps 0.002 px = 0.5/256 px; lawful: visible".
+void tell(std::ostream& text, const char* who, const Answer& answer, const char* standing, double eps_px) {
+    text << "  " << who << "  " << name_of(answer.primitive) << ", depth " << number(answer.camera_depth, 9)
+         << "; eps " << number(eps_px, 4) << " px = " << number(256 * eps_px, 4) << "/256 px"
+         << (*standing ? "; " : "") << standing << '\n';
+}
+
+}  // namespace
+
+std::string in_words(const Scene& scene, const Finding& f) {
+    return "candidate says " + full_name_of(scene, f.candidate.primitive) + ", reference " +
+           full_name_of(scene, f.reference.primitive) + ": " + reason(f);
+}
+
+std::string in_words(const Scene& scene, const PixelStory& story) {
+    const Finding& f = story.finding;
+    std::ostringstream text;
+    text << "pixel (" << f.x << ", " << f.y << "): " << name_of(f.verdict)
+         << (passes(f.verdict) ? ", pass" : ", FAIL") << "\n  " << in_words(scene, f) << '\n';
+    const bool decided = story.ids_differ && f.verdict != PixelClass::invalid;
+    tell(text, "candidate", f.candidate, decided ? words_for(story.candidate.standing) : "", f.eps_px);
+    tell(text, "reference", f.reference, decided ? words_for(story.reference.standing) : "",
+         decided ? story.reference_eps_px : f.eps_px);
+    text << "triangles within the candidate's eps of the centre, nearest first:\n";
+    for (const Candidate& c : story.candidates) tell(text, scene, c);
+    if (story.candidates.empty()) text << "  none\n";
+    text << "background: " << words_for(story.background.standing) << '\n';
+    return text.str();
+}
+
+}  // namespace zproof

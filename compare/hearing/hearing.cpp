@@ -1,0 +1,275 @@
+#include "compare/hearing/hearing.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "compare/hearing/summary.h"
+#include "compare/search/tile_search.h"
+#include "compare/truth/displacement.h"
+
+namespace zproof {
+
+namespace {
+
+/// In own eps. Few squares grow beyond it, and a triangle that is found and meets no square changes nothing.
+constexpr double first_reach = 2;
+
+/// Triangles are looked for at least that far, so that squares which grow a little need no other search: that
+/// costs more than the few triangles which are found for nothing.
+constexpr double least_search_px = 1.0 / 12;
+
+/// Of so many sittings that many pleas, the first, are asked whether that is far enough.
+constexpr std::size_t sittings_sampled = 32;
+constexpr std::uint32_t pleas_sampled = 2;
+
+/// Tiles that lie close together follow each other: they have triangles in common.
+template <class Visit>
+void for_each_by_blocks(const Tiles& tiles, const Visit& visit) {
+    constexpr int side = 8;
+    for (int top = 0; top < tiles.rows; top += side)
+        for (int left = 0; left < tiles.columns; left += side)
+            for (int row = top; row < std::min(top + side, tiles.rows); ++row)
+                for (int column = left; column < std::min(left + side, tiles.columns); ++column)
+                    visit(tiles.index(column, row));
+}
+
+/// On all threads. Some take a thousand times as long as others: each is shared out by itself.
+template <class Item, class Do>
+void for_each_of(const std::vector<Item>& items, const Do& act) {
+    tbb::parallel_for(
+        std::size_t(0), items.size(), [&](std::size_t i) { act(items[i]); }, tbb::simple_partitioner());
+}
+
+}  // namespace
+
+struct Hearing::Memories {
+    Memories(const Scene& scene, const View& view)
+        : sights(view), acquaintance(scene, view), summary({view, sights, acquaintance, coplanar}) {}
+    Memories(const Memories&) = delete;  // what is summed up looks at the rest
+    Memories& operator=(const Memories&) = delete;
+
+    double first_reach_px(const Plea& plea) { return first_reach * own_eps_px(plea); }
+    double own_eps_px(const Plea& plea) {
+        if (plea.answer == PrimitiveId::none) return plea.bounds->background_eps_px();
+        const BoundedTriangle& triangle = acquaintance.of(std::uint32_t(plea.answer), *plea.bounds);
+        return triangle.of_view.eps_px(sights.at(plea.x, plea.y));
+    }
+
+    Sights<double> sights;
+    Acquaintance acquaintance;
+    CoplanarMemory coplanar{4096};
+    Summary summary;
+};
+
+class Hearing::Session {
+  public:
+    Session(const Hearing& hearing, const Docket& docket, Asked asked, ThreadMemories& memories)
+        : hearing_(hearing),
+          docket_(docket),
+          asked_(asked),
+          memories_(memories),
+          near_(hearing.scene_, hearing.view_, asked_tiles()) {}
+
+    /// Decides what it can; for each plea of the docket the reach that it needs, or 0 where it is decided.
+    std::vector<double> hear(std::vector<Ruled>& rulings) {
+        std::vector<double> lacking(docket_.plea.size(), 0);
+        for_each_of(docket_.sittings, [&](const Sitting& sitting) {
+            Bench bench(*this, sitting);
+            for (std::size_t i = sitting.first; i < sitting.end; ++i)
+                lacking[i] = bench.hear(i, rulings[docket_.plea[i]]);
+        });
+        return lacking;
+    }
+
+  private:
+    const Plea& plea(std::size_t place) const { return hearing_.pleas_[docket_.plea[place]]; }
+
+    double searched_px(std::size_t place) const { return std::max(docket_.reach_px[place], least_search_px); }
+
+    AskedTiles asked_tiles() const {
+        const Tiles tiles(hearing_.view_);
+        std::vector<std::uint32_t> pleas_of_tile(tiles.count());
+        for (const Sitting& sitting : docket_.sittings)
+            pleas_of_tile[sitting.tile] = sitting.end - sitting.first;
+        AskedTiles asked(tiles, pleas_of_tile);
+        for_each_of(docket_.sittings, [&](const Sitting& sitting) { add_squares(sitting, asked); });
+        return asked;
+    }
+    /// One for all pleas at a pixel that follow each other.
+    void add_squares(const Sitting& sitting, AskedTiles& asked) const {
+        for (std::size_t i = sitting.first; i < sitting.end;) {
+            const Plea& at = plea(i);
+            double reach_px = 0;
+            for (; i < sitting.end && plea(i).x == at.x && plea(i).y == at.y; ++i)
+                reach_px = std::max(reach_px, searched_px(i));
+            asked.add(sitting.tile, square_around(at.x, at.y, reach_px), reach_px);
+        }
+    }
+    Around centres(const Sitting& sitting) const {
+        Box box;
+        for (std::size_t i = sitting.first; i < sitting.end; ++i) box.add(plea(i).x, plea(i).y);
+        return {box.middle_x(), box.middle_y(), 0.5 * (box.right - box.left), 0.5 * (box.bottom - box.top)};
+    }
+    std::vector<const ViewBounds*> renderers_of(const Sitting& sitting) const {
+        std::vector<const ViewBounds*> renderers;
+        for (std::size_t i = sitting.first; i < sitting.end; ++i)
+            if (!std::ranges::count(renderers, plea(i).bounds)) renderers.push_back(plea(i).bounds);
+        return renderers;
+    }
+
+    /// Hears the pleas of a sitting, one after the other.
+    class Bench {
+      public:
+        Bench(const Session& session, const Sitting& sitting)
+            : session_(session),
+              near_(session.near_.of(sitting.tile)),
+              memories_(session.memories_.local()),
+              estimate_([this] { return gather(); }, memories_.coplanar) {
+            memories_.acquaintance.forget_if_much();
+            if (amendment()) return;  // what is known summarily is known of the law
+            summary_ = &memories_.summary;
+            summary_->turn_to(session.centres(sitting), near_, session.renderers_of(sitting));
+        }
+        Bench(const Bench&) = delete;  // the estimate looks at it
+
+        /// Decides the plea, or returns the reach that it needs.
+        double hear(std::size_t place, Ruled& ruled) {
+            turn_to(session_.plea(place));
+            const double own_eps_px = memories_.own_eps_px(*plea_);
+            plaint_ = {plea_->bounds, plea_->answer, own_eps_px, 0, session_.asked_};
+            const double known_px = session_.docket_.reach_px[place];
+            double needed_px = known_px != 0 ? known_px : first_reach * own_eps_px;
+            const double searched_px = session_.searched_px(place);
+            if (needed_px > searched_px) return needed_px;  // its triangles are not all known
+            do {
+                plaint_.reach_px = needed_px;
+                estimate_.turn_to(plaint_.answer);
+                needed_px = hear_within_reach(ruled);
+            } while (needed_px != 0 && needed_px <= searched_px);
+            return needed_px;
+        }
+
+      private:
+        const Amendment& amendment() const { return session_.hearing_.amendment_; }
+
+        void turn_to(const Plea& plea) {
+            if (summary_ && !(plea_ && plea_->x == plea.x && plea_->y == plea.y))
+                summary_->look_at(plea.x, plea.y);
+            plea_ = &plea;
+        }
+        double hear_within_reach(Ruled& ruled) {
+            if (!summary_) return hear_at_length(ruled);
+            if (const std::optional<Ruled> known = summary_->rule(plaint_, estimate_)) {
+                ruled = *known;
+                return 0;
+            }
+            const double lacking_px = summary_->lacking_reach_px(plaint_);
+            return lacking_px != 0 ? lacking_px : hear_at_length(ruled);
+        }
+        double hear_at_length(Ruled& ruled) {
+            const Neighbourhood& around = estimate_.around();
+            if (around.eps_px > plaint_.reach_px) return around.eps_px;
+            ruled = {decide(around, plaint_.answer, memories_.coplanar), around.eps_px, std::nullopt};
+            if (plaint_.asked == Asked::standing_and_displacement &&
+                ruled.decision.standing == Standing::visible)
+                ruled.displacement_over_eps = displacement_over_eps(estimate_);
+            return 0;
+        }
+        /// What stands around the plea, as far as the plaint's reach, as the law or the amendment has it.
+        Neighbourhood gather() const {
+            Site site{plea_->x, plea_->y, plaint_.reach_px, {}};
+            for (const std::uint32_t t : near_)
+                if (memories_.acquaintance.of(t).filter.is_near(site.x, site.y, site.reach_px))
+                    site.triangles.push_back(t);
+            const auto look_up = [&](std::uint32_t t) -> const TriangleOfView& {
+                return memories_.acquaintance.of(t, *plea_->bounds).of_view;
+            };
+            Neighbourhood around =
+                neighbourhood_of(session_.hearing_.view_, site, plaint_.own_eps_px, look_up);
+            if (amendment()) amendment()(around, plea_->answer);
+            return around;
+        }
+
+        const Session& session_;
+        std::span<const std::uint32_t> near_;
+        Memories& memories_;
+        Estimate estimate_;
+        Summary* summary_ = nullptr;
+        const Plea* plea_ = nullptr;  ///< at hand
+        Plaint plaint_;
+    };
+
+    const Hearing& hearing_;
+    const Docket& docket_;
+    Asked asked_;
+    ThreadMemories& memories_;
+    TrianglesByTile near_;
+};
+
+auto Hearing::docket_of_all() const -> Docket {
+    const Tiles tiles(view_);
+    // counted two places ahead, so that filling leaves each tile's end where the next one's first belongs
+    std::vector<std::uint32_t> first(tiles.count() + 2);
+    for (const Plea& plea : pleas_)
+        if (plea.bounds) ++first[tiles.of(plea.x, plea.y) + 2];
+    for (std::size_t t = 2; t < first.size(); ++t) first[t] += first[t - 1];
+    const std::size_t count = first.back();
+    Docket docket{std::vector<std::uint32_t>(count), std::vector<double>(count, 0), {}};
+    for (std::uint32_t i = 0; i < pleas_.size(); ++i)
+        if (const Plea& plea = pleas_[i]; plea.bounds) docket.plea[first[tiles.of(plea.x, plea.y) + 1]++] = i;
+    for_each_by_blocks(tiles, [&](std::size_t t) {
+        if (first[t] != first[t + 1]) docket.sittings.push_back({t, first[t], first[t + 1]});
+    });
+    return docket;
+}
+
+/// A sample says, of the pleas of both renderers: where it is wrong, that costs another search, or knowledge
+/// of triangles that is made twice.
+bool Hearing::may_reach_far(const Docket& docket, Memories& memories) const {
+    const std::size_t stride = docket.sittings.size() / sittings_sampled + 1;
+    for (std::size_t s = 0; s < docket.sittings.size(); s += stride) {
+        const auto [tile, first, end] = docket.sittings[s];
+        for (std::size_t i = first; i < std::min(end, first + pleas_sampled); ++i)
+            if (memories.first_reach_px(pleas_[docket.plea[i]]) > least_search_px) return true;
+    }
+    return false;
+}
+
+void Hearing::set_reach(Docket& docket, const Sitting& sitting, Memories& memories) const {
+    memories.acquaintance.forget_if_much();
+    for (std::size_t i = sitting.first; i < sitting.end; ++i)
+        docket.reach_px[i] = memories.first_reach_px(pleas_[docket.plea[i]]);
+}
+
+auto Hearing::left_over(const Docket& docket, const std::vector<double>& lacking) const -> Docket {
+    Docket left;
+    for (const Sitting& sitting : docket.sittings) {
+        const auto first = std::uint32_t(left.plea.size());
+        for (std::size_t i = sitting.first; i < sitting.end; ++i) {
+            if (lacking[i] == 0) continue;
+            left.plea.push_back(docket.plea[i]);
+            left.reach_px.push_back(lacking[i]);
+        }
+        const auto end = std::uint32_t(left.plea.size());
+        if (first != end) left.sittings.push_back({sitting.tile, first, end});
+    }
+    return left;
+}
+
+/// The squares that grow beyond their first reach are looked at once more with their full reach.
+std::vector<Ruled> Hearing::hear(std::vector<Plea> pleas, Asked asked) {
+    pleas_ = std::move(pleas);
+    std::vector<Ruled> rulings(pleas_.size());
+    ThreadMemories memories([&] { return Memories(scene_, view_); });
+    Docket docket = docket_of_all();
+    if (may_reach_far(docket, memories.local()))
+        for_each_of(docket.sittings, [&](const Sitting& s) { set_reach(docket, s, memories.local()); });
+    while (!docket.plea.empty())
+        docket = left_over(docket, Session(*this, docket, asked, memories).hear(rulings));
+    return rulings;
+}
+
+}  // namespace zproof

@@ -1,0 +1,66 @@
+/// Answers heard together: each is decided by the admissible set, in the surroundings that the scene gives
+/// it.
+#pragma once
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "compare/hearing/ruled.h"
+#include "scenes/scene.h"
+
+namespace zproof {
+
+/// Changes what stands around an answer before it is decided: another rule of drawing than the law.
+using Amendment = std::function<void(Neighbourhood& around, PrimitiveId answer)>;
+
+/// An answer to be heard: a triangle of the scene, or none, at a pixel.
+struct Plea {
+    const ViewBounds* bounds = nullptr;  ///< the renderer's; without, nothing is asked
+    PrimitiveId answer = PrimitiveId::none;
+    int x = 0, y = 0;
+};
+
+/// A hearing takes a pass over the scene whatever the number of pleas: put many into one.
+class Hearing {
+  public:
+    Hearing(const Scene& scene, const View& view, Amendment amendment = nullptr)
+        : scene_(scene), view_(view), amendment_(std::move(amendment)) {}
+
+    /// Decides every plea, on all threads; the rulings are in the pleas' order. Where nothing is asked they
+    /// are empty.
+    std::vector<Ruled> hear(std::vector<Plea> pleas, Asked asked = Asked::standing);
+
+  private:
+    /// The pleas of a tile: places from first to before end.
+    struct Sitting {
+        std::size_t tile;
+        std::uint32_t first, end;
+    };
+    /// The pleas that are left, tile by tile, each in their order.
+    struct Docket {
+        std::vector<std::uint32_t> plea;  ///< a place among pleas_
+        std::vector<double> reach_px;     ///< 0 where it is not known yet
+        std::vector<Sitting> sittings;    ///< by tile; none without a plea
+    };
+    /// What one thread remembers of a hearing.
+    struct Memories;
+    using ThreadMemories = tbb::enumerable_thread_specific<Memories>;
+    /// One go at the pleas that are left.
+    class Session;
+
+    Docket docket_of_all() const;
+    /// Is it worth it to ask every plea for its reach before triangles are searched for?
+    bool may_reach_far(const Docket& docket, Memories& memories) const;
+    void set_reach(Docket& docket, const Sitting& sitting, Memories& memories) const;
+    Docket left_over(const Docket& docket, const std::vector<double>& lacking) const;
+
+    const Scene& scene_;
+    const View& view_;
+    Amendment amendment_;
+    std::vector<Plea> pleas_;
+};
+
+}  // namespace zproof

@@ -1,0 +1,22 @@
+/// What an answer earned before the judge.
+#pragma once
+
+#include <optional>
+
+#include "compare/truth/standing.h"
+
+namespace zproof {
+
+struct Ruled {
+    Decision decision;
+    double eps_px = 0;  ///< half-side of the square that it was judged in
+    /// Of an answer that is lawful by its place (Standing::visible), where it was asked for.
+    std::optional<double> displacement_over_eps;
+};
+
+enum class Asked {
+    standing,
+    standing_and_displacement,  ///< Ruled::displacement_over_eps as well
+};
+
+}  // namespace zproof

@@ -1,0 +1,74 @@
+/// Triangles seen exactly edge-on. They cover no area, but a renderer that moves their corners by eps may
+/// draw them: each edge then stands as a segment of the image with the nearness that holds along it.
+#pragma once
+
+#include <optional>
+
+#include "compare/bounds/triangle_image.h"
+
+namespace zproof {
+
+/// A segment of the image: f = 0 between two half-planes.
+template <class Number>
+struct SegmentImage {
+    Affine<Number> line, after_start, before_end;  ///< the last two are >= 0 on the segment
+    Affine<Number> nearness;                       ///< right on the segment, arbitrary elsewhere
+};
+
+namespace detail {
+
+/// A vector that is not in the plane of a and b: the axis along which a x b is largest.
+template <class Number>
+Vector3<Number> axis_off(const Vector3<Number>& a_cross_b) {
+    const auto magnitude = [](const Number& n) { return sign(n) < 0 ? Number(-n) : n; };
+    const Number x = magnitude(a_cross_b.x), y = magnitude(a_cross_b.y), z = magnitude(a_cross_b.z);
+    if (sign(x - y) >= 0 && sign(x - z) >= 0) return {Number(1), Number(0), Number(0)};
+    if (sign(y - z) >= 0) return {Number(0), Number(1), Number(0)};
+    return {Number(0), Number(0), Number(1)};
+}
+
+template <class Number>
+bool is_zero(const Vector3<Number>& v) {
+    return sign(v.x) == 0 && sign(v.y) == 0 && sign(v.z) == 0;
+}
+
+template <class Number>
+SegmentImage<Number> perspective_segment(const Sight<Number>& sight, const Vector3<Number>& a,
+                                         const Vector3<Number>& b, const Vector3<Number>& moment) {
+    const Vector3<Number> plane = cross(b - a, axis_off(moment));
+    return {perspective_functional(sight, moment), perspective_functional(sight, cross(moment, a)),
+            perspective_functional(sight, cross(b, moment)),
+            (Number(1) / dot(a, plane)) * perspective_functional(sight, plane)};
+}
+
+/// The functional e -> (e - p) . normal of a plane that holds the direction of sight.
+template <class Number>
+Affine<Number> beyond(const Sight<Number>& sight, const Vector3<Number>& p, const Vector3<Number>& normal) {
+    return {dot(normal, sight.step_x), dot(normal, sight.step_y), -dot(normal, p)};
+}
+
+template <class Number>
+SegmentImage<Number> parallel_segment(const Sight<Number>& sight, const Vector3<Number>& a,
+                                      const Vector3<Number>& b, const Vector3<Number>& side) {
+    const Vector3<Number> along = cross(sight.direction, side);
+    const Vector3<Number> plane = cross(b - a, side);
+    return {parallel_edge(sight, a, b), beyond(sight, a, along), -beyond(sight, b, along),
+            (Number(-1) / dot(plane, sight.direction)) *
+                Affine<Number>{-dot(plane, sight.step_x), -dot(plane, sight.step_y), dot(plane, a)}};
+}
+
+}  // namespace detail
+
+/// The image of the segment from a to b (world space), or nothing where it is seen end-on.
+template <class Number>
+std::optional<SegmentImage<Number>> segment_image(const Sight<Number>& sight, const Vector3<Number>& a_world,
+                                                  const Vector3<Number>& b_world) {
+    const Vector3<Number> a = a_world - sight.origin, b = b_world - sight.origin;
+    const bool perspective = sight.projection == Projection::perspective;
+    const Vector3<Number> moment = perspective ? cross(a, b) : cross(b - a, sight.direction);
+    if (detail::is_zero(moment)) return std::nullopt;
+    return perspective ? detail::perspective_segment(sight, a, b, moment)
+                       : detail::parallel_segment(sight, a, b, moment);
+}
+
+}  // namespace zproof
