@@ -124,7 +124,7 @@ std::string fault_of_own_header(const std::string& room, const std::string& head
 std::string fault_of_foreign_header(const std::string& room, const std::string& header) {
     for (const auto& [prefix, speakers] : spoken_to_in)
         if (header.starts_with(prefix) && !speakers.contains(room))
-            return "<" + header + "> has no place in " + room + "/";
+            return ("<" + header).append("> has no place in ").append(room).append("/");
     return "";
 }
 
@@ -141,7 +141,10 @@ std::string fault_within_compare(const std::string& path, const std::string& hea
     const auto allowed = may_include_in_compare.find(room);
     if (allowed == may_include_in_compare.end()) return "compare/" + room + "/ is no room of the house";
     if (allowed->second.contains(target)) return "";
-    return "compare/" + room + "/ may not look into compare/" + target + "/ (docs/design.md, The house)";
+    return ("compare/" + room)
+        .append("/ may not look into compare/")
+        .append(target)
+        .append("/ (docs/design.md, The house)");
 }
 
 std::vector<std::string> include_faults(const SourceFile& file) {
@@ -226,7 +229,7 @@ TEST(HousePlan, EveryPackageHasItsReason) {
     std::ifstream packages{root / "cmake/packages.txt"}, reasons{root / "docs/dependencies.md"};
     std::stringstream text;
     text << reasons.rdbuf();
-    for (std::string line : lines_of(packages)) {
+    for (const std::string& line : lines_of(packages)) {
         if (line.empty() || line.starts_with('#')) continue;
         const std::size_t colon = line.find(": ");  // "check: ", "bench: "
         const std::string name = colon == std::string::npos ? line : line.substr(colon + 2);
