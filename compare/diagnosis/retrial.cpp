@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "compare/search/nearby_triangles.h"
 #include "compare/witness.h"
@@ -153,7 +154,8 @@ std::uint64_t count_lawful(const CaseFile& file, const District& district, const
         heard.push_back(&claim);
     }
     std::vector<Ruled> rulings =
-        Hearing(district.scene(), supposed.view, in_district(supposed.amend, district)).hear(pleas);
+        Hearing(district.scene(), supposed.view, in_district(supposed.amend, district))
+            .hear(std::move(pleas));
     std::vector<Plea> appeals;
     for (std::size_t i = 0; i < heard.size(); ++i) {
         if (rulings[i].eps_px <= district.reach_px(*heard[i])) continue;
@@ -161,7 +163,7 @@ std::uint64_t count_lawful(const CaseFile& file, const District& district, const
         appeals.push_back({&reading.bounds(), heard[i]->answer.primitive, heard[i]->x, heard[i]->y});
     }
     return lawful_among(rulings) +
-           lawful_among(Hearing(file.scene, supposed.view, supposed.amend).hear(appeals));
+           lawful_among(Hearing(file.scene, supposed.view, supposed.amend).hear(std::move(appeals)));
 }
 
 }  // namespace

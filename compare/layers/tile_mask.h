@@ -36,8 +36,7 @@ class TileMask {
 
     ColumnMask row(int y) const { return halves_[half_of(y)][y % rows_of_half]; }
     void add(int y, ColumnMask columns) {
-        std::uint16_t row = std::uint16_t(this->row(y) | columns);
-        halves_[half_of(y)][y % rows_of_half] = row;
+        halves_[half_of(y)][y % rows_of_half] = std::uint16_t(row(y) | columns);
     }
     /// Bit y: row y has some.
     unsigned rows_with_some() const {

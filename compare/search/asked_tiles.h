@@ -24,7 +24,6 @@ class AskedTiles {
     /// boxes_of_tile: at least as many as will be added to each; where that is none, nothing is asked.
     AskedTiles(const Tiles& tiles, std::span<const std::uint32_t> boxes_of_tile);
     AskedTiles(AskedTiles&&) = default;  // a copy's tiles would look into this one's boxes
-    AskedTiles& operator=(AskedTiles&&) = default;
 
     /// Adds a square that reaches beyond its tile by at most reach_px; every tile needs one. Several threads
     /// may add to different tiles.
