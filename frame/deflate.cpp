@@ -139,23 +139,28 @@ DeflatedPiece Deflater::piece(std::string_view bytes) {
 
 std::string deflated(std::string_view bytes) { return Deflater{}.deflated(bytes); }
 
-std::string joined(std::span<const DeflatedPiece> pieces) {
-    std::size_t size = 8;
-    for (const DeflatedPiece& piece : pieces) size += piece.bits.size();
-    std::string stream;
-    stream.reserve(size);
-    stream = "\x78\x01";  // RFC 1950: deflate, a window of 32 KiB
+Parts stream_of(std::vector<DeflatedPiece> pieces) {
+    Parts stream{"\x78\x01"};  // RFC 1950: deflate, a window of 32 KiB
     std::uint32_t adler = 1;
-    for (const DeflatedPiece& piece : pieces) {
-        stream += piece.bits;
+    for (DeflatedPiece& piece : pieces) {
+        stream.push_back(std::move(piece.bits));
         adler = adler_of_both(adler, piece);
     }
-    stream.append("\x03\x00", 2);  // RFC 1951: a last block, of fixed codes, that ends at once
-    for (const int shift : {24, 16, 8, 0}) stream += static_cast<char>(adler >> shift & 0xFF);
+    std::string& end = stream.emplace_back("\x03\x00", 2);  // RFC 1951: a last block that ends at once
+    for (const int shift : {24, 16, 8, 0}) end += static_cast<char>(adler >> shift & 0xFF);
     return stream;
 }
 
-std::string deflated_side_by_side(std::size_t count, const FillPiece& fill) {
+std::string joined(const Parts& parts) {
+    std::size_t size = 0;
+    for (const std::string& part : parts) size += part.size();
+    std::string whole;
+    whole.reserve(size);
+    for (const std::string& part : parts) whole += part;
+    return whole;
+}
+
+Parts deflated_side_by_side(std::size_t count, const FillPiece& fill) {
     struct Desk {
         Deflater deflater;
         std::string room;
@@ -166,13 +171,13 @@ std::string deflated_side_by_side(std::size_t count, const FillPiece& fill) {
         Desk& desk = desks.local();
         pieces[i] = desk.deflater.piece(fill(i, desk.room));
     });
-    return joined(pieces);
+    return stream_of(std::move(pieces));
 }
 
 std::string deflated_side_by_side(std::string_view bytes) {
-    return deflated_side_by_side(
+    return joined(deflated_side_by_side(
         (bytes.size() + piece_bytes - 1) / piece_bytes,
-        [&](std::size_t i, std::string&) { return bytes.substr(i * piece_bytes, piece_bytes); });
+        [&](std::size_t i, std::string&) { return bytes.substr(i * piece_bytes, piece_bytes); }));
 }
 
 std::uint32_t crc32_of(std::string_view bytes, std::uint32_t of_before) {

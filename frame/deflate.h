@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace zproof {
 
@@ -40,8 +41,12 @@ class Deflater {
 /// One buffer.
 std::string deflated(std::string_view bytes);
 
+/// Bytes in parts that follow one another.
+using Parts = std::vector<std::string>;
+
 /// The stream that holds what the pieces hold, one after another.
-std::string joined(std::span<const DeflatedPiece> pieces);
+Parts stream_of(std::vector<DeflatedPiece> pieces);
+std::string joined(const Parts& parts);
 
 /// What piece i holds: bytes that lie somewhere already, or are put into the room, whose size is what the
 /// last piece made there left it.
@@ -49,7 +54,7 @@ using FillPiece = std::function<std::string_view(std::size_t i, std::string& roo
 
 /// One stream of `count` pieces, made on the threads of the surrounding tbb::task_arena; the same for any
 /// number of them.
-std::string deflated_side_by_side(std::size_t count, const FillPiece& fill);
+Parts deflated_side_by_side(std::size_t count, const FillPiece& fill);
 
 /// Of bytes that lie one after another.
 std::string deflated_side_by_side(std::string_view bytes);

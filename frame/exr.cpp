@@ -3,7 +3,6 @@
 #include "frame/exr_decode.h"
 #include "frame/exr_encode.h"
 #include "frame/frame_size.h"
-#include "frame/whole_file.h"
 
 namespace zproof {
 
@@ -11,7 +10,7 @@ void write_exr(const std::filesystem::path& file, const Frame& frame) {
     static_assert(sizeof(PrimitiveId) == 4 && sizeof(float) == 4);
     const ExrChannel channels[] = {{"Z", ExrType::float32, frame.camera_depth.pixels().data()},
                                    {"id", ExrType::uint32, frame.primitive.pixels().data()}};
-    write_whole_file(file, encode_exr(frame.size(), channels, file.string()));
+    write_exr(file, frame.size(), channels);
 }
 
 void write_exr(const std::filesystem::path& file, const Picture& picture) {
@@ -20,7 +19,7 @@ void write_exr(const std::filesystem::path& file, const Picture& picture) {
     const ExrChannel channels[] = {{"B", ExrType::float32, &first->b, sizeof *first},
                                    {"G", ExrType::float32, &first->g, sizeof *first},
                                    {"R", ExrType::float32, &first->r, sizeof *first}};
-    write_whole_file(file, encode_exr(picture.size(), channels, file.string()));
+    write_exr(file, picture.size(), channels);
 }
 
 Frame read_exr(const std::filesystem::path& file) {

@@ -14,6 +14,7 @@
 #include "frame/deflate.h"
 #include "frame/frame_error.h"
 #include "frame/frame_size.h"
+#include "frame/whole_file.h"
 
 namespace zproof {
 namespace {
@@ -21,8 +22,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "OpenEXR is little-endian, and so must this machine be");
 
-constexpr int rows_in_block = 16;           ///< what EXR_COMPRESSION_ZIP says
-constexpr std::size_t chunk_overhead = 16;  ///< row, length and place of a block, 4 + 4 + 8 bytes
+constexpr int rows_in_block = 16;  ///< what EXR_COMPRESSION_ZIP says
 
 /// Row by row, and within a row channel by channel.
 void gather(Resolution size, std::span<const ExrChannel> channels, int row, char* to) {
@@ -69,15 +69,15 @@ class BlockMaker {
     std::string raw_, missed_;
 };
 
-/// OpenEXR's own writer, into memory.
+/// OpenEXR's own writer.
 class ExrWriter {
   public:
-    ExrWriter(Resolution size, std::span<const ExrChannel> channels, const std::string& place)
-        : place_(place) {
+    ExrWriter(const std::filesystem::path& file, Resolution size, std::span<const ExrChannel> channels)
+        : place_(file.string()), file_(file) {
         exr_context_initializer_t calls = EXR_DEFAULT_CONTEXT_INITIALIZER;
         calls.user_data = &file_;
         calls.write_fn = put;
-        check(exr_start_write(&context_, place.c_str(), EXR_WRITE_FILE_DIRECTLY, &calls));
+        check(exr_start_write(&context_, place_.c_str(), EXR_WRITE_FILE_DIRECTLY, &calls));
         check(exr_add_part(context_, "frame", EXR_STORAGE_SCANLINE, &part_));
         check(exr_initialize_required_attr_simple(context_, part_, size.width, size.height,
                                                   EXR_COMPRESSION_ZIP));
@@ -91,25 +91,21 @@ class ExrWriter {
     ExrWriter(const ExrWriter&) = delete;
     ExrWriter& operator=(const ExrWriter&) = delete;
 
-    /// Makes room for so many bytes of blocks.
-    void expect(std::size_t bytes) { file_.reserve(file_.size() + bytes); }
     /// Blocks from the top, each once.
     void write(int first_row, const std::string& block) {
         check(exr_write_scanline_chunk(context_, part_, first_row, block.data(), block.size()));
     }
     /// After the last block.
-    std::string file() {
+    void finish() {
         check(exr_finish(&context_));
-        return std::move(file_);
+        file_.finish();
     }
 
   private:
     // NOLINTNEXTLINE(readability-function-size): OpenEXR asks for these parameters
     static std::int64_t put(exr_const_context_t, void* file, const void* bytes, std::uint64_t size,
                             std::uint64_t offset, exr_stream_error_func_ptr_t) {
-        std::string& to = *static_cast<std::string*>(file);
-        if (offset > to.size()) to.resize(offset);
-        to.replace(offset, size, static_cast<const char*>(bytes), size);  // mostly at its end
+        static_cast<WholeFile*>(file)->put(offset, {static_cast<const char*>(bytes), size});
         return static_cast<std::int64_t>(size);
     }
     void check(exr_result_t result) const {
@@ -117,29 +113,27 @@ class ExrWriter {
             throw FrameError(place_ + ": OpenEXR cannot write it: " + exr_get_default_error_message(result));
     }
 
-    std::string place_, file_;
+    std::string place_;
+    WholeFile file_;
     exr_context_t context_ = nullptr;
     int part_ = 0;
 };
 
 }  // namespace
 
-std::string encode_exr(Resolution size, std::span<const ExrChannel> channels, const std::string& place) {
+void write_exr(const std::filesystem::path& file, Resolution size, std::span<const ExrChannel> channels) {
     assert(std::ranges::is_sorted(channels, {}, &ExrChannel::name));
-    refuse_bad_size(size, place);
+    refuse_bad_size(size, file.string());
     std::vector<std::string> blocks(
         static_cast<std::size_t>((size.height + rows_in_block - 1) / rows_in_block));
     tbb::enumerable_thread_specific<BlockMaker> makers;
     tbb::parallel_for(std::size_t{0}, blocks.size(), [&](std::size_t i) {
         blocks[i] = makers.local().block(size, channels, rows_in_block * static_cast<int>(i));
     });
-    std::size_t bytes = 0;
-    for (const std::string& block : blocks) bytes += block.size() + chunk_overhead;
-    ExrWriter writer(size, channels, place);
-    writer.expect(bytes);
+    ExrWriter writer(file, size, channels);
     for (std::size_t i = 0; i < blocks.size(); ++i)
         writer.write(rows_in_block * static_cast<int>(i), blocks[i]);
-    return writer.file();
+    writer.finish();
 }
 
 }  // namespace zproof

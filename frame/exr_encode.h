@@ -1,10 +1,10 @@
-/// Planes of 32-bit values as OpenEXR files in memory.
+/// Planes of 32-bit values as OpenEXR files.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "frame/plane.h"
@@ -22,11 +22,11 @@ struct ExrChannel {
     std::size_t stride = 4;
 };
 
-/// A scanline file, put together by OpenEXR's own library out of zip-compressed blocks of 16 rows
-/// (openexr.com, "OpenEXR File Layout"), which are made side by side on the threads of the surrounding
-/// tbb::task_arena. Values are copied bit for bit. Channels
-/// stand in ascending order of their names. Throws FrameError, naming `place`, for a size that Resolution
-/// does not allow, and where OpenEXR refuses.
-std::string encode_exr(Resolution size, std::span<const ExrChannel> channels, const std::string& place);
+/// Writes a scanline file whole, put together by OpenEXR's own library out of zip-compressed blocks of 16
+/// rows (openexr.com, "OpenEXR File Layout"), which are made side by side on the threads of the surrounding
+/// tbb::task_arena. Values are copied bit for bit. Channels stand in ascending order of their names. Throws
+/// FrameError, naming the file, for a size that Resolution does not allow, where OpenEXR refuses, and where
+/// it cannot be written.
+void write_exr(const std::filesystem::path& file, Resolution size, std::span<const ExrChannel> channels);
 
 }  // namespace zproof

@@ -4,8 +4,10 @@
 #include <array>
 #include <cassert>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "frame/deflate.h"
 #include "frame/frame_size.h"
@@ -28,10 +30,13 @@ std::string big_endian(std::uint32_t value) {
 }
 
 /// Length, type, content, and the CRC of type and content.
-void add_chunk(std::string& png, std::string_view type, std::string_view content) {
-    png += big_endian(static_cast<std::uint32_t>(content.size()));
-    png.append(type).append(content);
-    png += big_endian(crc32_of(content, crc32_of(type)));
+void add_chunk(Parts& png, const std::string& type, Parts content) {
+    std::size_t size = 0;
+    std::uint32_t crc = crc32_of(type);
+    for (const std::string& part : content) size += part.size(), crc = crc32_of(part, crc);
+    png.push_back(big_endian(static_cast<std::uint32_t>(size)) + type);
+    std::ranges::move(content, std::back_inserter(png));
+    png.push_back(big_endian(crc));
 }
 
 /// Bytes of a row, without the number of its filter. Row y is put into `row`, or lies somewhere already.
@@ -81,7 +86,7 @@ class FilteredRows {
 };
 
 /// Rows are filtered and packed in pieces, side by side.
-std::string packed_rows(const Layout& layout, const BytesOfRow& bytes_of) {
+Parts packed_rows(const Layout& layout, const BytesOfRow& bytes_of) {
     const int rows_in_piece = std::max(1, static_cast<int>(bytes_in_piece / (layout.stride() + 1)));
     const int pieces = (layout.size.height + rows_in_piece - 1) / rows_in_piece;
     return deflated_side_by_side(static_cast<std::size_t>(pieces), [&](std::size_t i, std::string& room) {
@@ -92,18 +97,18 @@ std::string packed_rows(const Layout& layout, const BytesOfRow& bytes_of) {
     });
 }
 
-std::string png_of(const Layout& layout, const BytesOfRow& bytes_of, const std::string& place) {
+Parts png_of(const Layout& layout, const BytesOfRow& bytes_of, const std::string& place) {
     refuse_bad_size(layout.size, place);
     const auto [width, height] = layout.size;
     const std::string header = big_endian(static_cast<std::uint32_t>(width)) +
                                big_endian(static_cast<std::uint32_t>(height)) + '\x08' + layout.colour_type +
                                std::string(3, '\0');  // 8 bits; deflate, adaptive filters, no interlace
-    std::string png = "\x89PNG\r\n\x1A\n";
-    add_chunk(png, "IHDR", header);
-    add_chunk(png, "sRGB", std::string(1, '\0'));
-    if (!layout.palette.empty()) add_chunk(png, "PLTE", layout.palette);
+    Parts png{"\x89PNG\r\n\x1A\n"};
+    add_chunk(png, "IHDR", {header});
+    add_chunk(png, "sRGB", {std::string(1, '\0')});
+    if (!layout.palette.empty()) add_chunk(png, "PLTE", {std::string(layout.palette)});
     add_chunk(png, "IDAT", packed_rows(layout, bytes_of));
-    add_chunk(png, "IEND", "");
+    add_chunk(png, "IEND", {});
     return png;
 }
 
@@ -113,9 +118,15 @@ BytesOfRow rows_in(std::string_view pixels, std::size_t stride) {
         [=](int y, std::span<char>) { return pixels.substr(static_cast<std::size_t>(y) * stride, stride); };
 }
 
-std::string png_of(const Plane<Rgb8>& picture, PngRows rows, const std::string& place) {
+Parts png_of(const Plane<Rgb8>& picture, PngRows rows, const std::string& place) {
     const Layout layout{.size = picture.size(), .palette = {}, .rows = rows};
     return png_of(layout, rows_in(bytes_in(picture.pixels()), layout.stride()), place);
+}
+
+void write(const std::filesystem::path& file, const Parts& png) {
+    WholeFile whole(file);
+    for (const std::string& part : png) whole.append(part);
+    whole.finish();
 }
 
 }  // namespace
@@ -125,7 +136,7 @@ void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture) {
 }
 
 void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture, PngRows rows) {
-    write_whole_file(file, png_of(picture, rows, file.string()));
+    write(file, png_of(picture, rows, file.string()));
 }
 
 void write_png(const std::filesystem::path& file, Resolution size, PngRows rows, const PaintRow& paint) {
@@ -133,19 +144,18 @@ void write_png(const std::filesystem::path& file, Resolution size, PngRows rows,
         paint(y, {reinterpret_cast<Rgb8*>(row.data()), static_cast<std::size_t>(size.width)});
         return std::string_view(row.data(), row.size());
     };
-    write_whole_file(file, png_of({.size = size, .palette = {}, .rows = rows}, painted, file.string()));
+    write(file, png_of({.size = size, .palette = {}, .rows = rows}, painted, file.string()));
 }
 
 void write_png(const std::filesystem::path& file, const Plane<std::uint8_t>& indices,
                std::span<const Rgb8> colours) {
     assert(!colours.empty() && colours.size() <= 256);
     const Layout layout{.size = indices.size(), .colour_type = 3, .palette = bytes_in(colours)};
-    write_whole_file(file,
-                     png_of(layout, rows_in(bytes_in(indices.pixels()), layout.stride()), file.string()));
+    write(file, png_of(layout, rows_in(bytes_in(indices.pixels()), layout.stride()), file.string()));
 }
 
 std::vector<std::byte> encode_png(const Plane<Rgb8>& picture) {
-    const std::string bytes = png_of(picture, PngRows::as_they_are, "PNG in memory");
+    const std::string bytes = joined(png_of(picture, PngRows::as_they_are, "PNG in memory"));
     const auto* first = reinterpret_cast<const std::byte*>(bytes.data());
     return {first, first + bytes.size()};
 }

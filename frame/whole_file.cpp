@@ -1,11 +1,14 @@
 #include "frame/whole_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <string>
+#include <utility>
 
 #include "frame/frame_error.h"
 
@@ -17,35 +20,55 @@ std::filesystem::path temporary_name(const std::filesystem::path& file) {
     return file.string() + "." + std::to_string(getpid()) + ".partial";
 }
 
-/// errno of the first failure, 0 where all went well.
-int write_bytes(const std::filesystem::path& file, std::span<const std::byte> bytes) {
-    errno = 0;
-    std::ofstream out(file, std::ios::binary | std::ios::trunc);
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (out) return 0;
-    return errno != 0 ? errno : EIO;
-}
-
 }  // namespace
 
-void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
-    const std::filesystem::path temporary = temporary_name(file);
-    int failure = write_bytes(temporary, bytes);
-    if (failure == 0) {
-        std::error_code refused;
-        std::filesystem::rename(temporary, file, refused);
-        failure = refused.value();
-    }
-    if (failure == 0) return;
+WholeFile::WholeFile(std::filesystem::path file)
+    : file_(std::move(file)),
+      temporary_(temporary_name(file_)),
+      descriptor_(open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) fail();
+}
+
+WholeFile::~WholeFile() {
+    if (descriptor_ >= 0) close(descriptor_);
     std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw FrameError(file.string() + ": cannot be written: " + std::strerror(failure) +
+    if (!is_finished_) std::filesystem::remove(temporary_, ignored);
+}
+
+void WholeFile::fail() {
+    if (failure_ == 0) failure_ = errno != 0 ? errno : EIO;
+}
+
+void WholeFile::put(std::uint64_t offset, std::string_view bytes) {
+    while (failure_ == 0 && !bytes.empty()) {
+        const ssize_t written = pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (written < 0) {
+            if (errno != EINTR) fail();
+            continue;
+        }
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+        offset += static_cast<std::uint64_t>(written);
+        size_ = std::max(size_, offset);
+    }
+}
+
+void WholeFile::finish() {
+    if (descriptor_ >= 0 && close(std::exchange(descriptor_, -1)) != 0) fail();
+    if (failure_ == 0 && std::rename(temporary_.c_str(), file_.c_str()) != 0) fail();
+    is_finished_ = failure_ == 0;
+    if (is_finished_) return;
+    throw FrameError(file_.string() + ": cannot be written: " + std::strerror(failure_) +
                      "; expected a writable place in an existing folder");
 }
 
+void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+    write_whole_file(file, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes) {
-    write_whole_file(file, std::as_bytes(std::span{bytes}));
+    WholeFile whole(file);
+    whole.append(bytes);
+    whole.finish();
 }
 
 std::string content_of(const std::filesystem::path& file) {

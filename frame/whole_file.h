@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -9,9 +10,35 @@
 
 namespace zproof {
 
-/// Writes the bytes under a temporary name in the same folder and renames it to `file`, so that no reader
-/// ever meets a half-written file; a file of that name is replaced. Throws FrameError, and leaves nothing
-/// behind, where that fails.
+/// A file in the making: it stands under a temporary name in the same folder until it is finished, so that
+/// no reader ever meets a half-written one. Where it is given up before that, nothing is left behind.
+class WholeFile {
+  public:
+    explicit WholeFile(std::filesystem::path file);
+    ~WholeFile();
+    WholeFile(const WholeFile&) = delete;
+    WholeFile& operator=(const WholeFile&) = delete;
+
+    /// Behind what stands farthest.
+    void append(std::string_view bytes) { put(size_, bytes); }
+    /// `offset` bytes from its beginning.
+    void put(std::uint64_t offset, std::string_view bytes);
+    /// Gives it its own name; a file that had it is replaced. Throws FrameError where that, or anything
+    /// before, failed.
+    void finish();
+
+  private:
+    /// errno says why.
+    void fail();
+
+    std::filesystem::path file_, temporary_;
+    int descriptor_;
+    std::uint64_t size_ = 0;
+    int failure_ = 0;  ///< errno of the first
+    bool is_finished_ = false;
+};
+
+/// A whole file of these bytes, as WholeFile makes it.
 void write_whole_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 

@@ -193,7 +193,9 @@ Page html_page(const Results& results, const std::filesystem::path& run_folder, 
     const std::size_t spent =
         begin.size() + end.size() + script.size() + (1 + pages.size()) * reserve_per_view;
     PagePlanes planes = page_planes(pages, run_folder, budget > spent ? budget - spent : 0);
-    Page page{std::move(begin), omissions(planes), std::move(end)};
+    std::string omitted = omissions(planes);
+    Page page;
+    for (std::string* text : {&begin, &omitted, &end}) page.emplace_back(std::move(*text));
     std::ranges::move(planes.elements, std::back_inserter(page));
     page.emplace_back(script + "</body>\n</html>\n");
     return page;

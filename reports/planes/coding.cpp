@@ -115,7 +115,7 @@ std::string deflated_byte_planes(const Rows& rows, const MissRow& miss) {
             stream.push_back(k < bytes_of(pieces[i].any)
                                  ? std::move(pieces[i].byte[k])
                                  : deflater.piece(std::string(rows.size_of_piece(i), '\0')));
-    return joined(stream);
+    return joined(stream_of(std::move(stream)));
 }
 
 template <class T>

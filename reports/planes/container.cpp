@@ -3,6 +3,8 @@
 #include <fstream>
 #include <utility>
 
+#include "frame/whole_file.h"
+
 namespace zproof::planes {
 
 namespace {
@@ -72,6 +74,19 @@ Directory read_directory(const std::filesystem::path& file) {
     return directory_in(read(length), whole);
 }
 
+/// What a container is written as, part by part.
+template <class Add>
+void for_each_part(const Container& container, const Add& add) {
+    Directory directory{container.header, {}};
+    std::size_t size = 0;
+    for (const Block& block : container.blocks) {
+        directory.blocks.push_back({block.name, block.facts, size, block.content.size()});
+        size += block.content.size();
+    }
+    add(packed_front(directory));
+    for (const Block& block : container.blocks) add(block.content);
+}
+
 /// What `read` makes of a container; where that is none, an error that names the place.
 template <class Read>
 auto named(const std::string& place, const Read& read) {
@@ -101,16 +116,15 @@ std::string packed_front(const Directory& directory) {
 }
 
 std::string packed(const Container& container) {
-    Directory directory{container.header, {}};
-    std::size_t size = 0;
-    for (const Block& block : container.blocks) {
-        directory.blocks.push_back({block.name, block.facts, size, block.content.size()});
-        size += block.content.size();
-    }
-    std::string bytes = packed_front(directory);
-    bytes.reserve(bytes.size() + size);
-    for (const Block& block : container.blocks) bytes += block.content;
+    std::string bytes;
+    for_each_part(container, [&](std::string_view part) { bytes += part; });
     return bytes;
+}
+
+void write(const std::filesystem::path& file, const Container& container) {
+    WholeFile whole(file);
+    for_each_part(container, [&](std::string_view part) { whole.append(part); });
+    whole.finish();
 }
 
 Container unpacked(std::string_view text, const std::string& place) {

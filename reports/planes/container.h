@@ -29,6 +29,8 @@ struct Container {
 };
 
 std::string packed(const Container& container);
+/// packed() as a whole file. Throws FrameError where it cannot be written.
+void write(const std::filesystem::path& file, const Container& container);
 
 /// Throws ReportError, naming `place`, where the text is no such container.
 Container unpacked(std::string_view text, const std::string& place);

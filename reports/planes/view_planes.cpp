@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <fstream>
 #include <functional>
 
 #include "frame/deflate.h"
@@ -181,10 +180,7 @@ Container container_of(const ViewPlanes& v) {
 }
 
 void write_view_planes(const std::filesystem::path& folder, const ViewPlanes& planes) {
-    const std::filesystem::path file = folder / "planes.zvp";
-    std::ofstream out(file, std::ios::binary);
-    out << packed(container_of(planes)) << std::flush;
-    if (!out) throw ReportError(file.string() + ": cannot be written; is the disk full?");
+    write(folder / "planes.zvp", container_of(planes));
 }
 
 }  // namespace zproof::planes

@@ -60,7 +60,7 @@ inline constexpr std::size_t most_findings = 20'000;
 /// plane's block has the CRC-32 of what it decodes to. On the threads of the surrounding tbb::task_arena.
 Container container_of(const ViewPlanes& planes);
 
-/// container_of() as folder/planes.zvp. Throws ReportError where it cannot be written.
+/// container_of() as folder/planes.zvp. Throws FrameError where it cannot be written.
 void write_view_planes(const std::filesystem::path& folder, const ViewPlanes& planes);
 
 }  // namespace zproof::planes

@@ -73,7 +73,7 @@ TEST(Deflate, SameBytesGiveTheSameStreamWhereverTheyStandAndWhateverWasPackedBef
             std::string_view(among_others).substr(among_others.size() - 2 * size, size);
         const DeflatedPiece piece = used.piece(bytes);
         others += piece.bits != Deflater().piece(same).bits;
-        EXPECT_EQ(inflated(joined(std::span(&piece, 1)), size), bytes);
+        EXPECT_EQ(inflated(joined(stream_of({piece})), size), bytes);
     }
     EXPECT_EQ(others, 0);
 }
@@ -88,7 +88,7 @@ TEST(Deflate, PiecesAreOneStream) {
         std::string all;
         std::vector<DeflatedPiece> pieces;
         for (const std::string& part : parts) pieces.push_back(deflater.piece(part)), all += part;
-        EXPECT_EQ(inflated(joined(pieces), all.size()), all) << parts.size();
+        EXPECT_EQ(inflated(joined(stream_of(std::move(pieces))), all.size()), all) << parts.size();
     }
 }
 
@@ -97,10 +97,10 @@ TEST(Deflate, PiecesMadeSideBySideStandInTheirOrder) {
         EXPECT_EQ(inflated(deflated_side_by_side(noise(size)), size), noise(size)) << size;
     std::string numbers;
     for (int i = 0; i < 500; ++i) numbers += std::to_string(i);
-    const std::string packed = deflated_side_by_side(500, [](std::size_t i, std::string& room) {
+    const std::string packed = joined(deflated_side_by_side(500, [](std::size_t i, std::string& room) {
         room = std::to_string(i);
         return std::string_view(room);
-    });
+    }));
     EXPECT_EQ(inflated(packed, numbers.size()), numbers);
 }
 

@@ -11,7 +11,7 @@
 namespace zproof {
 namespace {
 
-class WholeFile : public ScratchFolder {
+class WholeFiles : public ScratchFolder {
   protected:
     std::string contents(const std::string& name) const {
         std::ifstream in(file(name), std::ios::binary);
@@ -21,21 +21,47 @@ class WholeFile : public ScratchFolder {
 
 constexpr std::array two_bytes{std::byte{'o'}, std::byte{'k'}};
 
-TEST_F(WholeFile, ReplacesAnOlderFileAndLeavesNothingElse) {
+TEST_F(WholeFiles, ReplacesAnOlderFileAndLeavesNothingElse) {
     std::ofstream(file("a")) << "an older and longer file";
     write_whole_file(file("a"), two_bytes);
     EXPECT_EQ(contents("a"), "ok");
     EXPECT_EQ(file_count(), 1u);
 }
 
-TEST_F(WholeFile, FailedRenameLeavesNothingBehind) {
+TEST_F(WholeFiles, PartsStandWhereTheyWerePut) {
+    {
+        WholeFile whole(file("a"));
+        whole.append("begin");
+        whole.put(8, "far");
+        whole.append("ther");
+        whole.put(1, "E");
+        EXPECT_FALSE(exists(file("a")));
+        whole.finish();
+    }
+    EXPECT_EQ(contents("a"), std::string("bEgin\0\0\0farther", 15));
+    EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(WholeFiles, WhatIsGivenUpLeavesNothingBehind) {
+    std::ofstream(file("a")) << "older";
+    { WholeFile(file("a")).append("newer"); }
+    EXPECT_EQ(contents("a"), "older");
+    EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(WholeFiles, MissingFolderIsReported) {
+    EXPECT_THAT(complaint<FrameError>([&] { write_whole_file(file("none/a"), two_bytes); }),
+                testing::HasSubstr("none/a: cannot be written: No such file or directory"));
+}
+
+TEST_F(WholeFiles, FailedRenameLeavesNothingBehind) {
     std::filesystem::create_directories(file("taken/by"));
     EXPECT_THAT(complaint<FrameError>([&] { write_whole_file(file("taken"), two_bytes); }),
                 testing::HasSubstr("taken: cannot be written: Is a directory"));
     EXPECT_EQ(file_count(), 1u);
 }
 
-TEST_F(WholeFile, FullDeviceIsReported) {
+TEST_F(WholeFiles, FullDeviceIsReported) {
     // Linux's /dev/full refuses every write; reached by a link under the temporary's name.
     const std::string temporary = file("a").string() + "." + std::to_string(getpid()) + ".partial";
     std::filesystem::create_symlink("/dev/full", temporary);

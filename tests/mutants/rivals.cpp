@@ -9,7 +9,6 @@
 
 #include "frame/exr_encode.h"
 #include "frame/png.h"
-#include "frame/whole_file.h"
 #include "reports/pictures.h"
 
 namespace zproof {
@@ -81,7 +80,7 @@ void write_for_idiff(const std::filesystem::path& stem, const Frame& frame) {
     write_png(stem.string() + "-id.png", picture_of_ids(frame.primitive));
     const std::string file = stem.string() + "-depth.exr";
     const ExrChannel depth{"Z", ExrType::float32, frame.camera_depth.pixels().data()};
-    write_whole_file(file, encode_exr(frame.size(), std::span{&depth, 1}, file));
+    write_exr(file, frame.size(), std::span{&depth, 1});
 }
 
 }  // namespace zproof
