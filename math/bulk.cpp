@@ -17,6 +17,9 @@ std::size_t rounded_up(std::size_t bytes, std::size_t to) { return (bytes + to -
 /// images have most of.
 constexpr std::size_t most_unused = huge_page / 8;
 
+/// Of less the C library has enough at hand.
+constexpr std::size_t kept_from = std::size_t{1} << 16;
+
 /// AddressSanitizer watches the ends of what the C library gives.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool is_watched = true;
@@ -26,6 +29,9 @@ constexpr bool is_watched = false;
 
 /// Is a huge page come by faster than the small ones that it stands for?
 bool is_huge(std::size_t bytes) { return bytes >= huge_page / 4 && rounded_up(bytes, huge_page) >= bytes; }
+
+/// Would the C library give it back to the system as soon as it is free?
+bool is_kept(std::size_t bytes) { return !is_watched && bytes >= kept_from; }
 
 void* allocate_huge(std::size_t bytes) {
     const std::size_t size = rounded_up(bytes, huge_page);
@@ -38,7 +44,8 @@ void* allocate_huge(std::size_t bytes) {
 
 void* allocate_small(std::size_t bytes, std::size_t alignment) {
     const std::size_t size = rounded_up(bytes, alignment);
-    return size >= bytes ? std::aligned_alloc(alignment, size) : nullptr;
+    if (size < bytes) return nullptr;
+    return is_kept(bytes) ? scalable_aligned_malloc(size, alignment) : std::aligned_alloc(alignment, size);
 }
 
 }  // namespace
@@ -57,7 +64,7 @@ void* allocate_bulk(std::size_t bytes, std::size_t alignment) {
 }
 
 void free_bulk(void* memory, std::size_t bytes) noexcept {
-    is_huge(bytes) && !is_watched ? scalable_aligned_free(memory) : std::free(memory);
+    is_kept(bytes) ? scalable_aligned_free(memory) : std::free(memory);
 }
 
 }  // namespace zproof

@@ -12,8 +12,8 @@ namespace zproof {
 /// page of 2 MiB takes about as long to come by as a dozen of the 512 that it stands for.
 void prefer_huge_pages(void* memory, std::size_t bytes) noexcept;
 
-/// Memory for `bytes` bytes, in huge pages where that is 512 KiB or more; such memory comes from TBB, which
-/// keeps what is freed for a while and gives it out again with its pages. Its address is a multiple of
+/// Memory for `bytes` bytes, in huge pages where that is 512 KiB or more; from 64 KiB on it comes from TBB,
+/// which keeps what is freed for a while and gives it out again with its pages. Its address is a multiple of
 /// `alignment`, a power of two up to 4096. Throws std::bad_alloc.
 void* allocate_bulk(std::size_t bytes, std::size_t alignment = alignof(std::max_align_t));
 /// Takes what allocate_bulk() gave for as many bytes.

@@ -145,7 +145,7 @@ Amendment in_district(const Amendment& amend, const District& district) {
 /// Squares that grow beyond the district's reach are judged in the whole scene.
 std::uint64_t count_lawful(const CaseFile& file, const District& district, const Reading& reading) {
     const Hypothesis& supposed = reading.hypothesis();
-    std::vector<Plea> pleas;
+    Bulk<Plea> pleas;
     std::vector<const Claim*> heard;
     for (const Claim& claim : reading.claims()) {
         const std::optional<PrimitiveId> id = district.id_of(claim.answer.primitive);
@@ -153,10 +153,10 @@ std::uint64_t count_lawful(const CaseFile& file, const District& district, const
         pleas.push_back({&reading.bounds(), *id, claim.x, claim.y});
         heard.push_back(&claim);
     }
-    std::vector<Ruled> rulings =
+    Bulk<Ruled> rulings =
         Hearing(district.scene(), supposed.view, in_district(supposed.amend, district))
             .hear(std::move(pleas));
-    std::vector<Plea> appeals;
+    Bulk<Plea> appeals;
     for (std::size_t i = 0; i < heard.size(); ++i) {
         if (rulings[i].eps_px <= district.reach_px(*heard[i])) continue;
         rulings[i].decision.standing = Standing::outside;

@@ -7,19 +7,19 @@ namespace zproof {
 Rulings rule_on(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
                 std::span<const PixelPlace> open) {
     const std::size_t triangle_count = scene.triangles.size();
-    std::vector<Plea> pleas(2 * open.size());
-    const auto plead = [&](const Witness& witness, const Answer& answer, const PixelPlace& place,
-                           Plea& plea) {
-        if (!is_invalid(answer, triangle_count))
-            plea = {&witness.bounds(), answer.primitive, place.x, place.y};
+    const auto plea = [&](const Witness& witness, const Answer& answer, const PixelPlace& place) {
+        return is_invalid(answer, triangle_count)
+                   ? Plea{}
+                   : Plea{&witness.bounds(), answer.primitive, place.x, place.y};
     };
+    Bulk<Plea> pleas(2 * open.size());
     tbb::parallel_for(std::size_t(0), open.size(), [&](std::size_t i) {
         const PixelPlace& place = open[i];
         const Answer ours = candidate.answer_at(place.x, place.y),
                      theirs = reference.answer_at(place.x, place.y);
-        if (ours.primitive == theirs.primitive) return;
-        plead(candidate, ours, place, pleas[2 * i]);
-        plead(reference, theirs, place, pleas[2 * i + 1]);
+        const bool differ = ours.primitive != theirs.primitive;
+        pleas[2 * i] = differ ? plea(candidate, ours, place) : Plea{};
+        pleas[2 * i + 1] = differ ? plea(reference, theirs, place) : Plea{};
     });
     return Rulings(Hearing(scene, view).hear(std::move(pleas), Asked::standing_and_displacement));
 }

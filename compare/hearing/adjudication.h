@@ -18,12 +18,12 @@ struct Ruling {
 /// none) has an empty one.
 class Rulings {
   public:
-    explicit Rulings(std::vector<Ruled> ruled) : ruled_(std::move(ruled)) {}
+    explicit Rulings(Bulk<Ruled> ruled) : ruled_(std::move(ruled)) {}
 
     Ruling operator[](std::size_t pixel) const { return {ruled_[2 * pixel], ruled_[2 * pixel + 1]}; }
 
   private:
-    std::vector<Ruled> ruled_;  ///< candidate, reference, candidate ...
+    Bulk<Ruled> ruled_;  ///< candidate, reference, candidate ...
 };
 
 /// Rules on every open pixel, in order, on all threads.

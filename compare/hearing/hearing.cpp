@@ -74,8 +74,8 @@ class Hearing::Session {
           near_(hearing.scene_, hearing.view_, asked_tiles()) {}
 
     /// Decides what it can; for each plea of the docket the reach that it needs, or 0 where it is decided.
-    std::vector<double> hear(std::vector<Ruled>& rulings) {
-        std::vector<double> lacking(docket_.plea.size(), 0);
+    Bulk<double> hear(Bulk<Ruled>& rulings) {
+        Bulk<double> lacking(docket_.plea.size(), 0);
         for_each_of(docket_.sittings, [&](const Sitting& sitting) {
             Bench bench(*this, sitting);
             for (std::size_t i = sitting.first; i < sitting.end; ++i)
@@ -217,7 +217,7 @@ auto Hearing::docket_of_all() const -> Docket {
         if (plea.bounds) ++first[tiles.of(plea.x, plea.y) + 2];
     for (std::size_t t = 2; t < first.size(); ++t) first[t] += first[t - 1];
     const std::size_t count = first.back();
-    Docket docket{std::vector<std::uint32_t>(count), std::vector<double>(count, 0), {}};
+    Docket docket{Bulk<std::uint32_t>(count), Bulk<double>(count, 0), {}};
     for (std::uint32_t i = 0; i < pleas_.size(); ++i)
         if (const Plea& plea = pleas_[i]; plea.bounds) docket.plea[first[tiles.of(plea.x, plea.y) + 1]++] = i;
     for_each_by_blocks(tiles, [&](std::size_t t) {
@@ -244,7 +244,7 @@ void Hearing::set_reach(Docket& docket, const Sitting& sitting, Memories& memori
         docket.reach_px[i] = memories.first_reach_px(pleas_[docket.plea[i]]);
 }
 
-auto Hearing::left_over(const Docket& docket, const std::vector<double>& lacking) const -> Docket {
+auto Hearing::left_over(const Docket& docket, const Bulk<double>& lacking) const -> Docket {
     Docket left;
     for (const Sitting& sitting : docket.sittings) {
         const auto first = std::uint32_t(left.plea.size());
@@ -260,9 +260,9 @@ auto Hearing::left_over(const Docket& docket, const std::vector<double>& lacking
 }
 
 /// The squares that grow beyond their first reach are looked at once more with their full reach.
-std::vector<Ruled> Hearing::hear(std::vector<Plea> pleas, Asked asked) {
+Bulk<Ruled> Hearing::hear(Bulk<Plea> pleas, Asked asked) {
     pleas_ = std::move(pleas);
-    std::vector<Ruled> rulings(pleas_.size());
+    Bulk<Ruled> rulings(pleas_.size(), Ruled{});
     ThreadMemories memories([&] { return Memories(scene_, view_); });
     Docket docket = docket_of_all();
     if (may_reach_far(docket, memories.local()))

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "compare/hearing/ruled.h"
+#include "math/bulk.h"
 #include "scenes/scene.h"
 
 namespace zproof {
@@ -31,7 +32,7 @@ class Hearing {
 
     /// Decides every plea, on all threads; the rulings are in the pleas' order. Where nothing is asked they
     /// are empty.
-    std::vector<Ruled> hear(std::vector<Plea> pleas, Asked asked = Asked::standing);
+    Bulk<Ruled> hear(Bulk<Plea> pleas, Asked asked = Asked::standing);
 
   private:
     /// The pleas of a tile: places from first to before end.
@@ -41,9 +42,9 @@ class Hearing {
     };
     /// The pleas that are left, tile by tile, each in their order.
     struct Docket {
-        std::vector<std::uint32_t> plea;  ///< a place among pleas_
-        std::vector<double> reach_px;     ///< 0 where it is not known yet
-        std::vector<Sitting> sittings;    ///< by tile; none without a plea
+        Bulk<std::uint32_t> plea;       ///< a place among pleas_
+        Bulk<double> reach_px;          ///< 0 where it is not known yet
+        std::vector<Sitting> sittings;  ///< by tile; none without a plea
     };
     /// What one thread remembers of a hearing.
     struct Memories;
@@ -55,12 +56,12 @@ class Hearing {
     /// Is it worth it to ask every plea for its reach before triangles are searched for?
     bool may_reach_far(const Docket& docket, Memories& memories) const;
     void set_reach(Docket& docket, const Sitting& sitting, Memories& memories) const;
-    Docket left_over(const Docket& docket, const std::vector<double>& lacking) const;
+    Docket left_over(const Docket& docket, const Bulk<double>& lacking) const;
 
     const Scene& scene_;
     const View& view_;
     Amendment amendment_;
-    std::vector<Plea> pleas_;
+    Bulk<Plea> pleas_;
 };
 
 }  // namespace zproof

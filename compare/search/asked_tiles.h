@@ -45,7 +45,7 @@ class AskedTiles {
 
     int columns_;
     Bulk<FloatBox> boxes_;
-    std::vector<Tile> tiles_;  ///< in raster order
+    Bulk<Tile> tiles_;  ///< in raster order
     /// By tile of the image, and for each row's end: the first of tiles_ from there on.
     std::vector<std::uint32_t> first_;
 };

@@ -14,6 +14,7 @@
 #include "compare/search/run_corners.h"
 #include "compare/search/triangle_filter.h"
 #include "compare/truth/neighbourhood.h"
+#include "math/bulk.h"
 
 namespace zproof {
 
@@ -47,7 +48,7 @@ class TileSearch {
 
     /// Triangles from first to before end, ascending. Neighbours in a mesh lie close together: most are far
     /// from all that is asked about, and so are those around them.
-    void search(std::size_t first, std::size_t end, std::vector<Meeting>& found) const {
+    void search(std::size_t first, std::size_t end, Bulk<Meeting>& found) const {
         const std::span run = std::span(scene_.triangles).subspan(first, end - first);
         const RunCorners corners(scene_.vertices.position_world, FloatProjection(projection_), run);
         for (std::size_t i = 0; i < run.size(); i += neighbours) {
@@ -64,7 +65,7 @@ class TileSearch {
 
   private:
     bool may_hold_any(const FloatBox& box) const { return !asked_cells_ || asked_cells_->any(box); }
-    void search(std::uint32_t triangle, const FloatCorners& corners, std::vector<Meeting>& found) const {
+    void search(std::uint32_t triangle, const FloatCorners& corners, Bulk<Meeting>& found) const {
         const FloatBox box = corners.all();
         if (box.is_everywhere()) return search_clipped(triangle, found);
         bool is_drawn = false;
@@ -84,7 +85,7 @@ class TileSearch {
         hull.draw(boxes);
     }
     /// One with a corner that has no place: it reaches behind half the near depth.
-    void search_clipped(std::uint32_t triangle, std::vector<Meeting>& found) const {
+    void search_clipped(std::uint32_t triangle, Bulk<Meeting>& found) const {
         const CornersWorld p_world = corners_of(scene_, triangle);
         const auto box = projection_(p_world);
         if (!box) return;
@@ -96,7 +97,7 @@ class TileSearch {
     }
     /// may_meet(asked): of boxes that meet its own.
     template <class MayMeet>
-    void search(std::uint32_t triangle, const FloatBox& box, std::vector<Meeting>& found,
+    void search(std::uint32_t triangle, const FloatBox& box, Bulk<Meeting>& found,
                 const MayMeet& may_meet) const {
         const int left = clamped(box.left() - reach_px_, tiles_.columns),
                   right = clamped(box.right() + reach_px_, tiles_.columns);
@@ -131,7 +132,7 @@ TrianglesByTile::TrianglesByTile(const Scene& scene, const View& view, const Ask
     const TileSearch tile_search(scene, view, asked);
     const std::size_t count = scene.triangles.size();
     const std::size_t length = chunk_triangles(count);
-    std::vector<std::vector<Meeting>> chunks((count + length - 1) / length);
+    std::vector<Bulk<Meeting>> chunks((count + length - 1) / length);
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t chunk) {
         const std::size_t first = chunk * length;
         tile_search.search(first, std::min(count, first + length), chunks[chunk]);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/search/asked_tiles.h"
+#include "math/bulk.h"
 #include "scenes/scene.h"
 
 namespace zproof {
@@ -24,7 +25,7 @@ class TrianglesByTile {
 
   private:
     std::vector<std::size_t> first_;
-    std::vector<std::uint32_t> triangles_;
+    Bulk<std::uint32_t> triangles_;
 };
 
 }  // namespace zproof

@@ -26,7 +26,7 @@ class ACoarseAnswerAmongFineOnes : public testing::TestWithParam<Projection> {
 
     /// Of that triangle by the coarse renderer, after so many of the fine one in the same tile.
     Ruled heard_after(std::size_t fine_ones, PrimitiveId answer) const {
-        std::vector<Plea> pleas;
+        Bulk<Plea> pleas;
         for (std::size_t i = 0; i < fine_ones; ++i) pleas.push_back({&fine, PrimitiveId(0), 0, int(i)});
         pleas.push_back({&coarse, answer, 2, 2});
         return Hearing(scene, view).hear(pleas, Asked::standing_and_displacement).back();
