@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <utility>
@@ -41,8 +40,9 @@ void WholeFile::fail() {
 
 void WholeFile::put(std::uint64_t offset, std::string_view bytes) {
     while (failure_ == 0 && !bytes.empty()) {
+        errno = 0;
         const ssize_t written = pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-        if (written < 0) {
+        if (written <= 0) {
             if (errno != EINTR) fail();
             continue;
         }
@@ -54,8 +54,12 @@ void WholeFile::put(std::uint64_t offset, std::string_view bytes) {
 
 void WholeFile::finish() {
     if (descriptor_ >= 0 && close(std::exchange(descriptor_, -1)) != 0) fail();
-    if (failure_ == 0 && std::rename(temporary_.c_str(), file_.c_str()) != 0) fail();
-    is_finished_ = failure_ == 0;
+    if (failure_ == 0) {
+        std::error_code refused;
+        std::filesystem::rename(temporary_, file_, refused);
+        failure_ = refused.value();
+        is_finished_ = !refused;
+    }
     if (is_finished_) return;
     throw FrameError(file_.string() + ": cannot be written: " + std::strerror(failure_) +
                      "; expected a writable place in an existing folder");
