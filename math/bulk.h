@@ -1,6 +1,7 @@
 /// Arrays of many elements.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <new>
 #include <type_traits>
@@ -29,13 +30,16 @@ struct BulkAllocator {
     template <class U>
     constexpr BulkAllocator(const BulkAllocator<U>&) noexcept {}
 
-    T* allocate(std::size_t count) { return static_cast<T*>(allocate_bulk(count * sizeof(T))); }
+    T* allocate(std::size_t count) { return static_cast<T*>(allocate_bulk(count * sizeof(T), alignment)); }
     void deallocate(T* values, std::size_t count) noexcept { free_bulk(values, count * sizeof(T)); }
     template <class U>
     void construct(U* value) noexcept {
         if constexpr (!std::is_trivially_copyable_v<U>) ::new (static_cast<void*>(value)) U;
     }
     bool operator==(const BulkAllocator&) const = default;
+
+  private:
+    static constexpr std::size_t alignment = std::max(alignof(T), alignof(std::max_align_t));
 };
 
 template <class T>

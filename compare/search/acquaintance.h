@@ -64,8 +64,8 @@ class Acquaintance {
     /// Forgets all, where that has become so much that memory counts for more than asking again.
     void forget_if_much() {
         if (known_.count() <= much_) return;
-        known_ = {};
-        bounded_.clear();
+        known_.forget();
+        for (auto& [whose, triangles] : bounded_) triangles.forget();
     }
 
   private:

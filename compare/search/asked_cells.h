@@ -41,7 +41,7 @@ class AskedCells {
 
     int columns_, rows_;
     FloatBox::Places last_;  ///< cells, as cells_of() has them
-    std::vector<Sum> sums_;
+    Bulk<Sum> sums_;
 };
 
 }  // namespace zproof

@@ -1,10 +1,13 @@
-/// What is known of some triangles, each made when it is first asked for. Never forgets, so that what it
-/// hands out stays where it is.
+/// What is known of some triangles, each made when it is first asked for. What it hands out stays where it
+/// is until it forgets.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
+
+#include "math/bulk.h"
 
 namespace zproof {
 
@@ -24,11 +27,17 @@ class ByTriangle {
         if (slot.value) return *slot.value;
         const Value& made = add(make);
         slot = {triangle, &made};
-        ++count_;
         return made;
     }
 
     std::size_t count() const { return count_; }
+
+    /// All, but for the room that it took.
+    void forget() {
+        std::ranges::fill(slots_, Slot{});
+        for (Bulk<Value>& block : blocks_) block.clear();
+        count_ = filling_ = 0;
+    }
 
   private:
     struct Slot {
@@ -52,22 +61,30 @@ class ByTriangle {
     };
     template <class Make>
     const Value& add(const Make& make) {
-        if (blocks_.empty() || blocks_.back().size() == block_size)
-            blocks_.emplace_back().reserve(block_size);
-        return blocks_.back().emplace_back(Made<Make>{make});
+        ++count_;
+        return block_with_room().emplace_back(Made<Make>{make});
+    }
+    Bulk<Value>& block_with_room() {
+        const auto is_full = [](const Bulk<Value>& block) { return block.size() == block.capacity(); };
+        if (filling_ < blocks_.size() && is_full(blocks_[filling_])) ++filling_;
+        if (filling_ == blocks_.size())
+            blocks_.emplace_back().reserve(std::min(most_in_block, least_in_block << filling_));
+        return blocks_[filling_];
     }
 
     void grow() {
-        std::vector<Slot> old(slots_.empty() ? 64 : 2 * slots_.size());
+        Bulk<Slot> old(slots_.empty() ? 64 : 2 * slots_.size(), Slot{});
         old.swap(slots_);
         for (const Slot& slot : old)
             if (slot.value) slot_of(slot.triangle) = slot;
     }
 
-    static constexpr std::size_t block_size = 32;
-    std::vector<Slot> slots_;
+    /// A block of the most takes so much memory that it is kept from one verdict to the next.
+    static constexpr std::size_t least_in_block = 32, most_in_block = 256;
+    Bulk<Slot> slots_;
     std::size_t count_ = 0;
-    std::vector<std::vector<Value>> blocks_;
+    std::vector<Bulk<Value>> blocks_;
+    std::size_t filling_ = 0;  ///< of blocks_: those before it are full, those after it empty
 };
 
 }  // namespace zproof
