@@ -41,7 +41,7 @@ class AskedCells {
 
     int columns_, rows_;
     FloatBox::Places last_;  ///< cells, as cells_of() has them
-    Bulk<Sum> sums_;
+    std::vector<Sum> sums_;  ///< not kept for the next verdict: 4 MiB of an image at 8K
 };
 
 }  // namespace zproof
