@@ -68,7 +68,7 @@ class ByTriangle {
         const auto is_full = [](const Bulk<Value>& block) { return block.size() == block.capacity(); };
         if (filling_ < blocks_.size() && is_full(blocks_[filling_])) ++filling_;
         if (filling_ == blocks_.size())
-            blocks_.emplace_back().reserve(std::min(most_in_block, least_in_block << filling_));
+            blocks_.emplace_back().reserve(std::clamp(count_, least_in_block, most_in_block));
         return blocks_[filling_];
     }
 
