@@ -8,7 +8,7 @@ AskedCells::AskedCells(const View& view, const AskedTiles& asked)
     : columns_((view.width + side_px - 1) / side_px),
       rows_((view.height + side_px - 1) / side_px),
       last_{columns_ - 1, rows_ - 1, columns_ - 1, rows_ - 1},
-      sums_(std::size_t(columns_ + 1) * std::size_t(rows_ + 1), Sum{0}) {
+      sums_(std::size_t(columns_ + 1) * std::size_t(rows_ + 1)) {
     std::vector<bool> is_marked(std::size_t(rows_), false);
     for (const AskedTiles::Tile& tile : asked.all()) {
         const bool are_large = !tile.boxes[0].fits(Tiles::side_px);  // and mostly in each other
