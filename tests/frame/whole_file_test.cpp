@@ -35,10 +35,11 @@ TEST_F(WholeFiles, PartsStandWhereTheyWerePut) {
         whole.put(8, "far");
         whole.append("ther");
         whole.put(1, "E");
+        whole.append("most");
         EXPECT_FALSE(exists(file("a")));
         whole.finish();
     }
-    EXPECT_EQ(contents("a"), std::string("bEgin\0\0\0farther", 15));
+    EXPECT_EQ(contents("a"), std::string("bEgin\0\0\0farthermost", 19));
     EXPECT_EQ(file_count(), 1u);
 }
 
