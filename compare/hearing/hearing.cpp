@@ -17,11 +17,12 @@ namespace {
 /// In own eps. Few squares grow beyond it, and a triangle that is found and meets no square changes nothing.
 constexpr double first_reach = 2;
 
-/// Triangles are looked for at least that far, so that squares which grow a little need no other search: that
-/// costs more than the few triangles which are found for nothing.
-constexpr double least_search_px = 1.0 / 12;
+/// Triangles are looked for so many times as far as pleas are likely to reach, so that squares which grow need
+/// no other search: that costs more than the few triangles which are found for nothing. No farther than that,
+/// where pleas do not ask for it: of a mesh near the horizon a pixel holds thousands.
+constexpr double searched_over_reach = 8, most_searched_px = 1.0 / 12;
 
-/// Of so many sittings that many pleas, the first, are asked whether that is far enough.
+/// Of so many sittings that many pleas, the first, say how far pleas reach.
 constexpr std::size_t sittings_sampled = 32;
 constexpr std::uint32_t pleas_sampled = 2;
 
@@ -66,9 +67,12 @@ struct Hearing::Memories {
 
 class Hearing::Session {
   public:
-    Session(const Hearing& hearing, const Docket& docket, Asked asked, ThreadMemories& memories)
+    /// Triangles are looked for least_search_px around every pixel, and farther where a plea asks for it.
+    Session(const Hearing& hearing, const Docket& docket, double least_search_px, Asked asked,
+            ThreadMemories& memories)
         : hearing_(hearing),
           docket_(docket),
+          least_search_px_(least_search_px),
           asked_(asked),
           memories_(memories),
           near_(hearing.scene_, hearing.view_, asked_tiles()) {}
@@ -87,7 +91,7 @@ class Hearing::Session {
   private:
     const Plea& plea(std::size_t place) const { return hearing_.pleas_[docket_.plea[place]]; }
 
-    double searched_px(std::size_t place) const { return std::max(docket_.reach_px[place], least_search_px); }
+    double searched_px(std::size_t place) const { return std::max(docket_.reach_px[place], least_search_px_); }
 
     AskedTiles asked_tiles() const {
         const Tiles tiles(hearing_.view_);
@@ -204,6 +208,7 @@ class Hearing::Session {
 
     const Hearing& hearing_;
     const Docket& docket_;
+    double least_search_px_;
     Asked asked_;
     ThreadMemories& memories_;
     TrianglesByTile near_;
@@ -228,14 +233,15 @@ auto Hearing::docket_of_all() const -> Docket {
 
 /// A sample says, of the pleas of both renderers: where it is wrong, that costs another search, or knowledge
 /// of triangles that is made twice.
-bool Hearing::may_reach_far(const Docket& docket, Memories& memories) const {
+double Hearing::likely_reach_px(const Docket& docket, Memories& memories) const {
     const std::size_t stride = docket.sittings.size() / sittings_sampled + 1;
+    double reach_px = 0;
     for (std::size_t s = 0; s < docket.sittings.size(); s += stride) {
         const auto [tile, first, end] = docket.sittings[s];
         for (std::size_t i = first; i < std::min(end, first + pleas_sampled); ++i)
-            if (memories.first_reach_px(pleas_[docket.plea[i]]) > least_search_px) return true;
+            reach_px = std::max(reach_px, memories.first_reach_px(pleas_[docket.plea[i]]));
     }
-    return false;
+    return reach_px;
 }
 
 void Hearing::set_reach(Docket& docket, const Sitting& sitting, Memories& memories) const {
@@ -265,10 +271,12 @@ Bulk<Ruled> Hearing::hear(Bulk<Plea> pleas, Asked asked) {
     Bulk<Ruled> rulings(pleas_.size(), Ruled{});
     ThreadMemories memories([&] { return Memories(scene_, view_); });
     Docket docket = docket_of_all();
-    if (may_reach_far(docket, memories.local()))
+    const double likely_px = likely_reach_px(docket, memories.local());
+    if (likely_px > most_searched_px)
         for_each_of(docket.sittings, [&](const Sitting& s) { set_reach(docket, s, memories.local()); });
+    const double least_search_px = std::min(searched_over_reach * likely_px, most_searched_px);
     while (!docket.plea.empty())
-        docket = left_over(docket, Session(*this, docket, asked, memories).hear(rulings));
+        docket = left_over(docket, Session(*this, docket, least_search_px, asked, memories).hear(rulings));
     return rulings;
 }
 

@@ -53,8 +53,8 @@ class Hearing {
     class Session;
 
     Docket docket_of_all() const;
-    /// Is it worth it to ask every plea for its reach before triangles are searched for?
-    bool may_reach_far(const Docket& docket, Memories& memories) const;
+    /// The farthest first reach of some pleas.
+    double likely_reach_px(const Docket& docket, Memories& memories) const;
     void set_reach(Docket& docket, const Sitting& sitting, Memories& memories) const;
     Docket left_over(const Docket& docket, const Bulk<double>& lacking) const;
 
