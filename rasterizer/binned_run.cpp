@@ -49,7 +49,6 @@ void BinnedRun::fill(const Kernel& kernel, const Scene& scene, const ProjectedVe
     length_ = std::uint32_t(scene.triangles.size());
     tally_ = {.triangles = range.end - range.begin};
     pieces_.clear();
-    places_.clear();
     stretches_.clear();
     const SnappedVertex* const v = projected.snapped().data();
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
@@ -115,10 +114,8 @@ void BinnedRun::place_queue() {
 
 void BinnedRun::add_queue_to_tile(std::uint32_t tile, const PlacedLanes& placed) {
     go_to(tile);
-    const std::size_t first = places_.size();
-    places_.resize(first + CornerLanes::count);
-    for (std::size_t i = 0; i < CornerLanes::count; ++i)
-        places_[first + i] = queue_.place[i] | placed.turn[i];
+    std::uint32_t* const places = places_.add(CornerLanes::count);
+    for (std::size_t i = 0; i < CornerLanes::count; ++i) places[i] = queue_.place[i] | placed.turn[i];
     tally_.set_up += CornerLanes::count;
     queue_.count = 0;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "rasterizer/place_list.h"
 #include "rasterizer/projected_vertices.h"
 #include "rasterizer/tile_grid.h"
 
@@ -28,7 +29,10 @@ struct BinTally {
 
 class BinnedRun {
   public:
-    /// The triangles of a range of the scene. Memory is kept from the time before.
+    /// Memory for places, from fill() to write(), as long as they are few enough.
+    void lend(std::span<std::uint32_t> memory) { places_.begin_in(memory); }
+    /// The triangles of a range of the scene; memory was lent before. Other memory is kept from the time
+    /// before.
     void fill(const Kernel& kernel, const Scene& scene, const ProjectedVertices& projected,
               const ViewSetup& setup, const Range& range);
 
@@ -85,8 +89,8 @@ class BinnedRun {
         0;  ///< triangles of the scene; piece i of the run has the place length_ + i until write()
     Queue queue_;
     std::vector<SnappedPiece> pieces_;
-    std::vector<std::uint32_t> places_;  ///< in the order of drawing, once for each tile
-    std::vector<Stretch> stretches_;     ///< of places_
+    PlaceList places_;                ///< in the order of drawing, once for each tile
+    std::vector<Stretch> stretches_;  ///< of places_
     std::size_t stretch_begin_ = 0;      ///< of the last one
     std::vector<std::uint32_t> next_;
     std::size_t first_piece_ = 0;

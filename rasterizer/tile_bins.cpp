@@ -13,6 +13,12 @@ namespace {
 /// small beside the image itself.
 std::size_t run_length(std::size_t triangles) { return std::max<std::size_t>(2048, (triangles + 63) / 64); }
 
+/// Places of most ranges: small triangles lie in one tile, but for some.
+std::size_t room_for(const Range& range) {
+    const std::size_t triangles = range.end - range.begin;
+    return triangles + triangles / 3;
+}
+
 }  // namespace
 
 void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup) {
@@ -32,6 +38,7 @@ void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, cons
     tiles_ = TileGrid(size_);
     used_ = ranges.size();
     if (runs_.size() < used_) runs_.resize(used_);
+    lend_to_runs(ranges);
     tbb::parallel_for(std::size_t{0}, used_,
                       [&](std::size_t r) { runs_[r].fill(kernel_, scene, projected, setup, ranges[r]); });
     lay_out();
@@ -41,6 +48,19 @@ void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, cons
                   std::uint32_t(scene.triangles.size())};
     tbb::parallel_for(std::size_t{0}, used_,
                       [&](std::size_t r) { runs_[r].write(first_, places_, pieces_); });
+}
+
+/// All of it in one array, which stands in huge pages where it is large.
+void TileBins::lend_to_runs(std::span<const Range> ranges) {
+    std::size_t room = 0;
+    for (const Range& range : ranges) room += room_for(range);
+    lent_.resize(room);
+    std::span<std::uint32_t> left = lent_;
+    for (std::size_t r = 0; r < ranges.size(); ++r) {
+        const std::size_t of_run = room_for(ranges[r]);
+        runs_[r].lend(left.first(of_run));
+        left = left.subspan(of_run);
+    }
 }
 
 /// By tile, and within a tile by run.

@@ -40,6 +40,7 @@ class TileBins {
     BinTally tally() const;
 
   private:
+    void lend_to_runs(std::span<const Range> ranges);
     void lay_out();
 
     Kernel kernel_;
@@ -49,6 +50,7 @@ class TileBins {
     std::vector<Range> ranges_;
     std::vector<BinnedRun> runs_;  ///< those in use first
     std::size_t used_ = 0;
+    Bulk<std::uint32_t> lent_;  ///< to runs
     std::vector<SnappedPiece> pieces_;
     Bulk<std::uint32_t> places_;
     std::vector<std::size_t> first_;  ///< of places_: each tile's, and their end

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <deque>
 #include <functional>
 #include <map>
 
@@ -89,8 +90,7 @@ class Gate {
 std::vector<TrickRun> trick_runs(const Scene& scene, const View& view, int repeats) {
     const std::vector<Chunk> chunks = chunks_of(scene);
     std::vector<TrickRun> runs;
-    std::vector<Pipeline> pipelines;
-    pipelines.reserve(named_tricks.size());
+    std::deque<Pipeline> pipelines;
     std::vector<std::function<void()>> works;
     for (const Named& named : named_tricks) {
         Pipeline& pipeline = pipelines.emplace_back(lawful_rules, widest_kernel(), named.tricks);
@@ -132,8 +132,7 @@ std::vector<ShadingRun> shading_runs(const Scene& scene, const View& view, int r
     const Frame frame = renderer.render(scene, view);
     const Picture deferred = shade(scene, view, frame, light);
     std::vector<ShadingRun> runs(named_shadings.size() + 1);
-    std::vector<Pipeline> pipelines;
-    pipelines.reserve(named_shadings.size());
+    std::deque<Pipeline> pipelines;
     std::vector<std::function<void()>> works;
     for (std::size_t i = 0; i < named_shadings.size(); ++i) {
         const NamedShading& named = named_shadings[i];
