@@ -1,29 +1,23 @@
 #include "math/sha256.h"
 
-#include <openssl/evp.h>
+#include <nettle/base16.h>
+#include <nettle/sha2.h>
 
 #include <array>
-#include <new>
 
 namespace zproof {
 
-/// OpenSSL's sum, freed with it. It refuses only where memory runs out.
 struct Sha256::State {
-    EVP_MD_CTX* sum = EVP_MD_CTX_new();
+    sha256_ctx sum;
 
-    State() {
-        if (sum == nullptr || EVP_DigestInit_ex(sum, EVP_sha256(), nullptr) != 1) throw std::bad_alloc{};
-    }
-    ~State() { EVP_MD_CTX_free(sum); }
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
+    State() { sha256_init(&sum); }
 };
 
 Sha256::Sha256() : state_(std::make_unique<State>()) {}
 Sha256::~Sha256() = default;
 
 void Sha256::add(std::span<const std::byte> bytes) {
-    if (EVP_DigestUpdate(state_->sum, bytes.data(), bytes.size()) != 1) throw std::bad_alloc{};
+    sha256_update(&state_->sum, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
 }
 
 void Sha256::add(std::string_view text) { add(std::as_bytes(std::span{text})); }
@@ -35,11 +29,10 @@ void Sha256::add(std::uint64_t number) {
 }
 
 std::string Sha256::hex() {
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::array<unsigned char, 32> sum;
-    if (EVP_DigestFinal_ex(state_->sum, sum.data(), nullptr) != 1) throw std::bad_alloc{};
-    std::string text;
-    for (const unsigned char byte : sum) text += {digits[byte >> 4], digits[byte & 15]};
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> sum;
+    sha256_digest(&state_->sum, sum.size(), sum.data());
+    std::string text(BASE16_ENCODE_LENGTH(sum.size()), '\0');
+    base16_encode_update(text.data(), sum.size(), sum.data());
     return text;
 }
 

@@ -91,7 +91,7 @@ class BinnedRun {
     std::vector<SnappedPiece> pieces_;
     PlaceList places_;                ///< in the order of drawing, once for each tile
     std::vector<Stretch> stretches_;  ///< of places_
-    std::size_t stretch_begin_ = 0;      ///< of the last one
+    std::size_t stretch_begin_ = 0;   ///< of the last one
     std::vector<std::uint32_t> next_;
     std::size_t first_piece_ = 0;
     BinTally tally_;

@@ -58,7 +58,7 @@ const std::map<std::string, Names> spoken_to_in{
     {"embree3/", {"oracle"}},    {"EGL/", {"oracle"}},
     {"GL/", {"oracle"}},         {"OpenImageIO/", {"oracle"}},
     {"tiny_gltf.h", {"scenes"}}, {"nlohmann/", {"frame", "scenes", "reports"}},
-    {"CLI/", {"cli"}},           {"openssl/", {"math"}},
+    {"CLI/", {"cli"}},           {"nettle/", {"math"}},
     {"toml++/", {"cli"}},        {"Eigen/", {"study"}},
     {"iostream", {"cli"}},       {"cstdio", {}},
     {"isa-l/", {"frame"}},       {"OpenEXR/", {"frame"}},

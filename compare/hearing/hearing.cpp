@@ -17,9 +17,9 @@ namespace {
 /// In own eps. Few squares grow beyond it, and a triangle that is found and meets no square changes nothing.
 constexpr double first_reach = 2;
 
-/// Triangles are looked for so many times as far as pleas are likely to reach, so that squares which grow need
-/// no other search: that costs more than the few triangles which are found for nothing. No farther than that,
-/// where pleas do not ask for it: of a mesh near the horizon a pixel holds thousands.
+/// Triangles are looked for so many times as far as pleas are likely to reach, so that squares which grow
+/// need no other search: that costs more than the few triangles which are found for nothing. No farther than
+/// that, where pleas do not ask for it: of a mesh near the horizon a pixel holds thousands.
 constexpr double searched_over_reach = 8, most_searched_px = 1.0 / 12;
 
 /// Of so many sittings that many pleas, the first, say how far pleas reach.
@@ -91,7 +91,9 @@ class Hearing::Session {
   private:
     const Plea& plea(std::size_t place) const { return hearing_.pleas_[docket_.plea[place]]; }
 
-    double searched_px(std::size_t place) const { return std::max(docket_.reach_px[place], least_search_px_); }
+    double searched_px(std::size_t place) const {
+        return std::max(docket_.reach_px[place], least_search_px_);
+    }
 
     AskedTiles asked_tiles() const {
         const Tiles tiles(hearing_.view_);
