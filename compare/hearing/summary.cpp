@@ -14,6 +14,15 @@ Around around_place(double x, double y) {
     return {x, y, share * (std::abs(x) + 1), share * (std::abs(y) + 1)};
 }
 
+/// In the square, where rounding moved it out.
+PixelOffset held_within(double half_side_px, const PixelOffset& at) {
+    return {std::clamp(at.x, -half_side_px, half_side_px), std::clamp(at.y, -half_side_px, half_side_px)};
+}
+
+PixelOffset between(const PixelOffset& p, const PixelOffset& q, double t) {
+    return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+}
+
 double value_at(const Affine<double>& f, double x, double y, double dx, double dy) {
     return f.at(x, y) + (dx * f.a + dy * f.b);
 }
@@ -193,19 +202,36 @@ bool Summary::is_anywhere(std::optional<std::size_t> answer, double half_side_px
          {PixelOffset{-h, -h}, {h, -h}, {-h, h}, {h, h}, {-h, 0}, {h, 0}, {0, -h}, {0, h}})
         if (is_there(at)) return true;
     if (!answer) return false;
-    const std::optional<PixelOffset> middle = middle_of(*answer, h);
-    return middle && is_there(*middle);
+    const Part part = part_of(*answer, h);
+    return !part.is_empty() && is_there(held_within(h, part.middle()));
 }
 
 bool Summary::is_seen_around(std::optional<std::size_t> answer, double half_side_px) const {
     return is_anywhere(answer, half_side_px, [&](const PixelOffset& at) { return is_seen_at(answer, at); });
 }
 
+/// Between the middle of its part of the square and that part's outline.
+bool Summary::is_seen_in_part(std::size_t answer, double half_side_px) const {
+    const Part part = part_of(answer, half_side_px);
+    if (part.is_empty()) return false;
+    const PixelOffset middle = part.middle();
+    const auto is_seen_on_the_way = [&](const PixelOffset& to, double share) {
+        return is_seen_at(answer, held_within(half_side_px, between(middle, to, share)));
+    };
+    const auto is_seen_towards = [&](const PixelOffset& at) {
+        return is_seen_on_the_way(at, 0.9) || is_seen_on_the_way(at, 0.5);
+    };
+    for (std::size_t k = 0; k < part.count; ++k)
+        if (is_seen_towards(part.corner[k]) ||
+            is_seen_towards(between(part.corner[k], part.next_corner(k), 0.5)))
+            return true;
+    return false;
+}
+
 /// Where the estimate says that it is.
 bool Summary::is_seen_where(std::size_t answer, double half_side_px, Estimate& estimate) const {
-    const auto in_square = [&](double offset) { return std::clamp(offset, -half_side_px, half_side_px); };
     return std::ranges::any_of(estimate.places_seen(half_side_px), [&](const PixelOffset& at) {
-        return is_seen_at(answer, {in_square(at.x), in_square(at.y)});
+        return is_seen_at(answer, held_within(half_side_px, at));
     });
 }
 
@@ -221,29 +247,31 @@ bool Summary::is_held_around(const Renderer& renderer, std::size_t answer, doubl
     return is_anywhere(answer, half_side_px, is_held_at);
 }
 
-/// The mean of the corners of the triangle's part of the square, but for rounding: clipping, edge by edge.
-auto Summary::middle_of(std::size_t i, double half_side_px) const -> std::optional<PixelOffset> {
+/// But for rounding: clipping, edge by edge.
+auto Summary::part_of(std::size_t i, double half_side_px) const -> Part {
     const double h = half_side_px;
-    std::array<PixelOffset, 8> corners{{{-h, -h}, {h, -h}, {h, h}, {-h, h}}};
-    std::size_t count = 4;
+    Part part{{{{-h, -h}, {h, -h}, {h, h}, {-h, h}}}, 4};
     for (const Affine<double>& e : filter(i).edge) {
-        std::array<PixelOffset, 8> kept;
-        std::size_t kept_count = 0;
+        Part kept;
+        const auto keep = [&](const PixelOffset& at) {
+            if (kept.count < kept.corner.size()) kept.corner[kept.count++] = at;
+        };
         const auto value = [&](const PixelOffset& at) { return value_at(e, x_, y_, at.x, at.y); };
-        for (std::size_t k = 0; k < count; ++k) {
-            const PixelOffset &p = corners[k], &q = corners[(k + 1) % count];
+        for (std::size_t k = 0; k < part.count; ++k) {
+            const PixelOffset &p = part.corner[k], &q = part.next_corner(k);
             const double at_p = value(p), at_q = value(q), t = at_p / (at_p - at_q);
-            if (at_p >= 0 && kept_count < kept.size()) kept[kept_count++] = p;
-            if ((at_p >= 0) != (at_q >= 0) && kept_count < kept.size())
-                kept[kept_count++] = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+            if (at_p >= 0) keep(p);
+            if ((at_p >= 0) != (at_q >= 0)) keep(between(p, q, t));
         }
-        corners = kept;
-        count = kept_count;
+        part = kept;
     }
-    if (count < 3) return std::nullopt;
+    return part;
+}
+
+PixelOffset Summary::Part::middle() const {
     PixelOffset sum{0, 0};
-    for (std::size_t k = 0; k < count; ++k) sum = {sum.x + corners[k].x, sum.y + corners[k].y};
-    return PixelOffset{sum.x / double(count), sum.y / double(count)};
+    for (std::size_t k = 0; k < count; ++k) sum = {sum.x + corner[k].x, sum.y + corner[k].y};
+    return {sum.x / double(count), sum.y / double(count)};
 }
 
 bool Summary::are_coplanar(std::size_t a, std::size_t b) const {
@@ -326,13 +354,17 @@ double Summary::likely_displacement_px(std::optional<std::size_t> answer) const 
     return likely_px;
 }
 
+/// Below the likely half-side the answer is likely hidden: then that is asked first.
 Ruled Summary::visible(const Renderer& renderer, const Plaint& plaint, std::optional<std::size_t> answer,
                        double eps, Estimate& estimate) const {
     Ruled ruled{{Standing::visible, false}, eps, std::nullopt};
     if (plaint.asked == Asked::standing) return ruled;
-    ruled.displacement_over_eps = least_step(eps, likely_displacement_px(answer), [&](double half_side_px) {
-        return is_seen_around(answer, half_side_px) ||
-               (!is_hidden_in(renderer, answer, half_side_px) && estimate.is_seen_within(half_side_px));
+    const double likely_px = likely_displacement_px(answer);
+    ruled.displacement_over_eps = least_step(eps, likely_px, [&](double half_side_px) {
+        const bool is_hidden = half_side_px < likely_px && is_hidden_in(renderer, answer, half_side_px);
+        if (is_hidden || is_seen_around(answer, half_side_px)) return !is_hidden;
+        if (half_side_px >= likely_px && is_hidden_in(renderer, answer, half_side_px)) return false;
+        return estimate.is_seen_within(half_side_px);
     });
     return ruled;
 }
@@ -365,13 +397,15 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint, Estimate& estimate) {
     if (all_cover && is_tied(renderer, *answer, square(widest_px_), may_be_certain))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
     // on an edge: what is seen that close is seen in every larger square, and needs no displacement
-    if (const double close = least_px(eps); close <= plaint.own_eps_px && is_seen_around(answer, close))
+    const double close = least_px(eps);
+    const bool misses = answer && filter(*answer).misses(square(close));
+    if (!misses && close <= plaint.own_eps_px && is_seen_around(answer, close))
         return Ruled{{Standing::visible, false}, eps, std::nullopt};
     if (is_seen_around(answer, plaint.own_eps_px) || (eps > plaint.own_eps_px && is_seen_around(answer, eps)))
         return visible(renderer, plaint, answer, eps, estimate);
     if (answer && is_hidden_in(renderer, answer, eps) && is_held_around(renderer, *answer, plaint.own_eps_px))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
-    if (answer && is_seen_where(*answer, eps, estimate))
+    if (answer && (is_seen_in_part(*answer, eps) || is_seen_where(*answer, eps, estimate)))
         return visible(renderer, plaint, answer, eps, estimate);
     return std::nullopt;
 }

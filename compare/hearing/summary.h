@@ -94,9 +94,19 @@ class Summary {
     template <class IsThere>
     bool is_anywhere(std::optional<std::size_t> answer, double half_side_px, const IsThere& is_there) const;
     bool is_seen_around(std::optional<std::size_t> answer, double half_side_px) const;
+    bool is_seen_in_part(std::size_t answer, double half_side_px) const;
     bool is_seen_where(std::size_t answer, double half_side_px, Estimate& estimate) const;
     bool is_held_around(const Renderer& renderer, std::size_t answer, double half_side_px) const;
-    std::optional<PixelOffset> middle_of(std::size_t i, double half_side_px) const;
+    /// What a triangle has of a square: a polygon, convex.
+    struct Part {
+        std::array<PixelOffset, 8> corner;
+        std::size_t count = 0;
+
+        bool is_empty() const { return count < 3; }
+        const PixelOffset& next_corner(std::size_t k) const { return corner[k + 1 < count ? k + 1 : 0]; }
+        PixelOffset middle() const;
+    };
+    Part part_of(std::size_t i, double half_side_px) const;
     bool are_coplanar(std::size_t a, std::size_t b) const;
     bool is_hidden_in(const Renderer& renderer, std::optional<std::size_t> answer, double half_side_px) const;
     bool hides(const Renderer& renderer, std::size_t front, std::size_t back, const Around& box) const;
