@@ -309,17 +309,21 @@ bool Summary::may_be_hidden_for_certain(const Renderer& renderer, std::size_t fr
     return nearness_of(renderer, front).least > nearness_of(renderer, back).greatest;
 }
 
-/// Where all that is present covers the box: is some of it not behind, and none in front for certain? Of two
-/// in one plane neither is, and what is behind is not.
+/// Where all that is present covers the box, and all but the answer and `others` lies behind it: is some of
+/// those not behind, and none in front for certain? Of two in one plane neither is.
 template <class IsCertain>
-bool Summary::is_tied(const Renderer& renderer, std::size_t answer, const Around& box,
-                      const IsCertain& may_be_certain) const {
+bool Summary::is_tied(const Renderer& renderer, std::size_t answer, std::span<const std::size_t> others,
+                      const Around& box, const IsCertain& may_be_certain) const {
+    const auto is_clear = [&](std::size_t i) {
+        return renderer.triangles[i].triangle->is_clear_of_planes(filter(i), box);
+    };
+    if (!is_clear(answer)) return false;
     bool is_tied = false;
-    for (const std::size_t i : covering_) {
-        if (!renderer.triangles[i].triangle->is_clear_of_planes(filter(i), box)) return false;
+    for (const std::size_t i : others) {
         if (i == answer) continue;
         const int order = order_in(box, filter(i), filter(answer));
         if (order < 0) continue;
+        if (!is_clear(i)) return false;
         if (!are_coplanar(i, answer) && (order == 0 || may_be_certain(i))) return false;
         is_tied = true;
     }
@@ -330,7 +334,8 @@ std::optional<Standing> Summary::standing_in_tile(Renderer& renderer, std::size_
     if (!all_cover_) return std::nullopt;
     std::optional<Standing>& known = renderer.standing[answer];
     const auto always = [](std::size_t) { return true; };
-    if (!known) known = is_tied(renderer, answer, tile_, always) ? Standing::tied : Standing::outside;
+    if (!known)
+        known = is_tied(renderer, answer, covering_, tile_, always) ? Standing::tied : Standing::outside;
     return known;
 }
 
@@ -394,7 +399,7 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint, Estimate& estimate) {
         return may_be_hidden_for_certain(renderer, i, *answer);
     };
     const bool all_cover = answer && cutting_.empty() && std::ranges::count(covering_, *answer) != 0;
-    if (all_cover && is_tied(renderer, *answer, square(widest_px_), may_be_certain))
+    if (all_cover && is_tied(renderer, *answer, rivals_, square(widest_px_), may_be_certain))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
     // on an edge: what is seen that close is seen in every larger square, and needs no displacement
     const double close = least_px(eps);

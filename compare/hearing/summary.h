@@ -113,8 +113,8 @@ class Summary {
     const NearnessRange& nearness_of(const Renderer& renderer, std::size_t i) const;
     bool may_be_hidden_for_certain(const Renderer& renderer, std::size_t front, std::size_t back) const;
     template <class IsCertain>
-    bool is_tied(const Renderer& renderer, std::size_t answer, const Around& box,
-                 const IsCertain& may_be_certain) const;
+    bool is_tied(const Renderer& renderer, std::size_t answer, std::span<const std::size_t> others,
+                 const Around& box, const IsCertain& may_be_certain) const;
     std::optional<Standing> standing_in_tile(Renderer& renderer, std::size_t answer);
     double likely_displacement_px(std::optional<std::size_t> answer) const;
     Ruled visible(const Renderer& renderer, const Plaint& plaint, std::optional<std::size_t> answer,

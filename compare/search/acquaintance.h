@@ -44,8 +44,9 @@ struct BoundedTriangle {
 
 class Acquaintance {
   public:
-    /// much: triangles, of which one thread knows that many before it forgets; some 1 KiB each.
-    Acquaintance(const Scene& scene, const View& view, std::size_t much = 1024)
+    /// much: triangles, of which one thread knows that many before it forgets; of a tile it may be more. Some
+    /// 1.4 KiB each, with the bounds of two renderers: half a mebibyte stays in a core's own cache.
+    Acquaintance(const Scene& scene, const View& view, std::size_t much = 384)
         : scene_(scene), view_(view), much_(much), filters_(view) {}
 
     const KnownTriangle& of(std::uint32_t triangle) {
