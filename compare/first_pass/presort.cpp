@@ -17,14 +17,14 @@ bool is_none(const ColumnsOfBoth& columns) { return (columns.candidate | columns
 /// At one depth all over the image: there a depth that was lawful and counted is so again.
 bool is_level(const DepthTolerance& t) { return t.w_per_x == 0 && t.w_per_y == 0; }
 
-strips::Depths in_kernel(const Strip& strip) {
+strips::Depths in_kernel(const Strip& strip, Strip::Pixels asked) {
     return {.x = strip.x,
             .y = strip.y,
             .primitive = strip.candidate.primitive,
             .candidate = strip.candidate.camera_depth,
             .reference = strip.reference.camera_depth,
             .turns = strip.turns,
-            .asked = ~strip.differ,
+            .asked = asked,
             .law_of_run = strip.law_of_run.data()};
 }
 
@@ -63,6 +63,7 @@ void Presort::turn_to(const PixelBox& tile, const ShownTriangles& shown) {
         shown.set_tolerances(tile, tolerances_, corner_tolerances_);
     }
     met_.assign(tolerances_.size(), {});
+    met_level_ = false;
 }
 
 void Presort::turn_to_unknown() {
@@ -71,8 +72,7 @@ void Presort::turn_to_unknown() {
 }
 
 void Presort::sort(ShownTriangles& shown, Largest& largest, const Strip& strip, SortedStrip& sorted) {
-    Strip::Pixels certain = ~strip.differ & certain_if_same(strip, largest);
-    if (certain != Strip::all) certain |= certain_where_level(strip, largest, ~(strip.differ | certain));
+    const Strip::Pixels certain = certain_where_same(strip, largest);
     const Decided decided = strip.differ != 0 ? decided_where_they_differ(strip) : Decided{};
     sort_chunks(shown, largest, strip, {certain | decided.all, decided.lawful}, sorted);
 }
@@ -80,7 +80,7 @@ void Presort::sort(ShownTriangles& shown, Largest& largest, const Strip& strip, 
 Strip::Pixels Presort::certain_by_corners(const Largest& largest, const Strip& strip,
                                           const strips::Runs& runs) const {
     return ~strip.differ &
-           kernel_.certain_by_corners(in_kernel(strip), runs, *lens_, {largest.candidate, largest.reference});
+           kernel_.certain_by_corners(in_kernel(strip, ~strip.differ), runs, *lens_, {largest.candidate, largest.reference});
 }
 
 void Presort::sort_others(ShownTriangles& shown, Largest& largest, const Strip& strip, Strip::Pixels certain,
@@ -109,27 +109,33 @@ void Presort::sort_chunks(ShownTriangles& shown, Largest& largest, const Strip& 
     }
 }
 
-/// Where both show the same triangle.
-Strip::Pixels Presort::certain_if_same(const Strip& strip, const Largest& largest) const {
-    return kernel_.certain(in_kernel(strip), {.tolerances = tolerances_.data(),
+/// Where both show the same triangle. Of a level one, of which some were met, most were.
+Strip::Pixels Presort::certain_where_same(const Strip& strip, const Largest& largest) const {
+    const Strip::Pixels asked = ~strip.differ;
+    const Strip::Pixels level = met_level_ ? certain_where_level(strip, largest, asked) : 0;
+    return level | certain_if_same(strip, largest, asked & ~level);
+}
+
+/// Of those pixels.
+Strip::Pixels Presort::certain_if_same(const Strip& strip, const Largest& largest,
+                                       Strip::Pixels asked) const {
+    if (asked == 0) return 0;
+    return kernel_.certain(in_kernel(strip, asked), {.tolerances = tolerances_.data(),
                                               .next_to_corners = corner_tolerances(),
                                               .projection = projection_,
                                               .candidate_at_most = largest.candidate,
                                               .reference_at_most = largest.reference});
 }
 
-/// Of those pixels, at which both show the same triangle: where it is level, and of each renderer the depth
-/// is certain or has been met.
+/// Of those pixels, where it is level, and one renderer's depth has been met and the other's too or is
+/// certain.
 Strip::Pixels Presort::certain_where_level(const Strip& strip, const Largest& largest,
                                            Strip::Pixels asked) const {
     constexpr double any = std::numeric_limits<double>::infinity();
     const PixelsOfBoth met = met_where_level(strip, asked);
-    Strip::Pixels found = met.candidate & met.reference;
-    if ((met.candidate & ~found) != 0)
-        found |= met.candidate & certain_if_same(strip, {any, largest.reference});
-    if ((met.reference & ~found) != 0)
-        found |= met.reference & certain_if_same(strip, {largest.candidate, any});
-    return found;
+    const Strip::Pixels both = met.candidate & met.reference;
+    return both | certain_if_same(strip, {any, largest.reference}, met.candidate & ~both) |
+           certain_if_same(strip, {largest.candidate, any}, met.reference & ~both);
 }
 
 /// Where the tile's tolerances say that both depths are lawful; no more is asked where one shows nothing that
@@ -175,6 +181,7 @@ ColumnsOfBoth Presort::lawful_by(std::uint32_t law, const ColumnsOfBoth& here, c
         uncertain_by({&tolerances_[law], corners ? corners + law : nullptr}, {here, counted}, source);
     if (is_none(left)) return here;
     if (is_none(without(left, met_already(law, source)))) return here;
+    met_level_ |= is_level(tolerances_[law]);
     const PartsOfBoth parts = parts_of(source, law);
     return lawful_in_full(here, uncertain_here(law, {left, counted}, source), parts, source.place());
 }

@@ -72,7 +72,8 @@ class Presort {
     struct PartsOfBoth {
         Part candidate, reference;
     };
-    Strip::Pixels certain_if_same(const Strip& strip, const Largest& largest) const;
+    Strip::Pixels certain_where_same(const Strip& strip, const Largest& largest) const;
+    Strip::Pixels certain_if_same(const Strip& strip, const Largest& largest, Strip::Pixels asked) const;
     Strip::Pixels certain_where_level(const Strip& strip, const Largest& largest, Strip::Pixels asked) const;
     struct PixelsOfBoth {
         Strip::Pixels candidate = 0, reference = 0;
@@ -116,6 +117,7 @@ class Presort {
     std::vector<DepthTolerance> tolerances_;          ///< by law
     std::vector<CornerTolerance> corner_tolerances_;  ///< by law; none where corners are asked themselves
     std::vector<Met> met_;                            ///< by law
+    bool met_level_ = false;                          ///< has any level triangle's depth been met?
 };
 
 }  // namespace zproof
