@@ -79,8 +79,8 @@ void Presort::sort(ShownTriangles& shown, Largest& largest, const Strip& strip, 
 
 Strip::Pixels Presort::certain_by_corners(const Largest& largest, const Strip& strip,
                                           const strips::Runs& runs) const {
-    return ~strip.differ &
-           kernel_.certain_by_corners(in_kernel(strip, ~strip.differ), runs, *lens_, {largest.candidate, largest.reference});
+    return ~strip.differ & kernel_.certain_by_corners(in_kernel(strip, ~strip.differ), runs, *lens_,
+                                                      {largest.candidate, largest.reference});
 }
 
 void Presort::sort_others(ShownTriangles& shown, Largest& largest, const Strip& strip, Strip::Pixels certain,
@@ -121,10 +121,10 @@ Strip::Pixels Presort::certain_if_same(const Strip& strip, const Largest& larges
                                        Strip::Pixels asked) const {
     if (asked == 0) return 0;
     return kernel_.certain(in_kernel(strip, asked), {.tolerances = tolerances_.data(),
-                                              .next_to_corners = corner_tolerances(),
-                                              .projection = projection_,
-                                              .candidate_at_most = largest.candidate,
-                                              .reference_at_most = largest.reference});
+                                                     .next_to_corners = corner_tolerances(),
+                                                     .projection = projection_,
+                                                     .candidate_at_most = largest.candidate,
+                                                     .reference_at_most = largest.reference});
 }
 
 /// Of those pixels, where it is level, and one renderer's depth has been met and the other's too or is

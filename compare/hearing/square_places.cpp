@@ -48,7 +48,7 @@ void SquarePlaces::add(const TriangleFilter& filter, bool covers_all) {
         const Affine<double> edge = covers_all ? Affine<double>{0, 0, 1} : filter.edge[k];
         edges.a[lane] = edge.a, edges.b[lane] = edge.b, edges.c[lane] = edge.c;
         edges.reach[lane] = half_side_px_ * std::abs(edge.a) + half_side_px_ * std::abs(edge.b) +
-                            (covers_all ? 0 : filter.edge_error);
+                            (covers_all ? 0 : filter.edge_error[k]);
     }
 }
 

@@ -154,16 +154,19 @@ bool Summary::covers(const Renderer& renderer, std::size_t i, const Around& box)
 
 bool Summary::is_inside(std::size_t i, const PixelOffset& at) const {
     const TriangleFilter& f = filter(i);
-    return f.is_trusted && std::ranges::all_of(f.edge, [&](const Affine<double>& e) {
-               return value_at(e, x_, y_, at.x, at.y) > f.edge_error;
-           });
+    const auto is_inside_of = [&](std::size_t k) {
+        return value_at(f.edge[k], x_, y_, at.x, at.y) > f.edge_error[k];
+    };
+    return f.is_trusted && is_inside_of(0) && is_inside_of(1) && is_inside_of(2);
 }
 
 bool Summary::is_outside(std::size_t i, const PixelOffset& at) const {
     const TriangleFilter& f = filter(i);
     if (!f.is_trusted) return f.misses(around_place(x_ + at.x, y_ + at.y));
-    return std::ranges::any_of(
-        f.edge, [&](const Affine<double>& e) { return value_at(e, x_, y_, at.x, at.y) < -f.edge_error; });
+    const auto is_outside_of = [&](std::size_t k) {
+        return value_at(f.edge[k], x_, y_, at.x, at.y) < -f.edge_error[k];
+    };
+    return is_outside_of(0) || is_outside_of(1) || is_outside_of(2);
 }
 
 bool Summary::is_behind(std::size_t back, std::size_t front, const PixelOffset& at) const {

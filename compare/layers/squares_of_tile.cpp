@@ -28,8 +28,9 @@ PlaceMasks places_of_squares(const TriangleFilter& filter, std::uint32_t edges, 
                              double half_side_px) {
     TileMask covers = TileMask::all(), misses;
     for (; edges != 0; edges &= edges - 1) {
-        const Affine<double>& e = filter.edge[std::size_t(std::countr_zero(edges))];
-        const Signs inside = signs(e, tile, reach(e, half_side_px) + filter.edge_error);
+        const auto k = std::size_t(std::countr_zero(edges));
+        const Affine<double>& e = filter.edge[k];
+        const Signs inside = signs(e, tile, reach(e, half_side_px) + filter.edge_error[k]);
         covers &= inside.above;
         misses |= inside.below;
     }

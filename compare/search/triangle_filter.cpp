@@ -36,14 +36,13 @@ TriangleFilters::TriangleFilters(const View& view)
     direction_size_ = (perspective_ ? on_plane : sheared) + size_of(c.back);
 }
 
-/// V: what bounds the corners as seen from the origin of sight, every term in absolute value.
-double TriangleFilters::corner_size(const CornersWorld& p_world) const {
+/// Of each corner as seen from the origin of sight, every term in absolute value.
+std::array<double, 3> TriangleFilters::corner_sizes(const CornersWorld& p_world) const {
     const glm::dvec3 eye(sight_.origin.x, sight_.origin.y, sight_.origin.z);
-    double size = 0;
-    for (const glm::vec3& p : p_world)
-        size = std::max(size,
-                        perspective_ ? size_of(glm::dvec3(p) - eye) : size_of(glm::dvec3(p)) + origin_size_);
-    return size;
+    const auto size = [&](const glm::vec3& p) {
+        return perspective_ ? size_of(glm::dvec3(p) - eye) : size_of(glm::dvec3(p)) + origin_size_;
+    };
+    return {size(p_world[0]), size(p_world[1]), size(p_world[2])};
 }
 
 TriangleFilter TriangleFilters::of(const ViewedTriangle& triangle) const {
@@ -87,15 +86,16 @@ TriangleFilter TriangleFilters::by_functionals(const ViewedTriangle& triangle) c
         filter.edge = image.edge;
         filter.nearness = image.nearness;
     }
-    // each of five terms is below V^2 D and has at most 40 roundings; once for us, once for image_of
+    // each of five terms is below V V' D and has at most 40 roundings; once for us, once for image_of
     static const double share = 2 * 5 * gamma(40, unit_roundoff_float64);
-    const double size = corner_size(triangle.p_world), rounding = share * size * size;
-    filter.edge_error = rounding * direction_size_;
+    const auto [v0, v1, v2] = corner_sizes(triangle.p_world);
+    const double d = direction_size_, largest = std::max({v0, v1, v2}), rounding = share * largest * largest;
+    filter.edge_error = {share * v1 * v2 * d, share * v2 * v0 * d, share * v0 * v1 * d};
     const Affine<double>& n = filter.nearness;
     filter.nearness_error =
         2 * triangle.plane_error.at(std::abs(n.c) + std::abs(n.a) * width_ + std::abs(n.b) * height_);
     filter.is_trusted = std::isfinite(filter.nearness_error) &&
-                        std::abs(facing) > rounding * (perspective_ ? size : direction_size_);
+                        std::abs(facing) > rounding * (perspective_ ? largest : d);
     return filter;
 }
 

@@ -26,8 +26,8 @@ struct TriangleFilter {
     };
 
     std::array<Affine<double>, 3> edge{};  ///< > 0 inside; of pixel indices
-    double edge_error = 0;      ///< of each, anywhere in the image: this value's and image_of's together
-    Affine<double> nearness{};  ///< of pixel indices
+    std::array<double, 3> edge_error{};  ///< anywhere in the image: this value's and image_of's together
+    Affine<double> nearness{};           ///< of pixel indices
     double nearness_error = unlimited;  ///< anywhere in the image
     bool is_trusted = false;            ///< or may it be edge-on? Then only `box` and `hull` hold
     Box box{};                          ///< around its image in front of half the near depth
@@ -36,9 +36,10 @@ struct TriangleFilter {
     Place place_of(const Around& at) const {
         if (!is_trusted) return may_meet(raster_box(at)) ? Place::unknown : Place::misses;
         bool covers = true;
-        for (const Affine<double>& e : edge) {
+        for (std::size_t k = 0; k < edge.size(); ++k) {
+            const Affine<double>& e = edge[k];
             const double middle = e.at(at.x, at.y);
-            const double reach = at.half_x * std::abs(e.a) + at.half_y * std::abs(e.b) + edge_error;
+            const double reach = at.half_x * std::abs(e.a) + at.half_y * std::abs(e.b) + edge_error[k];
             if (middle + reach < 0) return Place::misses;
             covers &= middle - reach > 0;
         }
@@ -49,7 +50,7 @@ struct TriangleFilter {
         std::uint32_t edges = 0;
         for (std::size_t k = 0; k < edge.size(); ++k) {
             const double reach =
-                at.half_x * std::abs(edge[k].a) + at.half_y * std::abs(edge[k].b) + edge_error;
+                at.half_x * std::abs(edge[k].a) + at.half_y * std::abs(edge[k].b) + edge_error[k];
             edges |= std::uint32_t(!(edge[k].at(at.x, at.y) - reach > 0)) << k;
         }
         return edges;
@@ -92,7 +93,7 @@ class TriangleFilters {
     TriangleFilter by_functionals(const ViewedTriangle& triangle) const;
     TriangleImage<double> parallel_image(const CornersWorld& p_world, const Vector3<double>& normal,
                                          double facing) const;
-    double corner_size(const CornersWorld& p_world) const;
+    std::array<double, 3> corner_sizes(const CornersWorld& p_world) const;
 
     BoxProjection boxes_;
     ViewBounds any_bounds_;
