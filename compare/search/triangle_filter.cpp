@@ -94,8 +94,8 @@ TriangleFilter TriangleFilters::by_functionals(const ViewedTriangle& triangle) c
     const Affine<double>& n = filter.nearness;
     filter.nearness_error =
         2 * triangle.plane_error.at(std::abs(n.c) + std::abs(n.a) * width_ + std::abs(n.b) * height_);
-    filter.is_trusted = std::isfinite(filter.nearness_error) &&
-                        std::abs(facing) > rounding * (perspective_ ? largest : d);
+    filter.is_trusted =
+        std::isfinite(filter.nearness_error) && std::abs(facing) > rounding * (perspective_ ? largest : d);
     return filter;
 }
 

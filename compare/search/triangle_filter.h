@@ -26,12 +26,12 @@ struct TriangleFilter {
     };
 
     std::array<Affine<double>, 3> edge{};  ///< > 0 inside; of pixel indices
-    std::array<double, 3> edge_error{};  ///< anywhere in the image: this value's and image_of's together
-    Affine<double> nearness{};           ///< of pixel indices
-    double nearness_error = unlimited;  ///< anywhere in the image
-    bool is_trusted = false;            ///< or may it be edge-on? Then only `box` and `hull` hold
-    Box box{};                          ///< around its image in front of half the near depth
-    std::optional<CornerHull> hull;     ///< around all of it, where all corners lie in front of that
+    std::array<double, 3> edge_error{};    ///< anywhere in the image: this value's and image_of's together
+    Affine<double> nearness{};             ///< of pixel indices
+    double nearness_error = unlimited;     ///< anywhere in the image
+    bool is_trusted = false;               ///< or may it be edge-on? Then only `box` and `hull` hold
+    Box box{};                             ///< around its image in front of half the near depth
+    std::optional<CornerHull> hull;        ///< around all of it, where all corners lie in front of that
 
     Place place_of(const Around& at) const {
         if (!is_trusted) return may_meet(raster_box(at)) ? Place::unknown : Place::misses;
