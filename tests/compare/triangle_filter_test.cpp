@@ -106,6 +106,50 @@ TEST(TriangleFilter, IsRightWhereParallelSightComesFromFarAway) {
     EXPECT_GT(said[std::size_t(TriangleFilter::Place::misses)], 50);
 }
 
+/// Two corners of a triangle of the crowd, and one far behind the third.
+CornersWorld with_a_far_corner(CornersWorld p, const View& view, Dice& dice) {
+    const glm::vec3 eye = view.camera.eye_world;
+    const std::size_t far = std::size_t(dice.below(3));
+    p[far] = eye + float(std::exp2(dice.between(4, 24))) * (p[far] - eye) + (p[(far + 1) % 3] - eye);
+    return p;
+}
+
+/// Edges that end at the far corner are less certain by far than the one that does not.
+TEST(TriangleFilter, IsRightOfTrianglesWithOneFarCorner) {
+    std::array<int, 3> said{};
+    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        Surroundings s{random_view(dice), {}, dice.below(16), dice.below(16), {}};
+        s.scene = random_crowd(dice, s.view, s.x, s.y);
+        for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
+            const CornersWorld p = with_a_far_corner(corners_of(s.scene, t), s.view, dice);
+            for (const double half : halves_that_just_touch(s, p, dice)) compare_places(s, p, half, said);
+        }
+        if (HasFatalFailure()) return;
+    }
+    for (const int count : said) EXPECT_GT(count, 50);
+}
+
+TEST(TriangleFilter, AnEdgesErrorDoesNotDependOnTheThirdCorner) {
+    int compared = 0;
+    for (std::uint32_t seed = 0; seed < 200; ++seed) {
+        Dice dice(seed);
+        const Surroundings s = random_surroundings(seed);
+        const TriangleFilters filters(s.view);
+        for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
+            CornersWorld p = corners_of(s.scene, t);
+            const TriangleFilter one = filters.of(p);
+            p[0] = float(1 + dice.between(0, 100)) * p[0] + p[1];
+            const TriangleFilter other = filters.of(p);
+            if (!one.is_trusted || !other.is_trusted) continue;
+            EXPECT_EQ(one.edge_error[0], other.edge_error[0]);
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 100);
+}
+
 TEST(TriangleFilter, NeverOrdersTwoPlanesOtherwiseThanRationals) {
     std::array<int, 3> said{};
     for (std::uint32_t seed = 0; seed < 600; ++seed) {
