@@ -369,10 +369,11 @@ Ruled Summary::visible(const Renderer& renderer, const Plaint& plaint, std::opti
     if (plaint.asked == Asked::standing) return ruled;
     const double likely_px = likely_displacement_px(answer);
     ruled.displacement_over_eps = least_step(eps, likely_px, [&](double half_side_px) {
-        const bool is_hidden = half_side_px < likely_px && is_hidden_in(renderer, answer, half_side_px);
-        if (is_hidden || is_seen_around(answer, half_side_px)) return !is_hidden;
-        if (half_side_px >= likely_px && is_hidden_in(renderer, answer, half_side_px)) return false;
-        return estimate.is_seen_within(half_side_px);
+        const auto is_hidden = [&] { return is_hidden_in(renderer, answer, half_side_px); };
+        const bool is_likely_seen = half_side_px >= likely_px;
+        if (!is_likely_seen && is_hidden()) return false;
+        if (is_seen_around(answer, half_side_px)) return true;
+        return !(is_likely_seen && is_hidden()) && estimate.is_seen_within(half_side_px);
     });
     return ruled;
 }

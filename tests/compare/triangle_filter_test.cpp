@@ -119,9 +119,8 @@ TEST(TriangleFilter, IsRightOfTrianglesWithOneFarCorner) {
     std::array<int, 3> said{};
     for (std::uint32_t seed = 0; seed < 1000; ++seed) {
         SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
         Dice dice(seed);
-        Surroundings s{random_view(dice), {}, dice.below(16), dice.below(16), {}};
-        s.scene = random_crowd(dice, s.view, s.x, s.y);
         for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
             const CornersWorld p = with_a_far_corner(corners_of(s.scene, t), s.view, dice);
             for (const double half : halves_that_just_touch(s, p, dice)) compare_places(s, p, half, said);
