@@ -229,6 +229,26 @@ TEST(Summary, TellsTiesWithinWhichEdgesPassAsRationalsDo) {
     EXPECT_GT(comparison.left, 1000) << "hidden ones, for one";
 }
 
+/// Walls close to the near or the far plane, some so close that it may cut them: those hide nothing, and tie
+/// with nothing.
+std::vector<Triangle> random_walls_next_to_a_plane(Dice& dice) {
+    const Camera& c = pixel_view(Projection::perspective, 4, 4).camera;
+    const bool near = dice.below(2) != 0;
+    const double plane = near ? c.near_depth : c.far_depth;
+    std::vector<Triangle> walls;
+    for (int count = 2 + dice.below(2); count > 0; --count) {
+        const double share = std::exp2(dice.between(-24, -14));
+        walls.push_back(wall(plane * (near ? 1 + share : 1 - share)));
+    }
+    return walls;
+}
+
+TEST(Summary, TellsTiesNextToAPlaneAsRationalsDo) {
+    const Comparison comparison = heard(random_walls_next_to_a_plane);
+    EXPECT_GT(comparison.said[std::size_t(Standing::tied)], 300);
+    EXPECT_GT(comparison.left, 300) << "a plane may cut them";
+}
+
 /// A wall, and others that pass through it along upright lines, so slowly that they are tied with it for some
 /// pixels to either side.
 std::vector<Triangle> random_crossing_walls(Dice& dice) {
