@@ -36,14 +36,14 @@ struct FullPipe {
     FullPipe(const FullPipe&) = delete;
     FullPipe& operator=(const FullPipe&) = delete;
 
-    /// Everything that is written from now on.
+    /// Everything that others wrote; empty, if they were interrupted before they wrote anything.
     std::string drain() {
         close(write_end);
         std::string text;
         std::array<char, 4096> buffer;
         for (ssize_t n; (n = read(read_end, buffer.data(), buffer.size())) > 0;)
             text.append(buffer.data(), std::size_t(n));
-        return text.substr(text.find_first_not_of('.'));
+        return text.erase(0, text.find_first_not_of('.'));
     }
 };
 
