@@ -4,7 +4,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 #include <stdexcept>
 
 #include "compare/first_pass/agreement.h"
@@ -52,11 +52,12 @@ bool reference_is_wrong(const OpenPixel& open, const Ruling& ruling) {
            !is_lawful(ruling.reference.decision.standing);
 }
 
-/// What some of the findings add up to: integers and maxima, so the order of adding does not matter.
+/// What some of the findings add up to: integers and maxima, so that only what fails has an order.
 struct Count {
     ClassCounts classes{};
     Tally edges;
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
+    Bulk<Finding> failing;  ///< if nothing else is listed
 
     void add(const OpenPixel& open, const Ruling& ruling) {
         const Finding& finding = open.finding;
@@ -77,6 +78,7 @@ struct Count {
 };
 
 Count operator+(Count a, const Count& b) {
+    a.failing.insert(a.failing.end(), b.failing.begin(), b.failing.end());
     for (std::size_t i = 0; i < a.classes.size(); ++i) a.classes[i] += b.classes[i];
     zproof::add(a.edges, b.edges);
     a.reference_defects += b.reference_defects;
@@ -94,8 +96,8 @@ class Record {
     Record(const Comparands& of, const OpenTiles& open, Listed listed)
         : of_(of), open_(open), listed_(listed) {}
 
-    /// Writes classes of the verdict, whose size is set, and findings, each to its place; of those that are
-    /// not listed the class only.
+    /// Writes classes of the verdict, whose size is set; and findings, each to its place, where all are
+    /// listed.
     Count write(const LayeredFindings& ruled, const Rulings& rulings, Verdict& verdict) const {
         using Pixels = tbb::blocked_range<std::size_t>;
         const auto write_some = [&](const Pixels& some, Count sum) {
@@ -109,9 +111,12 @@ class Record {
                 if (is_brief && !passes(word)) pixel = look.at(at.x, at.y);
                 pixel.finding.verdict = word;
                 pixel.finding.eps_px = ruling.candidate.eps_px;
-                verdict.findings[ruled.places[i]] = pixel.finding;
                 verdict.classes.in_open(at.x, at.y) = word;
                 sum.add(pixel, ruling);
+                if (listed_ == Listed::differing)
+                    verdict.findings[ruled.places[i]] = pixel.finding;
+                else if (!passes(word))
+                    sum.failing.push_back(pixel.finding);
             }
             return sum;
         };
@@ -135,6 +140,18 @@ class Record {
     const OpenTiles& open_;
     Listed listed_;
 };
+
+/// To findings that lack it: the square that the candidate's answer was judged in.
+void add_squares(const Comparands& of, std::span<Finding> findings) {
+    std::vector<Finding*> lacking;
+    for (Finding& finding : findings)
+        if (std::isnan(finding.eps_px)) lacking.push_back(&finding);
+    if (lacking.empty()) return;
+    std::vector<PixelPlace> places;
+    for (const Finding* finding : lacking) places.push_back({finding->x, finding->y});
+    const Rulings rulings = rule_on(of.scene, of.view, of.candidate, of.reference, places);
+    for (std::size_t i = 0; i < lacking.size(); ++i) lacking[i]->eps_px = rulings[i].candidate.eps_px;
+}
 
 std::vector<RuledPlace> placed(std::span<const PixelPlace> places, const Rulings& rulings) {
     std::vector<RuledPlace> ruled;
@@ -165,12 +182,9 @@ Verdict judge(const Scene& scene, const View& view, const Parties& parties, Dept
     const std::size_t open_count = open.number();
     verdict.classes = room_for(open, size);
     if (full) verdict.findings.resize(open_count);
-    LayeredFindings layered = settle_layers(comparands, open, verdict.classes, verdict.findings);
-    if (!full) {
-        verdict.findings.resize(layered.left.size());
-        std::iota(layered.places.begin(), layered.places.end(), 0);
-    }
-    const Rulings rulings = rule_on(scene, view, ours, theirs, layered.left);
+    const LayeredFindings layered = settle_layers(comparands, open, verdict.classes, verdict.findings);
+    const Asked asked = full ? Asked::standing_and_displacement : Asked::without_square;
+    const Rulings rulings = rule_on(scene, view, ours, theirs, layered.left, asked);
     if (full) full->rulings = placed(layered.left, rulings);
     Count count =
         Record(comparands, open, full ? Listed::differing : Listed::failing).write(layered, rulings, verdict);
@@ -182,11 +196,12 @@ Verdict judge(const Scene& scene, const View& view, const Parties& parties, Dept
     verdict.reference_defects = count.reference_defects;
     verdict.adjudicated = count.adjudicated;
     verdict.exact = count.exact;
-    const bool all_differ = count.classes[std::size_t(PixelClass::agree)] == 0;
-    if (!full || !all_differ)
-        std::erase_if(verdict.findings, [&](const Finding& f) {
-            return full ? f.verdict == PixelClass::agree : passes(f.verdict);
-        });
+    if (!full) {
+        verdict.findings = std::move(count.failing);
+        add_squares(comparands, verdict.findings);
+    } else if (count.classes[std::size_t(PixelClass::agree)] != 0) {
+        std::erase_if(verdict.findings, [](const Finding& f) { return f.verdict == PixelClass::agree; });
+    }
     return verdict;
 }
 

@@ -85,9 +85,10 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
     gauge_ = gauge<double>();
     if (const auto* raster = std::get_if<RasterPrecision>(&precision))
         background_eps_px_ = std::ldexp(raster->snap == Snap::nearest ? 0.5 : 1.0, -raster->subpixel_bits);
-    else if (const auto* ray = std::get_if<RayPrecision>(&precision))
+    else if (const auto* ray = std::get_if<RayPrecision>(&precision)) {
         set_aim(unit_of(ray->arithmetic));
-    else
+        least_edge_test_eps_px_ = least_edge_test_eps_px(unit_of(ray->arithmetic));
+    } else
         set_aim(gamma(24, unit_roundoff_float64), std::get<PlaneRayPrecision>(precision).aim_offset_px);
 }
 
@@ -263,6 +264,19 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
         perspective_ ? glm::cross(difference, sum) : 2.0 * glm::cross(direction, difference);
     const double gradient = std::abs(glm::dot(moment, toward_x)) + std::abs(glm::dot(moment, toward_y));
     return gradient > 0 ? error / gradient : 0;  // an edge without extent in the image bounds no area
+}
+
+/// Error and gradient are sums over the same products of a difference and a sum, or a direction: their ratio
+/// is at least the least ratio of what those products are multiplied with.
+double ViewBounds::least_edge_test_eps_px(double unit) const {
+    const Camera& c = view_.camera;
+    const glm::dvec3 per_px =
+        glm::abs(1 / scale_.px_per_u * c.right) + glm::abs(1 / scale_.px_per_v * c.up);
+    const glm::dvec3& largest = perspective_ ? direction_abs_ : origin_abs_;
+    double least = unlimited;
+    for (int axis = 0; axis < 3; ++axis)
+        if (per_px[axis] > 0) least = std::min(least, largest[axis] / per_px[axis]);
+    return gammas_of(unit)[7] * least;
 }
 
 /// Of the hit itself; on the way to a float32 more may be lost.

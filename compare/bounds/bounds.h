@@ -109,6 +109,8 @@ class ViewBounds {
     bool keeps_to_corners() const;
     /// The share that every triangle has in common; above 0.
     double background_eps_px() const { return background_eps_px_; }
+    /// No triangle that is not edge-on has a smaller eps; above 0 (docs/truth.md, "At a glance").
+    double least_triangle_eps_px() const { return background_eps_px_ + least_edge_test_eps_px_; }
 
   private:
     TriangleBounds bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const;
@@ -134,6 +136,8 @@ class ViewBounds {
     /// Planes of the view volume with a corner of the triangle beyond.
     int cut_count(const TriangleExtent& extent) const;
     double edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const;
+    /// Of any edge with extent in the image.
+    double least_edge_test_eps_px(double unit) const;
     void set_aim(double unit, double offset_px = 0);
 
     View view_;
@@ -144,7 +148,7 @@ class ViewBounds {
     glm::dvec3 direction_abs_;      ///< per world axis, the largest |direction| in the image
     glm::dvec3 origin_abs_;         ///< per world axis, the largest |origin - eye|
     double orthonormality_;         ///< largest entry of |R R^T - I|
-    double background_eps_px_ = 0;
+    double background_eps_px_ = 0, least_edge_test_eps_px_ = 0;
     /// A ray's own rounding: sideways, px (and px per unit of depth), and along the view axis.
     double aim_px_ = 0, aim_px_per_depth_ = 0, aim_depth_relative_ = 0, aim_depth_absolute_ = 0;
     Gauge<double> gauge_;

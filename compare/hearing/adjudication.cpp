@@ -5,7 +5,7 @@
 namespace zproof {
 
 Rulings rule_on(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
-                std::span<const PixelPlace> open) {
+                std::span<const PixelPlace> open, Asked asked) {
     const std::size_t triangle_count = scene.triangles.size();
     const auto plea = [&](const Witness& witness, const Answer& answer, const PixelPlace& place) {
         return is_invalid(answer, triangle_count)
@@ -21,7 +21,7 @@ Rulings rule_on(const Scene& scene, const View& view, const Witness& candidate, 
         pleas[2 * i] = differ ? plea(candidate, ours, place) : Plea{};
         pleas[2 * i + 1] = differ ? plea(reference, theirs, place) : Plea{};
     });
-    return Rulings(Hearing(scene, view).hear(std::move(pleas), Asked::standing_and_displacement));
+    return Rulings(Hearing(scene, view).hear(std::move(pleas), asked));
 }
 
 PixelClass class_of(const OpenPixel& open, const Ruling& ruling) {

@@ -28,7 +28,7 @@ class Rulings {
 
 /// Rules on every open pixel, in order, on all threads.
 Rulings rule_on(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
-                std::span<const PixelPlace> open);
+                std::span<const PixelPlace> open, Asked asked = Asked::standing_and_displacement);
 
 /// The word that an open pixel earns from its ruling.
 PixelClass class_of(const OpenPixel& open, const Ruling& ruling);

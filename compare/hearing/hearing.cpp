@@ -5,8 +5,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 
+#include "compare/hearing/glance.h"
 #include "compare/hearing/summary.h"
+#include "compare/search/between_planes.h"
 #include "compare/search/tile_search.h"
 #include "compare/truth/displacement.h"
 
@@ -25,6 +28,10 @@ constexpr double searched_over_reach = 8, most_searched_px = 1.0 / 12;
 /// Of so many sittings that many pleas, the first, say how far pleas reach.
 constexpr std::size_t sittings_sampled = 32;
 constexpr std::uint32_t pleas_sampled = 2;
+
+constexpr Ruled seen_at_a_glance{.decision = {.standing = Standing::visible, .exact = false},
+                                 .eps_px = std::numeric_limits<double>::quiet_NaN(),
+                                 .displacement_over_eps = std::nullopt};
 
 /// Tiles that lie close together follow each other: they have triangles in common.
 template <class Visit>
@@ -48,8 +55,11 @@ void for_each_of(const std::vector<Item>& items, const Do& act) {
 
 struct Hearing::Memories {
     Memories(const Scene& scene, const View& view)
-        : sights(view), acquaintance(scene, view), summary({view, sights, acquaintance, coplanar}) {}
-    Memories(const Memories&) = delete;  // what is summed up looks at the rest
+        : sights(view),
+          acquaintance(scene, view),
+          glance(acquaintance),
+          summary({view, sights, acquaintance, coplanar}) {}
+    Memories(const Memories&) = delete;  // what comes last looks at the rest
     Memories& operator=(const Memories&) = delete;
 
     double first_reach_px(const Plea& plea) { return first_reach * own_eps_px(plea); }
@@ -62,18 +72,21 @@ struct Hearing::Memories {
     Sights<double> sights;
     Acquaintance acquaintance;
     CoplanarMemory coplanar{4096};
+    Glance glance;
     Summary summary;
 };
 
 class Hearing::Session {
   public:
-    /// Triangles are looked for least_search_px around every pixel, and farther where a plea asks for it.
-    Session(const Hearing& hearing, const Docket& docket, double least_search_px, Asked asked,
-            ThreadMemories& memories)
+    struct Question {
+        Asked asked;
+        bool at_a_glance;        ///< is what is seen at a glance an answer to it?
+        double least_search_px;  ///< triangles are looked for so far around every pixel, or farther
+    };
+    Session(const Hearing& hearing, const Docket& docket, const Question& question, ThreadMemories& memories)
         : hearing_(hearing),
           docket_(docket),
-          least_search_px_(least_search_px),
-          asked_(asked),
+          question_(question),
           memories_(memories),
           near_(hearing.scene_, hearing.view_, asked_tiles()) {}
 
@@ -92,7 +105,7 @@ class Hearing::Session {
     const Plea& plea(std::size_t place) const { return hearing_.pleas_[docket_.plea[place]]; }
 
     double searched_px(std::size_t place) const {
-        return std::max(docket_.reach_px[place], least_search_px_);
+        return std::max(docket_.reach_px[place], question_.least_search_px);
     }
 
     AskedTiles asked_tiles() const {
@@ -126,26 +139,41 @@ class Hearing::Session {
         return renderers;
     }
 
+    /// So near its centre an answer that is seen needs no displacement: that is below what least_px() says of
+    /// any triangle's eps.
+    double aside_px(const Sitting& sitting) const {
+        double eps_px = unlimited;
+        for (std::size_t i = sitting.first; i < sitting.end; ++i) {
+            const auto& [bounds, answer, x, y] = plea(i);
+            eps_px = std::min(eps_px, answer == PrimitiveId::none ? bounds->background_eps_px()
+                                                                  : bounds->least_triangle_eps_px());
+        }
+        return 0.5 * least_px(eps_px);
+    }
+
     /// Hears the pleas of a sitting, one after the other.
     class Bench {
       public:
         Bench(const Session& session, const Sitting& sitting)
             : session_(session),
+              sitting_(sitting),
               near_(session.near_.of(sitting.tile)),
               memories_(session.memories_.local()),
               estimate_([this] { return gather(); }, memories_.coplanar) {
             memories_.acquaintance.forget_if_much();
-            if (amendment()) return;  // what is known summarily is known of the law
-            summary_ = &memories_.summary;
-            summary_->turn_to(session.centres(sitting), near_, session.renderers_of(sitting));
+            if (may_glance()) memories_.glance.turn_to(near_, session.aside_px(sitting));
         }
         Bench(const Bench&) = delete;  // the estimate looks at it
 
         /// Decides the plea, or returns the reach that it needs.
         double hear(std::size_t place, Ruled& ruled) {
             turn_to(session_.plea(place));
+            if (may_glance() && is_seen_at_a_glance()) {
+                ruled = seen_at_a_glance;
+                return 0;
+            }
             const double own_eps_px = memories_.own_eps_px(*plea_);
-            plaint_ = {plea_->bounds, plea_->answer, own_eps_px, 0, session_.asked_};
+            plaint_ = {plea_->bounds, plea_->answer, own_eps_px, 0, question().asked};
             const double known_px = session_.docket_.reach_px[place];
             double needed_px = known_px != 0 ? known_px : first_reach * own_eps_px;
             const double searched_px = session_.searched_px(place);
@@ -160,27 +188,44 @@ class Hearing::Session {
 
       private:
         const Amendment& amendment() const { return session_.hearing_.amendment_; }
+        const Question& question() const { return session_.question_; }
+
+        /// Not any more where most were not seen so.
+        bool may_glance() const { return question().at_a_glance && missed_ <= seen_; }
+        bool is_seen_at_a_glance() {
+            const bool is_seen = memories_.glance.sees(plea_->answer, {plea_->x, plea_->y});
+            ++(is_seen ? seen_ : missed_);
+            return is_seen;
+        }
 
         void turn_to(const Plea& plea) {
-            if (summary_ && !(plea_ && plea_->x == plea.x && plea_->y == plea.y))
-                summary_->look_at(plea.x, plea.y);
+            const bool is_same = plea_ && plea_->x == plea.x && plea_->y == plea.y;
             plea_ = &plea;
+            if (is_same) return;
+            if (summary_) summary_->look_at(plea.x, plea.y);
         }
+        Summary& summary() {
+            if (summary_) return *summary_;
+            summary_ = &memories_.summary;
+            summary_->turn_to(session_.centres(sitting_), near_, session_.renderers_of(sitting_));
+            summary_->look_at(plea_->x, plea_->y);
+            return *summary_;
+        }
+        /// What is known summarily is known of the law.
         double hear_within_reach(Ruled& ruled) {
-            if (!summary_) return hear_at_length(ruled);
-            if (const std::optional<Ruled> known = summary_->rule(plaint_, estimate_)) {
+            if (amendment()) return hear_at_length(ruled);
+            if (const std::optional<Ruled> known = summary().rule(plaint_, estimate_)) {
                 ruled = *known;
                 return 0;
             }
-            const double lacking_px = summary_->lacking_reach_px(plaint_);
+            const double lacking_px = summary().lacking_reach_px(plaint_);
             return lacking_px != 0 ? lacking_px : hear_at_length(ruled);
         }
         double hear_at_length(Ruled& ruled) {
             const Neighbourhood& around = estimate_.around();
             if (around.eps_px > plaint_.reach_px) return around.eps_px;
             ruled = {decide(around, plaint_.answer, memories_.coplanar), around.eps_px, std::nullopt};
-            if (plaint_.asked == Asked::standing_and_displacement &&
-                ruled.decision.standing == Standing::visible)
+            if (plaint_.asked != Asked::standing && ruled.decision.standing == Standing::visible)
                 ruled.displacement_over_eps = displacement_over_eps(estimate_);
             return 0;
         }
@@ -200,18 +245,19 @@ class Hearing::Session {
         }
 
         const Session& session_;
+        const Sitting& sitting_;
         std::span<const std::uint32_t> near_;
         Memories& memories_;
         Estimate estimate_;
-        Summary* summary_ = nullptr;
+        Summary* summary_ = nullptr;  ///< once it turned to the tile
         const Plea* plea_ = nullptr;  ///< at hand
         Plaint plaint_;
+        std::size_t seen_ = 0, missed_ = 0;  ///< at a glance
     };
 
     const Hearing& hearing_;
     const Docket& docket_;
-    double least_search_px_;
-    Asked asked_;
+    Question question_;
     ThreadMemories& memories_;
     TrianglesByTile near_;
 };
@@ -267,6 +313,11 @@ auto Hearing::left_over(const Docket& docket, const Bulk<double>& lacking) const
     return left;
 }
 
+/// Where no plane may cut what a glance does not look at.
+bool Hearing::may_glance(Asked asked) const {
+    return asked == Asked::without_square && !amendment_ && lies_between_planes(scene_, view_);
+}
+
 /// The squares that grow beyond their first reach are looked at once more with their full reach.
 Bulk<Ruled> Hearing::hear(Bulk<Plea> pleas, Asked asked) {
     pleas_ = std::move(pleas);
@@ -277,8 +328,11 @@ Bulk<Ruled> Hearing::hear(Bulk<Plea> pleas, Asked asked) {
     if (likely_px > most_searched_px)
         for_each_of(docket.sittings, [&](const Sitting& s) { set_reach(docket, s, memories.local()); });
     const double least_search_px = std::min(searched_over_reach * likely_px, most_searched_px);
-    while (!docket.plea.empty())
-        docket = left_over(docket, Session(*this, docket, least_search_px, asked, memories).hear(rulings));
+    Session::Question question{asked, may_glance(asked), least_search_px};
+    while (!docket.plea.empty()) {
+        docket = left_over(docket, Session(*this, docket, question, memories).hear(rulings));
+        question.at_a_glance = false;
+    }
     return rulings;
 }
 

@@ -53,6 +53,7 @@ class Hearing {
     class Session;
 
     Docket docket_of_all() const;
+    bool may_glance(Asked asked) const;
     /// The farthest first reach of some pleas.
     double likely_reach_px(const Docket& docket, Memories& memories) const;
     void set_reach(Docket& docket, const Sitting& sitting, Memories& memories) const;

@@ -9,7 +9,7 @@ namespace zproof {
 
 struct Ruled {
     Decision decision;
-    double eps_px = 0;  ///< half-side of the square that it was judged in
+    double eps_px = 0;  ///< half-side of the square that it was judged in; NaN where nobody asked for it
     /// Of an answer that is lawful by its place (Standing::visible), where it was asked for.
     std::optional<double> displacement_over_eps;
 };
@@ -17,6 +17,7 @@ struct Ruled {
 enum class Asked {
     standing,
     standing_and_displacement,  ///< Ruled::displacement_over_eps as well
+    without_square,             ///< both, but Ruled::eps_px only where it costs nothing more
 };
 
 }  // namespace zproof
