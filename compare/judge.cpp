@@ -59,11 +59,10 @@ struct Count {
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
     Bulk<Finding> failing;  ///< if nothing else is listed
 
-    void add(const OpenPixel& open, const Ruling& ruling) {
-        const Finding& finding = open.finding;
-        ++classes[std::size_t(finding.verdict)];
+    void add(const OpenPixel& open, bool ids_differ, const Ruling& ruling) {
+        ++classes[std::size_t(open.finding.verdict)];
         reference_defects += reference_is_wrong(open, ruling);
-        adjudicated += finding.candidate.primitive != finding.reference.primitive;
+        adjudicated += ids_differ;
         exact += ruling.candidate.decision.exact || ruling.reference.decision.exact;
         if (const auto& d = ruling.candidate.displacement_over_eps) count(edges.candidate, *d);
         if (const auto& d = ruling.reference.displacement_over_eps) count(edges.reference, *d);
@@ -106,13 +105,13 @@ class Record {
                 const PixelPlace at = ruled.left[i];
                 const Ruling ruling = rulings[i];
                 const bool is_brief = listed_ == Listed::failing && open_.is_lawful(at);
-                OpenPixel pixel = is_brief ? brief(at) : look.at(at.x, at.y);
+                OpenPixel pixel = is_brief ? OpenPixel{} : look.at(at.x, at.y);
                 const PixelClass word = class_of(pixel, ruling);
                 if (is_brief && !passes(word)) pixel = look.at(at.x, at.y);
                 pixel.finding.verdict = word;
                 pixel.finding.eps_px = ruling.candidate.eps_px;
                 verdict.classes.in_open(at.x, at.y) = word;
-                sum.add(pixel, ruling);
+                sum.add(pixel, is_brief || differ(pixel.finding), ruling);
                 if (listed_ == Listed::differing)
                     verdict.findings[ruled.places[i]] = pixel.finding;
                 else if (!passes(word))
@@ -125,15 +124,8 @@ class Record {
     }
 
   private:
-    /// Without the evidence: of depths that are known to be lawful.
-    OpenPixel brief(const PixelPlace& at) const {
-        OpenPixel pixel;
-        pixel.finding = {.x = at.x,
-                         .y = at.y,
-                         .candidate = of_.candidate.answer_at(at.x, at.y),
-                         .reference = of_.reference.answer_at(at.x, at.y),
-                         .candidate_depth = {}};
-        return pixel;
+    static bool differ(const Finding& finding) {
+        return finding.candidate.primitive != finding.reference.primitive;
     }
 
     const Comparands& of_;

@@ -20,7 +20,7 @@ class OpenTiles {
     /// The pixels of one row of a tile: bit i of `pixels` is column i.
     struct Row {
         ColumnMask pixels = 0;
-        ColumnMask lawful = 0;    ///< of those: both depths are so for certain
+        ColumnMask lawful = 0;    ///< of those: ids differ, and both depths are so for certain
         std::uint32_t first = 0;  ///< place of its first pixel among all that are open; the others follow it
     };
 
@@ -45,7 +45,7 @@ class OpenTiles {
         assert(tile);
         return tile->rows;
     }
-    /// Are both depths of an open pixel lawful for certain?
+    /// Do ids of an open pixel differ, and are both depths lawful for certain?
     bool is_lawful(const PixelPlace& pixel) const {
         const int column = pixel.x / Tiles::side_px;
         return (row(column, pixel.y).lawful >> (pixel.x - column * Tiles::side_px) & 1) != 0;

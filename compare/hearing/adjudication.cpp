@@ -2,7 +2,16 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 namespace zproof {
+
+namespace {
+
+/// Pixels that are open lie apart: each takes four lines of memory, which are asked for so many pixels ahead.
+constexpr std::size_t fetched_ahead = 16;
+
+}  // namespace
 
 Rulings rule_on(const Scene& scene, const View& view, const Witness& candidate, const Witness& reference,
                 std::span<const PixelPlace> open, Asked asked) {
@@ -12,9 +21,15 @@ Rulings rule_on(const Scene& scene, const View& view, const Witness& candidate, 
                    ? Plea{}
                    : Plea{&witness.bounds(), answer.primitive, place.x, place.y};
     };
+    const auto fetch = [](const Witness& witness, const PixelPlace& place) {
+        __builtin_prefetch(&witness.frame().primitive.at(place.x, place.y));
+        __builtin_prefetch(&witness.frame().camera_depth.at(place.x, place.y));
+    };
     Bulk<Plea> pleas(2 * open.size());
     tbb::parallel_for(std::size_t(0), open.size(), [&](std::size_t i) {
-        const PixelPlace& place = open[i];
+        const PixelPlace &place = open[i], &later = open[std::min(i + fetched_ahead, open.size() - 1)];
+        fetch(candidate, later);
+        fetch(reference, later);
         const Answer ours = candidate.answer_at(place.x, place.y),
                      theirs = reference.answer_at(place.x, place.y);
         const bool differ = ours.primitive != theirs.primitive;
