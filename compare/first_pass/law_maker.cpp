@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "compare/bounds/in_four.h"
 #include "compare/bounds/side_by_side.h"
 #include "compare/bounds/tolerance_terms.h"
 
@@ -10,38 +11,8 @@ namespace zproof {
 
 namespace {
 
-Vector3<Four> in_four(const Vector3<double>& v) {
-    return {everywhere<Four>(v.x), everywhere<Four>(v.y), everywhere<Four>(v.z)};
-}
-
-Sight<Four> in_four(const Sight<double>& sight) {
-    Sight<Four> four;
-    four.projection = sight.projection;
-    four.origin = in_four(sight.origin);
-    four.direction = in_four(sight.direction);
-    four.step_x = in_four(sight.step_x);
-    four.step_y = in_four(sight.step_y);
-    return four;
-}
-
 LawMaker::Lens::Side side_of(const ViewBounds& bounds) {
     return {bounds.common_terms(), bounds.keeps_to_corners() ? KeepsToCorners::yes : KeepsToCorners::no};
-}
-
-/// Floats, widened without loss.
-Four widened(float a, float b, float c, float d) {
-    using Floats = float __attribute__((vector_size(16)));
-    return __builtin_convertvector((Floats{a, b, c, d}), Four);
-}
-
-/// A triangle to each lane.
-Corners<Four> side_by_side(const std::array<CornersWorld, four_count>& p) {
-    const auto corner = [&](std::size_t i) -> Vector3<Four> {
-        return {widened(p[0][i].x, p[1][i].x, p[2][i].x, p[3][i].x),
-                widened(p[0][i].y, p[1][i].y, p[2][i].y, p[3][i].y),
-                widened(p[0][i].z, p[1][i].z, p[2][i].z, p[3][i].z)};
-    };
-    return {corner(0), corner(1), corner(2)};
 }
 
 PlaneOfLaw<Four> plane_of(const LawMaker::Lens& lens, const TriangleSize<Four>& triangle,

@@ -25,6 +25,9 @@ constexpr double first_reach = 2;
 /// that, where pleas do not ask for it: of a mesh near the horizon a pixel holds thousands.
 constexpr double searched_over_reach = 8, most_searched_px = 1.0 / 12;
 
+/// For so many vertices a plea by itself is less trouble than a look at them.
+constexpr std::size_t vertices_per_plea = 16;
+
 /// Of so many sittings that many pleas, the first, say how far pleas reach.
 constexpr std::size_t sittings_sampled = 32;
 constexpr std::uint32_t pleas_sampled = 2;
@@ -57,7 +60,7 @@ struct Hearing::Memories {
     Memories(const Scene& scene, const View& view)
         : sights(view),
           acquaintance(scene, view),
-          glance(acquaintance),
+          glance(scene, view),
           summary({view, sights, acquaintance, coplanar}) {}
     Memories(const Memories&) = delete;  // what comes last looks at the rest
     Memories& operator=(const Memories&) = delete;
@@ -159,7 +162,8 @@ class Hearing::Session {
               sitting_(sitting),
               near_(session.near_.of(sitting.tile)),
               memories_(session.memories_.local()),
-              estimate_([this] { return gather(); }, memories_.coplanar) {
+              estimate_([this] { return gather(); }, memories_.coplanar),
+              is_worth_a_glance_(near_.size() <= sitting.end - sitting.first) {
             memories_.acquaintance.forget_if_much();
             if (may_glance()) memories_.glance.turn_to(near_, session.aside_px(sitting));
         }
@@ -191,7 +195,9 @@ class Hearing::Session {
         const Question& question() const { return session_.question_; }
 
         /// Not any more where most were not seen so.
-        bool may_glance() const { return question().at_a_glance && missed_ <= seen_; }
+        bool may_glance() const {
+            return question().at_a_glance && is_worth_a_glance_ && missed_ <= seen_;
+        }
         bool is_seen_at_a_glance() {
             const bool is_seen = memories_.glance.sees(plea_->answer, {plea_->x, plea_->y});
             ++(is_seen ? seen_ : missed_);
@@ -252,6 +258,7 @@ class Hearing::Session {
         Summary* summary_ = nullptr;  ///< once it turned to the tile
         const Plea* plea_ = nullptr;  ///< at hand
         Plaint plaint_;
+        bool is_worth_a_glance_;  ///< it takes as much for a triangle as it spares with a plea
         std::size_t seen_ = 0, missed_ = 0;  ///< at a glance
     };
 
@@ -313,9 +320,11 @@ auto Hearing::left_over(const Docket& docket, const Bulk<double>& lacking) const
     return left;
 }
 
-/// Where no plane may cut what a glance does not look at.
+/// Where no plane may cut what a glance does not look at; and where pleas are enough for a look at all vertices.
 bool Hearing::may_glance(Asked asked) const {
-    return asked == Asked::without_square && !amendment_ && lies_between_planes(scene_, view_);
+    return asked == Asked::without_square && !amendment_ &&
+           vertices_per_plea * pleas_.size() >= scene_.vertices.position_world.size() &&
+           lies_between_planes(scene_, view_);
 }
 
 /// The squares that grow beyond their first reach are looked at once more with their full reach.

@@ -61,18 +61,12 @@ void SquarePlaces::sort(int x, int y, std::vector<std::size_t>& covering,
                         std::vector<std::size_t>& cutting) const {
     covering.clear();
     cutting.clear();
-    std::size_t first = 0;
-    for (const strips::PlacesOfEight& some : at(x, y)) {
-        add_all(covering, first, some.covers);
-        add_all(cutting, first, some.cuts);
-        first += side_by_side;
-    }
-}
-
-std::span<const strips::PlacesOfEight> SquarePlaces::at(double x, double y) const {
     places_.resize(eights_.size());
     kernel_.set_places(eights_.data(), int(eights_.size()), x, y, places_.data());
-    return places_;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        add_all(covering, i * side_by_side, places_[i].covers);
+        add_all(cutting, i * side_by_side, places_[i].cuts);
+    }
 }
 
 }  // namespace zproof

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "compare/search/triangle_filter.h"
@@ -25,8 +24,6 @@ class SquarePlaces {
     /// Writes who covers the square around a pixel's centre for certain, and who neither covers nor misses it
     /// for certain, as TriangleFilter::place_of has it; each ascending.
     void sort(int x, int y, std::vector<std::size_t>& covering, std::vector<std::size_t>& cutting) const;
-    /// The same of the square around any place of the image, by eights; until the next is asked about.
-    std::span<const strips::PlacesOfEight> at(double x, double y) const;
 
   private:
     /// Where a triangle stands among others.

@@ -8,6 +8,7 @@
 
 #include "compare/bounds/sight.h"
 #include "compare/search/corner_hull.h"
+#include "compare/search/filter_terms.h"
 #include "compare/truth/neighbourhood.h"
 #include "math/affine.h"
 
@@ -83,7 +84,7 @@ class TriangleFilters {
 
     /// The triangle itself, for any renderer of the view.
     ViewedTriangle viewed(const CornersWorld& p_world) const {
-        return {sight_, p_world, any_bounds_.extent_of(p_world)};
+        return {lens_.sight, p_world, any_bounds_.extent_of(p_world)};
     }
     /// Of a triangle that viewed() gave.
     TriangleFilter of(const ViewedTriangle& triangle) const;
@@ -91,16 +92,12 @@ class TriangleFilters {
 
   private:
     TriangleFilter by_functionals(const ViewedTriangle& triangle) const;
-    TriangleImage<double> parallel_image(const CornersWorld& p_world, const Vector3<double>& normal,
-                                         double facing) const;
-    std::array<double, 3> corner_sizes(const CornersWorld& p_world) const;
 
     BoxProjection boxes_;
     ViewBounds any_bounds_;
-    Sight<double> sight_;  ///< of pixel (0, 0)
-    double width_, height_;
-    bool perspective_;
-    double origin_size_, direction_size_;  ///< largest sums of absolute terms in the image
+    FilterLens<double> lens_;
 };
+
+FilterLens<double> filter_lens_of(const View& view);
 
 }  // namespace zproof
