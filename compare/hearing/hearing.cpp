@@ -25,8 +25,8 @@ constexpr double first_reach = 2;
 /// that, where pleas do not ask for it: of a mesh near the horizon a pixel holds thousands.
 constexpr double searched_over_reach = 8, most_searched_px = 1.0 / 12;
 
-/// For so many vertices a plea by itself is less trouble than a look at them.
-constexpr std::size_t vertices_per_plea = 16;
+/// For so many vertices of the scene, or triangles near, a plea by itself is less trouble than a look at them.
+constexpr std::size_t vertices_per_plea = 16, triangles_per_plea = 8;
 
 /// Of so many sittings that many pleas, the first, say how far pleas reach.
 constexpr std::size_t sittings_sampled = 32;
@@ -163,7 +163,7 @@ class Hearing::Session {
               near_(session.near_.of(sitting.tile)),
               memories_(session.memories_.local()),
               estimate_([this] { return gather(); }, memories_.coplanar),
-              is_worth_a_glance_(near_.size() <= sitting.end - sitting.first) {
+              is_worth_a_glance_(near_.size() <= triangles_per_plea * (sitting.end - sitting.first)) {
             memories_.acquaintance.forget_if_much();
             if (may_glance()) memories_.glance.turn_to(near_, session.aside_px(sitting));
         }
@@ -258,7 +258,7 @@ class Hearing::Session {
         Summary* summary_ = nullptr;  ///< once it turned to the tile
         const Plea* plea_ = nullptr;  ///< at hand
         Plaint plaint_;
-        bool is_worth_a_glance_;  ///< it takes as much for a triangle as it spares with a plea
+        bool is_worth_a_glance_;
         std::size_t seen_ = 0, missed_ = 0;  ///< at a glance
     };
 

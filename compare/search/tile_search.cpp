@@ -23,8 +23,8 @@ namespace {
 /// Triangles that are searched together: long runs share more of their corners, short ones more threads.
 std::size_t chunk_triangles(std::size_t count) { return std::clamp<std::size_t>(count / 64, 64, 32768); }
 
-/// From so many triangles on it is worth it to mark the cells that are asked about.
-constexpr std::size_t cells_from_triangles = 8192;
+/// From so many triangles on, and so many for each tile, it is worth it to mark the cells that are asked about.
+constexpr std::size_t cells_from_triangles = 8192, cells_from_triangles_of_tile = 8;
 
 /// Triangles that are asked about together.
 constexpr std::size_t neighbours = 8;
@@ -43,7 +43,9 @@ class TileSearch {
           asked_(asked),
           projection_(view),
           filters_(view) {
-        if (scene.triangles.size() >= cells_from_triangles) asked_cells_.emplace(view, asked);
+        if (scene.triangles.size() >=
+            std::max(cells_from_triangles, cells_from_triangles_of_tile * asked.all().size()))
+            asked_cells_.emplace(view, asked);
     }
 
     /// Triangles from first to before end, ascending. Neighbours in a mesh lie close together: most are far
