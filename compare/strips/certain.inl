@@ -76,15 +76,6 @@ struct RoomThere {
 /// At one depth all over the image: there depths that were met say more.
 bool is_level(const DepthTolerance& t) { return t.w_per_x == 0 && t.w_per_y == 0; }
 
-/// The x of each pixel of a strip.
-struct Columns {
-    double x[width];
-
-    explicit Columns(int first) {
-        for (int i = 0; i < width; i += lanes) store(all(double(first + i)) + counted(), x + i);
-    }
-};
-
 /// Sixteen pixels.
 Pixels bare_from(const Depths& depths, int i) {
     return Pixels{where_background(depths.candidate + i) & where_background(depths.reference + i)};
@@ -126,7 +117,7 @@ template <class Projected>
     const Doubles our_most = all(most_error(t, t.candidate, by.candidate_at_most)),
                   their_most = all(most_error(t, t.reference, by.reference_at_most));
     return in_run<lanes>(run.first, run.end, [&](int i) {
-        const Doubles w = full.line.w_at(loaded(columns.x + i));
+        const Doubles w = full.line.w_at(columns.from(i));
         const Doubles ours = Projected::error(widened(depths.candidate + i), w),
                       theirs = Projected::error(widened(depths.reference + i), w);
         return Pixels{
@@ -161,7 +152,7 @@ Pixels certain_there(const Depths& depths, const Columns& columns, const Tolerat
     const RoomThere our_room(corners.candidate, by.candidate_at_most),
         their_room(corners.reference, by.reference_at_most);
     return some & in_run<lanes>(first_of(some), end_of(some), [&](int i) {
-               const Doubles w = triangle.line.w_at(loaded(columns.x + i)), distance = triangle.distance(w);
+               const Doubles w = triangle.line.w_at(columns.from(i)), distance = triangle.distance(w);
                const Doubles ours = Projected::error(widened(depths.candidate + i), w),
                              theirs = Projected::error(widened(depths.reference + i), w);
                return Pixels{bits_of(triangle.between.hold(w) &
@@ -206,7 +197,7 @@ Pixels lawful_of_triangle(const OneFrame& frame, const Columns& columns, const D
     const Full full(t, frame.y);
     const Doubles most = all((t.*frame.bound).lawful);
     return in_run<lanes>(first_of(some), end_of(some), [&](int i) {
-        const Doubles w = full.line.w_at(loaded(columns.x + i));
+        const Doubles w = full.line.w_at(columns.from(i));
         const Doubles error = Projected::error(widened(frame.camera_depth + i), w);
         return Pixels{bits_of(full.between.hold(w) & not_greater(error, most))};
     });
@@ -218,7 +209,7 @@ template <class Projected>
     const NextToCorners triangle(t, corners, frame.y);
     const RoomThere room(corners.*frame.bound_there, __builtin_inf());
     return in_run<lanes>(first_of(some), end_of(some), [&](int i) {
-        const Doubles w = triangle.line.w_at(loaded(columns.x + i));
+        const Doubles w = triangle.line.w_at(columns.from(i));
         const Doubles error = Projected::error(widened(frame.camera_depth + i), w),
                       most = room.most_error(triangle, triangle.distance(w));
         return Pixels{bits_of(triangle.between.hold(w) & not_greater(error, most))};

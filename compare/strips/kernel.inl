@@ -1,5 +1,7 @@
 // The algorithms that all instruction sets share, and what becomes of them.
 
+#include "compare/strips/columns.inl"
+
 #include "compare/strips/certain.inl"
 #include "compare/strips/ids.inl"
 #include "compare/strips/runs.inl"

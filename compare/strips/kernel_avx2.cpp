@@ -17,8 +17,6 @@ struct Doubles {
 };
 
 Doubles all(double value) { return {_mm256_set1_pd(value)}; }
-/// 0, 1, 2 and so on.
-Doubles counted() { return {_mm256_setr_pd(0, 1, 2, 3)}; }
 Doubles loaded(const double* values) { return {_mm256_loadu_pd(values)}; }
 void store(const Doubles& values, double* to) { _mm256_storeu_pd(to, values.lanes); }
 Doubles widened(const float* values) { return {_mm256_cvtps_pd(_mm_loadu_ps(values))}; }

@@ -16,8 +16,6 @@ struct Doubles {
 };
 
 Doubles all(double value) { return {_mm512_set1_pd(value)}; }
-/// 0, 1, 2 and so on.
-Doubles counted() { return {_mm512_setr_pd(0, 1, 2, 3, 4, 5, 6, 7)}; }
 Doubles loaded(const double* values) { return {_mm512_loadu_pd(values)}; }
 void store(const Doubles& values, double* to) { _mm512_storeu_pd(to, values.lanes); }
 Doubles widened(const float* values) { return {_mm512_cvtps_pd(_mm256_loadu_ps(values))}; }

@@ -10,7 +10,6 @@ using Mask = bool;
 using Doubles = double;
 
 Doubles all(double value) { return value; }
-Doubles counted() { return 0; }
 Doubles loaded(const double* values) { return *values; }
 void store(Doubles values, double* to) { *to = values; }
 Doubles widened(const float* values) { return *values; }

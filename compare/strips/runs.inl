@@ -147,7 +147,7 @@ Pixels certain_by_rows(const RunRows& rows, const Depths& depths) {
         const unsigned turns = unsigned(depths.turns >> i) & every;
         const std::uint64_t places = places_among(turns);
         if (i != 0) run += int(turns & 1);
-        const Doubles w = at_places(rows.w_per_x + run, places) * loaded(columns.x + i) +
+        const Doubles w = at_places(rows.w_per_x + run, places) * columns.from(i) +
                           at_places(rows.w_of_row + run, places) + at_places(rows.w_offset + run, places);
         const Doubles ours = Perspective::error(widened(depths.candidate + i), w),
                       theirs = Perspective::error(widened(depths.reference + i), w);

@@ -3,9 +3,9 @@
 void set_signs(const Signed& of, Signs& signs) noexcept {
     constexpr int side = Signs::side;
     const Doubles c = all(of.c), from = all(of.unsure), up_to = all(-of.unsure);
+    const Columns columns(of.left);
     double along_row[side];
-    for (int x = 0; x < side; x += lanes)
-        store(all(of.a) * (all(double(of.left + x)) + counted()), along_row + x);
+    for (int x = 0; x < side; x += lanes) store(all(of.a) * columns.from(x), along_row + x);
     for (int y = 0; y < side; ++y) {
         const Doubles along_column = all(of.b * (of.top + y));
         unsigned above = 0, below = 0;
