@@ -1,6 +1,7 @@
 #include "compare/hearing/summary.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "compare/truth/displacement.h"
 
@@ -297,8 +298,37 @@ bool Summary::is_hidden_in(const Renderer& renderer, std::optional<std::size_t> 
     const Around box = square(half_side_px);
     if (answer && filter(*answer).misses(box)) return true;
     return std::ranges::any_of(rivals_, [&](std::size_t i) {
-        return covers(renderer, i, box) && (!answer || hides(renderer, i, *answer, box));
+        return answer ? covers_all_of(renderer, i, *answer, box) && hides(renderer, i, *answer, box)
+                      : covers(renderer, i, box);
     });
+}
+
+/// What another has of the box: all edges that may pass there are the other's, too.
+bool Summary::covers_all_of(const Renderer& renderer, std::size_t i, std::size_t other,
+                            const Around& box) const {
+    if (!filter(i).is_trusted || !renderer.triangles[i].triangle->is_clear_of_planes(filter(i), box))
+        return false;
+    for (std::uint32_t edges = filter(i).edges_within(box); edges != 0; edges &= edges - 1)
+        if (!shares_edge(i, std::size_t(std::countr_zero(edges)), other)) return false;
+    return true;
+}
+
+/// Do both have that edge of the first, and lie on the same side of it?
+bool Summary::shares_edge(std::size_t i, std::size_t edge, std::size_t other) const {
+    const auto ends = [&](std::size_t of, std::size_t k) {
+        const CornersWorld& p = present_[of].known->seen.p_world;
+        return std::pair{p[(k + 1) % 3], p[(k + 2) % 3]};
+    };
+    if (!filter(other).is_trusted) return false;
+    const auto [from, to] = ends(i, edge);
+    const Affine<double>& e = filter(i).edge[edge];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto [start, end] = ends(other, k);
+        if (!(from == start && to == end) && !(from == end && to == start)) continue;
+        const Affine<double>& f = filter(other).edge[k];
+        return e.a * f.a + e.b * f.b > 0;
+    }
+    return false;
 }
 
 const NearnessRange& Summary::nearness_of(const Renderer& renderer, std::size_t i) const {

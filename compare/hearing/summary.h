@@ -109,6 +109,8 @@ class Summary {
     Part part_of(std::size_t i, double half_side_px) const;
     bool are_coplanar(std::size_t a, std::size_t b) const;
     bool is_hidden_in(const Renderer& renderer, std::optional<std::size_t> answer, double half_side_px) const;
+    bool covers_all_of(const Renderer& renderer, std::size_t i, std::size_t other, const Around& box) const;
+    bool shares_edge(std::size_t i, std::size_t edge, std::size_t other) const;
     bool hides(const Renderer& renderer, std::size_t front, std::size_t back, const Around& box) const;
     const NearnessRange& nearness_of(const Renderer& renderer, std::size_t i) const;
     bool may_be_hidden_for_certain(const Renderer& renderer, std::size_t front, std::size_t back) const;
