@@ -36,13 +36,12 @@ constexpr std::size_t many_runs_of_strip = 12;
 
 /// Fetches what follows a strip, so many pixels: what the next tile will read. Into the second cache: the
 /// first has no room for all of it.
-void fetch_ahead(const Strip::Side& side, std::size_t count) {
-    constexpr std::size_t step = 64 / sizeof(float);  // a line of the cache
+template <class T>
+void fetch_ahead(const T* strip, std::size_t count) {
+    constexpr std::size_t step = 64 / sizeof(T);  // a line of the cache
     constexpr int to_read = 0, second = 2;
-    for (std::size_t i = Strip::width; i < Strip::width + count; i += step) {
-        __builtin_prefetch(side.primitive + i, to_read, second);
-        __builtin_prefetch(side.camera_depth + i, to_read, second);
-    }
+    for (std::size_t i = Strip::width; i < Strip::width + count; i += step)
+        __builtin_prefetch(strip + i, to_read, second);
 }
 
 /// The largest ratios that any part of the image has shown so far. Only what work is saved depends on it.
@@ -77,6 +76,7 @@ class Comparison {
     void compare(const PixelBox& tile, OpenTiles& open) {
         shown_.clear();
         std::size_t runs = 0;
+        const std::size_t ahead = std::min(Strip::width, std::size_t(candidate_.view().width - tile.right));
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
             strip.x = tile.left, strip.y = y;
@@ -85,15 +85,16 @@ class Comparison {
             const strips::Ids ids = kernel_.compare(strip.candidate.primitive, strip.reference.primitive);
             strip.turns = ids.turns, strip.differ = ids.differ;
             runs += std::size_t(ids.runs);
+            fetch_ahead(strip.candidate.primitive, ahead);
+            fetch_ahead(strip.reference.primitive, ahead);
         }
         turn_to(tile, runs);
         Presort::Largest largest{known(candidate_largest_, largest_.candidate),
                                  known(reference_largest_, largest_.reference)};
-        const std::size_t ahead = std::min(Strip::width, std::size_t(candidate_.view().width - tile.right));
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
-            fetch_ahead(strip.candidate, ahead);
-            fetch_ahead(strip.reference, ahead);
+            fetch_ahead(strip.candidate.camera_depth, ahead);
+            fetch_ahead(strip.reference.camera_depth, ahead);
             if (way_ == Way::by_corners && y + 1 < tile.bottom)
                 find_runs(strips_[std::size_t(y + 1 - tile.top)]);
             sort(strip, largest);
