@@ -270,8 +270,7 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
 /// is at least the least ratio of what those products are multiplied with.
 double ViewBounds::least_edge_test_eps_px(double unit) const {
     const Camera& c = view_.camera;
-    const glm::dvec3 per_px =
-        glm::abs(1 / scale_.px_per_u * c.right) + glm::abs(1 / scale_.px_per_v * c.up);
+    const glm::dvec3 per_px = glm::abs(1 / scale_.px_per_u * c.right) + glm::abs(1 / scale_.px_per_v * c.up);
     const glm::dvec3& largest = perspective_ ? direction_abs_ : origin_abs_;
     double least = unlimited;
     for (int axis = 0; axis < 3; ++axis)

@@ -31,8 +31,7 @@ constexpr FiltersOfEight nobody = [] {
     const Corners<Four> p = side_by_side(p_world);
     FilterLens<Four>::Edges edges{};
     if (lens.filters.is_perspective()) edges = lens.filters.edges_of(p);
-    const FilterTerms<Four> terms =
-        lens.filters.terms_of(p, PlaneErrorOf<Four>(lens.gauge(p).plane), edges);
+    const FilterTerms<Four> terms = lens.filters.terms_of(p, PlaneErrorOf<Four>(lens.gauge(p).plane), edges);
     const auto put = [&](const Four& four, double* eight) { std::memcpy(eight + lane, &four, sizeof four); };
     const auto if_trusted = [&](const Four& error) {
         return terms.is_trusted ? error : everywhere<Four>(infinite);

@@ -1,5 +1,5 @@
-/// Triangles' half-planes and nearness over the image, eight side by side: what a TriangleFilter says, but for
-/// boxes, and made for one tile without being kept.
+/// Triangles' half-planes and nearness over the image, eight side by side: what a TriangleFilter says, but
+/// for boxes, and made for one tile without being kept.
 #pragma once
 
 #include <cstdint>

@@ -64,9 +64,8 @@ std::span<const strips::PlacesOfEight> Glance::who_is_at(const Place& at) {
 }
 
 bool Glance::is_bare(const Place& at) {
-    return std::ranges::all_of(who_is_at(at), [](const strips::PlacesOfEight& some) {
-        return some.covers == 0 && some.cuts == 0;
-    });
+    return std::ranges::all_of(
+        who_is_at(at), [](const strips::PlacesOfEight& some) { return some.covers == 0 && some.cuts == 0; });
 }
 
 /// What is certainly outside or behind hides nothing.

@@ -16,8 +16,8 @@ class Glance {
     /// Turns to another tile: `near` holds every triangle that comes within twice aside_px of any pixel that
     /// will be asked about.
     void turn_to(std::span<const std::uint32_t> near, double aside_px);
-    /// Is the answer seen at one place, which is the pixel's centre or at most aside_px from it in x and in y:
-    /// does nothing hide it there, whatever the rule, certainly?
+    /// Is the answer seen at one place, which is the pixel's centre or at most aside_px from it in x and in
+    /// y: does nothing hide it there, whatever the rule, certainly?
     bool sees(PrimitiveId answer, const PixelPlace& pixel);
 
   private:

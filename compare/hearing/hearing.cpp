@@ -25,7 +25,8 @@ constexpr double first_reach = 2;
 /// that, where pleas do not ask for it: of a mesh near the horizon a pixel holds thousands.
 constexpr double searched_over_reach = 8, most_searched_px = 1.0 / 12;
 
-/// For so many vertices of the scene, or triangles near, a plea by itself is less trouble than a look at them.
+/// For so many vertices of the scene, or triangles near, a plea by itself is less trouble than a look at
+/// them.
 constexpr std::size_t vertices_per_plea = 16, triangles_per_plea = 8;
 
 /// Of so many sittings that many pleas, the first, say how far pleas reach.
@@ -195,9 +196,7 @@ class Hearing::Session {
         const Question& question() const { return session_.question_; }
 
         /// Not any more where most were not seen so.
-        bool may_glance() const {
-            return question().at_a_glance && is_worth_a_glance_ && missed_ <= seen_;
-        }
+        bool may_glance() const { return question().at_a_glance && is_worth_a_glance_ && missed_ <= seen_; }
         bool is_seen_at_a_glance() {
             const bool is_seen = memories_.glance.sees(plea_->answer, {plea_->x, plea_->y});
             ++(is_seen ? seen_ : missed_);
@@ -320,7 +319,8 @@ auto Hearing::left_over(const Docket& docket, const Bulk<double>& lacking) const
     return left;
 }
 
-/// Where no plane may cut what a glance does not look at; and where pleas are enough for a look at all vertices.
+/// Where no plane may cut what a glance does not look at; and where pleas are enough for a look at all
+/// vertices.
 bool Hearing::may_glance(Asked asked) const {
     return asked == Asked::without_square && !amendment_ &&
            vertices_per_plea * pleas_.size() >= scene_.vertices.position_world.size() &&

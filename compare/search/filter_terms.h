@@ -1,5 +1,5 @@
-/// What a triangle's filter says, and how far rounding may put it off (docs/truth.md, "How it is decided"). In
-/// double, or four at a time.
+/// What a triangle's filter says, and how far rounding may put it off (docs/truth.md, "How it is decided").
+/// In double, or four at a time.
 #pragma once
 
 #include <array>
@@ -56,8 +56,9 @@ struct FilterLens {
     struct Functionals {
         Edges edge;
         Affine<Number> nearness;
-        Number facing;                       ///< the divisor of nearness
-        std::array<Number, 3> corner_sizes;  ///< as seen from the origin of sight, every term in absolute value
+        Number facing;  ///< the divisor of nearness
+        std::array<Number, 3>
+            corner_sizes;  ///< as seen from the origin of sight, every term in absolute value
     };
     Functionals in_perspective(const Corners<Number>& p, const Vector3<Number>& normal,
                                const Edges& edges) const {

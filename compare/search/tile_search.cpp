@@ -23,7 +23,8 @@ namespace {
 /// Triangles that are searched together: long runs share more of their corners, short ones more threads.
 std::size_t chunk_triangles(std::size_t count) { return std::clamp<std::size_t>(count / 64, 64, 32768); }
 
-/// From so many triangles on, and so many for each tile, it is worth it to mark the cells that are asked about.
+/// From so many triangles on, and so many for each tile, it is worth it to mark the cells that are asked
+/// about.
 constexpr std::size_t cells_from_triangles = 8192, cells_from_triangles_of_tile = 8;
 
 /// Triangles that are asked about together.

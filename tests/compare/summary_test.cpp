@@ -229,6 +229,29 @@ TEST(Summary, TellsTiesWithinWhichEdgesPassAsRationalsDo) {
     EXPECT_GT(comparison.left, 1000) << "hidden ones, for one";
 }
 
+/// Walls on either side of an edge that passes within eps of the centre, in one plane with each other or in
+/// planes that meet there; several of them on the same side, whose third corners are the same or not.
+std::vector<Triangle> random_walls_along_an_edge(Dice& dice) {
+    constexpr double eps_px = 1.0 / 512, far = 64;
+    const double x = 1.5 + dice.between(-1, 1) * eps_px, slope = dice.between(-2, 2);
+    const Corner up{x - slope * far, 1.5 - far, 4}, down{x + slope * far, 1.5 + far, 4};
+    std::vector<Triangle> walls;
+    for (int count = 2 + dice.below(3); count > 0; --count) {
+        const bool to_the_left = dice.below(3) == 0;
+        const double depth = dice.below(3) == 0 ? 4 + std::ldexp(1.0, -dice.below(30)) : 4;
+        const Corner third{to_the_left ? -512.0 : 512.0, dice.below(2) ? 1.5 : 40, depth};
+        walls.push_back(to_the_left ? Triangle{up, third, down} : Triangle{up, down, third});
+    }
+    return walls;
+}
+
+TEST(Summary, TellsWhatSharesAnEdgeAsRationalsDo) {
+    const Comparison comparison = heard(random_walls_along_an_edge);
+    EXPECT_GT(comparison.said[std::size_t(Standing::tied)], 1000);
+    EXPECT_GT(comparison.said[std::size_t(Standing::visible)], 1000);
+    EXPECT_GT(comparison.moved, 100);
+}
+
 /// Walls close to the near or the far plane, some so close that it may cut them: those hide nothing, and tie
 /// with nothing.
 std::vector<Triangle> random_walls_next_to_a_plane(Dice& dice) {
