@@ -1,6 +1,7 @@
 #include "compare/judge.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -52,12 +53,11 @@ bool reference_is_wrong(const OpenPixel& open, const Ruling& ruling) {
            !is_lawful(ruling.reference.decision.standing);
 }
 
-/// What some of the findings add up to: integers and maxima, so that only what fails has an order.
+/// What some of the findings add up to: integers and maxima, so the order of adding does not matter.
 struct Count {
     ClassCounts classes{};
     Tally edges;
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
-    Bulk<Finding> failing;  ///< if nothing else is listed
 
     void add(const OpenPixel& open, bool ids_differ, const Ruling& ruling) {
         ++classes[std::size_t(open.finding.verdict)];
@@ -77,7 +77,6 @@ struct Count {
 };
 
 Count operator+(Count a, const Count& b) {
-    a.failing.insert(a.failing.end(), b.failing.begin(), b.failing.end());
     for (std::size_t i = 0; i < a.classes.size(); ++i) a.classes[i] += b.classes[i];
     zproof::add(a.edges, b.edges);
     a.reference_defects += b.reference_defects;
@@ -95,8 +94,8 @@ class Record {
     Record(const Comparands& of, const OpenTiles& open, Listed listed)
         : of_(of), open_(open), listed_(listed) {}
 
-    /// Writes classes of the verdict, whose size is set; and findings, each to its place, where all are
-    /// listed.
+    /// Writes classes of the verdict, whose size is set; and where all are listed its findings, each to its
+    /// place.
     Count write(const LayeredFindings& ruled, const Rulings& rulings, Verdict& verdict) const {
         using Pixels = tbb::blocked_range<std::size_t>;
         const auto write_some = [&](const Pixels& some, Count sum) {
@@ -106,16 +105,10 @@ class Record {
                 const Ruling ruling = rulings[i];
                 const bool is_brief = listed_ == Listed::failing && open_.is_lawful(at);
                 OpenPixel pixel = is_brief ? OpenPixel{} : look.at(at.x, at.y);
-                const PixelClass word = class_of(pixel, ruling);
-                if (is_brief && !passes(word)) pixel = look.at(at.x, at.y);
-                pixel.finding.verdict = word;
-                pixel.finding.eps_px = ruling.candidate.eps_px;
-                verdict.classes.in_open(at.x, at.y) = word;
+                finish(pixel, ruling);
+                verdict.classes.in_open(at.x, at.y) = pixel.finding.verdict;
                 sum.add(pixel, is_brief || differ(pixel.finding), ruling);
-                if (listed_ == Listed::differing)
-                    verdict.findings[ruled.places[i]] = pixel.finding;
-                else if (!passes(word))
-                    sum.failing.push_back(pixel.finding);
+                if (listed_ == Listed::differing) verdict.findings[ruled.places[i]] = pixel.finding;
             }
             return sum;
         };
@@ -123,7 +116,31 @@ class Record {
                                     [](const Count& a, const Count& b) { return a + b; });
     }
 
+    /// The findings of pixels that fail, once classes are written.
+    Bulk<Finding> failing(const LayeredFindings& ruled, const Rulings& rulings,
+                          const ClassMap& classes) const {
+        std::vector<std::size_t> failing;
+        for (std::size_t i = 0; i < ruled.left.size(); ++i)
+            if (!passes(classes.at(ruled.left[i].x, ruled.left[i].y))) failing.push_back(i);
+        Bulk<Finding> findings(failing.size());
+        using Places = tbb::blocked_range<std::size_t>;
+        tbb::parallel_for(Places(0, failing.size(), 1024), [&](const Places& some) {
+            PixelLook look(of_.scene, of_.candidate, of_.reference);
+            for (std::size_t k = some.begin(); k < some.end(); ++k) {
+                const PixelPlace at = ruled.left[failing[k]];
+                OpenPixel pixel = look.at(at.x, at.y);
+                finish(pixel, rulings[failing[k]]);
+                findings[k] = pixel.finding;
+            }
+        });
+        return findings;
+    }
+
   private:
+    static void finish(OpenPixel& pixel, const Ruling& ruling) {
+        pixel.finding.verdict = class_of(pixel, ruling);
+        pixel.finding.eps_px = ruling.candidate.eps_px;
+    }
     static bool differ(const Finding& finding) {
         return finding.candidate.primitive != finding.reference.primitive;
     }
@@ -178,8 +195,8 @@ Verdict judge(const Scene& scene, const View& view, const Parties& parties, Dept
     const Asked asked = full ? Asked::standing_and_displacement : Asked::without_square;
     const Rulings rulings = rule_on(scene, view, ours, theirs, layered.left, asked);
     if (full) full->rulings = placed(layered.left, rulings);
-    Count count =
-        Record(comparands, open, full ? Listed::differing : Listed::failing).write(layered, rulings, verdict);
+    const Record record(comparands, open, full ? Listed::differing : Listed::failing);
+    Count count = record.write(layered, rulings, verdict);
     count.add(layered.counts);
     verdict.counts = count.classes;
     verdict.counts[std::size_t(PixelClass::agree)] += size.pixel_count() - open_count;
@@ -188,10 +205,10 @@ Verdict judge(const Scene& scene, const View& view, const Parties& parties, Dept
     verdict.reference_defects = count.reference_defects;
     verdict.adjudicated = count.adjudicated;
     verdict.exact = count.exact;
-    if (!full) {
-        verdict.findings = std::move(count.failing);
+    if (!full && defect_count(verdict) != 0) {
+        verdict.findings = record.failing(layered, rulings, verdict.classes);
         add_squares(comparands, verdict.findings);
-    } else if (count.classes[std::size_t(PixelClass::agree)] != 0) {
+    } else if (full && count.classes[std::size_t(PixelClass::agree)] != 0) {
         std::erase_if(verdict.findings, [](const Finding& f) { return f.verdict == PixelClass::agree; });
     }
     return verdict;

@@ -45,7 +45,7 @@ const std::map<std::string, Names> may_include_in_compare{
     {"strips", {"bounds"}},
     {"first_pass", {"bounds", "strips"}},
     {"layers", {"bounds", "truth", "search", "strips", "first_pass"}},
-    {"hearing", {"truth", "search", "strips", "first_pass"}},
+    {"hearing", {"bounds", "truth", "search", "strips", "first_pass"}},
     {"diagnosis", {"search", "hearing"}},
     {"explanation", {"truth", "search", "hearing"}},
     {"metrics", {}},

@@ -33,20 +33,18 @@ constexpr FiltersOfEight nobody = [] {
     if (lens.filters.is_perspective()) edges = lens.filters.edges_of(p);
     const FilterTerms<Four> terms = lens.filters.terms_of(p, PlaneErrorOf<Four>(lens.gauge(p).plane), edges);
     const auto put = [&](const Four& four, double* eight) { std::memcpy(eight + lane, &four, sizeof four); };
-    const auto if_trusted = [&](const Four& error) {
-        return terms.is_trusted ? error : everywhere<Four>(infinite);
-    };
+    const Four no_limit = everywhere<Four>(infinite);
     for (std::size_t k = 0; k < terms.edge.size(); ++k) {
         strips::EdgesOfEight& of_eight = to.points.edges[k];
         put(terms.edge[k].a, of_eight.a);
         put(terms.edge[k].b, of_eight.b);
         put(terms.edge[k].c, of_eight.c);
-        put(if_trusted(terms.edge_error[k]), of_eight.reach);
+        put(terms.is_trusted ? terms.edge_error[k] : no_limit, of_eight.reach);
     }
     put(terms.nearness.a, to.nearness.a);
     put(terms.nearness.b, to.nearness.b);
     put(terms.nearness.c, to.nearness.c);
-    put(if_trusted(terms.nearness_error), to.nearness.error);
+    put(terms.is_trusted ? terms.nearness_error : no_limit, to.nearness.error);
 }
 
 void clear(std::size_t lane, FiltersOfEight& of) {
