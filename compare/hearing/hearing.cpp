@@ -29,6 +29,9 @@ constexpr double searched_over_reach = 8, most_searched_px = 1.0 / 12;
 /// them.
 constexpr std::size_t vertices_per_plea = 16, triangles_per_plea = 8;
 
+/// So many answers of a tile may be missed before one is seen at a glance.
+constexpr std::size_t missed_at_first = 2;
+
 /// Of so many sittings that many pleas, the first, say how far pleas reach.
 constexpr std::size_t sittings_sampled = 32;
 constexpr std::uint32_t pleas_sampled = 2;
@@ -196,7 +199,9 @@ class Hearing::Session {
         const Question& question() const { return session_.question_; }
 
         /// Not any more where most were not seen so.
-        bool may_glance() const { return question().at_a_glance && is_worth_a_glance_ && missed_ <= seen_; }
+        bool may_glance() const {
+            return question().at_a_glance && is_worth_a_glance_ && missed_ <= seen_ + missed_at_first;
+        }
         bool is_seen_at_a_glance() {
             const bool is_seen = memories_.glance.sees(plea_->answer, {plea_->x, plea_->y});
             ++(is_seen ? seen_ : missed_);
