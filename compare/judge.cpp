@@ -157,6 +157,7 @@ void add_squares(const Comparands& of, std::span<Finding> findings) {
         if (std::isnan(finding.eps_px)) lacking.push_back(&finding);
     if (lacking.empty()) return;
     std::vector<PixelPlace> places;
+    places.reserve(lacking.size());
     for (const Finding* finding : lacking) places.push_back({finding->x, finding->y});
     const Rulings rulings = rule_on(of.scene, of.view, of.candidate, of.reference, places);
     for (std::size_t i = 0; i < lacking.size(); ++i) lacking[i]->eps_px = rulings[i].candidate.eps_px;
