@@ -83,13 +83,14 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
     direction_abs_ = scale_.slant_u * glm::abs(c.right) + scale_.slant_v * glm::abs(c.up) + glm::abs(c.back);
     origin_abs_ = perspective_ ? glm::dvec3(0) : largest_u_ * glm::abs(c.right) + largest_v_ * glm::abs(c.up);
     gauge_ = gauge<double>();
-    if (const auto* raster = std::get_if<RasterPrecision>(&precision))
+    if (const auto* raster = std::get_if<RasterPrecision>(&precision)) {
         background_eps_px_ = std::ldexp(raster->snap == Snap::nearest ? 0.5 : 1.0, -raster->subpixel_bits);
-    else if (const auto* ray = std::get_if<RayPrecision>(&precision)) {
+    } else if (const auto* ray = std::get_if<RayPrecision>(&precision)) {
         set_aim(unit_of(ray->arithmetic));
         least_edge_test_eps_px_ = least_edge_test_eps_px(unit_of(ray->arithmetic));
-    } else
+    } else {
         set_aim(gamma(24, unit_roundoff_float64), std::get<PlaneRayPrecision>(precision).aim_offset_px);
+    }
 }
 
 void ViewBounds::set_aim(double unit, double offset_px) {

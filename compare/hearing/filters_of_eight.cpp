@@ -6,8 +6,7 @@
 #include <limits>
 
 #include "compare/bounds/in_four.h"
-#include "compare/search/triangle_filter.h"
-#include "compare/truth/neighbourhood.h"
+#include "compare/search/acquaintance.h"
 
 namespace zproof {
 
@@ -69,16 +68,9 @@ FiltersByEights::FiltersByEights(const Scene& scene, const View& view)
     : scene_(scene),
       lens_{in_four(filter_lens_of(view)), ViewBounds(view, RasterPrecision{}).gauge<Four>()} {}
 
-void FiltersByEights::fetch(std::span<const std::uint32_t> triangles) const {
-    for (const std::uint32_t t : triangles) __builtin_prefetch(&scene_.triangles[t]);
-    for (const std::uint32_t t : triangles)
-        for (int corner = 0; corner < 3; ++corner)
-            __builtin_prefetch(&scene_.vertices.position_world[scene_.triangles[t][corner]]);
-}
-
 void FiltersByEights::make(std::span<const std::uint32_t> triangles,
                            std::vector<FiltersOfEight>& eights) const {
-    fetch(triangles);
+    expect_corners(scene_, triangles);
     eights.assign((triangles.size() + side_by_side_count - 1) / side_by_side_count, nobody);
     std::array<CornersWorld, four_count> p_world{};
     for (std::size_t first = 0; first < triangles.size(); first += four_count) {

@@ -33,8 +33,6 @@ class FiltersByEights {
     };
 
   private:
-    void fetch(std::span<const std::uint32_t> triangles) const;
-
     const Scene& scene_;
     alignas(four_alignment) Lens lens_;
 };

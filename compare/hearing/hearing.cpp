@@ -147,7 +147,7 @@ class Hearing::Session {
     }
 
     /// So near its centre an answer that is seen needs no displacement: that is below what least_px() says of
-    /// any triangle's eps.
+    /// any triangle's eps. And no farther than triangles were looked for.
     double aside_px(const Sitting& sitting) const {
         double eps_px = unlimited;
         for (std::size_t i = sitting.first; i < sitting.end; ++i) {
@@ -155,7 +155,7 @@ class Hearing::Session {
             eps_px = std::min(eps_px, answer == PrimitiveId::none ? bounds->background_eps_px()
                                                                   : bounds->least_triangle_eps_px());
         }
-        return 0.5 * least_px(eps_px);
+        return 0.5 * std::min(least_px(eps_px), question_.least_search_px);
     }
 
     /// Hears the pleas of a sitting, one after the other.

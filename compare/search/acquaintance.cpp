@@ -21,11 +21,11 @@ double far_limit(const Camera& c, double slack) {
 
 }  // namespace
 
-void Acquaintance::expect(std::span<const std::uint32_t> triangles) const {
-    for (const std::uint32_t t : triangles) __builtin_prefetch(&scene_.triangles[t]);
+void expect_corners(const Scene& scene, std::span<const std::uint32_t> triangles) {
+    for (const std::uint32_t t : triangles) __builtin_prefetch(&scene.triangles[t]);
     for (const std::uint32_t t : triangles)
         for (int corner = 0; corner < 3; ++corner)
-            __builtin_prefetch(&scene_.vertices.position_world[scene_.triangles[t][corner]]);
+            __builtin_prefetch(&scene.vertices.position_world[scene.triangles[t][corner]]);
 }
 
 BoundedTriangle::BoundedTriangle(const ViewBounds& bounds, const Camera& camera,

@@ -42,6 +42,9 @@ struct BoundedTriangle {
     double most_near, most_far;  ///< the nearness of the near and far plane, moved inwards by their slack
 };
 
+/// Asks memory for the corners of triangles that will be asked about: they lie anywhere in the scene.
+void expect_corners(const Scene& scene, std::span<const std::uint32_t> triangles);
+
 class Acquaintance {
   public:
     /// much: triangles, of which one thread knows that many before it forgets; of a tile it may be more. Some
@@ -57,8 +60,8 @@ class Acquaintance {
                                   [&] { return BoundedTriangle(bounds, view_.camera, of(triangle).seen); });
     }
 
-    /// Asks memory for the corners of triangles that will be asked about: they lie anywhere in the scene.
-    void expect(std::span<const std::uint32_t> triangles) const;
+    /// expect_corners().
+    void expect(std::span<const std::uint32_t> triangles) const { expect_corners(scene_, triangles); }
 
     /// Triangles that it knows.
     std::size_t count() const { return known_.count(); }
