@@ -50,8 +50,8 @@ TEST_P(ACoarseAnswerAmongFineOnes, IsHeardByAllThatItsOwnSquareReaches) {
 }
 
 /// Fine answers in every tile say that triangles need not be looked for far. In one, which no sample meets, a
-/// coarse answer's edge passes through the centre; two walls that overlap right beside it hide all of its
-/// triangle, and only one of them comes as near as triangles are looked for.
+/// coarse answer's edge passes through the centre; two walls that overlap right beside it leave only a crack
+/// of its triangle, and only one of them comes as near as triangles are looked for.
 TEST(Hearing, GlancesNoFartherThanTrianglesAreLookedFor) {
     constexpr int tiles = 40, x = 20, y = 8;
     constexpr double centre_x = x + 0.5;
@@ -66,7 +66,8 @@ TEST(Hearing, GlancesNoFartherThanTrianglesAreLookedFor) {
             for (int row = 0; row < 16; ++row) pleas.push_back({&fine, PrimitiveId(2), tile * 16, row});
     pleas.push_back({&coarse, PrimitiveId(0), x, y});
     for (const Asked asked : {Asked::standing_and_displacement, Asked::without_square})
-        EXPECT_EQ(Hearing(scene, view).hear(pleas, asked).back().decision.standing, Standing::through_a_crack);
+        EXPECT_EQ(Hearing(scene, view).hear(pleas, asked).back().decision.standing,
+                  Standing::through_a_crack);
 }
 
 INSTANTIATE_TEST_SUITE_P(Projections, ACoarseAnswerAmongFineOnes,
