@@ -18,25 +18,26 @@ class ClassMap {
   public:
     ClassMap() = default;
     /// All pixels agree. Valid: whatever a Plane may be.
-    explicit ClassMap(Resolution size) : size_(size), tiles_(size), place_(tiles_.count()) {}
+    explicit ClassMap(Resolution size)
+        : size_(size), tiles_(size), place_(tiles_.count()), bands_(std::size_t(tiles_.rows)) {}
 
     Resolution size() const { return size_; }
     PixelClass at(int x, int y) const {
         assert(x >= 0 && x < size_.width && y >= 0 && y < size_.height);
-        const std::uint32_t place = place_[tiles_.of(x, y)];
-        return place != 0 ? open_[place - 1][in_tile(x, y)] : PixelClass::agree;
+        return place_[tiles_.of(x, y)] != 0 ? tile_of(x, y)[in_tile(x, y)] : PixelClass::agree;
     }
     /// The same, pixel by pixel.
     Plane<PixelClass> plane() const;
 
-    /// Makes open() of so many tiles take no memory beyond theirs.
-    void reserve(std::size_t tiles) { open_.reserve(tiles); }
-    /// Makes room in a tile for other classes. For one thread; references to pixels end.
+    /// Makes open() of so many tiles of a row take no memory beyond theirs.
+    void reserve(int row, std::size_t tiles) { bands_[std::size_t(row)].reserve(tiles); }
+    /// Makes room in a tile for other classes. Several threads may open tiles of different rows; references
+    /// to pixels of the row end.
     void open(int column, int row);
     /// Of a pixel in an open tile; several threads may write to different pixels.
     PixelClass& in_open(int x, int y) {
         assert(x >= 0 && x < size_.width && y >= 0 && y < size_.height && place_[tiles_.of(x, y)] != 0);
-        return open_[place_[tiles_.of(x, y)] - 1][in_tile(x, y)];
+        return bands_[band_of(y)][place_[tiles_.of(x, y)] - 1u][in_tile(x, y)];
     }
 
     /// Opens the pixel's tile where it is not. For one thread.
@@ -49,14 +50,16 @@ class ClassMap {
     using Tile = std::array<PixelClass, std::size_t(Tiles::side_px* Tiles::side_px)>;
     static_assert(PixelClass{} == PixelClass::agree);
 
+    static std::size_t band_of(int y) { return std::size_t(y / Tiles::side_px); }
+    const Tile& tile_of(int x, int y) const { return bands_[band_of(y)][place_[tiles_.of(x, y)] - 1u]; }
     static std::size_t in_tile(int x, int y) {
         return std::size_t(y % Tiles::side_px) * Tiles::side_px + std::size_t(x % Tiles::side_px);
     }
 
     Resolution size_;
     Tiles tiles_;
-    std::vector<std::uint32_t> place_;  ///< by tile: in open_, counted from 1; 0 where all agree
-    Bulk<Tile> open_;
+    std::vector<std::uint16_t> place_;  ///< by tile: in its band, counted from 1; 0 where all agree
+    std::vector<Bulk<Tile>> bands_;     ///< by row of tiles: the open ones
 };
 
 }  // namespace zproof

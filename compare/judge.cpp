@@ -3,10 +3,12 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 #include "compare/first_pass/agreement.h"
 #include "compare/hearing/adjudication.h"
@@ -40,11 +42,10 @@ OpenTiles first_pass(const Comparands& of, const Kept& kept) {
 /// All agree, and other classes may be written where pixels are open.
 ClassMap room_for(const OpenTiles& open, Resolution size) {
     ClassMap classes(size);
-    classes.reserve(open.tiles_open());
-    const Tiles& tiles = open.tiles();
-    for (int row = 0; row < tiles.rows; ++row)
-        for (int column = 0; column < tiles.columns; ++column)
-            if (open.count(column, row) != 0) classes.open(column, row);
+    tbb::parallel_for(0, open.tiles().rows, [&](int row) {
+        classes.reserve(row, open.of_row(row).size());
+        for (const OpenTiles::Tile& tile : open.of_row(row)) classes.open(tile.column, row);
+    });
     return classes;
 }
 
@@ -52,6 +53,9 @@ bool reference_is_wrong(const OpenPixel& open, const Ruling& ruling) {
     return open.reference_invalid || !open.reference_depth_lawful ||
            !is_lawful(ruling.reference.decision.standing);
 }
+
+/// Does a stand before b in raster order?
+bool in_raster(const PixelPlace& a, const PixelPlace& b) { return std::tie(a.y, a.x) < std::tie(b.y, b.x); }
 
 /// What some of the findings add up to: integers and maxima, so the order of adding does not matter.
 struct Count {
@@ -96,38 +100,40 @@ class Record {
 
     /// Writes classes of the verdict, whose size is set; and where all are listed its findings, each to its
     /// place.
-    Count write(const LayeredFindings& ruled, const Rulings& rulings, Verdict& verdict) const {
+    Count write(std::span<const PixelPlace> ruled, const Rulings& rulings, Verdict& verdict) const {
         using Pixels = tbb::blocked_range<std::size_t>;
         const auto write_some = [&](const Pixels& some, Count sum) {
             PixelLook look(of_.scene, of_.candidate, of_.reference);
             for (std::size_t i = some.begin(); i < some.end(); ++i) {
-                const PixelPlace at = ruled.left[i];
+                const PixelPlace at = ruled[i];
                 const Ruling ruling = rulings[i];
                 const bool is_brief = listed_ == Listed::failing && open_.is_lawful(at);
                 OpenPixel pixel = is_brief ? OpenPixel{} : look.at(at.x, at.y);
                 finish(pixel, ruling);
                 verdict.classes.in_open(at.x, at.y) = pixel.finding.verdict;
                 sum.add(pixel, is_brief || differ(pixel.finding), ruling);
-                if (listed_ == Listed::differing) verdict.findings[ruled.places[i]] = pixel.finding;
+                if (listed_ == Listed::differing) verdict.findings[open_.number_of(at)] = pixel.finding;
             }
             return sum;
         };
-        return tbb::parallel_reduce(Pixels(0, ruled.left.size(), 1024), Count{}, write_some,
+        return tbb::parallel_reduce(Pixels(0, ruled.size(), 1024), Count{}, write_some,
                                     [](const Count& a, const Count& b) { return a + b; });
     }
 
     /// The findings of pixels that fail, once classes are written.
-    Bulk<Finding> failing(const LayeredFindings& ruled, const Rulings& rulings,
+    Bulk<Finding> failing(std::span<const PixelPlace> ruled, const Rulings& rulings,
                           const ClassMap& classes) const {
         std::vector<std::size_t> failing;
-        for (std::size_t i = 0; i < ruled.left.size(); ++i)
-            if (!passes(classes.at(ruled.left[i].x, ruled.left[i].y))) failing.push_back(i);
+        for (std::size_t i = 0; i < ruled.size(); ++i)
+            if (!passes(classes.at(ruled[i].x, ruled[i].y))) failing.push_back(i);
+        tbb::parallel_sort(failing,
+                           [&](std::size_t a, std::size_t b) { return in_raster(ruled[a], ruled[b]); });
         Bulk<Finding> findings(failing.size());
         using Places = tbb::blocked_range<std::size_t>;
         tbb::parallel_for(Places(0, failing.size(), 1024), [&](const Places& some) {
             PixelLook look(of_.scene, of_.candidate, of_.reference);
             for (std::size_t k = some.begin(); k < some.end(); ++k) {
-                const PixelPlace at = ruled.left[failing[k]];
+                const PixelPlace at = ruled[failing[k]];
                 OpenPixel pixel = look.at(at.x, at.y);
                 finish(pixel, rulings[failing[k]]);
                 findings[k] = pixel.finding;
@@ -189,16 +195,21 @@ Verdict judge(const Scene& scene, const View& view, const Parties& parties, Dept
     const Witness ours(scene, view, candidate), theirs(scene, view, reference);
     const Comparands comparands{scene, view, ours, theirs};
     OpenTiles open = first_pass(comparands, {verdict, depths, full});
-    const std::size_t open_count = open.number();
+    const std::size_t open_count = open.count();
     verdict.classes = room_for(open, size);
-    if (full) verdict.findings.resize(open_count);
-    const LayeredFindings layered = settle_layers(comparands, open, verdict.classes, verdict.findings);
+    if (full) {
+        open.number();
+        verdict.findings.resize(open_count);
+    }
+    const ClassCounts layered = settle_layers(comparands, open, verdict.classes, verdict.findings);
+    Bulk<PixelPlace> left = open.left();
+    if (full) tbb::parallel_sort(left, in_raster);
     const Asked asked = full ? Asked::standing_and_displacement : Asked::without_square;
-    const Rulings rulings = rule_on(scene, view, ours, theirs, layered.left, asked);
-    if (full) full->rulings = placed(layered.left, rulings);
+    const Rulings rulings = rule_on(scene, view, ours, theirs, left, asked);
+    if (full) full->rulings = placed(left, rulings);
     const Record record(comparands, open, full ? Listed::differing : Listed::failing);
-    Count count = record.write(layered, rulings, verdict);
-    count.add(layered.counts);
+    Count count = record.write(left, rulings, verdict);
+    count.add(layered);
     verdict.counts = count.classes;
     verdict.counts[std::size_t(PixelClass::agree)] += size.pixel_count() - open_count;
     verdict.candidate_edges = count.edges.candidate;
@@ -207,7 +218,7 @@ Verdict judge(const Scene& scene, const View& view, const Parties& parties, Dept
     verdict.adjudicated = count.adjudicated;
     verdict.exact = count.exact;
     if (!full && defect_count(verdict) != 0) {
-        verdict.findings = record.failing(layered, rulings, verdict.classes);
+        verdict.findings = record.failing(left, rulings, verdict.classes);
         add_squares(comparands, verdict.findings);
     } else if (full && count.classes[std::size_t(PixelClass::agree)] != 0) {
         std::erase_if(verdict.findings, [](const Finding& f) { return f.verdict == PixelClass::agree; });

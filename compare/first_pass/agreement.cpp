@@ -75,6 +75,7 @@ class Comparison {
     /// Compares the pixels of a tile.
     void compare(const PixelBox& tile, OpenTiles& open) {
         shown_.clear();
+        opened_ = {};
         std::size_t runs = 0;
         const std::size_t ahead = std::min(Strip::width, std::size_t(candidate_.view().width - tile.right));
         for (int y = tile.top; y < tile.bottom; ++y) {
@@ -104,8 +105,9 @@ class Comparison {
                 scribes_->candidate.write(strip.candidate, sorted_.ratio.candidate, {strip.x, y, width});
                 scribes_->reference.write(strip.reference, sorted_.ratio.reference, {strip.x, y, width});
             }
-            settle(strip, open);
+            settle(strip, std::size_t(y - tile.top));
         }
+        tell(tile, open);
         raise(candidate_largest_, largest.candidate);
         raise(reference_largest_, largest.reference);
         tell(candidate_largest_, largest_.candidate);
@@ -213,27 +215,34 @@ class Comparison {
         (perspective ? hold_perspective : hold_parallel)(shown_.laws(), strip, laws_along(strip), sorted_);
     }
 
-    void settle(const Strip& strip, OpenTiles& open) {
+    void settle(const Strip& strip, std::size_t row) {
         if (sorted_.sorted != SortedStrip::all_sorted)
             sort_out(strip, sorted_, candidate_largest_, reference_largest_);
         if (histograms_) histograms_->add(strip, sorted_.ratio);
         for (std::size_t chunk = 0; chunk < sorted_.open.size(); ++chunk) {
             if (sorted_.open[chunk] == 0) continue;
-            const ColumnMask left = still_open(strip, chunk);
-            if (left != 0)
-                open.open(strip.x / int(Strip::chunk) + int(chunk), strip.y, left, sorted_.lawful[chunk]);
+            opened_[chunk].pixels[row] = std::uint16_t(still_open(strip, chunk));
+            opened_[chunk].lawful[row] = std::uint16_t(sorted_.lawful[chunk]);
         }
     }
 
     ColumnMask still_open(const Strip& strip, std::size_t chunk) {
         ColumnMask open = sorted_.open[chunk];
-        for (ColumnMask rest = open; rest != 0; rest &= rest - 1) {
+        const ColumnMask same = open & ~Strip::in_chunk(strip.differ, chunk * Strip::chunk);
+        for (ColumnMask rest = same; rest != 0; rest &= rest - 1) {
             const std::size_t i = chunk * Strip::chunk + std::size_t(std::countr_zero(rest));
-            const bool differ = strip.candidate.primitive[i] != strip.reference.primitive[i];
-            if (!differ && settles({strip.x + int(i), strip.y}, sorted_.ratio.reference[i]))
-                open &= ~(rest & -rest);
+            if (settles({strip.x + int(i), strip.y}, sorted_.ratio.reference[i])) open &= ~(rest & -rest);
         }
         return open;
+    }
+
+    void tell(const PixelBox& tile, OpenTiles& open) const {
+        for (std::size_t chunk = 0; chunk < opened_.size(); ++chunk) {
+            const TileMask pixels = TileMask::of(opened_[chunk].pixels);
+            if (!pixels.is_none())
+                open.open(tile.left / Tiles::side_px + int(chunk), tile.top / Tiles::side_px, pixels,
+                          TileMask::of(opened_[chunk].lawful));
+        }
     }
 
     /// A pixel at which both name the same triangle, or none.
@@ -262,6 +271,11 @@ class Comparison {
     std::array<strips::Runs, 2> runs_;  ///< of the strip at hand and the next one, by y
     std::array<Strip, tile_height> strips_;
     SortedStrip sorted_;  ///< the strip at hand
+    /// Of those tiles in which open pixels wait: by row, bit i is column i.
+    struct Opened {
+        std::array<std::uint16_t, TileMask::rows> pixels{}, lawful{};
+    };
+    std::array<Opened, Strip::width / Strip::chunk> opened_;
     Largest candidate_largest_{}, reference_largest_{};
     Tally one_by_one_;
     PixelLook look_;

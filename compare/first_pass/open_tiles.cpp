@@ -2,82 +2,72 @@
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <bit>
+#include <functional>
+#include <numeric>
 
 namespace zproof {
 
 namespace {
 
-/// Calls visit(column, y, row) for the rows of a band's tiles that have open pixels, in raster order.
-template <class Band, class Visit>
-void for_each_row(Band& band, int tile_row, const Visit& visit) {
-    std::vector<decltype(band.data())> tiles;
-    tiles.reserve(band.size());
-    for (auto& tile : band) tiles.push_back(&tile);
-    std::ranges::sort(tiles, {}, [](const auto* tile) { return tile->column; });
-    for (std::size_t y = 0; y < Tiles::side_px; ++y)
-        for (auto* const tile : tiles)
-            if (tile->rows[y].pixels != 0)
-                visit(tile->column, tile_row * Tiles::side_px + int(y), tile->rows[y]);
+/// Of each band the sum of what comes before it; at the end, of all. `count` is asked for every tile.
+template <class Bands, class Count>
+std::vector<std::size_t> sums_before(const Bands& bands, const Count& count) {
+    std::vector<std::size_t> sums{0};
+    for (const auto& band : bands)
+        sums.push_back(std::transform_reduce(band.begin(), band.end(), sums.back(), std::plus<>(), count));
+    return sums;
 }
+
+std::size_t opened_in(const OpenTiles::Tile& tile) { return std::size_t(tile.pixels.count()); }
+std::size_t left_in(const OpenTiles::Tile& tile) { return std::size_t(tile.left.count()); }
 
 }  // namespace
 
-void OpenTiles::open(int column, int y, ColumnMask pixels, ColumnMask lawful) {
-    const int tile_row = y / Tiles::side_px;
-    Band& band = bands_[std::size_t(tile_row)];
-    std::uint16_t& place = place_[tiles_.index(column, tile_row)];
-    if (place == 0) {
-        band.push_back({.column = column});
-        place = std::uint16_t(band.size());
-    }
-    OpenTile& tile = band[place - 1u];
-    Row& row = tile.rows[std::size_t(y % Tiles::side_px)];
-    row.pixels |= pixels;
-    row.lawful |= lawful & pixels;
-    tile.count += std::uint32_t(std::popcount(pixels));
+void OpenTiles::open(int column, int tile_row, const TileMask& pixels, const TileMask& lawful) {
+    std::vector<Tile>& band = bands_[std::size_t(tile_row)];
+    assert(!pixels.is_none() && (band.empty() || band.back().column < column));
+    band.push_back({column, pixels, lawful & pixels, pixels, {}});
+    place_[tiles_.index(column, tile_row)] = std::uint16_t(band.size());
 }
 
-std::vector<std::uint32_t> OpenTiles::first_of_bands() const {
-    std::vector<std::uint32_t> first{0};
-    for (const Band& band : bands_) {
-        std::uint32_t next = first.back();
-        for (const OpenTile& tile : band) next += tile.count;
-        first.push_back(next);
-    }
-    return first;
-}
-
-std::size_t OpenTiles::number() {
-    const std::vector<std::uint32_t> first = first_of_bands();
+void OpenTiles::number() {
+    const std::vector<std::size_t> first = sums_before(bands_, opened_in);
     tbb::parallel_for(std::size_t(0), bands_.size(), [&](std::size_t i) {
-        std::uint32_t next = first[i];
-        for_each_row(bands_[i], int(i), [&](int, int, Row& row) {
-            row.first = next;
-            next += std::uint32_t(std::popcount(row.pixels));
-        });
+        auto next = std::uint32_t(first[i]);
+        for (int y = 0; y < TileMask::rows; ++y)
+            for (Tile& tile : bands_[i]) {
+                tile.first[std::size_t(y)] = next;
+                next += std::uint32_t(std::popcount(tile.pixels.row(y)));
+            }
     });
-    return first.back();
 }
 
-std::size_t OpenTiles::tiles_open() const {
-    std::size_t count = 0;
-    for (const Band& band : bands_) count += band.size();
-    return count;
-}
+std::size_t OpenTiles::count() const { return sums_before(bands_, opened_in).back(); }
 
-std::vector<PixelPlace> OpenTiles::places() const {
-    const std::vector<std::uint32_t> first = first_of_bands();
-    std::vector<PixelPlace> all(first.back());
+Bulk<PixelPlace> OpenTiles::left() const {
+    const std::vector<std::size_t> first = sums_before(bands_, left_in);
+    Bulk<PixelPlace> all(first.back());
     tbb::parallel_for(std::size_t(0), bands_.size(), [&](std::size_t i) {
         PixelPlace* next = all.data() + first[i];
-        for_each_row(bands_[i], int(i), [&](int column, int y, const Row& row) {
-            for (ColumnMask rest = row.pixels; rest != 0; rest &= rest - 1)
-                *next++ = {column * Tiles::side_px + std::countr_zero(rest), y};
-        });
+        for (const Tile& tile : bands_[i])
+            for_each_row(tile.left, [&](int y, ColumnMask rest) {
+                for (; rest != 0; rest &= rest - 1)
+                    *next++ = {tile.column * Tiles::side_px + std::countr_zero(rest),
+                               int(i) * Tiles::side_px + y};
+            });
     });
     return all;
+}
+
+std::uint32_t OpenTiles::number_of(const PixelPlace& pixel) const {
+    const auto [column, y] = in_tile(pixel);
+    return number_in(tile_of(pixel), column, y);
+}
+
+std::uint32_t number_in(const OpenTiles::Tile& tile, int column, int y) {
+    const ColumnMask before = tile.pixels.row(y) & ((ColumnMask{1} << column) - 1);
+    return tile.first[std::size_t(y)] + std::uint32_t(std::popcount(before));
 }
 
 }  // namespace zproof

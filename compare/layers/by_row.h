@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "compare/layers/tile_mask.h"
+#include "compare/tile_mask.h"
 
 namespace zproof {
 

@@ -21,6 +21,9 @@ constexpr std::uint32_t many = 8, many_of_line = 2;
 /// For so many triangles of the scene a pixel by itself is as much trouble as finding those that come near.
 constexpr std::size_t triangles_per_pixel = 4;
 
+/// What both show is asked for so many tiles ahead.
+constexpr std::size_t fetched_ahead = 4;
+
 /// Do both have a corner in common, or a side with each on its own side of it? Such are seldom seen one over
 /// the other.
 bool lie_side_by_side(const CornersWorld& p, const CornersWorld& q) {
@@ -45,33 +48,51 @@ bool lie_over_each_other(const Comparands& of, const PixelPlace& at) {
            !lie_side_by_side(corners_of(of.scene, ours), corners_of(of.scene, theirs));
 }
 
-bool is_worth_it(const Comparands& of, const OpenTiles& open, int column, int row) {
-    const std::uint32_t count = open.count(column, row);
+TilePlace place_of(const OpenTiles::Tile& tile, int row) {
+    return {tile.column * Tiles::side_px, row * Tiles::side_px};
+}
+
+/// Asks for what both show at a tile's first open pixel.
+void fetch(const Comparands& of, const OpenTiles::Tile& tile, int row) {
+    const auto [left, top] = place_of(tile, row);
+    int y = 0;
+    while (tile.pixels.row(y) == 0) ++y;
+    const int x = left + std::countr_zero(tile.pixels.row(y));
+    for (const Frame* const frame : {&of.candidate.frame(), &of.reference.frame()})
+        __builtin_prefetch(&frame->primitive.at(x, top + y));
+}
+
+bool are_many(const TileMask& pixels) {
+    const auto count = std::uint32_t(pixels.count());
     if (count < many) return false;
     std::uint32_t rows = 0;
     ColumnMask columns = 0;
-    bool lie_over = false;
-    for (int y = row * Tiles::side_px; y < (row + 1) * Tiles::side_px; ++y) {
-        const ColumnMask pixels = open.row(column, y).pixels;
-        if (pixels == 0) continue;
+    for_each_row(pixels, [&](int, ColumnMask of_row) {
         ++rows;
-        columns |= pixels;
-        const int x = column * Tiles::side_px + std::countr_zero(pixels);
-        lie_over = lie_over || lie_over_each_other(of, {x, y});
-    }
-    return lie_over && count >= many_of_line * std::max(rows, std::uint32_t(std::popcount(columns)));
+        columns |= of_row;
+    });
+    return count >= many_of_line * std::max(rows, std::uint32_t(std::popcount(columns)));
 }
 
-/// Of a tile's open pixels, of which there are some.
-Around centres_of(const OpenTiles& open, int column, int row) {
-    const int left = column * Tiles::side_px, top = row * Tiles::side_px;
+/// The first open pixel of some row says it.
+bool lie_over_each_other(const Comparands& of, const OpenTiles::Tile& tile, int row) {
+    const auto [left, top] = place_of(tile, row);
+    bool lie_over = false;
+    for_each_row(tile.pixels, [&](int y, ColumnMask pixels) {
+        lie_over = lie_over || lie_over_each_other(of, {left + std::countr_zero(pixels), top + y});
+    });
+    return lie_over;
+}
+
+/// Of its open pixels.
+Around centres_of(const OpenTiles::Tile& tile, int row) {
+    const auto [left, top] = place_of(tile, row);
     ColumnMask any = 0;
     Box box;
-    for (int y = top; y < top + Tiles::side_px; ++y) {
-        const ColumnMask pixels = open.row(column, y).pixels;
+    for_each_row(tile.pixels, [&](int y, ColumnMask pixels) {
         any |= pixels;
-        if (pixels != 0) box.add(left, y);
-    }
+        box.add(left + std::countr_zero(pixels), top + y);
+    });
     box.add(left + int(std::bit_width(any)) - 1, box.top);
     return {box.middle_x(), box.middle_y(), 0.5 * (box.right - box.left), 0.5 * (box.bottom - box.top)};
 }
@@ -96,12 +117,14 @@ LayeredChoice choose_layered_tiles(const Comparands& of, const OpenTiles& open, 
     std::vector<std::uint32_t> is_asked(tiles.count());
     std::vector<std::size_t> pixels(std::size_t(tiles.rows));
     tbb::parallel_for(0, tiles.rows, [&](int row) {
-        for (int column = 0; column < tiles.columns; ++column) {
-            if (!is_worth_it(of, open, column, row)) continue;
-            const std::size_t tile = tiles.index(column, row);
+        const std::span<const OpenTiles::Tile> band = open.of_row(row);
+        for (std::size_t i = 0; i < band.size(); ++i) {
+            if (i + fetched_ahead < band.size()) fetch(of, band[i + fetched_ahead], row);
+            if (!are_many(band[i].pixels) || !lie_over_each_other(of, band[i], row)) continue;
+            const std::size_t tile = tiles.index(band[i].column, row);
             is_asked[tile] = 1;
-            centres[tile] = centres_of(open, column, row);
-            pixels[std::size_t(row)] += open.count(column, row);
+            centres[tile] = centres_of(band[i], row);
+            pixels[std::size_t(row)] += std::size_t(band[i].pixels.count());
         }
     });
     const std::size_t sum = std::accumulate(pixels.begin(), pixels.end(), std::size_t(0));
@@ -110,6 +133,8 @@ LayeredChoice choose_layered_tiles(const Comparands& of, const OpenTiles& open, 
 }
 
 /// What is to be known of a triangle costs about as much as a pixel by itself.
-bool is_worth_layers(std::size_t pixels, std::size_t triangles) { return pixels >= triangles; }
+bool is_worth_layers(const OpenTiles::Tile& open, std::size_t triangles) {
+    return std::size_t(open.pixels.count()) >= triangles;
+}
 
 }  // namespace zproof

@@ -17,6 +17,6 @@ struct LayeredChoice {
 LayeredChoice choose_layered_tiles(const Comparands& of, const OpenTiles& open, double reach_px);
 
 /// Is such a tile still worth it, once it is known how many triangles come near its open pixels?
-bool is_worth_layers(std::size_t pixels, std::size_t triangles);
+bool is_worth_layers(const OpenTiles::Tile& open, std::size_t triangles);
 
 }  // namespace zproof

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 #include "compare/first_pass/held_depths.h"
 #include "compare/layers/layered_choice.h"
@@ -40,34 +39,17 @@ struct Memories {
     Memory<std::uint32_t, LawOfBoth> laws{1024};
 };
 
-using OpenRows = std::span<const OpenTiles::Row>;
-
-TileMask pixels_of(OpenRows rows, ColumnMask OpenTiles::Row::*columns) {
-    TileMask pixels;
-    for (int y = 0; y < TileMask::rows; ++y) pixels.add(y, rows[std::size_t(y)].*columns);
-    return pixels;
-}
-
 /// A tile with open pixels, as both show it.
 struct LayeredTile {
     TilePlace place;
-    OpenRows rows;
-    TileMask open, lawful;  ///< lawful: the depths of both are so for certain
+    const OpenTiles::Tile& opened;
     ShownTile ours, theirs;
 
-    LayeredTile(const Comparands& of, const OpenTiles& tiles, const TilePlace& at)
+    LayeredTile(const Comparands& of, const OpenTiles::Tile& tile, const TilePlace& at)
         : place(at),
-          rows(tiles.rows_of(at.left / Tiles::side_px, at.top / Tiles::side_px)),
-          open(pixels_of(rows, &OpenTiles::Row::pixels)),
-          lawful(pixels_of(rows, &OpenTiles::Row::lawful)),
-          ours(of.candidate.frame(), at, open),
-          theirs(of.reference.frame(), at, open) {}
-
-    /// Of an open pixel, among all that are open.
-    std::uint32_t number_of(int y, int column) const {
-        const auto& [pixels, lawful_ones, first] = rows[std::size_t(y)];
-        return first + std::uint32_t(std::popcount(pixels & ((ColumnMask{1} << column) - 1)));
-    }
+          opened(tile),
+          ours(of.candidate.frame(), at, tile.pixels),
+          theirs(of.reference.frame(), at, tile.pixels) {}
 };
 
 /// Pixels at which one renderer's, or both's, answers are tied, and visible.
@@ -75,7 +57,7 @@ using Standings = Layers::Standings;
 
 class LayeredPass {
   public:
-    LayeredPass(const Comparands& of, const OpenTiles& open, ClassMap& classes, std::span<Finding> findings)
+    LayeredPass(const Comparands& of, OpenTiles& open, ClassMap& classes, std::span<Finding> findings)
         : of_(of),
           open_(open),
           classes_(classes),
@@ -83,109 +65,65 @@ class LayeredPass {
           choice_(choose_layered_tiles(of, open, reach_px)),
           memories_([&] { return Memories(of); }) {}
 
-    LayeredFindings settle() {
+    ClassCounts settle() {
         const Tiles& tiles = open_.tiles();
-        if (choice_.asked.all().empty()) return all_left();
+        ClassCounts sum{};
+        if (choice_.asked.all().empty()) return sum;
         const TrianglesByTile near(of_.scene, of_.view, choice_.asked);
-        std::vector<LayeredFindings> bands(std::size_t(tiles.rows));
+        std::vector<ClassCounts> counts(std::size_t(tiles.rows));
         tbb::parallel_for(0, tiles.rows, [&](int row) {
-            Band band;
-            for (int column = 0; column < tiles.columns; ++column) settle_tile(column, row, near, band);
-            bands[std::size_t(row)] = in_raster_order(band);
+            ClassCounts of_row{};
+            const std::span<OpenTiles::Tile> band = open_.of_row(row);
+            for (std::size_t i = 0; i < band.size(); ++i) {
+                if (i + 1 < band.size()) fetch(band[i + 1], row);
+                settle_tile(band[i], row, near, of_row);
+            }
+            counts[std::size_t(row)] = of_row;
         });
-        return sum_of(bands);
+        for (const ClassCounts& some : counts)
+            for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += some[c];
+        return sum;
     }
 
   private:
     using Bounds = std::array<const ViewBounds*, 2>;
     Bounds bounds() const { return {&of_.candidate.bounds(), &of_.reference.bounds()}; }
 
-    LayeredFindings all_left() const {
-        LayeredFindings all;
-        all.left = open_.places();
-        all.places.resize(all.left.size());
-        std::iota(all.places.begin(), all.places.end(), std::uint32_t(0));
-        return all;
-    }
-
-    /// A row of tiles.
-    struct Band {
-        struct Left {
-            PixelPlace at;
-            std::uint32_t place;
-        };
-        std::vector<Left> left;
-        ClassCounts counts{};
-    };
-    static LayeredFindings in_raster_order(Band& band) {
-        std::ranges::sort(band.left, {}, &Band::Left::place);
-        LayeredFindings found;
-        for (const Band::Left& pixel : band.left) {
-            found.left.push_back(pixel.at);
-            found.places.push_back(pixel.place);
-        }
-        found.counts = band.counts;
-        return found;
-    }
-    static LayeredFindings sum_of(const std::vector<LayeredFindings>& bands) {
-        LayeredFindings sum;
-        for (const LayeredFindings& band : bands) {
-            sum.left.insert(sum.left.end(), band.left.begin(), band.left.end());
-            sum.places.insert(sum.places.end(), band.places.begin(), band.places.end());
-            for (std::size_t c = 0; c < band.counts.size(); ++c) sum.counts[c] += band.counts[c];
-        }
-        return sum;
-    }
-
     static TilePlace place_of(int column, int row) { return {column * Tiles::side_px, row * Tiles::side_px}; }
 
     /// Asks for what both show in a tile that comes next.
-    void fetch(int column, int row) const {
-        if (column >= open_.tiles().columns || open_.count(column, row) == 0) return;
-        const TilePlace at = place_of(column, row);
+    void fetch(const OpenTiles::Tile& tile, int row) const {
+        const TilePlace at = place_of(tile.column, row);
         for (const Frame* const frame : {&of_.candidate.frame(), &of_.reference.frame()})
             for (int y = 0; y < TileMask::rows && at.top + y < frame->size().height; ++y)
                 __builtin_prefetch(&frame->primitive.row(at.top + y)[std::size_t(at.left)]);
     }
 
-    void settle_tile(int column, int row, const TrianglesByTile& near, Band& band) {
-        if (open_.count(column, row) == 0) return;
-        fetch(column + 1, row);
-        const LayeredTile tile(of_, open_, place_of(column, row));
-        const TileMask settled =
-            is_worth_it(column, row, near) ? settle(column, row, near, tile, band.counts) : TileMask{};
-        for_each_row(tile.open & ~settled, [&](int y, ColumnMask rest) {
-            for (; rest != 0; rest &= rest - 1) {
-                const int x = std::countr_zero(rest);
-                band.left.push_back({{tile.place.left + x, tile.place.top + y}, tile.number_of(y, x)});
-            }
-        });
-    }
-
-    bool is_worth_it(int column, int row, const TrianglesByTile& near) const {
-        const std::size_t tile = open_.tiles().index(column, row);
-        return choice_.asked.has(column, row) &&
-               is_worth_layers(open_.count(column, row), near.of(tile).size());
-    }
-
-    /// Writes what is certain.
-    TileMask settle(int column, int row, const TrianglesByTile& near, const LayeredTile& tile,
-                    ClassCounts& counts) {
+    /// Writes what is certain, and leaves the rest.
+    void settle_tile(OpenTiles::Tile& open, int row, const TrianglesByTile& near, ClassCounts& counts) {
+        const std::size_t index = open_.tiles().index(open.column, row);
+        if (!choice_.asked.has(open.column, row) || !is_worth_layers(open, near.of(index).size())) return;
         Memories& memories = memories_.local();
         memories.acquaintance.forget_if_much();
         Layers& layers = memories.layers;
-        const std::size_t index = open_.tiles().index(column, row);
-        layers.turn_to(tile.place, choice_.centres[index], near.of(index), bounds());
-        if (!layers.are_known() || layers.widest_px() > reach_px) return {};
-        const TileMask open = layers.uncut(where_they_differ(tile.ours, tile.theirs, tile.open));
+        const TilePlace place = place_of(open.column, row);
+        layers.turn_to(place, choice_.centres[index], near.of(index), bounds());
+        if (!layers.are_known() || layers.widest_px() > reach_px) return;
+        const LayeredTile tile(of_, open, place);
+        const TileMask settled = settle(layers, tile, counts);
+        open.left &= ~settled;
+        if (!findings_.empty())
+            for_each_row(settled, [&](int y, ColumnMask columns) { list(layers, tile, y, columns); });
+    }
+
+    TileMask settle(Layers& layers, const LayeredTile& tile, ClassCounts& counts) {
+        const TileMask open = layers.uncut(where_they_differ(tile.ours, tile.theirs, tile.opened.pixels));
         const Standings candidate = standings(layers, 0, tile.ours, open);
         const Standings reference = standings(layers, 1, tile.theirs, candidate.tied | candidate.visible);
         const TileMask settled = lawful(tile, reference.tied | reference.visible);
         const TileMask tied = settled & (candidate.tied | reference.tied);
         write(class_of(Standing::tied, Standing::visible), tile.place, tied, counts);
         write(class_of(Standing::visible, Standing::visible), tile.place, settled & ~tied, counts);
-        if (!findings_.empty())
-            for_each_row(settled, [&](int y, ColumnMask columns) { list(layers, tile, y, columns); });
         return settled;
     }
 
@@ -202,8 +140,8 @@ class LayeredPass {
 
     /// Where the depths of both are lawful for certain; the first pass knows most.
     TileMask lawful(const LayeredTile& tile, const TileMask& pixels) {
-        TileMask found = pixels & tile.lawful;
-        for_each_row(pixels & ~tile.lawful, [&](int y, ColumnMask columns) {
+        TileMask found = pixels & tile.opened.lawful;
+        for_each_row(pixels & ~found, [&](int y, ColumnMask columns) {
             const RowPlace at = tile.place.row(y);
             columns = lawful_by_laws(&LawOfBoth::candidate, at, row_of(tile.ours, y), columns);
             found.add(y, lawful_by_laws(&LawOfBoth::reference, at, row_of(tile.theirs, y), columns));
@@ -247,7 +185,7 @@ class LayeredPass {
                 depths_in_row(law_of(triangle).candidate, of_.candidate.projection(), at, ours.camera_depth);
             for (; here != 0; here &= here - 1) {
                 const auto i = std::size_t(std::countr_zero(here));
-                findings_[tile.number_of(y, int(i))] = {
+                findings_[number_in(tile.opened, int(i), y)] = {
                     .x = at.left + int(i),
                     .y = at.y,
                     .verdict = classes_.at(at.left + int(i), at.y),
@@ -276,7 +214,7 @@ class LayeredPass {
     }
 
     const Comparands& of_;
-    const OpenTiles& open_;
+    OpenTiles& open_;
     ClassMap& classes_;
     std::span<Finding> findings_;
     LayeredChoice choice_;
@@ -285,8 +223,8 @@ class LayeredPass {
 
 }  // namespace
 
-LayeredFindings settle_layers(const Comparands& of, const OpenTiles& open, ClassMap& classes,
-                              std::span<Finding> findings) {
+ClassCounts settle_layers(const Comparands& of, OpenTiles& open, ClassMap& classes,
+                          std::span<Finding> findings) {
     return LayeredPass(of, open, classes, findings).settle();
 }
 

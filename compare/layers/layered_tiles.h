@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "compare/class_map.h"
 #include "compare/first_pass/open_tiles.h"
@@ -11,18 +10,11 @@
 
 namespace zproof {
 
-/// What came of it.
-struct LayeredFindings {
-    std::vector<PixelPlace> left;       ///< still open, in raster order
-    std::vector<std::uint32_t> places;  ///< theirs among all that were open
-    ClassCounts counts{};               ///< of the others
-};
-
-/// Decides those of the open pixels that it can, as the admissible set does, and writes their classes; and
-/// their findings, in the same bits, where there is a place for each open pixel; `findings` may be empty.
-/// `classes` has the view's size and all tiles open that have open pixels; `open` is numbered. Runs on all
-/// threads.
-LayeredFindings settle_layers(const Comparands& of, const OpenTiles& open, ClassMap& classes,
-                              std::span<Finding> findings);
+/// Decides those of the open pixels that it can, as the admissible set does, and leaves the others; writes
+/// classes, which it counts, and findings, in the same bits, where there is a place for each open pixel:
+/// `findings` may be empty, or else `open` is numbered. `classes` has the view's size and all tiles open that
+/// have open pixels. Runs on all threads.
+ClassCounts settle_layers(const Comparands& of, OpenTiles& open, ClassMap& classes,
+                          std::span<Finding> findings);
 
 }  // namespace zproof

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "compare/layers/by_row.h"
-#include "compare/layers/tile_mask.h"
 #include "compare/layers/triangle_row.h"
 #include "compare/search/acquaintance.h"
+#include "compare/tile_mask.h"
 #include "compare/truth/standing.h"
 
 namespace zproof {

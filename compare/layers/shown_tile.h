@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <span>
 
-#include "compare/layers/tile_mask.h"
 #include "compare/strips/dispatch.h"
 #include "compare/strips/masks.h"
+#include "compare/tile_mask.h"
 
 namespace zproof {
 

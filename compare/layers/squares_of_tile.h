@@ -1,8 +1,8 @@
 /// Squares around all pixels of a tile, side by side: what TriangleFilter says of one.
 #pragma once
 
-#include "compare/layers/tile_mask.h"
 #include "compare/search/triangle_filter.h"
+#include "compare/tile_mask.h"
 
 namespace zproof {
 

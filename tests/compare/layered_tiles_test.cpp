@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 
 #include "compare/first_pass/agreement.h"
 #include "compare/hearing/adjudication.h"
@@ -83,34 +82,36 @@ TEST(LayeredTiles, AreSettledAsOnePixelAfterTheOther) {
         const Case c(dice);
         const Witness ours(c.scene, c.view, {c.candidate, raster_precision()}),
             theirs(c.scene, c.view, {c.reference, ray_precision()});
-        const OpenTiles tiles = opened(c.scene, c.view, ours, theirs);
-        const std::vector<PixelPlace> open = tiles.places();
+        OpenTiles tiles = opened(c.scene, c.view, ours, theirs), others = tiles;
+        const Bulk<PixelPlace> open = tiles.left();
         ClassMap classes = open_map(), alone = classes;
         std::vector<Finding> findings(open.size());
         const Comparands comparands{c.scene, c.view, ours, theirs};
-        const LayeredFindings layered = settle_layers(comparands, tiles, classes, findings);
-        const LayeredFindings unlisted = settle_layers(comparands, tiles, alone, {});
-        EXPECT_EQ(unlisted.places, layered.places);
-        EXPECT_EQ(unlisted.counts, layered.counts);
+        const ClassCounts layered = settle_layers(comparands, tiles, classes, findings);
+        EXPECT_EQ(settle_layers(comparands, others, alone, {}), layered);
+        const Bulk<PixelPlace> still_open = tiles.left();
+        EXPECT_EQ(others.left(), still_open);
         EXPECT_TRUE(std::ranges::equal(alone.plane().pixels(), classes.plane().pixels()));
         const Rulings rulings = rule_on(c.scene, c.view, ours, theirs, open);
         PixelLook look(c.scene, ours, theirs);
-        const std::set<std::uint32_t> still_open(layered.places.begin(), layered.places.end());
-        ASSERT_EQ(still_open.size(), layered.left.size());
-        ASSERT_TRUE(std::ranges::is_sorted(layered.places));
         left += still_open.size();
         ClassCounts counts{};
+        std::size_t next = 0;  // of what is still open
         for (std::uint32_t i = 0; i < open.size(); ++i) {
-            if (still_open.contains(i)) continue;
+            if (next < still_open.size() && open[i] == still_open[next]) {
+                ++next;
+                continue;
+            }
             OpenPixel pixel = look.at(open[i].x, open[i].y);
             pixel.finding.verdict = class_of(pixel, rulings[i]);
             pixel.finding.eps_px = rulings[i].candidate.eps_px;
             ++counts[std::size_t(pixel.finding.verdict)];
-            expect_same(findings[i], pixel.finding);
+            expect_same(findings[tiles.number_of(open[i])], pixel.finding);
             EXPECT_EQ(classes.at(open[i].x, open[i].y), pixel.finding.verdict);
             if (testing::Test::HasFailure()) return;
         }
-        EXPECT_EQ(counts, layered.counts);
+        EXPECT_EQ(next, still_open.size());
+        EXPECT_EQ(counts, layered);
         for (std::size_t k = 0; k < counts.size(); ++k) settled[k] += counts[k];
     }
     EXPECT_GT(settled[std::size_t(PixelClass::depth_tie)], 3000u);
@@ -150,11 +151,10 @@ TEST(LayeredTiles, LeaveSquaresThatReachBeyondTheSearch) {
         const Witness candidate(walls.scene, walls.view,
                                 {ours, RasterPrecision{.subpixel_bits = subpixel_bits}}),
             reference(walls.scene, walls.view, {theirs, ray_precision()});
-        const OpenTiles open = opened(walls.scene, walls.view, candidate, reference);
+        OpenTiles open = opened(walls.scene, walls.view, candidate, reference);
         ClassMap classes = open_map();
-        const LayeredFindings layered =
-            settle_layers({walls.scene, walls.view, candidate, reference}, open, classes, {});
-        EXPECT_EQ(layered.left.size(), subpixel_bits == 8 ? 0 : open.places().size());
+        settle_layers({walls.scene, walls.view, candidate, reference}, open, classes, {});
+        EXPECT_EQ(open.left().size(), subpixel_bits == 8 ? 0 : open.count());
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <algorithm>
 #include <random>
 
 namespace zproof {
@@ -15,69 +15,74 @@ struct Pixel {
     bool is_open = false, is_lawful = false;
 };
 
-/// Random pixels of random rows of tiles, opened in any order, as a plane and by tile.
+/// Random pixels of random tiles, as a plane and by tile.
 struct Opened {
     Plane<Pixel> plane{{width, height}};
     OpenTiles tiles{View{.name = "tiles", .camera = {}, .width = width, .height = height}};
 
     explicit Opened(std::mt19937& random) {
-        const auto rows = random() % 60;
-        for (std::uint32_t i = 0; i < rows; ++i) {
-            const int column = int(random() % std::uint32_t(tiles.tiles().columns)),
-                      y = int(random() % height);
-            ColumnMask pixels = random() & random() & all_columns, lawful = random() & all_columns;
-            for (int bit = 0; bit < Tiles::side_px; ++bit) {
-                const int x = column * Tiles::side_px + bit;
-                const ColumnMask here = ColumnMask{1} << bit;
-                if (x >= width || plane.at(x, y).is_open) pixels &= ~here;
-                if ((pixels & here) != 0) plane.at(x, y) = {true, (lawful & here) != 0};
-            }
-            if (pixels != 0) tiles.open(column, y, pixels, lawful);
-        }
+        const std::uint32_t share = random() % 4;
+        for (int row = 0; row < tiles.tiles().rows; ++row)
+            for (int column = 0; column < tiles.tiles().columns; ++column)
+                if (random() % 4 < share) open(column, row, random);
     }
+
+    void open(int column, int row, std::mt19937& random) {
+        TileMask pixels, lawful;
+        for (int y = row * Tiles::side_px; y < std::min(height, (row + 1) * Tiles::side_px); ++y)
+            for (int x = column * Tiles::side_px; x < std::min(width, (column + 1) * Tiles::side_px); ++x) {
+                const ColumnMask here = ColumnMask{1} << x % Tiles::side_px;
+                const bool is_open = random() % 4 == 0, is_lawful = random() % 2 == 0;
+                if (is_open) pixels.add(y % Tiles::side_px, here);
+                if (is_lawful) lawful.add(y % Tiles::side_px, here);
+                plane.at(x, y) = {is_open, is_open && is_lawful};
+            }
+        if (!pixels.is_none()) tiles.open(column, row, pixels, lawful);
+    }
+    std::size_t count() const { return std::size_t(std::ranges::count_if(plane.pixels(), &Pixel::is_open)); }
 };
 
 TEST(OpenTiles, AreNumberedInRasterOrder) {
     std::mt19937 random(1);
     for (int round = 0; round < 200; ++round) {
         Opened opened(random);
-        const std::size_t count = opened.tiles.number();
-        const std::vector<PixelPlace> places = opened.tiles.places();
-        ASSERT_EQ(places.size(), count);
-        std::size_t next = 0;
+        opened.tiles.number();
+        std::uint32_t next = 0;
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
                 if (!opened.plane.at(x, y).is_open) continue;
-                ASSERT_LT(next, count);
-                ASSERT_EQ(places[next].x, x);
-                ASSERT_EQ(places[next].y, y);
-                const OpenTiles::Row& row = opened.tiles.row(x / Tiles::side_px, y);
-                const ColumnMask before = row.pixels & ((ColumnMask{1} << x % Tiles::side_px) - 1);
-                ASSERT_EQ(row.first + std::uint32_t(std::popcount(before)), next);
+                ASSERT_EQ(opened.tiles.number_of({x, y}), next);
                 ASSERT_EQ(opened.tiles.is_lawful({x, y}), opened.plane.at(x, y).is_lawful);
                 ++next;
             }
-        ASSERT_EQ(next, count);
+        ASSERT_EQ(opened.tiles.count(), next);
     }
 }
 
-TEST(OpenTiles, CountWhatIsOpenInEach) {
+/// Of each tile some pixels are decided.
+TEST(OpenTiles, ListWhatIsLeftTileByTile) {
     std::mt19937 random(2);
     for (int round = 0; round < 200; ++round) {
-        const Opened opened(random);
+        Opened opened(random);
         const Tiles& tiles = opened.tiles.tiles();
-        std::size_t with_any = 0;
-        for (int row = 0; row < tiles.rows; ++row)
-            for (int column = 0; column < tiles.columns; ++column) {
-                std::uint32_t expected = 0;
-                for (int y = row * Tiles::side_px; y < std::min(height, (row + 1) * Tiles::side_px); ++y)
-                    for (int x = column * Tiles::side_px; x < std::min(width, (column + 1) * Tiles::side_px);
-                         ++x)
-                        expected += opened.plane.at(x, y).is_open ? 1 : 0;
-                ASSERT_EQ(opened.tiles.count(column, row), expected);
-                with_any += expected != 0 ? 1 : 0;
+        std::vector<PixelPlace> expected;
+        for (int row = 0; row < tiles.rows; ++row) {
+            int before = -1;
+            for (OpenTiles::Tile& tile : opened.tiles.of_row(row)) {
+                ASSERT_LT(before, tile.column);
+                before = tile.column;
+                for (int y = 0; y < TileMask::rows; ++y) {
+                    TileMask decided;
+                    decided.add(y, random() & all_columns);
+                    tile.left &= ~decided;
+                    for (int x = 0; x < Tiles::side_px; ++x)
+                        if ((tile.pixels.row(y) & ~decided.row(y)) >> x & 1)
+                            expected.push_back({tile.column * Tiles::side_px + x, row * Tiles::side_px + y});
+                }
             }
-        ASSERT_EQ(opened.tiles.tiles_open(), with_any);
+        }
+        EXPECT_EQ(opened.tiles.count(), opened.count()) << "what is decided was opened";
+        ASSERT_TRUE(std::ranges::equal(opened.tiles.left(), expected));
     }
 }
 

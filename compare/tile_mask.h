@@ -49,10 +49,14 @@ class TileMask {
         return (words[0] | words[1]) == 0;
     }
     int count() const {
-        int sum = 0;
-        for (const Half& half : halves_)
-            for (const std::uint64_t word : std::bit_cast<Words>(half)) sum += std::popcount(word);
-        return sum;
+        const Half pairs = (halves_[0] & 0x5555) + (halves_[0] >> 1 & 0x5555);
+        const Half other_pairs = (halves_[1] & 0x5555) + (halves_[1] >> 1 & 0x5555);
+        const Half fours =
+            (pairs & 0x3333) + (pairs >> 2 & 0x3333) + (other_pairs & 0x3333) + (other_pairs >> 2 & 0x3333);
+        const Half bytes = (fours & 0x0f0f) + (fours >> 4 & 0x0f0f);
+        const auto words = std::bit_cast<Words>(Half((bytes & 0x00ff) + (bytes >> 8)));
+        constexpr std::uint64_t one_each = 0x0001'0001'0001'0001;
+        return int((words[0] + words[1]) * one_each >> 48);
     }
 
     TileMask& operator&=(const TileMask& other) {
