@@ -87,13 +87,13 @@ class Comparison {
             strip.turns = ids.turns, strip.differ = ids.differ;
             runs += std::size_t(ids.runs);
             fetch_ahead(strip.candidate.primitive, ahead);
-            fetch_ahead(strip.reference.primitive, ahead);
         }
         turn_to(tile, runs);
         Presort::Largest largest{known(candidate_largest_, largest_.candidate),
                                  known(reference_largest_, largest_.reference)};
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
+            fetch_ahead(strip.reference.primitive, ahead);
             fetch_ahead(strip.candidate.camera_depth, ahead);
             fetch_ahead(strip.reference.camera_depth, ahead);
             if (way_ == Way::by_corners && y + 1 < tile.bottom)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "compare/hearing/glance.h"
 #include "compare/hearing/summary.h"
@@ -31,6 +32,9 @@ constexpr std::size_t vertices_per_plea = 16, triangles_per_plea = 8;
 
 /// So many answers of a tile may be missed before one is seen at a glance.
 constexpr std::size_t missed_at_first = 2;
+
+/// So many pleas are put in order by one thread.
+constexpr std::size_t pleas_sorted = 2048;
 
 /// Of so many sittings that many pleas, the first, say how far pleas reach.
 constexpr std::size_t sittings_sampled = 32;
@@ -273,17 +277,47 @@ class Hearing::Session {
     TrianglesByTile near_;
 };
 
-auto Hearing::docket_of_all() const -> Docket {
+/// Pixels of a tile mostly follow each other.
+auto Hearing::runs_of_tiles() const -> std::vector<Run> {
     const Tiles tiles(view_);
-    // counted two places ahead, so that filling leaves each tile's end where the next one's first belongs
+    std::vector<std::vector<Run>> runs((pleas_.size() + pleas_sorted - 1) / pleas_sorted);
+    tbb::parallel_for(std::size_t(0), runs.size(), [&](std::size_t some) {
+        std::vector<Run> found;
+        const std::size_t end = std::min(pleas_.size(), (some + 1) * pleas_sorted);
+        for (std::size_t i = some * pleas_sorted; i < end; ++i) {
+            const Plea& plea = pleas_[i];
+            if (!plea.bounds) continue;
+            const std::size_t tile = tiles.of(plea.x, plea.y);
+            if (found.empty() || found.back().tile != tile)
+                found.push_back({.tile = tile, .first = std::uint32_t(i)});
+            found.back().end = std::uint32_t(i + 1);
+            ++found.back().pleas;
+        }
+        runs[some] = std::move(found);
+    });
+    std::vector<Run> all;
+    for (const std::vector<Run>& some : runs) all.insert(all.end(), some.begin(), some.end());
+    return all;
+}
+
+auto Hearing::docket_of_all() const -> Docket {
+    std::vector<Run> runs = runs_of_tiles();
+    const Tiles tiles(view_);
+    // counted two places ahead, so that giving places leaves each tile's end where the next's first belongs
     std::vector<std::uint32_t> first(tiles.count() + 2);
-    for (const Plea& plea : pleas_)
-        if (plea.bounds) ++first[tiles.of(plea.x, plea.y) + 2];
+    for (const Run& run : runs) first[run.tile + 2] += run.pleas;
     for (std::size_t t = 2; t < first.size(); ++t) first[t] += first[t - 1];
+    for (Run& run : runs) run.place = std::exchange(first[run.tile + 1], first[run.tile + 1] + run.pleas);
     const std::size_t count = first.back();
-    Docket docket{Bulk<std::uint32_t>(count), Bulk<double>(count, 0), {}};
-    for (std::uint32_t i = 0; i < pleas_.size(); ++i)
-        if (const Plea& plea = pleas_[i]; plea.bounds) docket.plea[first[tiles.of(plea.x, plea.y) + 1]++] = i;
+    Docket docket{Bulk<std::uint32_t>(count), Bulk<double>(count), {}};
+    tbb::parallel_for(std::size_t(0), runs.size(), [&](std::size_t r) {
+        std::uint32_t place = runs[r].place;
+        for (std::uint32_t i = runs[r].first; i < runs[r].end; ++i) {
+            if (!pleas_[i].bounds) continue;
+            docket.plea[place] = i;
+            docket.reach_px[place++] = 0;
+        }
+    });
     for_each_by_blocks(tiles, [&](std::size_t t) {
         if (first[t] != first[t + 1]) docket.sittings.push_back({t, first[t], first[t + 1]});
     });
@@ -335,7 +369,10 @@ bool Hearing::may_glance(Asked asked) const {
 /// The squares that grow beyond their first reach are looked at once more with their full reach.
 Bulk<Ruled> Hearing::hear(Bulk<Plea> pleas, Asked asked) {
     pleas_ = std::move(pleas);
-    Bulk<Ruled> rulings(pleas_.size(), Ruled{});
+    Bulk<Ruled> rulings(pleas_.size());
+    tbb::parallel_for(std::size_t(0), rulings.size(), [&](std::size_t i) {
+        if (!pleas_[i].bounds) rulings[i] = Ruled{};
+    });
     ThreadMemories memories([&] { return Memories(scene_, view_); });
     Docket docket = docket_of_all();
     const double likely_px = likely_reach_px(docket, memories.local());

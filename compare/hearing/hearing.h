@@ -52,6 +52,13 @@ class Hearing {
     /// One go at the pleas that are left.
     class Session;
 
+    /// Pleas of one tile that follow each other: from first to before end, but for what asks nothing.
+    struct Run {
+        std::size_t tile;
+        std::uint32_t first, end = 0, pleas = 0;
+        std::uint32_t place = 0;  ///< of the docket
+    };
+    std::vector<Run> runs_of_tiles() const;
     Docket docket_of_all() const;
     bool may_glance(Asked asked) const;
     /// The farthest first reach of some pleas.

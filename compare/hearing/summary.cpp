@@ -435,6 +435,10 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint, Estimate& estimate) {
     const bool all_cover = answer && cutting_.empty() && std::ranges::count(covering_, *answer) != 0;
     if (all_cover && is_tied(renderer, *answer, rivals_, square(widest_px_), may_be_certain))
         return Ruled{{Standing::tied, false}, eps, std::nullopt};
+    if (answer && is_hidden_in(renderer, answer, eps)) {
+        if (!is_held_around(renderer, *answer, plaint.own_eps_px)) return std::nullopt;
+        return Ruled{{Standing::tied, false}, eps, std::nullopt};
+    }
     // on an edge: what is seen that close is seen in every larger square, and needs no displacement
     const double close = least_px(eps);
     const bool misses = answer && filter(*answer).misses(square(close));
@@ -442,8 +446,6 @@ std::optional<Ruled> Summary::rule(const Plaint& plaint, Estimate& estimate) {
         return Ruled{{Standing::visible, false}, eps, std::nullopt};
     if (is_seen_around(answer, plaint.own_eps_px) || (eps > plaint.own_eps_px && is_seen_around(answer, eps)))
         return visible(renderer, plaint, answer, eps, estimate);
-    if (answer && is_hidden_in(renderer, answer, eps) && is_held_around(renderer, *answer, plaint.own_eps_px))
-        return Ruled{{Standing::tied, false}, eps, std::nullopt};
     if (answer && (is_seen_in_part(*answer, eps) || is_seen_where(*answer, eps, estimate)))
         return visible(renderer, plaint, answer, eps, estimate);
     return std::nullopt;
