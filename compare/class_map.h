@@ -37,7 +37,14 @@ class ClassMap {
     /// Of a pixel in an open tile; several threads may write to different pixels.
     PixelClass& in_open(int x, int y) {
         assert(x >= 0 && x < size_.width && y >= 0 && y < size_.height && place_[tiles_.of(x, y)] != 0);
-        return bands_[band_of(y)][place_[tiles_.of(x, y)] - 1u][in_tile(x, y)];
+        return tile_at(x / Tiles::side_px, y / Tiles::side_px)[in_tile(x, y)];
+    }
+
+    /// Of a tile that is open, row by row.
+    using Tile = std::array<PixelClass, std::size_t(Tiles::side_px* Tiles::side_px)>;
+    Tile& tile_at(int column, int row) {
+        assert(place_[tiles_.index(column, row)] != 0);
+        return bands_[std::size_t(row)][place_[tiles_.index(column, row)] - 1u];
     }
 
     /// Opens the pixel's tile where it is not. For one thread.
@@ -47,7 +54,6 @@ class ClassMap {
     }
 
   private:
-    using Tile = std::array<PixelClass, std::size_t(Tiles::side_px* Tiles::side_px)>;
     static_assert(PixelClass{} == PixelClass::agree);
 
     static std::size_t band_of(int y) { return std::size_t(y / Tiles::side_px); }

@@ -12,6 +12,8 @@
 
 namespace zproof {
 
+static_assert(std::endian::native == std::endian::little, "four rows are looked at as one word");
+
 /// A tile's first pixel in the image.
 struct TilePlace {
     int left = 0, top = 0;
@@ -38,11 +40,26 @@ class TileMask {
     void add(int y, ColumnMask columns) {
         halves_[half_of(y)][y % rows_of_half] = std::uint16_t(row(y) | columns);
     }
+    /// Row by row: bit i is column i.
+    std::array<std::uint16_t, rows> columns_of_row() const {
+        return std::bit_cast<std::array<std::uint16_t, rows>>(halves_);
+    }
     /// Bit y: row y has some.
     unsigned rows_with_some() const {
+        constexpr std::uint64_t all_but_first = 0x7fff'7fff'7fff'7fff, gather = 0x0001'0002'0004'0008;
         unsigned found = 0;
-        for (int y = 0; y < rows; ++y) found |= unsigned(row(y) != 0) << y;
+        for (std::size_t i = 0; i < halves_.size() * 2; ++i) {
+            const std::uint64_t word = std::bit_cast<Bits>(halves_)[i];  // four rows
+            const std::uint64_t some = (((word & all_but_first) + all_but_first) | word) & ~all_but_first;
+            found |= unsigned((some >> 15) * gather >> 48 & 0xf) << 4 * i;
+        }
         return found;
+    }
+    /// Columns that some row has.
+    ColumnMask columns_with_some() const {
+        const auto words = std::bit_cast<Words>(halves_[0] | halves_[1]);
+        const std::uint64_t four = words[0] | words[1], two = four | four >> 32;
+        return ColumnMask(two | two >> 16) & all_columns;
     }
     bool is_none() const {
         const auto words = std::bit_cast<Words>(halves_[0] | halves_[1]);
@@ -90,8 +107,10 @@ class TileMask {
 /// Calls visit(y, columns) for each row that has any of the pixels.
 template <class Visit>
 void for_each_row(const TileMask& pixels, const Visit& visit) {
-    for (int y = 0; y < TileMask::rows; ++y)
-        if (const ColumnMask columns = pixels.row(y); columns != 0) visit(y, columns);
+    for (unsigned rows = pixels.rows_with_some(); rows != 0; rows &= rows - 1) {
+        const int y = std::countr_zero(rows);
+        visit(y, pixels.row(y));
+    }
 }
 
 }  // namespace zproof

@@ -221,15 +221,17 @@ class Comparison {
         if (histograms_) histograms_->add(strip, sorted_.ratio);
         for (std::size_t chunk = 0; chunk < sorted_.open.size(); ++chunk) {
             if (sorted_.open[chunk] == 0) continue;
-            opened_[chunk].pixels[row] = std::uint16_t(still_open(strip, chunk));
-            opened_[chunk].lawful[row] = std::uint16_t(sorted_.lawful[chunk]);
+            const ColumnMask differ = Strip::in_chunk(strip.differ, chunk * Strip::chunk);
+            const ColumnMask open = still_open(strip, chunk, differ);
+            opened_[chunk].pixels[row] = std::uint16_t(open);
+            opened_[chunk].differ[row] = std::uint16_t(open & differ);
+            opened_[chunk].lawful[row] = std::uint16_t(open & sorted_.lawful[chunk]);
         }
     }
 
-    ColumnMask still_open(const Strip& strip, std::size_t chunk) {
+    ColumnMask still_open(const Strip& strip, std::size_t chunk, ColumnMask differ) {
         ColumnMask open = sorted_.open[chunk];
-        const ColumnMask same = open & ~Strip::in_chunk(strip.differ, chunk * Strip::chunk);
-        for (ColumnMask rest = same; rest != 0; rest &= rest - 1) {
+        for (ColumnMask rest = open & ~differ; rest != 0; rest &= rest - 1) {
             const std::size_t i = chunk * Strip::chunk + std::size_t(std::countr_zero(rest));
             if (settles({strip.x + int(i), strip.y}, sorted_.ratio.reference[i])) open &= ~(rest & -rest);
         }
@@ -238,10 +240,10 @@ class Comparison {
 
     void tell(const PixelBox& tile, OpenTiles& open) const {
         for (std::size_t chunk = 0; chunk < opened_.size(); ++chunk) {
-            const TileMask pixels = TileMask::of(opened_[chunk].pixels);
-            if (!pixels.is_none())
-                open.open(tile.left / Tiles::side_px + int(chunk), tile.top / Tiles::side_px, pixels,
-                          TileMask::of(opened_[chunk].lawful));
+            const auto& [pixels, differ, lawful] = opened_[chunk];
+            const OpenTiles::Opened opened{TileMask::of(pixels), TileMask::of(differ), TileMask::of(lawful)};
+            if (!opened.pixels.is_none())
+                open.open(tile.left / Tiles::side_px + int(chunk), tile.top / Tiles::side_px, opened);
         }
     }
 
@@ -273,7 +275,7 @@ class Comparison {
     SortedStrip sorted_;  ///< the strip at hand
     /// Of those tiles in which open pixels wait: by row, bit i is column i.
     struct Opened {
-        std::array<std::uint16_t, TileMask::rows> pixels{}, lawful{};
+        std::array<std::uint16_t, TileMask::rows> pixels{}, differ{}, lawful{};
     };
     std::array<Opened, Strip::width / Strip::chunk> opened_;
     Largest candidate_largest_{}, reference_largest_{};

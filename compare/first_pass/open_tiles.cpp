@@ -24,10 +24,11 @@ std::size_t left_in(const OpenTiles::Tile& tile) { return std::size_t(tile.left.
 
 }  // namespace
 
-void OpenTiles::open(int column, int tile_row, const TileMask& pixels, const TileMask& lawful) {
+void OpenTiles::open(int column, int tile_row, const Opened& opened) {
+    const auto& [pixels, differ, lawful] = opened;
     std::vector<Tile>& band = bands_[std::size_t(tile_row)];
     assert(!pixels.is_none() && (band.empty() || band.back().column < column));
-    band.push_back({column, pixels, lawful & pixels, pixels, {}});
+    band.push_back({column, pixels, differ, lawful, pixels, {}});
     place_[tiles_.index(column, tile_row)] = std::uint16_t(band.size());
 }
 

@@ -20,7 +20,8 @@ class OpenTiles {
     struct Tile {
         int column;
         TileMask pixels;  ///< all that were opened
-        TileMask lawful;  ///< of those: ids differ, and both depths are so for certain
+        TileMask differ;  ///< of those: ids do
+        TileMask lawful;  ///< of those: both depths are so for certain
         TileMask left;    ///< of those: nobody has decided them yet
         /// By row: the number of its first open pixel; the others follow it. Known after number().
         std::array<std::uint32_t, TileMask::rows> first;
@@ -29,9 +30,13 @@ class OpenTiles {
     explicit OpenTiles(const View& view)
         : tiles_(view), place_(tiles_.count()), bands_(std::size_t(tiles_.rows)) {}
 
-    /// Opens some pixels of a tile; `lawful` as Tile has it. Of a row of tiles from left to right, each once;
-    /// several threads may open tiles of different rows.
-    void open(int column, int tile_row, const TileMask& pixels, const TileMask& lawful);
+    /// As Tile has it.
+    struct Opened {
+        TileMask pixels, differ, lawful;
+    };
+    /// Opens some pixels of a tile. Of a row of tiles from left to right, each once; several threads may open
+    /// tiles of different rows.
+    void open(int column, int tile_row, const Opened& opened);
     /// Numbers all open pixels in raster order.
     void number();
 

@@ -55,8 +55,7 @@ TilePlace place_of(const OpenTiles::Tile& tile, int row) {
 /// Asks for what both show at a tile's first open pixel.
 void fetch(const Comparands& of, const OpenTiles::Tile& tile, int row) {
     const auto [left, top] = place_of(tile, row);
-    int y = 0;
-    while (tile.pixels.row(y) == 0) ++y;
+    const int y = std::countr_zero(tile.pixels.rows_with_some());
     const int x = left + std::countr_zero(tile.pixels.row(y));
     for (const Frame* const frame : {&of.candidate.frame(), &of.reference.frame()})
         __builtin_prefetch(&frame->primitive.at(x, top + y));
@@ -65,35 +64,29 @@ void fetch(const Comparands& of, const OpenTiles::Tile& tile, int row) {
 bool are_many(const TileMask& pixels) {
     const auto count = std::uint32_t(pixels.count());
     if (count < many) return false;
-    std::uint32_t rows = 0;
-    ColumnMask columns = 0;
-    for_each_row(pixels, [&](int, ColumnMask of_row) {
-        ++rows;
-        columns |= of_row;
-    });
-    return count >= many_of_line * std::max(rows, std::uint32_t(std::popcount(columns)));
+    const int rows = std::popcount(pixels.rows_with_some()),
+              columns = std::popcount(pixels.columns_with_some());
+    return count >= many_of_line * std::uint32_t(std::max(rows, columns));
 }
 
 /// The first open pixel of some row says it.
 bool lie_over_each_other(const Comparands& of, const OpenTiles::Tile& tile, int row) {
     const auto [left, top] = place_of(tile, row);
-    bool lie_over = false;
-    for_each_row(tile.pixels, [&](int y, ColumnMask pixels) {
-        lie_over = lie_over || lie_over_each_other(of, {left + std::countr_zero(pixels), top + y});
-    });
-    return lie_over;
+    for (unsigned rows = tile.pixels.rows_with_some(); rows != 0; rows &= rows - 1) {
+        const int y = std::countr_zero(rows);
+        const int x = std::countr_zero(tile.pixels.row(y));
+        if (lie_over_each_other(of, {left + x, top + y})) return true;
+    }
+    return false;
 }
 
 /// Of its open pixels.
 Around centres_of(const OpenTiles::Tile& tile, int row) {
     const auto [left, top] = place_of(tile, row);
-    ColumnMask any = 0;
+    const unsigned rows = tile.pixels.rows_with_some(), columns = tile.pixels.columns_with_some();
     Box box;
-    for_each_row(tile.pixels, [&](int y, ColumnMask pixels) {
-        any |= pixels;
-        box.add(left + std::countr_zero(pixels), top + y);
-    });
-    box.add(left + int(std::bit_width(any)) - 1, box.top);
+    box.add(left + std::countr_zero(columns), top + std::countr_zero(rows));
+    box.add(left + int(std::bit_width(columns)) - 1, top + int(std::bit_width(rows)) - 1);
     return {box.middle_x(), box.middle_y(), 0.5 * (box.right - box.left), 0.5 * (box.bottom - box.top)};
 }
 

@@ -48,8 +48,8 @@ struct LayeredTile {
     LayeredTile(const Comparands& of, const OpenTiles::Tile& tile, const TilePlace& at)
         : place(at),
           opened(tile),
-          ours(of.candidate.frame(), at, tile.pixels),
-          theirs(of.reference.frame(), at, tile.pixels) {}
+          ours(of.candidate.frame(), at, tile.differ),
+          theirs(of.reference.frame(), at, tile.differ) {}
 };
 
 /// Pixels at which one renderer's, or both's, answers are tied, and visible.
@@ -117,7 +117,7 @@ class LayeredPass {
     }
 
     TileMask settle(Layers& layers, const LayeredTile& tile, ClassCounts& counts) {
-        const TileMask open = layers.uncut(where_they_differ(tile.ours, tile.theirs, tile.opened.pixels));
+        const TileMask open = layers.uncut(tile.opened.differ);
         const Standings candidate = standings(layers, 0, tile.ours, open);
         const Standings reference = standings(layers, 1, tile.theirs, candidate.tied | candidate.visible);
         const TileMask settled = lawful(tile, reference.tied | reference.visible);
@@ -200,8 +200,9 @@ class LayeredPass {
 
     void write(PixelClass verdict, const TilePlace& at, const TileMask& pixels, ClassCounts& counts) {
         counts[std::size_t(verdict)] += std::uint64_t(pixels.count());
+        PixelClass* const rows = classes_.tile_at(at.left / Tiles::side_px, at.top / Tiles::side_px).data();
         for_each_row(pixels, [&](int y, ColumnMask columns) {
-            put_where(columns, verdict, &classes_.in_open(at.left, at.top + y));
+            put_where(columns, verdict, rows + y * Tiles::side_px);
         });
     }
 

@@ -16,11 +16,8 @@ Ids compare(const PrimitiveId* candidate, const PrimitiveId* reference) noexcept
 }
 
 void where_shown_in_tile(const IdsOfTile& ids, PrimitiveId id, ColumnsOfTile& columns) noexcept {
-    for (int y = 0; y < Tiles::side_px; ++y)
-        columns.of_row[y] = std::uint16_t((ids.asked >> y & 1) != 0 ? where_equal(ids.rows[y], id) : 0);
-}
-
-void where_same_in_tile(const IdsOfTile& a, const IdsOfTile& b, ColumnsOfTile& columns) noexcept {
-    for (int y = 0; y < Tiles::side_px; ++y)
-        columns.of_row[y] = std::uint16_t((a.asked >> y & 1) != 0 ? where_equal(a.rows[y], b.rows[y]) : 0);
+    const PrimitiveId* row = ids.first;
+    for (int y = 0; y < Tiles::side_px; ++y, row += ids.stride)
+        if (const unsigned asked = columns.of_row[y]; asked != 0)
+            columns.of_row[y] = std::uint16_t(asked & where_equal(row, id));
 }

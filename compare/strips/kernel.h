@@ -116,12 +116,12 @@ struct PlacesOfEight {
     std::uint8_t covers, cuts;
 };
 
-/// What a frame shows in a tile: ids row by row, of those rows that are asked about.
+/// What a frame shows in a tile: the ids of a row follow each other.
 struct IdsOfTile {
-    const PrimitiveId* const* rows = nullptr;
-    unsigned asked = 0;  ///< bit y: row y; of others, nothing is read
+    const PrimitiveId* first = nullptr;  ///< of the first row
+    std::ptrdiff_t stride = 0;           ///< from row to row
 };
-/// By row: bit i is column i; none of rows that are not asked about.
+/// By row: bit i is column i.
 struct ColumnsOfTile {
     std::uint16_t of_row[Tiles::side_px];
 };
@@ -137,11 +137,10 @@ struct Kernel {
     Pixels (*lawful)(const OneFrame& frame, const Tolerated& by) noexcept = nullptr;
     /// Of `width` ids, those that are `id`.
     Pixels (*where_shown)(const PrimitiveId* ids, PrimitiveId id) noexcept = nullptr;
-    /// The same in a tile, and where two frames show the same.
+    /// The same of some pixels of a tile: `columns` holds them before, and those of them that are `id` after.
+    /// Of a row without any, nothing is read.
     void (*where_shown_in_tile)(const IdsOfTile& ids, PrimitiveId id,
                                 ColumnsOfTile& columns) noexcept = nullptr;
-    void (*where_same_in_tile)(const IdsOfTile& a, const IdsOfTile& b,
-                               ColumnsOfTile& columns) noexcept = nullptr;
     /// The same as certain() without tolerances, from the triangles' corners; it may say less.
     Pixels (*certain_by_corners)(const Depths& depths, const Runs& runs, const RunLens& lens,
                                  const AtMost& at_most) noexcept = nullptr;

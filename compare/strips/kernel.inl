@@ -17,7 +17,6 @@ consteval Kernel kernel_named(const char* name) {
             .lawful = lawful,
             .where_shown = where_shown,
             .where_shown_in_tile = where_shown_in_tile,
-            .where_same_in_tile = where_same_in_tile,
             .certain_by_corners = certain_by_corners,
             .set_tolerances = set_tolerances,
             .set_signs = set_signs,

@@ -12,7 +12,7 @@ constexpr int width = 150, height = 70;
 
 /// A pixel beside the others.
 struct Pixel {
-    bool is_open = false, is_lawful = false;
+    bool is_open = false, differs = false, is_lawful = false;
 };
 
 /// Random pixels of random tiles, as a plane and by tile.
@@ -28,19 +28,29 @@ struct Opened {
     }
 
     void open(int column, int row, std::mt19937& random) {
-        TileMask pixels, lawful;
+        OpenTiles::Opened opened;
         for (int y = row * Tiles::side_px; y < std::min(height, (row + 1) * Tiles::side_px); ++y)
             for (int x = column * Tiles::side_px; x < std::min(width, (column + 1) * Tiles::side_px); ++x) {
+                Pixel& pixel = plane.at(x, y);
+                pixel.is_open = random() % 4 == 0;
+                pixel.differs = pixel.is_open && random() % 4 != 0;
+                pixel.is_lawful = pixel.differs && random() % 2 == 0;
                 const ColumnMask here = ColumnMask{1} << x % Tiles::side_px;
-                const bool is_open = random() % 4 == 0, is_lawful = random() % 2 == 0;
-                if (is_open) pixels.add(y % Tiles::side_px, here);
-                if (is_lawful) lawful.add(y % Tiles::side_px, here);
-                plane.at(x, y) = {is_open, is_open && is_lawful};
+                if (pixel.is_open) opened.pixels.add(y % Tiles::side_px, here);
+                if (pixel.differs) opened.differ.add(y % Tiles::side_px, here);
+                if (pixel.is_lawful) opened.lawful.add(y % Tiles::side_px, here);
             }
-        if (!pixels.is_none()) tiles.open(column, row, pixels, lawful);
+        if (!opened.pixels.is_none()) tiles.open(column, row, opened);
     }
     std::size_t count() const { return std::size_t(std::ranges::count_if(plane.pixels(), &Pixel::is_open)); }
 };
+
+bool differs(const OpenTiles& tiles, const PixelPlace& pixel) {
+    for (const OpenTiles::Tile& tile : tiles.of_row(pixel.y / Tiles::side_px))
+        if (tile.column == pixel.x / Tiles::side_px)
+            return (tile.differ.row(pixel.y % Tiles::side_px) >> pixel.x % Tiles::side_px & 1) != 0;
+    return false;
+}
 
 TEST(OpenTiles, AreNumberedInRasterOrder) {
     std::mt19937 random(1);
@@ -53,6 +63,7 @@ TEST(OpenTiles, AreNumberedInRasterOrder) {
                 if (!opened.plane.at(x, y).is_open) continue;
                 ASSERT_EQ(opened.tiles.number_of({x, y}), next);
                 ASSERT_EQ(opened.tiles.is_lawful({x, y}), opened.plane.at(x, y).is_lawful);
+                ASSERT_EQ(differs(opened.tiles, {x, y}), opened.plane.at(x, y).differs);
                 ++next;
             }
         ASSERT_EQ(opened.tiles.count(), next);

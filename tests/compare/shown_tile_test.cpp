@@ -34,19 +34,17 @@ TileMask some_pixels(Dice& dice, const TilePlace& tile) {
     return pixels;
 }
 
-bool has(const TileMask& mask, int x, int y) { return (mask.row(y) >> x & 1) != 0; }
-
-/// Calls visit(tile, pixels, ours, theirs) with tiles of random frames.
+/// Calls visit(tile, pixels, frame) with tiles of random frames.
 template <class Visit>
 void for_each_tile(const Visit& visit) {
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
         Dice dice(seed);
-        const Frame ours = random_frame(dice), theirs = random_frame(dice);
+        const Frame frame = random_frame(dice);
         for (int top = 0; top < size.height; top += TileMask::rows)
             for (int left = 0; left < size.width; left += int(tile_columns)) {
                 const TilePlace tile{left, top};
-                visit(tile, some_pixels(dice, tile), ours, theirs);
+                visit(tile, some_pixels(dice, tile), frame);
                 if (testing::Test::HasFatalFailure()) return;
             }
     }
@@ -57,7 +55,7 @@ PrimitiveId shown_at(const Frame& frame, const TilePlace& tile, int x, int y) {
 }
 
 TEST(ShownTile, VisitsEachTriangleOnceWhereItShows) {
-    for_each_tile([](const TilePlace& tile, const TileMask& pixels, const Frame& frame, const Frame&) {
+    for_each_tile([](const TilePlace& tile, const TileMask& pixels, const Frame& frame) {
         const ShownTile shown(frame, tile, pixels);
         std::map<PrimitiveId, TileMask> visited;
         shown.for_each(pixels, [&](PrimitiveId triangle, const TileMask& here) {
@@ -82,17 +80,6 @@ TEST(ShownTile, VisitsEachTriangleOnceWhereItShows) {
     });
 }
 
-TEST(ShownTile, DiffersWhereIdsDo) {
-    for_each_tile([](const TilePlace& tile, const TileMask& pixels, const Frame& ours, const Frame& theirs) {
-        const TileMask differ =
-            where_they_differ(ShownTile(ours, tile, pixels), ShownTile(theirs, tile, pixels), pixels);
-        for (int y = 0; y < TileMask::rows; ++y)
-            for (int x = 0; x < int(tile_columns); ++x)
-                ASSERT_EQ(has(differ, x, y),
-                          has(pixels, x, y) && shown_at(ours, tile, x, y) != shown_at(theirs, tile, x, y));
-    });
-}
-
 TEST(TileMask, HasItsRows) {
     TileMask mask;
     EXPECT_TRUE(mask.is_none());
@@ -106,10 +93,34 @@ TEST(TileMask, HasItsRows) {
         count += std::popcount(mask.row(y));
     }
     EXPECT_EQ(TileMask::of(rows), mask);
+    EXPECT_EQ(mask.columns_of_row(), rows);
     EXPECT_EQ(mask.count(), count);
     EXPECT_FALSE(mask.is_none());
     EXPECT_TRUE((mask & ~mask).is_none());
     EXPECT_EQ(mask | ~mask, TileMask::all());
+}
+
+TEST(TileMask, KnowsWhichOfItsRowsAndColumnsHaveSome) {
+    Dice dice(1);
+    for (int round = 0; round < 1000; ++round) {
+        TileMask mask;
+        unsigned rows = 0;
+        ColumnMask columns = 0;
+        for (int left = dice.below(20); left > 0; --left) {
+            const int y = dice.below(TileMask::rows);
+            const ColumnMask here = ColumnMask(1) << dice.below(int(tile_columns));
+            mask.add(y, here);
+            rows |= 1u << y, columns |= here;
+        }
+        ASSERT_EQ(mask.rows_with_some(), rows);
+        ASSERT_EQ(mask.columns_with_some(), columns);
+        unsigned visited = 0;
+        for_each_row(mask, [&](int y, ColumnMask of_row) {
+            ASSERT_EQ(of_row, mask.row(y));
+            visited |= 1u << y;
+        });
+        ASSERT_EQ(visited, rows);
+    }
 }
 
 TEST(Masks, PutAValueWhereTheySaySo) {
