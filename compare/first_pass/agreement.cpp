@@ -34,13 +34,13 @@ constexpr std::size_t many_laws = 512;
 /// looked at by themselves.
 constexpr std::size_t many_runs_of_strip = 12;
 
-/// Fetches what follows a strip, so many pixels: what the next tile will read. Into the second cache: the
-/// first has no room for all of it.
+/// Fetches what follows a strip: what the next tile will read. Into the second cache: the first has no room
+/// for all of it. Inline: a function that only fetches does nothing, to a compiler.
 template <class T>
-void fetch_ahead(const T* strip, std::size_t count) {
-    constexpr std::size_t step = 64 / sizeof(T);  // a line of the cache
+[[gnu::always_inline]] inline void fetch_ahead(const T* strip) {
+    constexpr std::size_t step = cache_line_bytes / sizeof(T);
     constexpr int to_read = 0, second = 2;
-    for (std::size_t i = Strip::width; i < Strip::width + count; i += step)
+    for (std::size_t i = Strip::width; i < 2 * Strip::width; i += step)
         __builtin_prefetch(strip + i, to_read, second);
 }
 
@@ -77,7 +77,7 @@ class Comparison {
         shown_.clear();
         opened_ = {};
         std::size_t runs = 0;
-        const std::size_t ahead = std::min(Strip::width, std::size_t(candidate_.view().width - tile.right));
+        const bool is_last = tile.right == candidate_.view().width;
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
             strip.x = tile.left, strip.y = y;
@@ -86,19 +86,18 @@ class Comparison {
             const strips::Ids ids = kernel_.compare(strip.candidate.primitive, strip.reference.primitive);
             strip.turns = ids.turns, strip.differ = ids.differ;
             runs += std::size_t(ids.runs);
-            fetch_ahead(strip.candidate.primitive, ahead);
+            if (!is_last) fetch_ahead(strip.candidate.primitive);
         }
         turn_to(tile, runs);
         Presort::Largest largest{known(candidate_largest_, largest_.candidate),
                                  known(reference_largest_, largest_.reference)};
         for (int y = tile.top; y < tile.bottom; ++y) {
             Strip& strip = strips_[std::size_t(y - tile.top)];
-            fetch_ahead(strip.reference.primitive, ahead);
-            fetch_ahead(strip.candidate.camera_depth, ahead);
-            fetch_ahead(strip.reference.camera_depth, ahead);
+            if (!is_last) fetch_ahead(strip.reference.primitive);
             if (way_ == Way::by_corners && y + 1 < tile.bottom)
                 find_runs(strips_[std::size_t(y + 1 - tile.top)]);
             sort(strip, largest);
+            if (!is_last) fetch_ahead(strip.candidate.camera_depth);
             if (sorted_.sorted != SortedStrip::all_sorted) hold(strip);
             if (scribes_) {
                 const auto width = std::size_t(tile.right - tile.left);
@@ -106,6 +105,7 @@ class Comparison {
                 scribes_->reference.write(strip.reference, sorted_.ratio.reference, {strip.x, y, width});
             }
             settle(strip, std::size_t(y - tile.top));
+            if (!is_last) fetch_ahead(strip.reference.camera_depth);
         }
         tell(tile, open);
         raise(candidate_largest_, largest.candidate);

@@ -92,7 +92,8 @@ struct Runs {
     Pixels bare = 0;   ///< pixels that show none
 };
 
-/// The affine function a x + b y + c at the pixels of a tile; values may be off by `unsure`.
+/// The affine function a x + b y + c at the pixels of a tile; values in double precision may be off by
+/// `unsure`.
 struct Signed {
     double a = 0, b = 0, c = 0, unsure = 0;
     int left = 0, top = 0;  ///< of the tile's pixels

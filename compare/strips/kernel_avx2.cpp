@@ -89,6 +89,23 @@ unsigned where_background(const float* depth) {
     return where_background_of_half(depth) | where_background_of_half(depth + 8) << 8;
 }
 
+/// Of eight, or sixteen: where a value and what is added to it lie above a limit, and where below minus that.
+struct Beyond {
+    unsigned above, below;
+};
+Beyond beyond_in_half(const float* values, float added, float limit) {
+    const __m256 sum = _mm256_add_ps(_mm256_loadu_ps(values), _mm256_set1_ps(added));
+    const __m256 above = _mm256_cmp_ps(sum, _mm256_set1_ps(limit), _CMP_GT_OQ),
+                 below = _mm256_cmp_ps(sum, _mm256_set1_ps(-limit), _CMP_LT_OQ);
+    return {static_cast<unsigned>(_mm256_movemask_ps(above)),
+            static_cast<unsigned>(_mm256_movemask_ps(below))};
+}
+Beyond beyond(const float* values, float added, float limit) {
+    const Beyond first = beyond_in_half(values, added, limit),
+                 second = beyond_in_half(values + 8, added, limit);
+    return {first.above | second.above << 8, first.below | second.below << 8};
+}
+
 #include "compare/strips/kernel.inl"
 
 }  // namespace

@@ -46,6 +46,19 @@ unsigned where_background(const float* depth) {
     return bare;
 }
 
+/// Of sixteen: where a value and what is added to it lie above a limit, and where below minus that.
+struct Beyond {
+    unsigned above, below;
+};
+Beyond beyond(const float* values, float added, float limit) {
+    Beyond found{};
+    for (int i = 0; i < 16; ++i) {
+        const float sum = values[i] + added;
+        found.above |= unsigned(sum > limit) << i, found.below |= unsigned(sum < -limit) << i;
+    }
+    return found;
+}
+
 #include "compare/strips/kernel.inl"
 
 }  // namespace
