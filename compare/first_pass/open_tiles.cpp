@@ -19,7 +19,7 @@ std::vector<std::size_t> sums_before(const Bands& bands, const Count& count) {
     return sums;
 }
 
-std::size_t opened_in(const OpenTiles::Tile& tile) { return std::size_t(tile.pixels.count()); }
+std::size_t opened_in(const OpenTiles::Tile& tile) { return tile.count; }
 std::size_t left_in(const OpenTiles::Tile& tile) { return std::size_t(tile.left.count()); }
 
 }  // namespace
@@ -28,7 +28,7 @@ void OpenTiles::open(int column, int tile_row, const Opened& opened) {
     const auto& [pixels, differ, lawful] = opened;
     std::vector<Tile>& band = bands_[std::size_t(tile_row)];
     assert(!pixels.is_none() && (band.empty() || band.back().column < column));
-    band.push_back({column, pixels, differ, lawful, pixels, {}});
+    band.push_back({column, std::uint32_t(pixels.count()), pixels, differ, lawful, pixels, {}});
     place_[tiles_.index(column, tile_row)] = std::uint16_t(band.size());
 }
 

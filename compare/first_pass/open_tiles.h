@@ -19,10 +19,11 @@ class OpenTiles {
     /// A tile with open pixels.
     struct Tile {
         int column;
-        TileMask pixels;  ///< all that were opened
-        TileMask differ;  ///< of those: ids do
-        TileMask lawful;  ///< of those: both depths are so for certain
-        TileMask left;    ///< of those: nobody has decided them yet
+        std::uint32_t count;  ///< of pixels
+        TileMask pixels;      ///< all that were opened
+        TileMask differ;      ///< of those: ids do
+        TileMask lawful;      ///< of those: both depths are so for certain
+        TileMask left;        ///< of those: nobody has decided them yet
         /// By row: the number of its first open pixel; the others follow it. Known after number().
         std::array<std::uint32_t, TileMask::rows> first;
     };

@@ -61,12 +61,11 @@ void fetch(const Comparands& of, const OpenTiles::Tile& tile, int row) {
         __builtin_prefetch(&frame->primitive.at(x, top + y));
 }
 
-bool are_many(const TileMask& pixels) {
-    const auto count = std::uint32_t(pixels.count());
-    if (count < many) return false;
-    const int rows = std::popcount(pixels.rows_with_some()),
-              columns = std::popcount(pixels.columns_with_some());
-    return count >= many_of_line * std::uint32_t(std::max(rows, columns));
+bool has_many(const OpenTiles::Tile& tile) {
+    if (tile.count < many) return false;
+    const int rows = std::popcount(tile.pixels.rows_with_some()),
+              columns = std::popcount(tile.pixels.columns_with_some());
+    return tile.count >= many_of_line * std::uint32_t(std::max(rows, columns));
 }
 
 /// The first open pixel of some row says it.
@@ -113,11 +112,11 @@ LayeredChoice choose_layered_tiles(const Comparands& of, const OpenTiles& open, 
         const std::span<const OpenTiles::Tile> band = open.of_row(row);
         for (std::size_t i = 0; i < band.size(); ++i) {
             if (i + fetched_ahead < band.size()) fetch(of, band[i + fetched_ahead], row);
-            if (!are_many(band[i].pixels) || !lie_over_each_other(of, band[i], row)) continue;
+            if (!has_many(band[i]) || !lie_over_each_other(of, band[i], row)) continue;
             const std::size_t tile = tiles.index(band[i].column, row);
             is_asked[tile] = 1;
             centres[tile] = centres_of(band[i], row);
-            pixels[std::size_t(row)] += std::size_t(band[i].pixels.count());
+            pixels[std::size_t(row)] += band[i].count;
         }
     });
     const std::size_t sum = std::accumulate(pixels.begin(), pixels.end(), std::size_t(0));
@@ -126,8 +125,6 @@ LayeredChoice choose_layered_tiles(const Comparands& of, const OpenTiles& open, 
 }
 
 /// What is to be known of a triangle costs about as much as a pixel by itself.
-bool is_worth_layers(const OpenTiles::Tile& open, std::size_t triangles) {
-    return std::size_t(open.pixels.count()) >= triangles;
-}
+bool is_worth_layers(const OpenTiles::Tile& open, std::size_t triangles) { return open.count >= triangles; }
 
 }  // namespace zproof

@@ -25,7 +25,6 @@ void Layers::Renderer::turn_to(const ViewBounds& to) {
     bounds = &to;
     triangles.clear();
     unclear = {};
-    close.clear();
     nearness.clear();
 }
 
@@ -151,16 +150,6 @@ bool Layers::is_close(const Renderer& renderer, std::size_t front, std::size_t b
     return front_reach >= 0 && back_reach >= 0 && ahead <= front_reach + back_reach;
 }
 
-auto Layers::close_to(Renderer& renderer, std::size_t back) -> Set {
-    renderer.close.resize(layers_.size());
-    std::optional<Set>& close = renderer.close[back];
-    if (close) return *close;
-    close = 0;
-    for (std::size_t front = 0; front < layers_.size(); ++front)
-        *close |= Set{is_close(renderer, front, back)} << front;
-    return *close;
-}
-
 const TriangleRow::Range& Layers::nearness(Renderer& renderer, std::size_t layer, int y) {
     renderer.nearness.resize(layers_.size());
     return renderer.nearness[layer](
@@ -199,7 +188,7 @@ auto Layers::standings(std::size_t of, std::uint32_t triangle, const TileMask& p
             undecided |= shared & ~ahead;
         }
         rivals |= shared;
-        if (!ahead.is_none() && (close_to(renderer, *answer) >> i & 1) == 0)
+        if (!ahead.is_none() && !is_close(renderer, i, *answer))
             undecided |= ahead_for_certain(renderer, i, *answer, ahead);
     }
     return {.tied = rivals & ~undecided, .visible = covered & ~rivals};

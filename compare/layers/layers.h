@@ -50,7 +50,6 @@ class Layers {
     TileRow eps_px(std::size_t renderer, int y);
 
   private:
-    using Set = std::uint64_t;  ///< bit k is layers_[k]
     /// What another triangle is to an answer, all over the tile.
     enum class Relation : std::uint8_t {
         not_asked,
@@ -70,7 +69,6 @@ class Layers {
         const ViewBounds* bounds = nullptr;
         std::vector<const BoundedTriangle*> triangles;      ///< of layers_, in order
         TileMask unclear{};                                 ///< covered by one that near or far may cut
-        std::vector<std::optional<Set>> close;              ///< to each layer, as is_close() has it
         std::vector<ByRow<TriangleRow::Range>> nearness{};  ///< of layers_
 
         void turn_to(const ViewBounds& to);
@@ -83,7 +81,6 @@ class Layers {
     bool are_coplanar(std::size_t one, std::size_t other);
     std::optional<std::size_t> index_of(std::uint32_t triangle) const;
     bool is_close(const Renderer& renderer, std::size_t front, std::size_t back) const;
-    Set close_to(Renderer& renderer, std::size_t back);
     const TriangleRow::Range& nearness(Renderer& renderer, std::size_t layer, int y);
     TileMask ahead_for_certain(Renderer& renderer, std::size_t front, std::size_t back,
                                const TileMask& pixels);
