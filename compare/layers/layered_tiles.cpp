@@ -200,9 +200,9 @@ class LayeredPass {
 
     void write(PixelClass verdict, const TilePlace& at, const TileMask& pixels, ClassCounts& counts) {
         counts[std::size_t(verdict)] += std::uint64_t(pixels.count());
-        PixelClass* const rows = classes_.tile_at(at.left / Tiles::side_px, at.top / Tiles::side_px).data();
+        ClassMap::Tile& tile = classes_.tile_at(at.left / Tiles::side_px, at.top / Tiles::side_px);
         for_each_row(pixels, [&](int y, ColumnMask columns) {
-            put_where(columns, verdict, rows + y * Tiles::side_px);
+            put_where(columns, verdict, &tile[std::size_t(y) * Tiles::side_px]);
         });
     }
 
