@@ -70,6 +70,27 @@ TEST(Hearing, GlancesNoFartherThanTrianglesAreLookedFor) {
                   Standing::through_a_crack);
 }
 
+/// From tile to tile and back, and some that ask nothing: each ruling is its own plea's.
+TEST(Hearing, GivesRulingsInTheOrderOfPleas) {
+    constexpr double edge_x = 20;
+    const View view = pixel_view(Projection::parallel, 64, 32);
+    const Scene scene = scene_of(view, {wall_left_of(edge_x, 4)});
+    const ViewBounds bounds(view, with_subpixel_bits(8));
+    Bulk<Plea> pleas;
+    for (int i = 0; i < 5000; ++i) {
+        const int x = i * 37 % 64, y = i * 11 % 32;
+        pleas.push_back(i % 7 == 0 ? Plea{} : Plea{&bounds, PrimitiveId(0), x, y});
+    }
+    const Bulk<Ruled> rulings = Hearing(scene, view).hear(pleas);
+    ASSERT_EQ(rulings.size(), pleas.size());
+    for (std::size_t i = 0; i < pleas.size(); ++i) {
+        const bool is_asked = pleas[i].bounds != nullptr;
+        ASSERT_EQ(rulings[i].decision.standing,
+                  is_asked && pleas[i].x >= edge_x ? Standing::outside : Standing::visible);
+        ASSERT_EQ(rulings[i].eps_px > 0, is_asked) << "of what asks nothing the ruling is empty";
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Projections, ACoarseAnswerAmongFineOnes,
                          testing::Values(Projection::perspective, Projection::parallel));
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <iterator>
 
 #include "compare/first_pass/agreement.h"
@@ -116,6 +117,31 @@ TEST(LayeredTiles, AreSettledAsOnePixelAfterTheOther) {
     }
     EXPECT_GT(settled[std::size_t(PixelClass::depth_tie)], 3000u);
     EXPECT_GT(left, 500u);
+}
+
+TEST(LayeredTiles, KnowWhereIdsDiffer) {
+    std::size_t same = 0;
+    for (std::uint32_t seed = 0; seed < 20; ++seed) {
+        Dice dice(seed);
+        const Case c(dice);
+        const Witness ours(c.scene, c.view, {c.candidate, raster_precision()}),
+            theirs(c.scene, c.view, {c.reference, ray_precision()});
+        const OpenTiles open = opened(c.scene, c.view, ours, theirs);
+        for (int row = 0; row < open.tiles().rows; ++row)
+            for (const OpenTiles::Tile& tile : open.of_row(row))
+                for_each_row(tile.pixels, [&](int y, ColumnMask columns) {
+                    for (; columns != 0; columns &= columns - 1) {
+                        const int column = std::countr_zero(columns);
+                        const int at_x = tile.column * Tiles::side_px + column,
+                                  at_y = row * Tiles::side_px + y;
+                        const bool differ =
+                            c.candidate.primitive.at(at_x, at_y) != c.reference.primitive.at(at_x, at_y);
+                        ASSERT_EQ((tile.differ.row(y) >> column & 1) != 0, differ);
+                        same += differ ? 0 : 1;
+                    }
+                });
+    }
+    EXPECT_GT(same, 100u);
 }
 
 /// Some depths are wrong, some answers hidden whose depths are right.
