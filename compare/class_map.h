@@ -56,8 +56,9 @@ class ClassMap {
   private:
     static_assert(PixelClass{} == PixelClass::agree);
 
-    static std::size_t band_of(int y) { return std::size_t(y / Tiles::side_px); }
-    const Tile& tile_of(int x, int y) const { return bands_[band_of(y)][place_[tiles_.of(x, y)] - 1u]; }
+    const Tile& tile_of(int x, int y) const {
+        return bands_[std::size_t(y / Tiles::side_px)][place_[tiles_.of(x, y)] - 1u];
+    }
     static std::size_t in_tile(int x, int y) {
         return std::size_t(y % Tiles::side_px) * Tiles::side_px + std::size_t(x % Tiles::side_px);
     }

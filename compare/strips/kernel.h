@@ -104,6 +104,11 @@ struct Signs {
     std::uint16_t above[side], below[side];  ///< 0, for certain
 };
 
+/// Of some values, which lie above a limit, and which below minus that: bit i is value i.
+struct Beyond {
+    unsigned above, below;
+};
+
 /// An edge of each of eight triangles: a x + b y + c in the middle of a square; anywhere in it values may be
 /// off from that by `reach`.
 struct EdgesOfEight {

@@ -90,9 +90,6 @@ unsigned where_background(const float* depth) {
 }
 
 /// Of eight, or sixteen: where a value and what is added to it lie above a limit, and where below minus that.
-struct Beyond {
-    unsigned above, below;
-};
 Beyond beyond_in_half(const float* values, float added, float limit) {
     const __m256 sum = _mm256_add_ps(_mm256_loadu_ps(values), _mm256_set1_ps(added));
     const __m256 above = _mm256_cmp_ps(sum, _mm256_set1_ps(limit), _CMP_GT_OQ),

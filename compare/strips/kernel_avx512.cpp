@@ -75,9 +75,6 @@ unsigned where_background(const float* depth) {
 }
 
 /// Of sixteen: where a value and what is added to it lie above a limit, and where below minus that.
-struct Beyond {
-    unsigned above, below;
-};
 Beyond beyond(const float* values, float added, float limit) {
     const __m512 sum = _mm512_add_ps(_mm512_loadu_ps(values), _mm512_set1_ps(added));
     return {_cvtmask16_u32(_mm512_cmp_ps_mask(sum, _mm512_set1_ps(limit), _CMP_GT_OQ)),

@@ -47,9 +47,6 @@ unsigned where_background(const float* depth) {
 }
 
 /// Of sixteen: where a value and what is added to it lie above a limit, and where below minus that.
-struct Beyond {
-    unsigned above, below;
-};
 Beyond beyond(const float* values, float added, float limit) {
     Beyond found{};
     for (int i = 0; i < 16; ++i) {
