@@ -45,8 +45,8 @@ void add_view(const std::shared_ptr<Stage>& stage, const std::string& scene, std
             const auto& [candidate, reference] = *frames;
             const View& view = stage->loaded->views[index];
             benchmark::DoNotOptimize(judge(stage->loaded->scene, view,
-                                           Testimony{candidate, rasterizer::precision()},
-                                           Testimony{reference, oracle::embree_precision()}));
+                                           RenderedFrame{candidate, rasterizer::precision()},
+                                           RenderedFrame{reference, oracle::embree_precision()}));
         };
     };
     add(name + "/zproof", judged(judge), {}, set());

@@ -45,7 +45,7 @@ std::string in_words(const Scene& scene, const Verdict& verdict, const std::opti
 std::string judged(const Scene& scene, const View& view, const Renderer& renderer, Minutes& minutes) {
     const Renderer embree = open({.who = BuiltIn{"embree"}, .precision_word = {}}, scene);
     const Frame candidate = renderer.render(view), reference = embree.render(view);
-    const Testimony ours{candidate, renderer.precision}, theirs{reference, embree.precision};
+    const RenderedFrame ours{candidate, renderer.precision}, theirs{reference, embree.precision};
     const Verdict verdict = judge(scene, view, ours, theirs);
     if (defect_count(verdict) == 0) return "kept\n";
     const std::optional<Diagnosis> diagnosis = diagnose(scene, view, ours, theirs, verdict);

@@ -65,7 +65,7 @@ Frame ask(Renderer& renderer, const Trial& trial) {
 
 /// What candidate and reference answered, and what the judge said.
 struct JudgedPair {
-    Testimony candidate, reference;
+    RenderedFrame candidate, reference;
     const Verdict& verdict;
 };
 
@@ -106,7 +106,7 @@ bool leaves_evidence(const Verdict& verdict, Evidence wish) {
 }
 
 /// What the judge says; of a view that leaves no evidence the verdict alone.
-JudgedInFull judge_as_wanted(const Trial& trial, const Testimony& candidate, const Testimony& reference) {
+JudgedInFull judge_as_wanted(const Trial& trial, const RenderedFrame& candidate, const RenderedFrame& reference) {
     const Docket& docket = trial.docket;
     if (trial.desk.evidence == Evidence::defects) {
         Verdict verdict = judge(docket.scene, docket.view, candidate, reference);
@@ -129,7 +129,7 @@ std::optional<ViewResult> run_view(const Trial& trial) {
     if (interrupted()) return std::nullopt;
 
     begin(trial, "judge", &StageTimes::judge);
-    const Testimony ours{candidate, court.candidate.precision}, theirs{reference, court.reference.precision};
+    const RenderedFrame ours{candidate, court.candidate.precision}, theirs{reference, court.reference.precision};
     auto [verdict, errors, rulings] = judge_as_wanted(trial, ours, theirs);
     ViewResult result = to_view_result(docket, verdict, desk.gate);
     result.diagnosis = diagnose(scene, view, ours, theirs, verdict);

@@ -13,7 +13,7 @@ namespace zproof {
 /// A view whose frames are judged and whose witnesses are heard.
 struct JudgedView {
     const Docket& docket;
-    const Testimony &candidate, &reference;
+    const RenderedFrame &candidate, &reference;
     const Verdict& verdict;
     ErrorMaps errors;
     const std::vector<RuledPlace>& rulings;  ///< see JudgedInFull

@@ -37,7 +37,7 @@ std::vector<SummonedWitness> summon(const std::vector<WitnessChoice>& choices, c
     return witnesses;
 }
 
-Statement hear(const SummonedWitness& witness, const Docket& docket, const Testimony& reference) {
+Statement hear(const SummonedWitness& witness, const Docket& docket, const RenderedFrame& reference) {
     if (!witness.absent.empty()) return silent(witness, witness.absent);
     try {
         auto frame = std::make_unique<const Frame>(witness.renderer.render(docket.view));

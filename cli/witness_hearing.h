@@ -27,7 +27,7 @@ struct Statement {
 };
 
 /// Asks for the view and judges the answer against the reference. A refusal is the statement's `absent`.
-Statement hear(const SummonedWitness& witness, const Docket& docket, const Testimony& reference);
+Statement hear(const SummonedWitness& witness, const Docket& docket, const RenderedFrame& reference);
 
 /// Why the view cannot count as judged: a witness that was required and not heard. Empty: it can.
 std::string missing_witness(const std::vector<SummonedWitness>& witnesses,

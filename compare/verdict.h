@@ -3,11 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
-#include "compare/class_map.h"
+#include "compare/bounds/depth_bound.h"
 #include "compare/pixel_class.h"
 #include "frame/frame.h"
-#include "math/bulk.h"
 
 namespace zproof {
 
@@ -15,11 +16,6 @@ namespace zproof {
 struct Answer {
     PrimitiveId primitive = PrimitiveId::none;
     float camera_depth = background_depth;
-};
-
-/// Camera depths that a faultless renderer may report, [low, high], and the true depth at the pixel centre.
-struct DepthBound {
-    double low = 0, truth = 0, high = 0;  ///< all NaN where the answer is background
 };
 
 /// A pixel at which the two frames do not simply agree, with the evidence.
@@ -43,21 +39,24 @@ struct BoundRecord {
     bool operator==(const BoundRecord&) const = default;
 };
 
+/// |depth - truth| / bound of each frame's own ids; NaN where that asks nothing: background, an id that does not
+/// exist, a depth that is NaN. In double, so at 1 only the judge's word counts.
+struct ErrorMaps {
+    Plane<float> candidate, reference;
+};
+
 struct Verdict {
-    ClassMap classes;
+    Plane<PixelClass> classes;
     ClassCounts counts{};
-    /// In raster order: from judge() the pixels that fail the gate, from judge_in_full() all that do not
-    /// `agree`.
-    Bulk<Finding> findings;
-    /// Where both answers name the same triangle. Their histograms are empty from judge(), filled in from
-    /// judge_with_histograms() and judge_in_full().
-    BoundRecord candidate_depth, reference_depth;
-    /// Displacement over eps, where the two differ and an answer is lawful by its place but not right at the
-    /// centre (compare/truth/displacement.h).
+    std::vector<Finding> findings;  ///< in raster order: the pixels that were asked for (JudgeOptions)
+    BoundRecord candidate_depth, reference_depth;  ///< where both answers name the same triangle
+    /// Displacement over eps, where the two differ and an answer is admissible by its place but not right at the
+    /// centre (compare/admissible/displacement.h).
     BoundRecord candidate_edges, reference_edges;
     std::uint64_t reference_defects = 0;  ///< pixels at which the reference's own answer is inadmissible
     std::uint64_t adjudicated = 0;        ///< pixels that needed the admissible set
     std::uint64_t exact = 0;              ///< of those, pixels that needed exact rationals
+    std::optional<ErrorMaps> errors;      ///< where they were asked for
 };
 
 /// Pixels that fail the gate.

@@ -38,7 +38,7 @@ glm::dvec3 abs_cross(const glm::dvec3& a, const glm::dvec3& b) {
 
 double sum_abs(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-TriangleBounds bounds_of(const DepthTerms<double>& terms) {
+TriangleBounds bounds_of(const DepthTerms& terms) {
     TriangleBounds bounds;
     bounds.depth_eps_base_px = terms.eps_base_px;
     bounds.depth_eps_per_nearness = terms.eps_per_nearness;
@@ -82,15 +82,28 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
               .slant_v = perspective_ ? largest_v_ : std::abs(c.shear.y)};
     direction_abs_ = scale_.slant_u * glm::abs(c.right) + scale_.slant_v * glm::abs(c.up) + glm::abs(c.back);
     origin_abs_ = perspective_ ? glm::dvec3(0) : largest_u_ * glm::abs(c.right) + largest_v_ * glm::abs(c.up);
-    gauge_ = gauge<double>();
+    gauge_ = make_gauge();
     if (const auto* raster = std::get_if<RasterPrecision>(&precision)) {
         background_eps_px_ = std::ldexp(raster->snap == Snap::nearest ? 0.5 : 1.0, -raster->subpixel_bits);
     } else if (const auto* ray = std::get_if<RayPrecision>(&precision)) {
         set_aim(unit_of(ray->arithmetic));
-        least_edge_test_eps_px_ = least_edge_test_eps_px(unit_of(ray->arithmetic));
     } else {
         set_aim(gamma(24, unit_roundoff_float64), std::get<PlaneRayPrecision>(precision).aim_offset_px);
     }
+}
+
+Gauge ViewBounds::make_gauge() const {
+    const Camera& c = view_.camera;
+    const glm::dvec3 eye(c.eye_world);
+    const auto all = [](const glm::dvec3& v) { return exactly<double>(v); };
+    return {.projection = c.projection,
+            .eye = all(eye),
+            .eye_abs = all(glm::abs(eye)),
+            .back = all(c.back),
+            .axes_abs = {all(glm::abs(c.right)), all(glm::abs(c.up)), all(glm::abs(c.back))},
+            .direction = all(c.shear.x * c.right + c.shear.y * c.up - c.back),
+            .direction_abs = all(direction_abs_),
+            .origin_abs = all(origin_abs_)};
 }
 
 void ViewBounds::set_aim(double unit, double offset_px) {
@@ -267,18 +280,6 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
     return gradient > 0 ? error / gradient : 0;  // an edge without extent in the image bounds no area
 }
 
-/// Error and gradient are sums over the same products of a difference and a sum, or a direction: their ratio
-/// is at least the least ratio of what those products are multiplied with.
-double ViewBounds::least_edge_test_eps_px(double unit) const {
-    const Camera& c = view_.camera;
-    const glm::dvec3 per_px = glm::abs(1 / scale_.px_per_u * c.right) + glm::abs(1 / scale_.px_per_v * c.up);
-    const glm::dvec3& largest = perspective_ ? direction_abs_ : origin_abs_;
-    double least = unlimited;
-    for (int axis = 0; axis < 3; ++axis)
-        if (per_px[axis] > 0) least = std::min(least, largest[axis] / per_px[axis]);
-    return gammas_of(unit)[7] * least;
-}
-
 /// Of the hit itself; on the way to a float32 more may be lost.
 RayTerms ViewBounds::ray_terms(const RayPrecision& precision) const {
     const double u = unit_of(precision.arithmetic);
@@ -386,22 +387,6 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRa
     bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
     if (!perspective_) bounds.depth_absolute += precision.depth_of_range * (c.far_depth - c.near_depth);
     return bounds;
-}
-
-DepthLaw BoundsOnPlane::depth_law() const {
-    DepthLaw law{};
-    law.least = corners_.least;
-    law.highest = corners_.highest;
-    law.base = depth_eps_px_.base;
-    law.per = depth_eps_px_.per;
-    law.most = depth_eps_px_.most;
-    law.amplification = depth_eps_px_.amplification;
-    law.depth_factor = depth_factor_;
-    law.plane_offset = plane_offset_;
-    law.relative = compounded(depth_factor_);
-    law.absolute = depth_absolute_;
-    law.nearness_error = nearness_error_;
-    return law;
 }
 
 LocalBounds TriangleBounds::at(double nearness, double gradient) const {

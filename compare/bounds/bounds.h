@@ -13,10 +13,14 @@
 
 namespace zproof {
 
-/// A bound where nothing is known.
-inline constexpr double unlimited = std::numeric_limits<double>::infinity();
-
 using CornersWorld = std::array<glm::vec3, 3>;
+
+/// A triangle's corners in the number type asked for, without loss.
+template <class Number>
+Corners<Number> corners(const CornersWorld& p) {
+    return {exactly<Number>(glm::dvec3(p[0])), exactly<Number>(glm::dvec3(p[1])),
+            exactly<Number>(glm::dvec3(p[2]))};
+}
 
 /// The bounds of one triangle at one place of the image.
 struct LocalBounds {
@@ -30,7 +34,7 @@ struct LocalBounds {
 /// A triangle as the error analysis sees it, the same for every renderer of a view.
 struct TriangleExtent {
     std::array<glm::dvec3, 3> v_world;  ///< corner - eye
-    TriangleSize<double> size;
+    TriangleSize size;
 
     double largest_depth() const;  ///< of the corners, in absolute value
 };
@@ -51,6 +55,10 @@ struct TriangleBounds {
 
     /// At a place where nearness is `nearness` and changes by `gradient` (|d/dx| + |d/dy|) per pixel.
     LocalBounds at(double nearness, double gradient) const;
+    DepthTerms depth_terms() const {
+        return {depth_eps_base_px, depth_eps_per_nearness, depth_factor, depth_absolute, nearness_error,
+                plane_offset};
+    }
 };
 
 /// The same for many places of one triangle: what does not change from pixel to pixel is worked out once.
@@ -68,12 +76,9 @@ class BoundsOnPlane {
                 .nearness_error = nearness_error_};
     }
 
-    /// As much of a law as bounds say; the rest is 0.
-    DepthLaw depth_law() const;
-
   private:
-    CornerNearness<double> corners_;
-    Displacement<double> eps_px_, depth_eps_px_;
+    CornerNearness corners_;
+    Displacement eps_px_, depth_eps_px_;
     double depth_factor_, plane_offset_, depth_relative_, depth_absolute_, nearness_error_;
 };
 
@@ -88,29 +93,18 @@ class ViewBounds {
     /// What depth needs of it; eps and slack may be missing.
     TriangleBounds of_depth(const TriangleExtent& extent) const;
     CommonTerms common_terms() const;
-    /// What triangles are measured with, in double or four at a time.
-    template <class Number>
-    Gauge<Number> gauge() const {
-        const auto all = [](const glm::dvec3& v) {
-            return Vector3<Number>{everywhere<Number>(v.x), everywhere<Number>(v.y), everywhere<Number>(v.z)};
-        };
-        const Camera& c = view_.camera;
-        const glm::dvec3 eye(c.eye_world);
-        return {.projection = c.projection,
-                .eye = all(eye),
-                .eye_abs = all(glm::abs(eye)),
-                .back = all(c.back),
-                .axes_abs = {all(glm::abs(c.right)), all(glm::abs(c.up)), all(glm::abs(c.back))},
-                .direction = all(c.shear.x * c.right + c.shear.y * c.up - c.back),
-                .direction_abs = all(direction_abs_),
-                .origin_abs = all(origin_abs_)};
-    }
-    /// See KeepsToCorners.
+    /// What triangles are measured with.
+    const Gauge& gauge() const { return gauge_; }
+    /// Barycentrics of a snapped triangle stay between its corners' depths; a ray and a plane equation meet
+    /// the plane.
     bool keeps_to_corners() const;
+    Projection projection() const { return view_.camera.projection; }
+    /// No |nearness| in the image is larger; `nearness` is of pixel indices.
+    double largest_in_image(const Affine<double>& nearness) const {
+        return std::abs(nearness.c) + std::abs(nearness.a) * view_.width + std::abs(nearness.b) * view_.height;
+    }
     /// The share that every triangle has in common; above 0.
     double background_eps_px() const { return background_eps_px_; }
-    /// No triangle that is not edge-on has a smaller eps; above 0 (docs/truth.md, "At a glance").
-    double least_triangle_eps_px() const { return background_eps_px_ + least_edge_test_eps_px_; }
 
   private:
     TriangleBounds bounds_by(const TriangleExtent& extent, const RasterPrecision& precision) const;
@@ -136,9 +130,8 @@ class ViewBounds {
     /// Planes of the view volume with a corner of the triangle beyond.
     int cut_count(const TriangleExtent& extent) const;
     double edge_test_eps_px(const TriangleExtent& extent, int edge, double unit) const;
-    /// Of any edge with extent in the image.
-    double least_edge_test_eps_px(double unit) const;
     void set_aim(double unit, double offset_px = 0);
+    Gauge make_gauge() const;
 
     View view_;
     Precision precision_;
@@ -148,10 +141,10 @@ class ViewBounds {
     glm::dvec3 direction_abs_;      ///< per world axis, the largest |direction| in the image
     glm::dvec3 origin_abs_;         ///< per world axis, the largest |origin - eye|
     double orthonormality_;         ///< largest entry of |R R^T - I|
-    double background_eps_px_ = 0, least_edge_test_eps_px_ = 0;
+    double background_eps_px_ = 0;
     /// A ray's own rounding: sideways, px (and px per unit of depth), and along the view axis.
     double aim_px_ = 0, aim_px_per_depth_ = 0, aim_depth_relative_ = 0, aim_depth_absolute_ = 0;
-    Gauge<double> gauge_;
+    Gauge gauge_;
 };
 
 }  // namespace zproof

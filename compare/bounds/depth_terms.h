@@ -1,40 +1,38 @@
-/// From a triangle's size and a renderer's precision to the law of its depth (docs/bounds.md). In double, or
-/// four at a time.
+/// From a triangle's size and a renderer's precision to the terms of its depth (docs/bounds.md). Written without
+/// branches, so that the compiler works on several triangles at a time.
 #pragma once
 
-#include "compare/bounds/depth_law.h"
 #include "compare/bounds/triangle_size.h"
-#include "frame/plane.h"
 
 namespace zproof {
+
+/// A bound where nothing is known.
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// What a displaced point moves in the image.
 struct ImageScale {
     double px_per_u, px_per_v;  ///< pixels per unit of the image plane
-    double slant_u, slant_v;    ///< largest |d(u, v)/d depth| of a line of sight in the image
+    double slant_u, slant_v;    ///< largest |d(u, v)/d depth| of a view ray in the image
 
     /// Largest displacement in the image, px times depth, of errors of camera_abs along the camera's axes.
-    template <class Number>
-    Number lateral_px(const Vector3<Number>& camera_abs) const {
-        return larger(px_per_u * (camera_abs.x + slant_u * camera_abs.z),
-                      px_per_v * (camera_abs.y + slant_v * camera_abs.z));
+    double lateral_px(const Vector3<double>& camera_abs) const {
+        return std::max(px_per_u * (camera_abs.x + slant_u * camera_abs.z),
+                        px_per_v * (camera_abs.y + slant_v * camera_abs.z));
     }
 };
 
 /// The terms of a triangle's depth, named as in docs/bounds.md: eps = base + per nearness.
-template <class Number>
 struct DepthTerms {
-    Number eps_base_px, eps_per_nearness;
-    Number factor, absolute;
-    Number nearness_error, plane_offset;
+    double eps_base_px, eps_per_nearness;
+    double factor, absolute;
+    double nearness_error, plane_offset;
 };
 
 /// 1 / (1 - sum) - 1: what factors and divisors whose relative errors add up to `sum` may come to (Higham
 /// 2002, Lemma 3.1); unlimited from 1 up.
-template <class Number>
-Number compounded(const Number& sum) {
-    const Number share = sum / (1.0 - sum);
-    return sum < 1.0 ? share : everywhere<Number>(std::numeric_limits<double>::infinity());
+inline double compounded(double sum) {
+    const double share = sum / (1 - sum);
+    return sum < 1 ? share : unlimited;
 }
 
 /// A rasterizer's, of which nothing depends on the triangle but its size.
@@ -46,17 +44,16 @@ struct RasterTerms {
     double factor;     ///< of depth
     enum class Size { from_eye, from_origin } size;
 
-    template <class Number>
-    DepthTerms<Number> of(const TriangleSize<Number>& triangle) const {
-        const Vector3<Number>& moved = size == Size::from_eye ? triangle.from_eye : triangle.from_origin;
-        const Number lateral = transform * scale.lateral_px(moved), none{};
+    DepthTerms of(const TriangleSize& triangle) const {
+        const Vector3<double>& moved = size == Size::from_eye ? triangle.from_eye : triangle.from_origin;
+        const double lateral = transform * scale.lateral_px(moved);
         const bool perspective = projection == Projection::perspective;
-        return {.eps_base_px = base_px + (perspective ? none : lateral),
-                .eps_per_nearness = perspective ? lateral : none,
-                .factor = everywhere<Number>(factor),
+        return {.eps_base_px = base_px + (perspective ? 0 : lateral),
+                .eps_per_nearness = perspective ? lateral : 0,
+                .factor = factor,
                 .absolute = transform * moved.z,
-                .nearness_error = none,
-                .plane_offset = none};
+                .nearness_error = 0,
+                .plane_offset = 0};
     }
 };
 
@@ -69,112 +66,59 @@ struct RayTerms {
     double factor;       ///< of depth: gamma(4) + aim
     double aim_px, aim_px_per_depth, aim_absolute;
 
-    template <class Number>
-    DepthTerms<Number> of(const TriangleSize<Number>& t) const {
+    DepthTerms of(const TriangleSize& t) const {
         // a corner is rounded once when the origin is subtracted
-        const Number corner = unit * scale.lateral_px(t.from_eye), none{};
-        const Number largest_depth =
-            larger(larger(absolute(t.depth[0]), absolute(t.depth[1])), absolute(t.depth[2]));
-        const Number aim = aim_px + aim_px_per_depth * largest_depth;
+        const double corner = unit * scale.lateral_px(t.from_eye);
+        const double largest_depth =
+            std::max(std::max(std::abs(t.depth[0]), std::abs(t.depth[1])), std::abs(t.depth[2]));
+        const double aim = aim_px + aim_px_per_depth * largest_depth;
         // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and
         // the product
-        const auto over_volume = [&](const Number& sum_abs) {  // unlimited where the plane holds the origin
-            const Number share = of_products * sum_abs / t.plane.volume;
-            return t.plane.volume > 0.0 ? share : everywhere<Number>(std::numeric_limits<double>::infinity());
+        const auto over_volume = [&](double sum_abs) {  // unlimited where the plane holds the origin
+            const double share = of_products * sum_abs / t.plane.volume;
+            return t.plane.volume > 0 ? share : unlimited;
         };
-        const Number volume_factor = over_volume(t.plane.volume_abs);
-        const Number numerator_error = over_volume(t.plane.numerator_abs);
+        const double volume_factor = over_volume(t.plane.volume_abs);
+        const double numerator_error = over_volume(t.plane.numerator_abs);
         const bool perspective = projection == Projection::perspective;
-        const Number rounded_aim = unit * t.from_eye.z + aim_absolute;
-        const Number of_plane = numerator_error * (1.0 + compounded(volume_factor));
+        const double rounded_aim = unit * t.from_eye.z + aim_absolute;
+        const double of_plane = numerator_error * (1 + compounded(volume_factor));
         return {.eps_base_px = perspective ? aim : aim + corner,
-                .eps_per_nearness = perspective ? corner : none,
+                .eps_per_nearness = perspective ? corner : 0,
                 .factor = factor + volume_factor,
                 .absolute = perspective ? rounded_aim : rounded_aim + of_plane,
-                .nearness_error = none,
-                .plane_offset = perspective ? numerator_error : none};
+                .nearness_error = 0,
+                .plane_offset = perspective ? numerator_error : 0};
     }
 };
 
 /// eps = base + per (nearness + gradient eps), solved for eps; never beyond the nearest corner's.
-template <class Number>
 struct Displacement {
-    Displacement(const Number& base_px, const Number& per_nearness, const Number& gradient,
-                 const Number& highest)
+    Displacement() = default;
+    Displacement(double base_px, double per_nearness, double gradient, double highest)
         : base(base_px), per(per_nearness), most(base + per * highest) {
-        const Number loop = per * gradient, enlarged = 1.0 / (1.0 - loop);
-        amplification = loop < 1.0 ? enlarged : everywhere<Number>(std::numeric_limits<double>::infinity());
+        const double loop = per * gradient, enlarged = 1 / (1 - loop);
+        amplification = loop < 1 ? enlarged : unlimited;
     }
 
-    Number at(const Number& nearness) const {
-        return per == 0 ? base : smaller(most, (base + per * nearness) * amplification);
+    double at(double nearness) const {
+        const double reach = (base + per * nearness) * amplification;
+        return per == 0 ? base : std::min(most, reach);
     }
 
-    Number base, per, most, amplification;
+    double base = 0, per = 0, most = 0, amplification = 1;
 };
 
 /// The nearness of the farthest and the nearest corner.
-template <class Number>
 struct CornerNearness {
-    CornerNearness(const Number& nearest, const Number& farthest) {
-        const Number of_farthest = 1.0 / farthest, of_nearest = 1.0 / nearest, none{};
-        least = farthest > 0.0 ? of_farthest : none;  // none at infinity, too
-        highest = nearest > 0.0 ? of_nearest : none;
+    CornerNearness() = default;
+    CornerNearness(double nearest_depth, double farthest_depth) {
+        const double of_farthest = 1 / farthest_depth, of_nearest = 1 / nearest_depth;
+        least = farthest_depth > 0 ? of_farthest : 0;  // 0 at infinity, too
+        highest = nearest_depth > 0 ? of_nearest : 0;
     }
 
-    Number least, highest;
+    double least = 0, highest = 0;
 };
-
-/// The error of a nearness computed in double, anywhere in the image.
-template <class Number>
-Number own_error_of(const PlaneSizeOf<Number>& plane, const Affine<Number>& nearness,
-                    const Resolution& size) {
-    return PlaneErrorOf<Number>(plane).at(absolute(nearness.c) + absolute(nearness.a) * double(size.width) +
-                                          absolute(nearness.b) * double(size.height));
-}
-
-/// What renderers of one view share about a triangle's depth.
-template <class Number>
-struct PlaneOfLaw {
-    Affine<Number> nearness;  ///< of pixel indices
-    Number gradient, own_error;
-    Number nearest, farthest;  ///< camera depths of the corners, clamped to near and far
-};
-
-/// Barycentrics of a snapped triangle stay between its corners' depths; a ray and a plane equation meet the
-/// plane.
-enum class KeepsToCorners { no, yes };
-
-/// What both TriangleDepth::at and certainly_holds say, over the whole image; as law_of_nothing where that
-/// takes more than a law.
-template <class Number>
-DepthLawOf<Number> law_of(const PlaneOfLaw<Number>& plane, const DepthTerms<Number>& terms,
-                          KeepsToCorners keeps) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    const CornerNearness<Number> corners(plane.nearest, plane.farthest);
-    const Displacement<Number> eps(terms.eps_base_px, terms.eps_per_nearness, plane.gradient,
-                                   corners.highest);
-    const auto is_known = (plane.own_error < infinite) & (terms.absolute + terms.nearness_error < infinite);
-    const Number relative = compounded(terms.factor);
-    const bool is_kept = keeps == KeepsToCorners::yes;
-    return {.nearness_per_x = plane.nearness.a,
-            .nearness_per_y = plane.nearness.b,
-            .nearness_offset = plane.nearness.c,
-            .gradient = plane.gradient,
-            .own_error = plane.own_error,
-            .least = corners.least,
-            .highest = corners.highest,
-            .base = eps.base,
-            .per = eps.per,
-            .most = eps.most,
-            .amplification = eps.amplification,
-            .depth_factor = is_known ? terms.factor : everywhere<Number>(law_of_nothing.depth_factor),
-            .plane_offset = terms.plane_offset,
-            .absolute = terms.absolute,
-            .nearness_error = terms.nearness_error,
-            .relative = is_known ? relative : everywhere<Number>(law_of_nothing.relative),
-            .nearest = is_kept ? plane.nearest : everywhere<Number>(-infinite),
-            .farthest = is_kept ? plane.farthest : everywhere<Number>(infinite)};
-}
 
 }  // namespace zproof

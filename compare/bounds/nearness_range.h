@@ -2,10 +2,10 @@
 /// numbers that are bounds themselves.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "compare/bounds/bounds.h"
-#include "compare/bounds/four.h"
 
 namespace zproof {
 
@@ -28,8 +28,8 @@ inline NearnessRange on_plane(const PlaneHere& plane, const LocalBounds& bounds,
     const double shift =
         bounds.depth_eps_px * (plane.gradient + plane.error) + plane.error + bounds.nearness_error;
     const double low = plane.nearness - shift, high = plane.nearness + shift;
-    const double least = held_between(low, corners.least, corners.greatest);
-    const double greatest = held_between(high, least, corners.greatest);
+    const double least = std::clamp(low, corners.least, corners.greatest);
+    const double greatest = std::clamp(high, least, corners.greatest);
     return {keeps_to_corners ? least : low, keeps_to_corners ? greatest : high};
 }
 

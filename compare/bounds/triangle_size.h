@@ -1,11 +1,12 @@
 /// How large a triangle is as error analysis sees it: sums of absolute products, the same for every renderer
-/// of a view (docs/bounds.md, "A triangle's size"). In double, or four at a time.
+/// of a view (docs/bounds.md, "A triangle's size").
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
-#include "compare/bounds/four.h"
 #include "compare/bounds/triangle_image.h"
 #include "math/rounding.h"
 
@@ -13,78 +14,66 @@ namespace zproof {
 
 /// Sums of absolute products behind nearness = (normal . direction) / volume: how ill-conditioned it is.
 /// Parallel projections: depth = (normal . corner) / facing, in the same places.
-template <class Number>
-struct PlaneSizeOf {
-    Number volume{}, volume_abs{}, numerator_abs{};
+struct PlaneSize {
+    double volume{}, volume_abs{}, numerator_abs{};
     /// Parallel projections: what the judge's own rounding of the origin of sight may add to the numerator.
-    Number origin_error{};
+    double origin_error{};
 };
-using PlaneSize = PlaneSizeOf<double>;
 
 /// Forward error of the judge's own nearness, computed in double by image_of: absolute sums of both products,
 /// 16 roundings at most in each.
-template <class Number>
-class PlaneErrorOf {
+class PlaneError {
   public:
-    PlaneErrorOf() = default;
-    explicit PlaneErrorOf(const PlaneSizeOf<Number>& size)
+    PlaneError() = default;
+    explicit PlaneError(const PlaneSize& size)
         : condition_(size.volume_abs / size.volume),
           numerator_(size.numerator_abs / size.volume),
           of_origin_(2.0 * size.origin_error / size.volume),
           is_known_(rounding * condition_ < 0.5) {}
 
     /// Is the plane's orientation, as seen, certain?
-    auto is_known() const { return is_known_; }
+    bool is_known() const { return is_known_; }
     /// Where |nearness| is at most this.
-    Number at(const Number& largest_nearness) const {
-        const Number error = known_at(largest_nearness);
-        return is_known_ ? error : everywhere<Number>(std::numeric_limits<double>::infinity());
-    }
-    /// The same where the orientation is known.
-    Number known_at(const Number& largest_nearness) const {
-        return 2 * rounding * (numerator_ + largest_nearness * condition_) + of_origin_;
+    double at(double largest_nearness) const {
+        const double error = 2 * rounding * (numerator_ + largest_nearness * condition_) + of_origin_;
+        return is_known_ ? error : std::numeric_limits<double>::infinity();
     }
 
   private:
     static constexpr double rounding = gamma(16, unit_roundoff_float64);
-    Number condition_{}, numerator_{}, of_origin_{};
-    decltype(Number{} < 0.5) is_known_{};
+    double condition_{}, numerator_{}, of_origin_{};
+    bool is_known_ = false;
 };
-using PlaneError = PlaneErrorOf<double>;
 
-template <class Number>
 struct TriangleSize {
-    std::array<Number, 3> depth;  ///< of the corners
-    Vector3<Number> from_eye;     ///< max over corners of sum |axis_j| |p_j - eye_j|
-    Vector3<Number> from_origin;  ///< max over corners of sum |axis_j| (|p_j| + |eye_j|)
-    PlaneSizeOf<Number> plane;
+    std::array<double, 3> depth;  ///< of the corners
+    Vector3<double> from_eye;     ///< max over corners of sum |axis_j| |p_j - eye_j|
+    Vector3<double> from_origin;  ///< max over corners of sum |axis_j| (|p_j| + |eye_j|)
+    PlaneSize plane;
 };
 
-template <class Number>
-Vector3<Number> absolute(const Vector3<Number>& v) {
-    return {absolute(v.x), absolute(v.y), absolute(v.z)};
+inline Vector3<double> absolute(const Vector3<double>& v) {
+    return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};
 }
 
 /// |a| x |b| with every term in absolute value.
-template <class Number>
-Vector3<Number> absolute_cross(const Vector3<Number>& a, const Vector3<Number>& b) {
-    const Vector3<Number> p = absolute(a), q = absolute(b);
+inline Vector3<double> absolute_cross(const Vector3<double>& a, const Vector3<double>& b) {
+    const Vector3<double> p = absolute(a), q = absolute(b);
     return {p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x};
 }
 
 /// What the triangles of one view are measured with.
-template <class Number>
 struct Gauge {
     Projection projection = Projection::perspective;
-    Vector3<Number> eye, eye_abs, back;
-    std::array<Vector3<Number>, 3> axes_abs;  ///< the camera's: right, up, back
-    Vector3<Number> direction;                ///< of sight; parallel projections only
-    Vector3<Number> direction_abs;            ///< per world axis, the largest |direction| in the image
-    Vector3<Number> origin_abs;               ///< per world axis, the largest |origin - eye|
+    Vector3<double> eye, eye_abs, back;
+    std::array<Vector3<double>, 3> axes_abs;  ///< the camera's: right, up, back
+    Vector3<double> direction;                ///< of sight; parallel projections only
+    Vector3<double> direction_abs;            ///< per world axis, the largest |direction| in the image
+    Vector3<double> origin_abs;               ///< per world axis, the largest |origin - eye|
 
-    TriangleSize<Number> operator()(const Corners<Number>& p_world) const {
-        const Vector3<Number> v[] = {p_world[0] - eye, p_world[1] - eye, p_world[2] - eye};
-        TriangleSize<Number> size;
+    TriangleSize operator()(const Corners<double>& p_world) const {
+        const Vector3<double> v[] = {p_world[0] - eye, p_world[1] - eye, p_world[2] - eye};
+        TriangleSize size;
         size.depth = {-dot(back, v[0]), -dot(back, v[1]), -dot(back, v[2])};
         size.from_eye =
             largest(absolute(v[0]) + origin_abs, absolute(v[1]) + origin_abs, absolute(v[2]) + origin_abs);
@@ -95,25 +84,25 @@ struct Gauge {
     }
 
   private:
-    Vector3<Number> largest(const Vector3<Number>& a, const Vector3<Number>& b,
-                            const Vector3<Number>& c) const {
-        const auto along = [&](const Vector3<Number>& axis) {
-            return larger(larger(dot(axis, a), dot(axis, b)), dot(axis, c));
+    Vector3<double> largest(const Vector3<double>& a, const Vector3<double>& b,
+                            const Vector3<double>& c) const {
+        const auto along = [&](const Vector3<double>& axis) {
+            return std::max(std::max(dot(axis, a), dot(axis, b)), dot(axis, c));
         };
         return {along(axes_abs[0]), along(axes_abs[1]), along(axes_abs[2])};
     }
 
-    PlaneSizeOf<Number> plane_size(const Vector3<Number>& v0, const Corners<Number>& p) const {
-        const Vector3<Number> e1 = p[1] - p[0], e2 = p[2] - p[0];
-        const Vector3<Number> normal = cross(e1, e2);
-        const Vector3<Number> normal_abs =
+    PlaneSize plane_size(const Vector3<double>& v0, const Corners<double>& p) const {
+        const Vector3<double> e1 = p[1] - p[0], e2 = p[2] - p[0];
+        const Vector3<double> normal = cross(e1, e2);
+        const Vector3<double> normal_abs =
             absolute_cross(e1, e2) + absolute_cross(e1, e2 - e1) + absolute_cross(e2, e2 - e1);
-        const Number from_corner = dot(absolute(v0) + origin_abs, normal_abs);
-        const Number along_sight = dot(direction_abs, normal_abs);
+        const double from_corner = dot(absolute(v0) + origin_abs, normal_abs);
+        const double along_sight = dot(direction_abs, normal_abs);
         if (projection == Projection::perspective)
-            return {absolute(dot(v0, normal)), from_corner, along_sight, Number{}};
+            return {std::abs(dot(v0, normal)), from_corner, along_sight, 0};
         constexpr double rounding = gamma(6, unit_roundoff_float64);
-        return {absolute(dot(direction, normal)), along_sight, from_corner,
+        return {std::abs(dot(direction, normal)), along_sight, from_corner,
                 rounding * dot(eye_abs + origin_abs, normal_abs)};
     }
 };

@@ -221,8 +221,8 @@ double explained_share(const Explanation& e) {
     return e.asked == 0 ? 0 : double(e.explained) / double(e.asked);
 }
 
-std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const Testimony& candidate,
-                                  const Testimony& reference, const Verdict& verdict) {
+std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
+                                  const RenderedFrame& reference, const Verdict& verdict) {
     if (defect_count(verdict) == 0) return std::nullopt;
     const CaseFile file{scene, view, candidate, reference};
     return Inquest(file, verdict).hold();

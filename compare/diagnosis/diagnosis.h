@@ -32,7 +32,7 @@ double explained_share(const Explanation& explanation);
 /// Tests every hypothesis on a verdict's defects, or on an evenly spread part of them where they are many.
 /// The cause is what leaves the fewest pixels unexplained, if that is less than half the defects. Nothing
 /// without defects. Deterministic for any number of threads; frames as judge() wants them.
-std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const Testimony& candidate,
-                                  const Testimony& reference, const Verdict& verdict);
+std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
+                                  const RenderedFrame& reference, const Verdict& verdict);
 
 }  // namespace zproof

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/hearing/hearing.h"
+#include "compare/adjudicate/adjudicator.h"
 #include "compare/judge.h"
 
 namespace zproof {
@@ -51,7 +51,7 @@ struct Hypothesis {
     /// The claim as it was meant; nothing where the hypothesis cannot account for it. Absent: as it stands.
     std::function<std::optional<Claim>(const Claim&)> restate;
     /// Another rule of drawing. Absent: the law.
-    Amendment amend;
+    RuleOverride amend;
     /// What is reported where the depth lies within the bound. Absent: the depth.
     std::function<ReportedDepth(const DepthBound&, const Claim&)> report;
 };
@@ -60,8 +60,8 @@ struct Hypothesis {
 struct CaseFile {
     const Scene& scene;
     const View& view;
-    const Testimony& candidate;
-    const Testimony& reference;
+    const RenderedFrame& candidate;
+    const RenderedFrame& reference;
 };
 
 /// The view whose image stands `step_px` (x right, y down) further than that of `view`.

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "compare/search/nearby_triangles.h"
-#include "compare/witness.h"
+#include "compare/adjudicate/triangle_search.h"
+#include "compare/admissible/depth_rule.h"
 
 namespace zproof {
 
@@ -49,14 +49,14 @@ class Reading {
     bool has_lawful_depth(const Claim& claim) const {
         const float depth = claim.answer.camera_depth;
         const CornersWorld p_world = corners_at(claim);
-        const TriangleDepth triangle = depth_of({hypothesis_.view, bounds_, p_world}, bounds_);
-        const DepthBound bound = triangle.at(claim.x, claim.y);
+        const View& view = hypothesis_.view;
+        const TriangleDepth triangle(TriangleInView(view, bounds_, p_world), bounds_);
         if (hypothesis_.report) {
-            const ReportedDepth reported = hypothesis_.report(bound, claim);
+            const ReportedDepth reported = hypothesis_.report(triangle.at(claim.x, claim.y), claim);
             return reported.low <= depth && depth <= reported.high;
         }
-        return depth >= 0 && (triangle.certainly_holds(bound, depth) ||
-                              is_lawful_depth(hypothesis_.view, bounds_, p_world, {claim.x, claim.y}, depth));
+        return depth >= 0 &&
+               check_depth(view, bounds_, p_world, triangle, {claim.x, claim.y}, depth).is_admissible;
     }
 
     const Scene& scene_;
@@ -125,13 +125,13 @@ class District {
     Scene scene_;
 };
 
-std::uint64_t lawful_among(std::span<const Ruled> rulings) {
-    return std::uint64_t(
-        std::ranges::count_if(rulings, [](const Ruled& r) { return is_lawful(r.decision.standing); }));
+std::uint64_t admissible_among(std::span<const Adjudicated> adjudicated) {
+    return std::uint64_t(std::ranges::count_if(
+        adjudicated, [](const Adjudicated& a) { return is_admissible(a.decision.admissibility); }));
 }
 
 /// Rules of drawing speak of the scene's ids.
-Amendment in_district(const Amendment& amend, const District& district) {
+RuleOverride in_district(const RuleOverride& amend, const District& district) {
     if (!amend) return nullptr;
     return [&](Neighbourhood& around, PrimitiveId answer) {
         for (Neighbour& n : around.neighbours) n.triangle = std::uint32_t(district.id_in_scene(n.triangle));
@@ -145,25 +145,25 @@ Amendment in_district(const Amendment& amend, const District& district) {
 /// Squares that grow beyond the district's reach are judged in the whole scene.
 std::uint64_t count_lawful(const CaseFile& file, const District& district, const Reading& reading) {
     const Hypothesis& supposed = reading.hypothesis();
-    Bulk<Plea> pleas;
-    std::vector<const Claim*> heard;
+    std::vector<PixelQuery> queries, larger;
+    std::vector<const Claim*> asked;
     for (const Claim& claim : reading.claims()) {
         const std::optional<PrimitiveId> id = district.id_of(claim.answer.primitive);
         if (!id) continue;
-        pleas.push_back({&reading.bounds(), *id, claim.x, claim.y});
-        heard.push_back(&claim);
+        queries.push_back({&reading.bounds(), *id, claim.x, claim.y});
+        asked.push_back(&claim);
     }
-    Bulk<Ruled> rulings =
-        Hearing(district.scene(), supposed.view, in_district(supposed.amend, district))
-            .hear(std::move(pleas));
-    Bulk<Plea> appeals;
-    for (std::size_t i = 0; i < heard.size(); ++i) {
-        if (rulings[i].eps_px <= district.reach_px(*heard[i])) continue;
-        rulings[i].decision.standing = Standing::outside;
-        appeals.push_back({&reading.bounds(), heard[i]->answer.primitive, heard[i]->x, heard[i]->y});
+    std::vector<Adjudicated> adjudicated =
+        adjudicate(district.scene(), supposed.view, queries, Asked::admissibility,
+                   in_district(supposed.amend, district));
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        if (adjudicated[i].decision.eps_px <= district.reach_px(*asked[i])) continue;
+        adjudicated[i].decision.admissibility = Admissibility::outside;
+        larger.push_back({&reading.bounds(), asked[i]->answer.primitive, asked[i]->x, asked[i]->y});
     }
-    return lawful_among(rulings) +
-           lawful_among(Hearing(file.scene, supposed.view, supposed.amend).hear(std::move(appeals)));
+    return admissible_among(adjudicated) +
+           admissible_among(
+               adjudicate(file.scene, supposed.view, larger, Asked::admissibility, supposed.amend));
 }
 
 }  // namespace
@@ -186,8 +186,10 @@ double leniency_of(const CaseFile& file, const Question& question) {
     for (const Claim& claim : question.claims) {
         if (std::size_t(claim.answer.primitive) >= file.scene.triangles.size()) continue;
         const CornersWorld p_world = corners_of(file.scene, std::uint32_t(claim.answer.primitive));
-        const DepthBound law = depth_of({file.view, declared, p_world}, declared).at(claim.x, claim.y);
-        const DepthBound bound = depth_of({supposed.view, widened, p_world}, widened).at(claim.x, claim.y);
+        const auto bound_in = [&](const View& view, const ViewBounds& bounds) {
+            return TriangleDepth(TriangleInView(view, bounds, p_world), bounds).at(claim.x, claim.y);
+        };
+        const DepthBound law = bound_in(file.view, declared), bound = bound_in(supposed.view, widened);
         const ReportedDepth reported =
             supposed.report ? supposed.report(bound, claim) : ReportedDepth{bound.low, bound.high};
         const double wider = std::log((reported.high - reported.low) / (law.high - law.low));

@@ -7,9 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "compare/adjudicate/pixel_check.h"
+#include "compare/adjudicate/triangle_search.h"
 #include "compare/explanation/storyteller.h"
-#include "compare/hearing/adjudication.h"
-#include "compare/search/nearby_triangles.h"
 
 namespace zproof {
 
@@ -30,15 +30,14 @@ std::array<double, 3> edge_distances(const Sight<double>& sight, const CornersWo
     return distance;
 }
 
-std::vector<Candidate> candidates_in(const View& view, const Witness& witness, const Neighbourhood& around,
-                                     CoplanarMemory& memory) {
+std::vector<Candidate> candidates_in(const View& view, const ViewBounds& bounds, const Neighbourhood& around,
+                                     CoplanarMemory& coplanar) {
     const Sight<double> sight(view, around.x, around.y);
     std::vector<Candidate> candidates;
     for (const Neighbour& n : around.neighbours) {
-        const Decision decision = decide(around, PrimitiveId(n.triangle), memory);
-        if (decision.standing == Standing::outside) continue;
-        const TriangleDepth depth =
-            depth_of(TriangleInView(view, witness.bounds(), n.p_world), witness.bounds());
+        const Decision decision = decide(around, PrimitiveId(n.triangle), coplanar);
+        if (decision.admissibility == Admissibility::outside) continue;
+        const TriangleDepth depth(TriangleInView(view, bounds, n.p_world), bounds);
         candidates.push_back({PrimitiveId(n.triangle), edge_distances(sight, n.p_world),
                               depth.at(around.x, around.y), decision});
     }
@@ -46,19 +45,13 @@ std::vector<Candidate> candidates_in(const View& view, const Witness& witness, c
     return candidates;
 }
 
-/// A pixel before its surroundings are looked into: everything but `candidates` and `background`, and eps
-/// only where the ids differ.
-PixelStory told_so_far(const OpenPixel& open, const Ruling& ruling) {
-    const bool same = open.finding.candidate.primitive == open.finding.reference.primitive;
-    PixelStory story{open.finding,
-                     ruling.candidate.decision,
-                     ruling.reference.decision,
-                     ruling.reference.eps_px,
-                     !same,
-                     {},
-                     {}};
-    story.finding.verdict = is_settled(open) ? PixelClass::agree : class_of(open, ruling);
-    story.finding.eps_px = ruling.candidate.eps_px;
+/// A pixel before its surroundings are looked into: everything but `candidates` and `background`.
+PixelStory told_so_far(const FramePair& frames, const PixelCheck& pixel, const PixelPlace& place) {
+    PixelStory story{finding_of(pixel, place), pixel.candidate_decision.decision, pixel.reference_decision.decision,
+                     pixel.ids_differ(), {}, {}};
+    if (!pixel.ids_differ() && !pixel.candidate.is_invalid)
+        story.finding.eps_px = own_eps_px(frames.scene, frames.view, frames.candidate.bounds, place,
+                                          pixel.candidate.answer.primitive);
     return story;
 }
 
@@ -67,23 +60,15 @@ void require_inside(const View& view, const PixelPlace& place) {
         throw std::out_of_range("explain: the pixel lies outside the view");
 }
 
-const RuledPlace* found_among(std::span<const RuledPlace> known, const PixelPlace& place) {
-    const auto found =
-        std::ranges::lower_bound(known, std::pair{place.y, place.x}, {}, [](const RuledPlace& r) {
-            return std::pair{r.y, r.x};
-        });
-    return found != known.end() && found->x == place.x && found->y == place.y ? &*found : nullptr;
-}
-
 }  // namespace
 
-PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
-                   const Testimony& reference, const PixelPlace& place) {
+PixelStory explain(const Scene& scene, const View& view, const RenderedFrame& candidate,
+                   const RenderedFrame& reference, const PixelPlace& place) {
     return explain(scene, view, candidate, reference, std::span(&place, 1)).front();
 }
 
-std::vector<PixelStory> explain(const Scene& scene, const View& view, const Testimony& candidate,
-                                const Testimony& reference, std::span<const PixelPlace> places) {
+std::vector<PixelStory> explain(const Scene& scene, const View& view, const RenderedFrame& candidate,
+                                const RenderedFrame& reference, std::span<const PixelPlace> places) {
     const Storyteller teller(scene, view, candidate, reference);
     std::vector<PixelStory> stories = teller.begin(places);
     std::vector<Site> sites;
@@ -94,51 +79,24 @@ std::vector<PixelStory> explain(const Scene& scene, const View& view, const Test
     return stories;
 }
 
-std::vector<Ruling> Storyteller::rulings_on(std::span<const PixelPlace> places,
-                                            std::span<const RuledPlace> known) const {
-    std::vector<Ruling> rulings(places.size());
-    std::vector<PixelPlace> unknown;
-    std::vector<std::size_t> number;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (const RuledPlace* ruled = found_among(known, places[i])) {
-            rulings[i] = {{ruled->candidate, ruled->candidate_eps_px, {}},
-                          {ruled->reference, ruled->reference_eps_px, {}}};
-        } else {
-            unknown.push_back(places[i]);
-            number.push_back(i);
-        }
-    }
-    if (unknown.empty()) return rulings;
-    const Rulings ruled = rule_on(scene_, view_, candidate_, reference_, unknown);
-    for (std::size_t i = 0; i < unknown.size(); ++i) rulings[number[i]] = ruled[i];
-    return rulings;
-}
-
-std::vector<PixelStory> Storyteller::begin(std::span<const PixelPlace> places,
-                                           std::span<const RuledPlace> known) const {
-    std::vector<OpenPixel> open;
-    PixelLook look(scene_, candidate_, reference_);
-    for (const PixelPlace& place : places) {
-        require_inside(view_, place);
-        open.push_back(look.at(place.x, place.y));
-    }
-    const std::vector<Ruling> rulings = rulings_on(places, known);
+std::vector<PixelStory> Storyteller::begin(std::span<const PixelPlace> places) const {
+    for (const PixelPlace& place : places) require_inside(frames_.view, place);
+    std::vector<UndecidedPixel> undecided;
+    for (const PixelPlace& place : places) undecided.push_back({place.x, place.y});
+    const std::vector<PixelCheck> pixels = check_pixels(frames_, undecided);
     std::vector<PixelStory> stories;
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        stories.push_back(told_so_far(open[i], rulings[i]));
-        Finding& f = stories[i].finding;
-        if (!stories[i].ids_differ && !open[i].candidate_invalid)
-            f.eps_px = own_eps_px(scene_, view_, candidate_.bounds(), {f.x, f.y}, f.candidate.primitive);
-    }
+    for (std::size_t i = 0; i < places.size(); ++i)
+        stories.push_back(told_so_far(frames_, pixels[i], places[i]));
     return stories;
 }
 
 void Storyteller::finish(PixelStory& story, const Site& site) const {
-    Neighbourhood around = neighbourhood_of(scene_, view_, candidate_.bounds(), site, site.reach_px);
+    const auto& [scene, view, candidate, reference] = frames_;
+    Neighbourhood around = neighbourhood_of(scene, view, candidate.bounds, site, site.reach_px);
     around.eps_px = site.reach_px;
-    CoplanarMemory memory(coplanar_pairs);
-    story.candidates = candidates_in(view_, candidate_, around, memory);
-    story.background = decide(around, PrimitiveId::none, memory);
+    CoplanarMemory coplanar(coplanar_pairs);
+    story.candidates = candidates_in(view, candidate.bounds, around, coplanar);
+    story.background = decide(around, PrimitiveId::none, coplanar);
 }
 
 Site site_of(const PixelStory& story, double reach_px) {

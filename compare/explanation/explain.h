@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "compare/judge.h"
-#include "compare/pixel_place.h"
-#include "compare/truth/standing.h"
+#include "compare/admissible/admissibility.h"
+#include "compare/bounds/pixel_place.h"
+#include "compare/rendered_frame.h"
+#include "compare/verdict.h"
 
 namespace zproof {
 
@@ -25,7 +26,6 @@ struct Candidate {
 struct PixelStory {
     Finding finding;
     Decision candidate, reference;  ///< both answers, each judged by its own renderer's precision
-    double reference_eps_px = 0;    ///< half-side of the square that the reference's answer was judged in
     bool ids_differ = false;        ///< otherwise the decisions were not needed and say nothing
     std::vector<Candidate>
         candidates;       ///< triangles within eps of the centre, nearest first; candidate's precision
@@ -33,12 +33,12 @@ struct PixelStory {
 };
 
 /// Judges one pixel and keeps the evidence. It must lie inside the view (std::out_of_range otherwise).
-PixelStory explain(const Scene& scene, const View& view, const Testimony& candidate,
-                   const Testimony& reference, const PixelPlace& place);
+PixelStory explain(const Scene& scene, const View& view, const RenderedFrame& candidate,
+                   const RenderedFrame& reference, const PixelPlace& place);
 
 /// The same for many pixels of one view, in order, with few passes over the scene.
-std::vector<PixelStory> explain(const Scene& scene, const View& view, const Testimony& candidate,
-                                const Testimony& reference, std::span<const PixelPlace> places);
+std::vector<PixelStory> explain(const Scene& scene, const View& view, const RenderedFrame& candidate,
+                                const RenderedFrame& reference, std::span<const PixelPlace> places);
 
 /// One sentence for a report: what was answered, what was expected, and why the verdict.
 std::string in_words(const Scene& scene, const Finding& finding);

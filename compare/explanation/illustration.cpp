@@ -7,8 +7,7 @@
 #include <optional>
 
 #include "compare/explanation/storyteller.h"
-#include "compare/search/nearby_triangles.h"
-#include "compare/search/triangle_filter.h"
+#include "compare/adjudicate/triangle_search.h"
 
 namespace zproof {
 
@@ -52,16 +51,6 @@ std::vector<NearbyImage> images_at(const Scene& scene, const View& view, const S
     return images;
 }
 
-/// What find_nearby_triangles() says of a smaller reach.
-Site narrowed(const Scene& scene, const View& view, const Site& site, double reach_px) {
-    Site smaller{site.x, site.y, reach_px, {}};
-    const TriangleFilters filters(view);
-    for (const std::uint32_t triangle : site.triangles)
-        if (filters.of(corners_of(scene, triangle)).is_near(site.x, site.y, reach_px))
-            smaller.triangles.push_back(triangle);
-    return smaller;
-}
-
 }  // namespace
 
 std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const View& view,
@@ -75,17 +64,19 @@ std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const Vi
     return images;
 }
 
-std::vector<IllustratedStory> illustrate(const Scene& scene, const View& view, const Testimony& candidate,
-                                         const Testimony& reference, const IllustratedPlaces& places) {
+std::vector<IllustratedStory> illustrate(const Scene& scene, const View& view, const RenderedFrame& candidate,
+                                         const RenderedFrame& reference, const IllustratedPlaces& places) {
     const Storyteller teller(scene, view, candidate, reference);
-    std::vector<PixelStory> stories = teller.begin(places.places, places.known);
+    std::vector<PixelStory> stories = teller.begin(places.places);
     std::vector<Site> sites;
     for (const PixelStory& story : stories) sites.push_back(site_of(story, places.reach_px));
     find_nearby_triangles(scene, view, sites);
     std::vector<IllustratedStory> told(stories.size());
     tbb::parallel_for(std::size_t(0), stories.size(), [&](std::size_t i) {
-        teller.finish(stories[i], narrowed(scene, view, sites[i], stories[i].finding.eps_px));
-        const Site drawn = narrowed(scene, view, sites[i], places.reach_px);
+        Site drawn = sites[i], told_of = sites[i];
+        told_of.reach_px = stories[i].finding.eps_px;
+        drawn.reach_px = places.reach_px;
+        teller.finish(stories[i], told_of);
         told[i] = {std::move(stories[i]), images_at(scene, view, drawn, places.most)};
     });
     return told;

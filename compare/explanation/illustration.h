@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "compare/explanation/explain.h"
-#include "compare/judge_in_full.h"
 #include "math/affine.h"
 
 namespace zproof {
@@ -34,11 +33,10 @@ struct IllustratedPlaces {
     std::span<const PixelPlace> places;
     double reach_px = 0;
     std::size_t most = 0;
-    std::span<const RuledPlace> known{};  ///< rulings that need not be made again, in raster order
 };
 
 /// explain() and images_around() together: the scene is searched once for both.
-std::vector<IllustratedStory> illustrate(const Scene& scene, const View& view, const Testimony& candidate,
-                                         const Testimony& reference, const IllustratedPlaces& places);
+std::vector<IllustratedStory> illustrate(const Scene& scene, const View& view, const RenderedFrame& candidate,
+                                         const RenderedFrame& reference, const IllustratedPlaces& places);
 
 }  // namespace zproof

@@ -66,21 +66,21 @@ std::string reason(const Finding& f) {
     return {};
 }
 
-const char* words_for(Standing s) {
+const char* words_for(Admissibility s) {
     switch (s) {
-        case Standing::visible:
+        case Admissibility::visible:
             return "lawful: visible";
-        case Standing::clipped:
+        case Admissibility::clipped:
             return "lawful: visible, at a clip plane";
-        case Standing::tied:
+        case Admissibility::tied:
             return "lawful: within the depth bounds of the nearest";
-        case Standing::through_a_crack:
+        case Admissibility::through_a_crack:
             return "lawful only through a crack of the scene";
-        case Standing::hole:
+        case Admissibility::hole:
             return "not lawful: covered for certain";
-        case Standing::outside:
+        case Admissibility::outside:
             return "not lawful: does not reach the square";
-        case Standing::hidden:
+        case Admissibility::hidden:
             return "not lawful: occluded for certain";
     }
     return "";
@@ -91,7 +91,7 @@ void tell(std::ostream& text, const Scene& scene, const Candidate& c) {
     for (const double distance : c.edge_distance) text << ' ' << number(distance, 5);
     text << "  (1/256 px, inside > 0)\n      depth " << number(c.depth.truth, 12) << ", lawful "
          << number(c.depth.low, 12) << " to " << number(c.depth.high, 12) << "\n      "
-         << words_for(c.decision.standing) << (c.decision.exact ? "  [exact rationals]" : "") << '\n';
+         << words_for(c.decision.admissibility) << (c.decision.exact ? "  [exact rationals]" : "") << '\n';
 }
 
 /// "  candidate  triangle 17, depth 3.25; eps 0.002 px = 0.5/256 px; lawful: visible".
@@ -114,13 +114,13 @@ std::string in_words(const Scene& scene, const PixelStory& story) {
     text << "pixel (" << f.x << ", " << f.y << "): " << name_of(f.verdict)
          << (passes(f.verdict) ? ", pass" : ", FAIL") << "\n  " << in_words(scene, f) << '\n';
     const bool decided = story.ids_differ && f.verdict != PixelClass::invalid;
-    tell(text, "candidate", f.candidate, decided ? words_for(story.candidate.standing) : "", f.eps_px);
-    tell(text, "reference", f.reference, decided ? words_for(story.reference.standing) : "",
-         decided ? story.reference_eps_px : f.eps_px);
+    tell(text, "candidate", f.candidate, decided ? words_for(story.candidate.admissibility) : "", f.eps_px);
+    tell(text, "reference", f.reference, decided ? words_for(story.reference.admissibility) : "",
+         decided ? story.reference.eps_px : f.eps_px);
     text << "triangles within the candidate's eps of the centre, nearest first:\n";
     for (const Candidate& c : story.candidates) tell(text, scene, c);
     if (story.candidates.empty()) text << "  none\n";
-    text << "background: " << words_for(story.background.standing) << '\n';
+    text << "background: " << words_for(story.background.admissibility) << '\n';
     return text.str();
 }
 

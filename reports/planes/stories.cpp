@@ -17,29 +17,29 @@ json number(double value) { return std::isfinite(value) ? json(value) : json(sho
 /// The shortest decimal that is this float.
 json as_float(double value) { return json::parse(shortest(float(value)), nullptr, false); }
 
-std::string_view word_for(Standing standing) {
+std::string_view word_for(Admissibility standing) {
     switch (standing) {
-        case Standing::visible:
+        case Admissibility::visible:
             return "visible";
-        case Standing::clipped:
+        case Admissibility::clipped:
             return "visible, at a clip plane";
-        case Standing::tied:
+        case Admissibility::tied:
             return "tied in depth";
-        case Standing::through_a_crack:
+        case Admissibility::through_a_crack:
             return "through a crack";
-        case Standing::hole:
+        case Admissibility::hole:
             return "covered";
-        case Standing::outside:
+        case Admissibility::outside:
             return "outside";
-        case Standing::hidden:
+        case Admissibility::hidden:
             return "hidden";
     }
     return "";
 }
 
 json described(const Decision& decision) {
-    return {{"word", word_for(decision.standing)},
-            {"lawful", is_lawful(decision.standing)},
+    return {{"word", word_for(decision.admissibility)},
+            {"lawful", is_admissible(decision.admissibility)},
             {"exact", decision.exact}};
 }
 
@@ -75,7 +75,7 @@ json described(const Story& s) {
         {"class", int(f.verdict)},
         {"text", s.text},
         {"eps", f.eps_px},
-        {"reference_eps", s.story.reference_eps_px},
+        {"reference_eps", s.story.reference.eps_px},
         {"depth",
          {number(f.candidate_depth.low), number(f.candidate_depth.truth), number(f.candidate_depth.high)}},
         {"error", number(f.error_over_bound)},

@@ -53,7 +53,7 @@ TEST(ErrorMap, OfTheJudgeIsTheSameBitForBit) {
                 answer(t.reference, x, y, which == 3 ? 0 : which, 4.0f * off);
                 if (which == 6) answer_background(t.candidate, x, y);
             }
-        const Testimony ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
+        const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
         const auto [verdict, errors, rulings] = judge_in_full(t.scene, t.view, ours, theirs);
         EXPECT_EQ(bits_of(errors.candidate), bits_of(error_over_bound(t.scene, t.view, ours)));
         EXPECT_EQ(bits_of(errors.reference), bits_of(error_over_bound(t.scene, t.view, theirs)));
@@ -100,7 +100,7 @@ TEST(Explain, ManyPixelsAtOnceAreWhatEachIsByItself) {
     answer(t.candidate, 3, 3, 7, 8);
     answer_background(t.candidate, 4, 4);
     const PixelPlace places[] = {{2, 2}, {0, 0}, {3, 3}, {4, 4}};
-    const Testimony ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
+    const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
     const auto stories = explain(t.scene, t.view, ours, theirs, places);
     ASSERT_EQ(stories.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i)
@@ -113,7 +113,7 @@ TEST(Explain, WhatTheJudgeRuledIsToldAsIfItWereRuledOnAgain) {
     answer(t.candidate, 2, 2, 1, 8);
     answer_background(t.candidate, 4, 4);
     answer_background(t.reference, 5, 4);
-    const Testimony ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
+    const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
     JudgedInFull judged = judge_in_full(t.scene, t.view, ours, theirs);
     ASSERT_EQ(judged.rulings.size(), 3u);
     const PixelPlace places[] = {{5, 4}, {2, 2}, {0, 0}, {4, 4}};

@@ -169,7 +169,7 @@ TEST(Glance, LeavesNoSquareOfAFindingOut) {
         const Scene scene = scene_of(view, {wall_left_of(1.5, 4, -64, 1.5), wall_right_of(1.5, 4, -64, 1.5),
                                             wall_left_of(1.5, 4, 1.5, 64), wall_right_of(1.5, 4, 1.5, 64)});
         const Frame ours = random_frame(dice, view), theirs = random_frame(dice, view);
-        const Testimony candidate{ours, raster_precision()}, reference{theirs, ray_precision()};
+        const RenderedFrame candidate{ours, raster_precision()}, reference{theirs, ray_precision()};
         Bulk<Finding> all = judge_in_full(scene, view, candidate, reference).verdict.findings;
         std::erase_if(all, [](const Finding& f) { return passes(f.verdict); });
         const Bulk<Finding> listed = judge(scene, view, candidate, reference).findings;

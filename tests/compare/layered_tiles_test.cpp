@@ -151,7 +151,7 @@ TEST(LayeredTiles, ThatFailAreListedAsInFull) {
         SCOPED_TRACE(seed);
         Dice dice(seed);
         const Case c(dice);
-        const Testimony ours{c.candidate, raster_precision()}, theirs{c.reference, ray_precision()};
+        const RenderedFrame ours{c.candidate, raster_precision()}, theirs{c.reference, ray_precision()};
         const Verdict verdict = judge(c.scene, c.view, ours, theirs);
         std::vector<Finding> failing;
         std::ranges::copy_if(judge_in_full(c.scene, c.view, ours, theirs).verdict.findings,

@@ -91,7 +91,7 @@ TEST(Presort, JudgesEveryPixelAsInFull) {
     for (std::uint32_t seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE(seed);
         const auto& [dice, view, scene, candidate, reference] = Shown(seed);
-        Testimony ours{candidate, raster_precision()}, theirs{reference, ray_precision()};
+        RenderedFrame ours{candidate, raster_precision()}, theirs{reference, ray_precision()};
         if (seed % 2 != 0) std::swap(ours.precision, theirs.precision);
         const Verdict in_full = judge_in_full(scene, view, ours, theirs).verdict,
                       verdict = judge(scene, view, ours, theirs),
@@ -112,7 +112,7 @@ TEST(Presort, JudgesEveryPixelAsInFull) {
 }
 
 /// Of one renderer's depths at pixels at which both name the same triangle, asked one by one.
-BoundRecord record_of(const Scene& scene, const View& view, const Testimony& whose, const Testimony& other) {
+BoundRecord record_of(const Scene& scene, const View& view, const RenderedFrame& whose, const RenderedFrame& other) {
     const ViewBounds bounds(view, whose.precision);
     std::vector<TriangleDepth> depths;
     for (std::uint32_t t = 0; t < scene.triangles.size(); ++t)
@@ -136,7 +136,7 @@ TEST(Histograms, AreOfEveryPixelThatBothNameAlike) {
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
         const auto& [dice, view, scene, candidate, reference] = Shown(seed);
-        const Testimony ours{candidate, raster_precision()},
+        const RenderedFrame ours{candidate, raster_precision()},
             theirs{reference, seed % 2 ? raster_precision() : ray_precision()};
         const Verdict verdict = judge_with_histograms(scene, view, ours, theirs);
         EXPECT_EQ(verdict.candidate_depth, record_of(scene, view, ours, theirs));

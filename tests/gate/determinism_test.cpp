@@ -41,7 +41,7 @@ Outcome run_on(int threads, const Loaded& loaded) {
         const oracle::Embree embree(loaded.scene);
         run.candidate = rasterizer::render(loaded.scene, view);
         run.reference = embree.trace(view);
-        const Testimony ours{run.candidate, rasterizer::precision()},
+        const RenderedFrame ours{run.candidate, rasterizer::precision()},
             theirs{run.reference, oracle::embree_precision()};
         run.verdict = judge(loaded.scene, view, ours, theirs);
         run.with_histograms = judge_with_histograms(loaded.scene, view, ours, theirs);

@@ -75,7 +75,7 @@ ordered_json counts_of(const Verdict& verdict) {
 struct Case {
     const Scene& scene;
     const View& view;
-    Testimony candidate, reference;
+    RenderedFrame candidate, reference;
 };
 
 void add_cause(ordered_json& line, const Case& c, const Verdict& verdict) {

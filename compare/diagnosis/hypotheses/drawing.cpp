@@ -12,7 +12,7 @@ namespace zproof {
 namespace {
 
 Hypothesis with_rule(const CaseFile& file, const std::string& name, const std::string& description,
-                     Amendment amend) {
+                     RuleOverride amend) {
     Hypothesis h = as_declared(file, name, description);
     h.amend = std::move(amend);
     return h;
@@ -20,7 +20,7 @@ Hypothesis with_rule(const CaseFile& file, const std::string& name, const std::s
 
 /// Who hides whom goes by range(neighbour), [least, greatest], instead of nearness; the greater hides.
 template <class Range>
-Amendment ordered_by(Range range) {
+RuleOverride ordered_by(Range range) {
     return [range](Neighbourhood& around, PrimitiveId) {
         for (Neighbour& n : around.neighbours) {
             const auto [least, greatest] = range(n);

@@ -1,0 +1,61 @@
+/// Boxes of raster space around what a triangle may show, in double with the rounding error added.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "compare/bounds/bounds.h"
+
+namespace zproof {
+
+/// A closed box of raster space, pixels; empty at first.
+struct Box {
+    double left = std::numeric_limits<double>::infinity(), top = left, right = -left, bottom = -left;
+
+    void add(double x, double y) {
+        left = std::min(left, x);
+        right = std::max(right, x);
+        top = std::min(top, y);
+        bottom = std::max(bottom, y);
+    }
+    void add(const Box& o) {
+        add(o.left, o.top);
+        add(o.right, o.bottom);
+    }
+    void widen(double by) { left -= by, top -= by, right += by, bottom += by; }
+    bool is_empty() const { return !(left <= right && top <= bottom); }
+    bool fits(double side) const { return right - left <= side && bottom - top <= side; }
+    bool meets(const Box& o) const {
+        return left <= o.right && o.left <= right && top <= o.bottom && o.top <= bottom;
+    }
+};
+
+/// The square of half-side reach_px around a pixel's centre.
+inline Box square_around(int x, int y, double reach_px) {
+    return {x + 0.5 - reach_px, y + 0.5 - reach_px, x + 0.5 + reach_px, y + 0.5 + reach_px};
+}
+
+/// World to raster for boxes.
+class BoxProjection {
+  public:
+    explicit BoxProjection(const View& view);
+
+    /// Around the image of a triangle; nothing where it lies behind half the near depth.
+    std::optional<Box> operator()(const CornersWorld& p_world) const;
+    /// Around the image of one corner; nothing where it lies behind half the near depth or is no place.
+    std::optional<Box> operator()(const glm::vec3& p_world) const;
+
+  private:
+    glm::dvec3 to_camera(const glm::dvec3& from_eye) const;
+    void add(Box& box, const glm::dvec3& p_camera) const;
+    Box widened(Box box, double size) const;
+
+    Camera camera_;
+    bool perspective_;
+    double px_per_u_, px_per_v_;
+    double least_depth_;     ///< half the near depth
+    double px_of_rounding_;  ///< per unit of a corner's distance from the eye
+};
+
+}  // namespace zproof

@@ -1,0 +1,43 @@
+/// One pixel that the first tier left undecided.
+#pragma once
+
+#include "compare/adjudicate/adjudicator.h"
+#include "compare/admissible/depth_rule.h"
+#include "compare/agree/agree.h"
+#include "compare/rendered_frame.h"
+#include "compare/verdict.h"
+
+namespace zproof {
+
+/// No answer at all: NaN, negative depth, an id out of range, background with a depth.
+bool is_invalid(const Answer& answer, std::size_t triangle_count);
+
+/// One renderer's answer at a pixel, by itself.
+struct AnswerCheck {
+    Answer answer;
+    bool is_invalid = false;
+    /// Of the answer's own triangle: as for a depth that is right where the answer is none or invalid.
+    DepthCheck depth;
+};
+AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, const PixelPlace& place);
+
+/// What is known of a pixel, answer by answer; decisions only where ids differ and the answer is one.
+struct PixelCheck {
+    AnswerCheck candidate, reference;
+    Adjudicated candidate_decision, reference_decision;
+
+    bool ids_differ() const { return candidate.answer.primitive != reference.answer.primitive; }
+};
+
+/// All of them, in their order; on all threads. Depths of pixels that differ in id alone are taken for admissible
+/// without being looked at.
+std::vector<PixelCheck> check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixels);
+
+/// The class that it earns.
+PixelClass class_of(const PixelCheck& pixel);
+/// Is the reference's own answer inadmissible?
+bool is_reference_wrong(const PixelCheck& pixel);
+/// The evidence.
+Finding finding_of(const PixelCheck& pixel, const PixelPlace& place);
+
+}  // namespace zproof

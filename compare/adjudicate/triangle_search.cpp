@@ -1,0 +1,173 @@
+#include "compare/adjudicate/triangle_search.h"
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <cmath>
+
+#include "math/rounding.h"
+
+namespace zproof {
+
+namespace {
+
+/// Triangles that are searched together.
+std::size_t chunk_triangles(std::size_t count) { return std::clamp<std::size_t>(count / 64, 64, 32768); }
+
+/// A float is off by less than 2^-24 of what it stands for, and by less than 2^-126 where that is nearly 0.
+float rounded_down(double a) { return float(std::max(a - std::abs(a) * 0x1p-23 - 0x1p-126, -0x1p126)); }
+float rounded_up(double a) { return float(std::min(a + std::abs(a) * 0x1p-23 + 0x1p-126, 0x1p126)); }
+
+/// The hull of the boxes that a triangle's corners lie in.
+class CornerHull {
+  public:
+    explicit CornerHull(const std::array<Box, 3>& corners) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Box &from = corners[i], &to = corners[(i + 1) % 3];
+            Side& side = sides_[i];  // any direction would do, so that its own rounding is harmless
+            side.x = (from.top + from.bottom) - (to.top + to.bottom);
+            side.y = (to.left + to.right) - (from.left + from.right);
+            for (const Box& corner : corners) side.corners.add(across(side, corner));
+        }
+    }
+
+    /// Does a line along one of the sides part the box from all three corners, certainly?
+    bool is_beside(const Box& box) const {
+        return std::ranges::any_of(sides_, [&](const Side& side) {
+            const Range asked = across(side, box);
+            return side.corners.least > asked.most || side.corners.most < asked.least;
+        });
+    }
+
+  private:
+    /// From the least to the greatest scalar product with a direction.
+    struct Range {
+        double least = HUGE_VAL, most = -HUGE_VAL;
+        void add(const Range& o) { least = std::min(least, o.least), most = std::max(most, o.most); }
+    };
+    struct Side {
+        double x = 0, y = 0;
+        Range corners{};
+    };
+    /// Widened by what its 3 roundings may amount to.
+    static Range across(const Side& side, const Box& box) {
+        constexpr double rounding = gamma(4, unit_roundoff_float64);
+        const double left = side.x * box.left, right = side.x * box.right, top = side.y * box.top,
+                     bottom = side.y * box.bottom;
+        const double unsure = rounding * (std::max(std::abs(left), std::abs(right)) +
+                                          std::max(std::abs(top), std::abs(bottom)));
+        return {std::min(left, right) + std::min(top, bottom) - unsure,
+                std::max(left, right) + std::max(top, bottom) + unsure};
+    }
+
+    std::array<Side, 3> sides_;
+};
+
+int clamped(double px, int count) { return int(std::clamp(px / Tiles::side_px, 0.0, count - 1.0)); }
+
+/// The farthest that any tile asks beyond its own pixels' centres.
+double reach_of(const Tiles& tiles, std::span<const Box> asked) {
+    double reach_px = 0;
+    for (int row = 0; row < tiles.rows; ++row)
+        for (int column = 0; column < tiles.columns; ++column) {
+            const Box& box = asked[tiles.index(column, row)];
+            if (box.is_empty()) continue;
+            const double left = column * Tiles::side_px, top = row * Tiles::side_px;
+            reach_px = std::max({reach_px, left - box.left, top - box.top, box.right - left - Tiles::side_px,
+                                 box.bottom - top - Tiles::side_px});
+        }
+    return reach_px;
+}
+
+}  // namespace
+
+TriangleSearch::TriangleSearch(const Scene& scene, const View& view)
+    : scene_(scene), projection_(view), tiles_(view), vertices_(scene.vertices.position_world.size()) {
+    constexpr std::size_t together = 4096;
+    tbb::parallel_for(std::size_t(0), (vertices_.size() + together - 1) / together, [&](std::size_t some) {
+        const std::size_t end = std::min((some + 1) * together, vertices_.size());
+        for (std::size_t i = some * together; i < end; ++i) {
+            const auto box = projection_(scene.vertices.position_world[i]);
+            vertices_[i] = box ? VertexBox{rounded_down(box->left), rounded_down(box->top), rounded_up(box->right),
+                                           rounded_up(box->bottom)}
+                               : VertexBox{-HUGE_VALF, -HUGE_VALF, HUGE_VALF, HUGE_VALF};
+        }
+    });
+}
+
+Box TriangleSearch::box_of_vertex(std::uint32_t vertex) const {
+    const VertexBox& v = vertices_[vertex];
+    return {v.left, v.top, v.right, v.bottom};
+}
+
+Box TriangleSearch::box_of(std::uint32_t triangle) const {
+    const glm::uvec3& t = scene_.triangles[triangle];
+    Box box = box_of_vertex(t.x);
+    box.add(box_of_vertex(t.y));
+    box.add(box_of_vertex(t.z));
+    if (std::isfinite(box.left)) return box;
+    return projection_(corners_of(scene_, triangle)).value_or(Box{});
+}
+
+/// Its sides are asked only where its box does not say no, and where it may lie in several tiles.
+template <class Visit>
+void TriangleSearch::for_each_tile_met(std::uint32_t triangle, std::span<const Box> asked, double reach_px,
+                                       const Visit& visit) const {
+    const Box box = box_of(triangle);
+    if (box.is_empty()) return;
+    const int left = clamped(box.left - reach_px, tiles_.columns), right = clamped(box.right + reach_px, tiles_.columns);
+    const int top = clamped(box.top - reach_px, tiles_.rows), bottom = clamped(box.bottom + reach_px, tiles_.rows);
+    const glm::uvec3& t = scene_.triangles[triangle];
+    const std::array<Box, 3> corners{box_of_vertex(t.x), box_of_vertex(t.y), box_of_vertex(t.z)};
+    const bool has_hull = (left < right || top < bottom) &&
+                          std::ranges::all_of(corners, [](const Box& b) { return std::isfinite(b.left); });
+    std::optional<CornerHull> hull;
+    for (int row = top; row <= bottom; ++row)
+        for (int column = left; column <= right; ++column) {
+            const std::size_t tile = tiles_.index(column, row);
+            if (!box.meets(asked[tile])) continue;
+            if (has_hull && !hull) hull.emplace(corners);
+            if (!hull || !hull->is_beside(asked[tile])) visit(tile);
+        }
+}
+
+TrianglesByTile TriangleSearch::find(std::span<const Box> asked) const {
+    const double reach_px = reach_of(tiles_, asked);
+    const std::size_t count = scene_.triangles.size(), length = chunk_triangles(count);
+    std::vector<Bulk<Meeting>> chunks((count + length - 1) / length);
+    tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t chunk) {
+        const std::size_t end = std::min(count, (chunk + 1) * length);
+        for (std::size_t t = chunk * length; t < end; ++t)
+            for_each_tile_met(std::uint32_t(t), asked, reach_px, [&](std::size_t tile) {
+                chunks[chunk].push_back({std::uint32_t(tile), std::uint32_t(t)});
+            });
+    });
+    // counted two places ahead, so that filling leaves each tile's end where the next one's first belongs
+    TrianglesByTile found{std::vector<std::size_t>(tiles_.count() + 2), {}};
+    for (const auto& chunk : chunks)
+        for (const Meeting& m : chunk) ++found.first[m.tile + 2];
+    for (std::size_t t = 2; t < found.first.size(); ++t) found.first[t] += found.first[t - 1];
+    found.triangles.resize(found.first.back());
+    for (const auto& chunk : chunks)
+        for (const Meeting& m : chunk) found.triangles[found.first[m.tile + 1]++] = m.triangle;
+    found.first.pop_back();
+    return found;
+}
+
+void find_nearby_triangles(const Scene& scene, const View& view, std::span<Site> sites) {
+    const TriangleSearch search(scene, view);
+    const Tiles tiles(view);
+    std::vector<Box> asked(tiles.count());
+    for (const Site& site : sites)
+        asked[tiles.of(site.x, site.y)].add(square_around(site.x, site.y, site.reach_px));
+    const TrianglesByTile near = search.find(asked);
+    tbb::parallel_for(std::size_t(0), sites.size(), [&](std::size_t i) {
+        Site& site = sites[i];
+        site.triangles.clear();
+        const Box square = square_around(site.x, site.y, site.reach_px);
+        for (const std::uint32_t t : near.of(tiles.of(site.x, site.y)))
+            if (search.box_of(t).meets(square)) site.triangles.push_back(t);
+    });
+}
+
+}  // namespace zproof

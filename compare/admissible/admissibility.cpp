@@ -1,0 +1,91 @@
+#include "compare/admissible/admissibility.h"
+
+#include <algorithm>
+
+#include "compare/admissible/admissible_set.h"
+#include "compare/admissible/conservative_test.h"
+#include "math/interval.h"
+#include "math/lazy_rational.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr Rules by_depth{DepthRule::bounded, EdgeRule::watertight};
+constexpr Rules by_crack{DepthRule::bounded, EdgeRule::separate};
+
+template <class Number>
+bool any_clipped(AdmissibleSet<Number>& set, size_t count) {
+    for (size_t i = 0; i < count; ++i)
+        if (set.is_clipped(i)) return true;
+    return false;
+}
+
+template <class Number>
+Admissibility of_background(AdmissibleSet<Number>& set, size_t count) {
+    if (set.holds_background(EdgeRule::watertight))
+        return any_clipped(set, count) ? Admissibility::clipped : Admissibility::visible;
+    return set.holds_background(EdgeRule::separate) ? Admissibility::through_a_crack : Admissibility::hole;
+}
+
+template <class Number>
+Admissibility of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count) {
+    if (!set.reaches(index)) return Admissibility::outside;
+    if (set.is_seen(index)) return any_clipped(set, count) ? Admissibility::clipped : Admissibility::visible;
+    if (set.holds(index, by_depth)) return Admissibility::tied;
+    return set.holds(index, by_crack) ? Admissibility::through_a_crack : Admissibility::hidden;
+}
+
+template <class Number>
+Admissibility admissibility_in(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& memory) {
+    AdmissibleSet<Number> set(around, memory);
+    const size_t count = around.neighbours.size();
+    if (answer == PrimitiveId::none) return of_background(set, count);
+    const std::optional<size_t> index = around.index_of(answer);
+    return index ? of_triangle(set, *index, count) : Admissibility::outside;
+}
+
+}  // namespace
+
+Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar) {
+    const double eps_px = around.eps_px;
+    switch (ConservativeTest(around, answer, coplanar).finding()) {
+        case ConservativeTest::Finding::visible:
+            return {Admissibility::visible, false, eps_px};
+        case ConservativeTest::Finding::tied:
+            return {Admissibility::tied, false, eps_px};
+        case ConservativeTest::Finding::undecided:
+            break;
+    }
+    try {
+        return {admissibility_in<Interval>(around, answer, coplanar), false, eps_px};
+    } catch (const UndecidedSign&) {
+        return {admissibility_in<LazyRational>(around, answer, coplanar), true, eps_px};
+    }
+}
+
+PixelClass class_of(Admissibility candidate, Admissibility reference) {
+    switch (candidate) {
+        case Admissibility::hole:
+            return PixelClass::hole;
+        case Admissibility::outside:
+            return PixelClass::outside;
+        case Admissibility::hidden:
+            return PixelClass::hidden;
+        default:
+            break;
+    }
+    if (!is_admissible(reference)) return PixelClass::reference_wrong;
+    switch (std::max(candidate, reference)) {
+        case Admissibility::through_a_crack:
+            return PixelClass::abutting_edges;
+        case Admissibility::tied:
+            return PixelClass::depth_tie;
+        case Admissibility::clipped:
+            return PixelClass::clip;
+        default:
+            return PixelClass::edge;
+    }
+}
+
+}  // namespace zproof

@@ -1,0 +1,36 @@
+/// May a renderer show this triangle, or background, at this pixel? The one place that says so (docs/truth.md).
+#pragma once
+
+#include "compare/pixel_class.h"
+#include "compare/admissible/coplanar.h"
+#include "compare/admissible/neighbourhood.h"
+
+namespace zproof {
+
+/// Why an answer is admissible, or how it is wrong. Admissible ones first.
+enum class Admissibility : std::uint8_t {
+    visible,          ///< truly visible (or background truly bare) within eps
+    clipped,          ///< the same, and the near or far plane cuts a triangle within eps
+    tied,             ///< visible only thanks to the depth bounds
+    through_a_crack,  ///< visible only where occluders abut without sharing an edge
+    hole,             ///< background, but covered for certain
+    outside,          ///< the triangle does not reach the square
+    hidden,           ///< occluded for certain
+};
+
+constexpr bool is_admissible(Admissibility s) { return s < Admissibility::hole; }
+
+struct Decision {
+    Admissibility admissibility = Admissibility::visible;
+    bool exact = false;  ///< did double precision leave it to exact rationals?
+    double eps_px = 0;   ///< half-side of the square that it was decided in
+};
+
+/// Decides one answer: a triangle's id, which must be among the neighbours if it is to be admissible, or none. In
+/// double, then by intervals, then by rationals.
+Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar);
+
+/// The class of a pixel at which the two renderers gave different, each by itself judged, answers.
+PixelClass class_of(Admissibility candidate, Admissibility reference);
+
+}  // namespace zproof

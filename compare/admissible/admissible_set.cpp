@@ -1,0 +1,421 @@
+#include "compare/admissible/admissible_set.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <type_traits>
+
+#include "math/interval.h"
+#include "math/lazy_rational.h"
+
+namespace zproof {
+
+namespace {
+
+template <class Number>
+Affine<Number> constant(double value) {
+    return {Number(0), Number(0), Number(value)};
+}
+
+/// Does it work out what others know: on which side of a shared edge a plane is nearer, that a line and its
+/// other side are one, that what covers by one rule covers by another? So the others can be held against it.
+template <class Number>
+constexpr bool takes_nothing_for_granted = std::is_same_v<Number, Rational>;
+
+/// In double the evidence has it.
+template <class Number>
+std::optional<TriangleImage<Number>> image_of_neighbour(const Sight<Number>& sight,
+                                                        const Neighbour& neighbour) {
+    if constexpr (std::is_same_v<Number, double>)
+        return neighbour.image;
+    else
+        return image_of(sight, corners<Number>(neighbour.p_world));
+}
+
+/// May the near or far plane cut the triangle? Corners are clamped to both planes.
+bool may_be_clipped(const Camera& camera, const Neighbour& n) {
+    return n.nearest <= camera.near_depth + n.near_slack || n.farthest >= camera.far_depth - n.far_slack;
+}
+
+}  // namespace
+
+template <class Number>
+AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around, CoplanarMemory& coplanar)
+    : around_(around),
+      sight_(around.view, around.x, around.y),
+      drawn_(around.neighbours.size()),
+      pieces_(around.neighbours.size()),
+      nearest_first_(around.neighbours.size()),
+      coplanar_(coplanar) {
+    corners_by_hash_.fill(-1);
+    set_half_side(around.eps_px);
+    std::iota(nearest_first_.begin(), nearest_first_.end(), size_t(0));
+    std::ranges::stable_sort(nearest_first_, std::greater<>{},
+                             [&](size_t i) { return around_.neighbours[i].least_nearness; });
+}
+
+template <class Number>
+void AdmissibleSet<Number>::set_half_side(double half_side_px) {
+    half_side_px_ = half_side_px;
+    std::ranges::fill(pieces_, std::nullopt);
+    covering_.reset();
+    const Number h(half_side_px), zero(0), one(1);
+    sides_ = {new_line({zero, one, h}), new_line({-one, zero, h}), new_line({zero, -one, h}),
+              new_line({one, zero, h})};
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::new_line(const Affine<Number>& f) -> LinePointer {
+    const int id = -2 - int(lines_.size());  // below the ids of mesh edges
+    return &lines_.emplace_back(Line<Number>{f, id, {-1, -1}});
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::reversed(LinePointer line) -> LinePointer {
+    return &lines_.emplace_back(Line<Number>{-line->f, line->id, line->ends, line->locus});
+}
+
+template <class Number>
+int AdmissibleSet<Number>::corner_id(const glm::vec3& p_world) {
+    const auto mixed = [](float f) {
+        return std::bit_cast<std::uint32_t>(f + 0.0f) * 0x9E3779B1u;
+    };  // -0 is 0
+    const std::uint32_t hash =
+        mixed(p_world.x) ^ std::rotl(mixed(p_world.y), 11) ^ std::rotl(mixed(p_world.z), 22);
+    int& first = corners_by_hash_[hash >> 24];
+    for (int id = first; id >= 0; id = corners_[std::size_t(id)].next_of_hash)
+        if (corners_[std::size_t(id)].p_world == p_world) return id;
+    corners_.push_back({p_world, first});
+    return first = int(corners_.size()) - 1;
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge)
+    -> LinePointer {
+    const auto [low, high] =
+        std::minmax({corner_id(p_world[(edge + 1) % 3]), corner_id(p_world[(edge + 2) % 3])});
+    const int id = edge_id(low, high);
+    return &lines_.emplace_back(Line<Number>{f, id, {low, high}, edges_[std::size_t(id)].locus});
+}
+
+template <class Number>
+int AdmissibleSet<Number>::edge_id(int low, int high) {
+    int& first = corners_[std::size_t(low)].first_edge;
+    for (int id = first; id >= 0; id = edges_[std::size_t(id)].next_of_end)
+        if (edges_[std::size_t(id)].ends[1] == high) return id;
+    edges_.push_back({{low, high}, locus_of({low, high}), first});
+    return first = int(edges_.size()) - 1;
+}
+
+/// Of an edge that is not among the others yet. The estimates in double are left as they are.
+template <class Number>
+int AdmissibleSet<Number>::locus_of(const std::array<int, 2>& ends) {
+    if constexpr (std::is_same_v<Number, double>) return -1;
+    const auto place = [&](int corner) { return corners_[std::size_t(corner)].p_world; };
+    const auto along = [&](const MeshEdge& other) {
+        return collinear(place(other.ends[0]), place(other.ends[1]), place(ends[0])) &&
+               collinear(place(other.ends[0]), place(other.ends[1]), place(ends[1]));
+    };
+    const auto found = std::ranges::find_if(edges_, along);
+    return found == edges_.end() ? int(edges_.size()) : found->locus;
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::draw(const Neighbour& neighbour) -> Drawn {
+    Drawn drawn{image_of_neighbour(sight_, neighbour)};
+    if (drawn.image)
+        for (size_t i = 0; i < 3; ++i) drawn.edge[i] = edge_line(drawn.image->edge[i], neighbour.p_world, i);
+    return drawn;
+}
+
+template <class Number>
+Region<Number> AdmissibleSet<Number>::square() {
+    return Region<Number>::square(sides_, Number(half_side_px_));
+}
+
+/// The half-plane on the lawful side of the near or far plane. `admit` moves the plane outwards by its slack,
+/// `require` inwards. None where the plane cannot cut; no point at all where the slack leaves no depth
+/// required.
+template <class Number>
+auto AdmissibleSet<Number>::plane(Side side, const Affine<Number>& nearness, const Neighbour& n, Slack slack)
+    -> std::optional<LinePointer> {
+    const Camera& c = around_.view.camera;
+    const bool near = side == Side::near;
+    const double outwards = (slack == Slack::admit ? 1 : -1) * (near ? -n.near_slack : n.far_slack);
+    const double depth = (near ? c.near_depth : c.far_depth) + outwards;
+    const bool perspective = c.projection == Projection::perspective;
+    const bool is_beyond = near ? std::isinf(depth) : depth <= (perspective ? 0 : -HUGE_VAL);
+    if (slack == Slack::require && is_beyond) return new_line(constant<Number>(-1));
+    if (std::isinf(depth) || (perspective && depth <= 0)) return std::nullopt;
+    const Affine<Number> limit = constant<Number>(perspective ? 1 / depth : -depth);
+    return new_line(near ? limit - nearness : nearness - limit);
+}
+
+template <class Number>
+void AdmissibleSet<Number>::push_clipped(std::vector<Piece>& pieces, std::optional<Region<Number>> region,
+                                         const Affine<Number>& nearness, size_t index) {
+    for (const Side side : {Side::near, Side::far}) {
+        const auto line = plane(side, nearness, around_.neighbours[index], Slack::admit);
+        if (region && line) region = region->inside(**line);
+    }
+    if (region) pieces.push_back({std::move(*region), nearness, index});
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::seen_pieces(size_t index) -> const std::vector<Piece>& {
+    if (!pieces_[index]) pieces_[index] = pieces_inside(index);
+    return *pieces_[index];
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::pieces_inside(size_t index) -> std::vector<Piece> {
+    if (!drawn(index).image) return edge_on_pieces(index);
+    std::optional<Region<Number>> region = square();
+    for (const LinePointer edge : drawn(index).edge)
+        if (region) region = region->inside(*edge);
+    std::vector<Piece> pieces;
+    push_clipped(pieces, std::move(region), drawn(index).image->nearness, index);
+    return pieces;
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
+    const Corners<Number> p_world = corners<Number>(around_.neighbours[index].p_world);
+    std::vector<Piece> pieces;
+    for (size_t i = 0; i < 3; ++i) {
+        const auto segment = segment_image(sight_, p_world[i], p_world[(i + 1) % 3]);
+        if (!segment) continue;
+        std::optional<Region<Number>> region = square();
+        const LinePointer line = new_line(segment->line);
+        const LinePointer other_side =
+            takes_nothing_for_granted<Number> ? new_line(-line->f) : reversed(line);
+        for (const LinePointer side :
+             {line, other_side, new_line(segment->after_start), new_line(segment->before_end)})
+            if (region) region = region->inside(*side);
+        push_clipped(pieces, std::move(region), segment->nearness, index);
+    }
+    return pieces;
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::drawn(size_t index) -> const Drawn& {
+    if (!drawn_[index]) drawn_[index] = draw(around_.neighbours[index]);
+    return *drawn_[index];
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::edge_of(size_t index, int edge_id) -> LinePointer {
+    if (!drawn(index).image) return nullptr;
+    const auto found = std::ranges::find(drawn(index).edge, edge_id, &Line<Number>::id);
+    return found == drawn(index).edge.end() ? nullptr : *found;
+}
+
+/// Nothing where the other triangle does not share the edge.
+template <class Number>
+std::optional<bool> AdmissibleSet<Number>::are_on_one_side(LinePointer edge, size_t other) {
+    const LinePointer same = edge_of(other, edge->id);
+    if (!same) return std::nullopt;
+    return sign(edge->f.a * same->f.a + edge->f.b * same->f.b + edge->f.c * same->f.c) > 0;
+}
+
+/// Does another occluder lie beyond this edge, so that no displacement can open it?
+template <class Number>
+bool AdmissibleSet<Number>::continues(LinePointer edge, const std::vector<size_t>& occluders) {
+    return std::ranges::any_of(occluders, [&](size_t o) { return !are_on_one_side(edge, o).value_or(true); });
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::moved_inwards(LinePointer edge) -> LinePointer {
+    Affine<Number> moved = edge->f;
+    moved.c = moved.c - Number(half_side_px_) * (magnitude(moved.a) + magnitude(moved.b));
+    return new_line(moved);
+}
+
+/// At the pixel: is the occluder's least nearness above the greatest of what is seen (bounded), or is its
+/// true nearness not below (strict)?
+template <class Number>
+bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule rule) {
+    const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen];
+    if (front.least_nearness > back.greatest_nearness) return true;
+    if (rule == DepthRule::bounded || front.greatest_nearness < back.least_nearness) return false;
+    if (!drawn(seen).image || !drawn(occluder).image) return false;
+    if (stands_apart(occluder, seen)) return false;  // and so hides none of it: their depths may be equal
+    if (meet_at_the_centre(occluder, seen) || are_coplanar(occluder, seen)) return true;
+    return sign(drawn(occluder).image->nearness.c - drawn(seen).image->nearness.c) >= 0;
+}
+
+template <class Number>
+void AdmissibleSet<Number>::push_planes(HalfPlanes<Number>& half_planes, size_t occluder) {
+    const Neighbour& n = around_.neighbours[occluder];
+    if (!may_be_clipped(around_.view.camera, n)) return;
+    for (const Side side : {Side::near, Side::far})
+        if (auto line = plane(side, drawn(occluder).image->nearness, n, Slack::require))
+            half_planes.push_back(*line);
+}
+
+/// The part of the image that an occluder covers for certain; edges that do not stay are moved inwards. An
+/// edge that it shares with what is seen, both on one side of it, moves with that and bounds nothing.
+template <class Number>
+template <class Stays>
+HalfPlanes<Number> AdmissibleSet<Number>::cover(size_t occluder, std::optional<size_t> seen,
+                                                const Stays& stays) {
+    HalfPlanes<Number> half_planes;
+    for (const LinePointer edge : drawn(occluder).edge) {
+        if (seen && are_on_one_side(edge, *seen).value_or(false)) continue;
+        half_planes.push_back(stays(edge) ? edge : moved_inwards(edge));
+    }
+    push_planes(half_planes, occluder);
+    return half_planes;
+}
+
+/// Do both share an edge, each on its own side of it? Then a point of one is never a point of the other.
+template <class Number>
+bool AdmissibleSet<Number>::stands_apart(size_t occluder, size_t seen) {
+    return std::ranges::any_of(drawn(occluder).edge,
+                               [&](LinePointer edge) { return !are_on_one_side(edge, seen).value_or(true); });
+}
+
+/// Does an edge that both share, or a corner, certainly lie at the very centre? Then so do their depths.
+template <class Number>
+bool AdmissibleSet<Number>::meet_at_the_centre(size_t occluder, size_t seen) {
+    std::array<int, 2> ends{-1, -1};  // of the first edge through the centre
+    for (const LinePointer edge : drawn(seen).edge) {
+        if (!is_certainly_zero(edge->f.c)) continue;
+        if (edge_of(occluder, edge->id)) return true;
+        for (const int end : edge->ends) {
+            const auto ends_there = [&](LinePointer other) {
+                return std::ranges::count(other->ends, end) > 0;
+            };
+            if (std::ranges::count(ends, end) && std::ranges::any_of(drawn(occluder).edge, ends_there))
+                return true;
+        }
+        ends = edge->ends;
+    }
+    return false;
+}
+
+template <class Number>
+bool AdmissibleSet<Number>::are_coplanar(size_t a, size_t b) {
+    return coplanar_(around_.neighbours[a].of_scene(), around_.neighbours[b].of_scene());
+}
+
+/// Some that cover the square, nearest first: most are covered by the first. Nothing where all leave some of
+/// it bare.
+template <class Number>
+template <class Occludes, class Stays>
+std::optional<std::vector<size_t>> AdmissibleSet<Number>::covered_by(std::optional<size_t> seen,
+                                                                     const Occludes& occludes,
+                                                                     const Stays& stays) {
+    std::vector<Region<Number>> left{square()};
+    std::vector<size_t> occluders;
+    for (const size_t o : nearest_first_) {
+        if (!occludes(o) || (seen && stands_apart(o, *seen))) continue;
+        left = without(left, cover(o, seen, stays));
+        occluders.push_back(o);
+        if (left.empty()) return occluders;
+    }
+    return std::nullopt;
+}
+
+/// What covered the square by one rule does so by another by which all of it occludes.
+template <class Number>
+template <class Occludes>
+bool AdmissibleSet<Number>::leaves_bare(std::optional<size_t> seen, const Occludes& occludes) {
+    if (!takes_nothing_for_granted<Number> && covering_ && covering_->seen == seen &&
+        std::ranges::all_of(covering_->occluders, occludes))
+        return false;
+    auto covering = covered_by(seen, occludes, [](LinePointer) { return true; });
+    if (!covering) return true;
+    covering_ = {seen, std::move(*covering)};
+    return false;
+}
+
+template <class Number>
+template <class Occludes>
+bool AdmissibleSet<Number>::leaves_bare_by(EdgeRule rule, std::optional<size_t> seen,
+                                           const Occludes& occludes) {
+    if (rule == EdgeRule::watertight) return leaves_bare(seen, occludes);
+    // covered with every edge moved inwards: then all the more where some of them stay
+    if (covered_by(seen, occludes, [](LinePointer) { return false; })) return false;
+    std::vector<size_t> occluders;
+    std::ranges::copy_if(nearest_first_, std::back_inserter(occluders), occludes);
+    return !covered_by(seen, occludes, [&](LinePointer edge) { return continues(edge, occluders); });
+}
+
+template <class Number>
+bool AdmissibleSet<Number>::holds(size_t index, Rules rules) {
+    return reaches(index) && leaves_bare_by(rules.edges, index, [&](size_t o) {
+               return o != index && is_in_front(o, index, rules.depth) && drawn(o).image;
+           });
+}
+
+template <class Number>
+bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
+    return leaves_bare_by(edges, std::nullopt, [&](size_t o) { return drawn(o).image.has_value(); });
+}
+
+/// Where the occluder's plane, another than that of what is seen, is not behind it. Both planes hold an edge
+/// that both triangles share: what parts them in the image is that edge.
+template <class Number>
+auto AdmissibleSet<Number>::nearer_side(size_t occluder, const Piece& seen) -> LinePointer {
+    const Affine<Number> ahead = drawn(occluder).image->nearness - seen.nearness;
+    if constexpr (takes_nothing_for_granted<Number>) return new_line(ahead);
+    for (const LinePointer edge : drawn(occluder).edge) {
+        if (!edge_of(seen.index, edge->id)) continue;
+        const int side = sign(ahead.a * edge->f.a + ahead.b * edge->f.b + ahead.c * edge->f.c);
+        if (side != 0) return side > 0 ? edge : reversed(edge);  // none is only what double has left of it
+    }
+    return new_line(ahead);
+}
+
+/// Where the occluder's true image is not behind what is seen; nothing where it is behind all over the
+/// square.
+template <class Number>
+std::optional<HalfPlanes<Number>> AdmissibleSet<Number>::true_cover(size_t occluder, const Piece& seen) {
+    const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen.index];
+    const double slope = half_side_px_ * (front.gradient + back.gradient);  // what the ranges may lack
+    if (front.greatest_nearness + slope < back.least_nearness) return std::nullopt;
+    HalfPlanes<Number> half_planes(drawn(occluder).edge.begin(), drawn(occluder).edge.end());
+    push_planes(half_planes, occluder);
+    const bool certain = front.least_nearness - slope > back.greatest_nearness;
+    if (!certain && !are_coplanar(occluder, seen.index)) half_planes.push_back(nearer_side(occluder, seen));
+    return half_planes;
+}
+
+template <class Number>
+std::vector<Region<Number>> AdmissibleSet<Number>::visible_parts(size_t index) {
+    for (const Piece& piece : seen_pieces(index)) {
+        std::vector<Region<Number>> left{piece.region};
+        for (const size_t o : nearest_first_) {
+            if (o == index || left.empty() || !drawn(o).image) continue;
+            if (const auto hiding = true_cover(o, piece)) left = without(left, *hiding);
+        }
+        if (!left.empty()) return left;
+    }
+    return {};
+}
+
+template <class Number>
+bool AdmissibleSet<Number>::is_clipped(size_t index) {
+    const Neighbour& n = around_.neighbours[index];
+    const Camera& c = around_.view.camera;
+    // a depth may be uncertain enough for any plane; only one that the corners reach is a plane's doing
+    if ((n.nearest > c.near_depth && n.farthest < c.far_depth) || !drawn(index).image) return false;
+    std::optional<Region<Number>> region = square();
+    for (const LinePointer edge : drawn(index).edge)
+        if (region) region = region->inside(*edge);
+    if (!region) return false;
+    for (const Side side : {Side::near, Side::far})
+        if (auto line = plane(side, drawn(index).image->nearness, n, Slack::require))
+            if (region->outside(**line)) return true;
+    return false;
+}
+
+template class AdmissibleSet<double>;
+template class AdmissibleSet<Interval>;
+template class AdmissibleSet<LazyRational>;
+template class AdmissibleSet<Rational>;  // for tests: what the others are held against
+
+}  // namespace zproof

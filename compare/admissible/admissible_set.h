@@ -1,0 +1,145 @@
+/// The admissible set at one pixel: which answers a faultless renderer may give there (docs/truth.md).
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "compare/admissible/edge_on.h"
+#include "compare/admissible/neighbourhood.h"
+#include "compare/admissible/region.h"
+
+namespace zproof {
+
+enum class DepthRule {
+    bounded,  ///< an occluder hides only what it is in front of by more than both depth bounds
+    strict,   ///< an occluder hides whatever is not strictly nearer; ties included
+};
+enum class EdgeRule {
+    watertight,  ///< occluders move together: only the outline of their union moves
+    separate,    ///< every occluder's edges that no other occluder continues are moved inwards by eps
+};
+struct Rules {
+    DepthRule depth = DepthRule::bounded;
+    EdgeRule edges = EdgeRule::watertight;
+};
+
+/// Decides by the signs of Number: exactly with rationals; with Interval, throws UndecidedSign where double
+/// precision is not enough. With double, an estimate.
+template <class Number>
+class AdmissibleSet {
+  public:
+    /// Both must outlive it.
+    AdmissibleSet(const Neighbourhood& neighbourhood, CoplanarMemory& coplanar);
+
+    /// Another half-side than the neighbourhood's eps_px, from here on.
+    void set_half_side(double half_side_px);
+
+    /// Is the triangle (an index into neighbours) truly visible somewhere in the square?
+    bool is_visible(size_t index) { return !visible_parts(index).empty(); }
+    /// The parts of it that are, those of one of its pieces.
+    std::vector<Region<Number>> visible_parts(size_t index);
+    /// Can it be answered by a renderer that moves corners by up to eps: does it meet the square, and is the
+    /// square not wholly covered by triangles in front of it? Edges that it shares with an occluder move
+    /// together: one that both have on the same side does not bound the occluder, and beyond one with each on
+    /// its own side there is none.
+    bool holds(size_t index, Rules rules);
+    /// Does it need nothing but its place: would it be held if depths were exact, or is it truly visible?
+    bool is_seen(size_t index) {
+        return holds(index, {DepthRule::strict, EdgeRule::watertight}) || is_visible(index);
+    }
+    /// Is some point of the square not covered by any triangle?
+    bool holds_background(EdgeRule edges);
+    /// Does the triangle, between near and far, meet the square at all?
+    bool reaches(size_t index) { return !seen_pieces(index).empty(); }
+    /// Does the near or far plane cut the triangle within the square?
+    bool is_clipped(size_t index);
+
+  private:
+    using LinePointer = const Line<Number>*;
+    /// A convex part of a candidate as it appears in the square, with the nearness that holds on it.
+    struct Piece {
+        Region<Number> region;
+        Affine<Number> nearness;
+        size_t index;
+    };
+    /// A triangle's image; no image where it is seen edge-on.
+    struct Drawn {
+        std::optional<TriangleImage<Number>> image;
+        std::array<LinePointer, 3> edge{};
+    };
+    enum class Side { near, far };
+    enum class Slack { admit, require };
+
+    LinePointer new_line(const Affine<Number>& f);
+    /// The same line, and its other side.
+    LinePointer reversed(LinePointer line);
+    LinePointer edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge);
+    int corner_id(const glm::vec3& p_world);
+    int edge_id(int low, int high);
+    int locus_of(const std::array<int, 2>& ends);
+    Drawn draw(const Neighbour& neighbour);
+    Region<Number> square();
+
+    std::optional<LinePointer> plane(Side side, const Affine<Number>& nearness, const Neighbour& n,
+                                     Slack slack);
+    void push_clipped(std::vector<Piece>& pieces, std::optional<Region<Number>> region,
+                      const Affine<Number>& nearness, size_t index);
+    /// Made when first asked for.
+    const std::vector<Piece>& seen_pieces(size_t index);
+    std::vector<Piece> pieces_inside(size_t index);
+    std::vector<Piece> edge_on_pieces(size_t index);
+    /// Drawn when first asked for: most occluders are never reached.
+    const Drawn& drawn(size_t index);
+    LinePointer edge_of(size_t index, int edge_id);
+    std::optional<bool> are_on_one_side(LinePointer edge, size_t other);
+    bool continues(LinePointer edge, const std::vector<size_t>& occluders);
+    LinePointer moved_inwards(LinePointer edge);
+    bool stands_apart(size_t occluder, size_t seen);
+    bool meet_at_the_centre(size_t occluder, size_t seen);
+    bool are_coplanar(size_t a, size_t b);
+
+    bool is_in_front(size_t occluder, size_t seen, DepthRule rule);
+    void push_planes(HalfPlanes<Number>& half_planes, size_t occluder);
+    LinePointer nearer_side(size_t occluder, const Piece& seen);
+    std::optional<HalfPlanes<Number>> true_cover(size_t occluder, const Piece& seen);
+    template <class Stays>
+    HalfPlanes<Number> cover(size_t occluder, std::optional<size_t> seen, const Stays& stays);
+    template <class Occludes, class Stays>
+    std::optional<std::vector<size_t>> covered_by(std::optional<size_t> seen, const Occludes& occludes,
+                                                  const Stays& stays);
+    template <class Occludes>
+    bool leaves_bare(std::optional<size_t> seen, const Occludes& occludes);
+    template <class Occludes>
+    bool leaves_bare_by(EdgeRule rule, std::optional<size_t> seen, const Occludes& occludes);
+
+    const Neighbourhood& around_;
+    double half_side_px_;
+    Sight<Number> sight_;
+    std::deque<Line<Number>> lines_;  ///< regions point at lines: all live as long as the set
+    std::array<LinePointer, 4> sides_{};
+    struct CornerOfMesh {
+        glm::vec3 p_world;
+        int next_of_hash;     ///< id of another, or -1
+        int first_edge = -1;  ///< id of one of which it is the first end, or -1
+    };
+    std::vector<CornerOfMesh> corners_;
+    std::array<int, 256> corners_by_hash_{};
+    struct MeshEdge {
+        std::array<int, 2> ends;  ///< ids of corners, ascending
+        int locus;
+        int next_of_end;  ///< id of another with the same first end, or -1
+    };
+    std::vector<MeshEdge> edges_;  ///< by id
+    std::vector<std::optional<Drawn>> drawn_;
+    std::vector<std::optional<std::vector<Piece>>> pieces_;  ///< in this square
+    std::vector<size_t> nearest_first_;
+    CoplanarMemory& coplanar_;
+    /// Occluders that cover this square, all edges staying: of what is seen there, once they were found.
+    struct Covering {
+        std::optional<size_t> seen;
+        std::vector<size_t> occluders;
+    };
+    std::optional<Covering> covering_;
+};
+
+}  // namespace zproof

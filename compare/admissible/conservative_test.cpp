@@ -1,0 +1,228 @@
+#include "compare/admissible/conservative_test.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/admissible/displacement.h"
+
+namespace zproof {
+
+namespace {
+
+/// Errors of an image in double hold within a pixel of the centre (Neighbour).
+constexpr double most_eps_px = 1;
+
+double reach(const Affine<double>& f, double half_side_px) {
+    return half_side_px * (std::abs(f.a) + std::abs(f.b));
+}
+
+double value_at(const Affine<double>& f, const PixelOffset& at) { return f.at(at.x, at.y); }
+
+bool misses(const Neighbour& n, double half_side_px) {
+    return std::ranges::any_of(
+        n.image->edge, [&](const auto& e) { return e.c + reach(e, half_side_px) < -2 * n.edge_error; });
+}
+
+bool is_inside_all_over(const Neighbour& n, std::size_t edge, double half_side_px) {
+    const Affine<double>& e = n.image->edge[edge];
+    return e.c - reach(e, half_side_px) > 2 * n.edge_error;
+}
+
+bool is_inside(const Neighbour& n, const PixelOffset& at) {
+    return std::ranges::all_of(n.image->edge,
+                               [&](const auto& e) { return value_at(e, at) > 2 * n.edge_error; });
+}
+
+bool is_outside(const Neighbour& n, const PixelOffset& at) {
+    return std::ranges::any_of(n.image->edge,
+                               [&](const auto& e) { return value_at(e, at) < -2 * n.edge_error; });
+}
+
+double nearness_error(const Neighbour& a, const Neighbour& b) { return 2 * (a.plane_error + b.plane_error); }
+
+bool is_behind(const Neighbour& back, const Neighbour& front, const PixelOffset& at) {
+    return value_at(front.image->nearness - back.image->nearness, at) > nearness_error(front, back);
+}
+
+bool is_in_front_all_over(const Neighbour& front, const Neighbour& back, double half_side_px) {
+    const Affine<double> ahead = front.image->nearness - back.image->nearness;
+    return ahead.c - reach(ahead, half_side_px) > nearness_error(front, back);
+}
+
+/// The nearness of the near or far plane moved inwards by its slack, as AdmissibleSet has it; what no triangle keeps
+/// to where nothing is left between them.
+struct PlaneLimits {
+    double near, far;
+};
+PlaneLimits limits_of(const Camera& c, const Neighbour& n) {
+    const bool perspective = c.projection == Projection::perspective;
+    const auto nearness = [&](double depth) { return perspective ? 1 / depth : -depth; };
+    const double near = c.near_depth + n.near_slack, far = c.far_depth - n.far_slack;
+    const bool is_none_left = far <= (perspective ? 0 : -unlimited);
+    return {std::isinf(near) ? -unlimited : nearness(near),
+            is_none_left      ? unlimited
+            : std::isinf(far) ? -unlimited
+                              : nearness(far)};
+}
+
+PixelOffset between(const PixelOffset& p, const PixelOffset& q, double t) {
+    return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+}
+
+}  // namespace
+
+ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar)
+    : around_(around), coplanar_(coplanar), is_asked_(around.eps_px <= most_eps_px) {
+    others_.reserve(around.neighbours.size());
+    for (const Neighbour& n : around.neighbours) {
+        const bool is_answer = PrimitiveId(n.triangle) == answer;
+        if (n.is_trusted && !is_answer && misses(n, around.eps_px)) continue;
+        is_asked_ &= is_sound(n);
+        if (is_answer)
+            answer_ = &n;
+        else
+            others_.push_back(&n);
+    }
+    is_asked_ &= answer == PrimitiveId::none || answer_;
+}
+
+/// Is its image certain, and does no plane cut it in the square?
+bool ConservativeTest::is_sound(const Neighbour& n) const {
+    const Camera& c = around_.view.camera;
+    return n.is_trusted && ((n.nearest > c.near_depth && n.farthest < c.far_depth) ||
+                            is_clear_of_planes(n, around_.eps_px));
+}
+
+/// Does it keep between near and far, each moved inwards by its slack, all over the square?
+bool ConservativeTest::is_clear_of_planes(const Neighbour& n, double half_side_px) const {
+    const Affine<double>& nearness = n.image->nearness;
+    const PlaneLimits limits = limits_of(around_.view.camera, n);
+    const double unsure = reach(nearness, half_side_px) + 2 * n.plane_error;
+    return nearness.c + unsure < limits.near && nearness.c - unsure > limits.far;
+}
+
+/// Nothing hides it there, whatever the rule: what is outside or behind is in no set that hides.
+bool ConservativeTest::is_seen_at(const PixelOffset& at) const {
+    if (answer_ && !is_inside(*answer_, at)) return false;
+    return std::ranges::all_of(others_, [&](const Neighbour* n) {
+        return is_outside(*n, at) || (answer_ && is_behind(*n, *answer_, at));
+    });
+}
+
+/// Nothing hides it there by the bounded rule.
+bool ConservativeTest::is_held_at(const PixelOffset& at) const {
+    return is_inside(*answer_, at) && std::ranges::all_of(others_, [&](const Neighbour* n) {
+        return is_outside(*n, at) || n->least_nearness <= answer_->greatest_nearness;
+    });
+}
+
+/// The square's corners and the middles of its sides, and for a triangle the middle of its part of the square.
+template <class IsThere>
+bool ConservativeTest::is_anywhere(double half_side_px, const IsThere& is_there) const {
+    const double h = half_side_px;
+    for (const PixelOffset& at :
+         {PixelOffset{-h, -h}, {h, -h}, {-h, h}, {h, h}, {-h, 0}, {h, 0}, {0, -h}, {0, h}})
+        if (is_there(at)) return true;
+    if (!answer_) return false;
+    const Part part = part_in(h);
+    if (part.count < 3) return false;
+    const PixelOffset middle = part.middle();
+    return is_there({std::clamp(middle.x, -h, h), std::clamp(middle.y, -h, h)});
+}
+
+bool ConservativeTest::is_seen_around(double half_side_px) const {
+    return is_anywhere(half_side_px, [&](const PixelOffset& at) { return is_seen_at(at); });
+}
+
+/// Does one triangle take all of the answer away there, by the strict rule and by true visibility?
+bool ConservativeTest::is_hidden_in(double half_side_px) const {
+    return std::ranges::any_of(others_, [&](const Neighbour* n) {
+        return covers_answer_in(*n, half_side_px) && (!answer_ || hides_in(*n, half_side_px));
+    });
+}
+
+/// Does it cover what the answer has of the square: are all its edges that may pass there the answer's, too?
+bool ConservativeTest::covers_answer_in(const Neighbour& n, double half_side_px) const {
+    for (std::size_t edge = 0; edge < 3; ++edge)
+        if (!is_inside_all_over(n, edge, half_side_px) && !shares_edge(n, edge)) return false;
+    return is_clear_of_planes(n, half_side_px);
+}
+
+/// Has the answer that edge as well, and lie both on the same side of it?
+bool ConservativeTest::shares_edge(const Neighbour& n, std::size_t edge) const {
+    if (!answer_) return false;
+    const glm::vec3 &from = n.p_world[(edge + 1) % 3], &to = n.p_world[(edge + 2) % 3];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::vec3 &start = answer_->p_world[(k + 1) % 3], &end = answer_->p_world[(k + 2) % 3];
+        if (!(from == start && to == end) && !(from == end && to == start)) continue;
+        const Affine<double>&e = n.image->edge[edge], &f = answer_->image->edge[k];
+        return e.a * f.a + e.b * f.b > 0;
+    }
+    return false;
+}
+
+bool ConservativeTest::hides_in(const Neighbour& n, double half_side_px) const {
+    return n.greatest_nearness >= answer_->least_nearness &&
+           (is_in_front_all_over(n, *answer_, half_side_px) || coplanar_(n.of_scene(), answer_->of_scene()));
+}
+
+auto ConservativeTest::finding() const -> Finding {
+    if (!is_asked_) return Finding::undecided;
+    const PixelOffset centre{0, 0};
+    const double eps_px = around_.eps_px;
+    if (is_seen_at(centre)) return Finding::visible;
+    if (answer_ && is_hidden_in(eps_px)) {
+        const auto is_held = [&](const PixelOffset& at) { return is_held_at(at); };
+        return is_held(centre) || is_anywhere(eps_px, is_held) ? Finding::tied : Finding::undecided;
+    }
+    return is_seen_around(least_px(eps_px)) || is_seen_around(eps_px) ? Finding::visible : Finding::undecided;
+}
+
+auto ConservativeTest::seen_within(double half_side_px) const -> Seen {
+    if (!is_asked_) return Seen::undecided;
+    if (is_seen_at({0, 0}) || is_seen_around(half_side_px)) return Seen::yes;
+    if ((answer_ && misses(*answer_, half_side_px)) || is_hidden_in(half_side_px)) return Seen::no;
+    return Seen::undecided;
+}
+
+double ConservativeTest::likely_displacement_px() const {
+    const auto beyond = [](const Affine<double>& e) { return e.c / (std::abs(e.a) + std::abs(e.b)); };
+    double likely_px = 0;
+    if (answer_ && answer_->image)
+        for (const Affine<double>& e : answer_->image->edge) likely_px = std::max(likely_px, -beyond(e));
+    for (const Neighbour* n : others_) {
+        if (!n->image) continue;
+        if (answer_ && answer_->image && n->image->nearness.c < answer_->image->nearness.c) continue;
+        const auto& edge = n->image->edge;
+        likely_px = std::max(likely_px, std::min({beyond(edge[0]), beyond(edge[1]), beyond(edge[2])}));
+    }
+    return likely_px;
+}
+
+/// But for rounding: clipping, edge by edge.
+auto ConservativeTest::part_in(double half_side_px) const -> Part {
+    const double h = half_side_px;
+    Part part{{{{-h, -h}, {h, -h}, {h, h}, {-h, h}}}, 4};
+    for (const Affine<double>& e : answer_->image->edge) {
+        Part kept;
+        const auto keep = [&](const PixelOffset& at) {
+            if (kept.count < kept.corner.size()) kept.corner[kept.count++] = at;
+        };
+        for (std::size_t k = 0; k < part.count; ++k) {
+            const PixelOffset &p = part.corner[k], &q = part.corner[(k + 1) % part.count];
+            const double at_p = value_at(e, p), at_q = value_at(e, q);
+            if (at_p >= 0) keep(p);
+            if ((at_p >= 0) != (at_q >= 0)) keep(between(p, q, at_p / (at_p - at_q)));
+        }
+        part = kept;
+    }
+    return part;
+}
+
+PixelOffset ConservativeTest::Part::middle() const {
+    PixelOffset sum{0, 0};
+    for (std::size_t k = 0; k < count; ++k) sum = {sum.x + corner[k].x, sum.y + corner[k].y};
+    return {sum.x / double(count), sum.y / double(count)};
+}
+
+}  // namespace zproof

@@ -1,0 +1,60 @@
+/// What double precision, with its error bounded, says for certain of an answer (docs/truth.md, "In double").
+/// Where it says nothing, ask AdmissibleSet.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "compare/admissible/neighbourhood.h"
+
+namespace zproof {
+
+class ConservativeTest {
+  public:
+    /// Of an answer: a triangle, or none. The neighbourhood must outlive it.
+    ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar);
+
+    enum class Finding { visible, tied, undecided };
+    /// Visible, and no plane cuts anything in the square; or tied (admissibility.h).
+    Finding finding() const;
+
+    enum class Seen { yes, no, undecided };
+    /// Is it seen in the square of that half-side, at most eps: what AdmissibleSet::is_seen() and, for background,
+    /// holds_background() say?
+    Seen seen_within(double half_side_px) const;
+
+    /// The half-side at which a corner of the square reaches the answer's triangle, and no triangle that holds the
+    /// centre in front of it. An estimate.
+    double likely_displacement_px() const;
+
+  private:
+    /// What a triangle has of a square: a convex polygon.
+    struct Part {
+        std::array<PixelOffset, 8> corner;
+        std::size_t count = 0;
+
+        PixelOffset middle() const;
+    };
+
+    bool is_sound(const Neighbour& n) const;
+    bool is_clear_of_planes(const Neighbour& n, double half_side_px) const;
+    bool is_seen_at(const PixelOffset& at) const;
+    bool is_held_at(const PixelOffset& at) const;
+    template <class IsThere>
+    bool is_anywhere(double half_side_px, const IsThere& is_there) const;
+    bool is_seen_around(double half_side_px) const;
+    bool is_hidden_in(double half_side_px) const;
+    bool covers_answer_in(const Neighbour& n, double half_side_px) const;
+    bool shares_edge(const Neighbour& n, std::size_t edge) const;
+    bool hides_in(const Neighbour& n, double half_side_px) const;
+    Part part_in(double half_side_px) const;
+
+    const Neighbourhood& around_;
+    CoplanarMemory& coplanar_;
+    const Neighbour* answer_ = nullptr;      ///< none for background
+    std::vector<const Neighbour*> others_;   ///< that do not miss the square for certain, without the answer's
+    bool is_asked_ = false;                  ///< are all of them such that double can tell?
+};
+
+}  // namespace zproof

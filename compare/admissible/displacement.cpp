@@ -1,0 +1,65 @@
+#include "compare/admissible/displacement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/admissible/admissible_set.h"
+#include "compare/admissible/conservative_test.h"
+#include "math/sign.h"
+
+namespace zproof {
+
+namespace {
+
+/// Is the answer seen in squares around the pixel? By the conservative test; polygons in double say the rest.
+class SeenWithin {
+  public:
+    SeenWithin(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar)
+        : around_(around), answer_(answer), coplanar_(coplanar), test_(around, answer, coplanar) {}
+
+    bool operator()(double half_side_px) {
+        const ConservativeTest::Seen seen = test_.seen_within(half_side_px);
+        return seen == ConservativeTest::Seen::undecided ? is_estimated(half_side_px)
+                                                         : seen == ConservativeTest::Seen::yes;
+    }
+    double likely_px() const { return test_.likely_displacement_px(); }
+
+  private:
+    bool is_estimated(double half_side_px) {
+        if (!set_) set_.emplace(around_, coplanar_);
+        set_->set_half_side(half_side_px);
+        if (answer_ == PrimitiveId::none) return set_->holds_background(EdgeRule::watertight);
+        const std::optional<std::size_t> index = around_.index_of(answer_);
+        return index && set_->is_seen(*index);
+    }
+
+    const Neighbourhood& around_;
+    PrimitiveId answer_;
+    CoplanarMemory& coplanar_;
+    ConservativeTest test_;
+    std::optional<AdmissibleSet<double>> set_;
+};
+
+}  // namespace
+
+/// What is seen in a square is seen in every larger one: by ever larger strides from the likely half-side, and then by
+/// bisection.
+std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer,
+                                            CoplanarMemory& coplanar) {
+    SeenWithin seen_within(around, answer, coplanar);
+    const auto is_seen = [&](int step) { return seen_within(around.eps_px * step / displacement_steps); };
+    if (is_seen(1)) return std::nullopt;
+    int too_small = 1, enough = displacement_steps, stride = 1;
+    const double likely_step = seen_within.likely_px() / around.eps_px * displacement_steps;
+    int step = int(std::min(std::max(too_small + 1.0, std::ceil(likely_step)), enough - 1.0));  // of NaN, too
+    while (enough - too_small > 1) {
+        const bool seen = is_seen(step);
+        (seen ? enough : too_small) = step;
+        step += seen ? -stride : stride;
+        stride *= 2;
+        if (step <= too_small || step >= enough) step = (too_small + enough) / 2;
+    }
+    return double(too_small) / displacement_steps;
+}
+
+}  // namespace zproof

@@ -1,0 +1,138 @@
+#include "compare/admissible/neighbourhood.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/rounding.h"
+
+namespace zproof {
+
+namespace {
+
+double steepness(const Affine<double>& f) { return std::abs(f.a) + std::abs(f.b); }
+
+/// By its functional of nearness at a pixel.
+PlaneHere plane_here(const BoundedTriangle& triangle, const Affine<double>& nearness) {
+    const double gradient = steepness(nearness);
+    return {nearness.c, gradient, triangle.plane_error.at(std::abs(nearness.c) + gradient)};
+}
+
+bool is_known(const std::optional<PlaneHere>& plane) { return plane && std::isfinite(plane->error); }
+
+LocalBounds bounds_at(const BoundedTriangle& triangle, const std::optional<PlaneHere>& plane) {
+    const double nearest = triangle.bounds.nearest, highest = nearest > 0 ? 1 / nearest : 0;
+    return triangle.bounds.at(plane ? plane->nearness : highest, plane ? plane->gradient : 0);
+}
+
+NearnessRange nearness_range(const BoundedTriangle& triangle, const std::optional<PlaneHere>& plane,
+                             const LocalBounds& bounds, Projection projection) {
+    const bool perspective = projection == Projection::perspective, keeps = triangle.keeps_to_corners;
+    const double farthest = triangle.bounds.farthest, nearest = triangle.bounds.nearest;
+    const NearnessRange corners{perspective ? 1 / farthest : -farthest, perspective ? 1 / nearest : -nearest};
+    const bool is_bounded =
+        std::isfinite(bounds.depth_relative + bounds.depth_absolute + bounds.nearness_error) &&
+        (is_known(plane) || keeps);
+    if (!is_bounded) return any_nearness;
+    return rounded(plane ? on_plane(*plane, bounds, corners, keeps) : corners, bounds, perspective);
+}
+
+double size_of(const Vector3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// Forward errors of a triple product: at most 16 roundings, with every difference and product in absolute value.
+/// Parallel projections round the origin of the ray as well.
+struct ProductErrors {
+    double edge;         ///< of an edge's value within a pixel of the centre
+    double orientation;  ///< of what the sign of all edges is taken from
+};
+
+ProductErrors product_errors(const Sight<double>& sight, const Corners<double>& p_world) {
+    const double steps = size_of(sight.step_x) + size_of(sight.step_y), direction = size_of(sight.direction);
+    const bool is_parallel = sight.projection == Projection::parallel;
+    double from_eye = 0;
+    for (const Vector3<double>& p : p_world)
+        from_eye = std::max(from_eye,
+                            is_parallel ? size_of(p) + size_of(sight.origin) + steps : size_of(p - sight.origin));
+    constexpr double share = gamma(16, unit_roundoff_float64) * 4;
+    const double square = share * from_eye * from_eye;
+    return {square * (direction + steps), square * (is_parallel ? direction : from_eye)};
+}
+
+/// What image_of() takes the orientation from.
+double orientation_of(const Sight<double>& sight, const Corners<double>& p) {
+    const Vector3<double> v0 = p[0] - sight.origin, v1 = p[1] - sight.origin, v2 = p[2] - sight.origin;
+    const Vector3<double> normal = cross(v1 - v0, v2 - v0);
+    return sight.projection == Projection::perspective ? dot(v0, normal) : dot(normal, sight.direction);
+}
+
+}  // namespace
+
+bool comes_within(const TriangleImage<double>& image, double eps_px) {
+    return std::ranges::all_of(image.edge,
+                               [&](const Affine<double>& e) { return e.c + eps_px * steepness(e) >= 0; });
+}
+
+std::optional<std::size_t> Neighbourhood::index_of(PrimitiveId triangle) const {
+    const auto found = std::ranges::find(neighbours, std::uint32_t(triangle), &Neighbour::triangle);
+    if (found == neighbours.end()) return std::nullopt;
+    return std::size_t(found - neighbours.begin());
+}
+
+CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
+    const glm::uvec3 index = scene.triangles[triangle];
+    const auto& p = scene.vertices.position_world;
+    return {p[index.x], p[index.y], p[index.z]};
+}
+
+Neighbour neighbour_of(const Sight<double>& sight, const BoundedTriangle& triangle) {
+    Neighbour n;
+    n.p_world = triangle.p_world;
+    const Corners<double> p_world = corners<double>(n.p_world);
+    n.image = image_of(sight, p_world);
+    std::optional<PlaneHere> plane;
+    if (n.image) {
+        plane = plane_here(triangle, n.image->nearness);
+        n.gradient = plane->gradient;
+        n.plane_error = plane->error;
+        n.is_plane_known = is_known(plane);
+        const ProductErrors errors = product_errors(sight, p_world);
+        n.edge_error = errors.edge;
+        n.is_trusted = n.is_plane_known && std::abs(orientation_of(sight, p_world)) > errors.orientation;
+    }
+    n.bounds = bounds_at(triangle, plane);
+    const TriangleBounds& of_triangle = triangle.bounds;
+    n.near_slack = of_triangle.near_slack;
+    n.far_slack = of_triangle.far_slack;
+    n.nearest = of_triangle.nearest;
+    n.farthest = of_triangle.farthest;
+    const NearnessRange range = nearness_range(triangle, plane, n.bounds, sight.projection);
+    n.least_nearness = range.least;
+    n.greatest_nearness = range.greatest;
+    return n;
+}
+
+void add(Neighbourhood& around, Neighbour neighbour, double own_eps_px) {
+    if (neighbour.image && comes_within(*neighbour.image, own_eps_px))
+        around.eps_px = std::max(around.eps_px, neighbour.bounds.eps_px);
+    around.neighbours.push_back(std::move(neighbour));
+}
+
+Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
+                               const Site& site, double own_eps_px) {
+    const Sight<double> sight(view, site.x, site.y);
+    Neighbourhood around{view, site.x, site.y, own_eps_px, {}};
+    for (const std::uint32_t triangle : site.triangles) {
+        Neighbour neighbour = neighbour_of(sight, bounds, corners_of(scene, triangle));
+        neighbour.triangle = triangle;
+        add(around, std::move(neighbour), own_eps_px);
+    }
+    return around;
+}
+
+double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, const PixelPlace& place,
+                  PrimitiveId answer) {
+    if (answer == PrimitiveId::none) return bounds.background_eps_px();
+    const Sight<double> sight(view, place.x, place.y);
+    return neighbour_of(sight, bounds, corners_of(scene, std::uint32_t(answer))).bounds.eps_px;
+}
+
+}  // namespace zproof

@@ -1,0 +1,94 @@
+/// The triangles that come near one pixel, each with its derived bounds there: all evidence that the
+/// admissible set is decided from. Plain numbers; the judge takes them as exact.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "compare/admissible/coplanar.h"
+#include "compare/bounds/bounds.h"
+#include "compare/bounds/nearness_range.h"
+#include "compare/bounds/pixel_place.h"
+#include "compare/bounds/triangle_image.h"
+#include "frame/frame.h"
+
+namespace zproof {
+
+/// A pixel to be looked into, with every triangle whose image may come within reach_px of its centre.
+struct Site {
+    int x = 0, y = 0;
+    double reach_px = 0;
+    std::vector<std::uint32_t> triangles;  ///< ascending
+};
+
+struct Neighbour {
+    std::uint32_t triangle = 0;
+    CornersWorld p_world;
+    LocalBounds bounds;
+    double near_slack = 0, far_slack = 0;  ///< see TriangleBounds
+    double nearest = 0, farthest = 0;      ///< see TriangleBounds
+    double gradient = 0;                   ///< |d/dx| + |d/dy| of nearness, per px; 0 for an edge-on triangle
+    bool is_plane_known = false;           ///< or does double precision not tell it from edge-on?
+    bool is_trusted = false;               ///< the same, and is the sign of its image's edges certain?
+    /// Of p_world: whoever changes one changes both. In double; nothing for an edge-on triangle. Off by at
+    /// most `edge_error` and `plane_error` (of nearness) anywhere within a pixel of the centre.
+    std::optional<TriangleImage<double>> image;
+    double edge_error = 0, plane_error = 0;
+    /// What a faultless renderer may hold for its nearness at the pixel, all bounds included.
+    double least_nearness = 0, greatest_nearness = 0;
+
+    CoplanarMemory::Triangle of_scene() const { return {triangle, p_world}; }
+};
+
+struct Neighbourhood {
+    View view;
+    int x = 0, y = 0;
+    double eps_px =
+        0;  ///< half-side of the square: the largest eps of the answer and the triangles around it
+    std::vector<Neighbour> neighbours;  ///< in triangle order
+
+    /// Of a triangle among the neighbours.
+    std::optional<std::size_t> index_of(PrimitiveId triangle) const;
+};
+
+CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);
+
+/// What one triangle brings to every pixel of a view by one renderer's bounds.
+struct BoundedTriangle {
+    BoundedTriangle(const ViewBounds& bounds, const CornersWorld& p)
+        : BoundedTriangle(bounds, p, bounds.extent_of(p)) {}
+    /// `extent` is the triangle's, by the bounds of any renderer of the view.
+    BoundedTriangle(const ViewBounds& of_view, const CornersWorld& p, const TriangleExtent& extent)
+        : p_world(p),
+          plane_error(extent.size.plane),
+          bounds(of_view.of(extent)),
+          keeps_to_corners(of_view.keeps_to_corners()) {}
+
+    CornersWorld p_world;
+    PlaneError plane_error;
+    TriangleBounds bounds;
+    bool keeps_to_corners;
+};
+
+/// Does the image come within eps of the centre? An estimate in double: it only decides whose eps counts.
+bool comes_within(const TriangleImage<double>& image, double eps_px);
+
+/// One triangle's bounds at a pixel (`triangle` is left 0).
+Neighbour neighbour_of(const Sight<double>& sight, const BoundedTriangle& triangle);
+inline Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world) {
+    return neighbour_of(sight, BoundedTriangle(bounds, p_world));
+}
+
+/// eps of an answer by itself, before its surroundings are looked at.
+double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, const PixelPlace& place,
+                  PrimitiveId answer);
+
+/// Gathers the evidence for an answer whose own eps is own_eps_px <= site.reach_px. Where the result's eps_px
+/// exceeds site.reach_px, triangles may be missing: look again with that reach; the result's eps_px will be the
+/// same.
+Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
+                               const Site& site, double own_eps_px);
+/// Takes one more triangle in, and its eps where it comes near.
+void add(Neighbourhood& around, Neighbour neighbour, double own_eps_px);
+
+}  // namespace zproof

@@ -1,0 +1,27 @@
+/// The first tier: looks at every pixel once. Where both frames name the same triangle, each at a depth that is within
+/// its bound for certain, they agree; every other pixel is undecided.
+#pragma once
+
+#include <vector>
+
+#include "compare/rendered_frame.h"
+#include "compare/verdict.h"
+
+namespace zproof {
+
+struct UndecidedPixel {
+    int x = 0, y = 0;
+    /// Do ids differ, and is either answer a triangle whose depth is admissible for certain, or background?
+    bool differs_in_id_alone = false;
+};
+
+struct Agreement {
+    BoundRecord candidate_depth, reference_depth;  ///< of the pixels that agree
+    std::vector<UndecidedPixel> undecided;         ///< block by block
+};
+
+/// On the threads of the surrounding tbb::task_arena; the result does not depend on their number. Fills in the maps of
+/// errors where there are some: of pixels that have none, NaN.
+Agreement find_agreement(const FramePair& frames, ErrorMaps* errors);
+
+}  // namespace zproof

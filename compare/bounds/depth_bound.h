@@ -1,0 +1,21 @@
+/// Depths that a faultless renderer may report at one pixel.
+#pragma once
+
+#include <cmath>
+
+namespace zproof {
+
+/// Camera depths [low, high], and the true depth at the pixel's centre.
+struct DepthBound {
+    double low = 0, truth = 0, high = 0;  ///< all NaN where the answer is background
+};
+
+/// |depth - truth| over the bound on that side; 0 for an exact hit, and where nothing bounds it.
+inline double error_over_bound(const DepthBound& bound, double depth) {
+    const double error = std::abs(depth - bound.truth);
+    const double room = depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth;
+    const double share = error / room;
+    return (error == 0) | std::isinf(room) ? 0 : share;
+}
+
+}  // namespace zproof

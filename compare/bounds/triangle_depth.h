@@ -1,0 +1,119 @@
+/// The depths that one renderer may report for one triangle, anywhere in the image: the depth rule in double, with
+/// a forward error bound (docs/bounds.md). Where that does not settle it, ask is_admissible_depth()
+/// (admissible/depth_rule.h).
+#pragma once
+
+#include "compare/bounds/bounds.h"
+#include "compare/bounds/depth_bound.h"
+#include "math/rounding.h"
+
+namespace zproof {
+
+/// What renderers of one view share about one triangle.
+struct TriangleInView {
+    TriangleInView(const View& view, const ViewBounds& any_bounds, const CornersWorld& p_world)
+        : TriangleInView(Sight<double>(view, 0, 0), any_bounds, p_world) {}
+    /// `first_pixel` is the ray of pixel (0, 0).
+    TriangleInView(const Sight<double>& first_pixel, const ViewBounds& any_bounds, const CornersWorld& p_world);
+
+    TriangleExtent extent;
+    bool is_edge_on = false;
+    Affine<double> nearness{0, 0, 0};  ///< of pixel indices
+    double gradient = 0;               ///< |d/dx| + |d/dy|
+    double own_error = 0;              ///< of nearness, anywhere in the image; infinite where the plane is not known
+};
+
+class TriangleDepth {
+  public:
+    TriangleDepth() = default;
+    TriangleDepth(const TriangleInView& triangle, const ViewBounds& bounds);
+
+    /// Has it a plane that is known in double? If not, only its corners bound its depth.
+    bool has_plane() const { return has_plane_; }
+    Projection projection() const { return projection_; }
+
+    /// The admissible interval at a pixel.
+    DepthBound at(int x, int y) const { return rounded(range_at(x, y)); }
+    /// Does the interval hold this depth by more than our own rounding?
+    bool certainly_holds(const DepthBound& bound, float depth) const {
+        const bool perspective = projection_ == Projection::perspective;
+        const double error = is_edge_on_ ? 0 : own_error_;
+        return perspective ? holds<Projection::perspective>(bound, depth, error)
+                           : holds<Projection::parallel>(bound, depth, error);
+    }
+
+    /// Is the relative error of depth the same all over the triangle?
+    enum class Relative { everywhere, by_nearness };
+    Relative relative() const { return plane_offset_ > 0 ? Relative::by_nearness : Relative::everywhere; }
+    /// Both for a triangle that has a plane, without branches: error / bound, or -1 where double does not hold the
+    /// depth admissible for certain.
+    template <Projection projection, Relative relative>
+    double certain_error_over_bound(double x, double y, float depth) const {
+        const Range range = on_plane<projection, relative>(x, y);
+        const DepthBound bound{widened_low(range), range.truth, widened_high(range)};
+        const bool is_certain = (range.relative < unlimited) & (range.truth < unlimited) &
+                                holds<projection>(bound, depth, own_error_);
+        const double error = std::abs(depth - bound.truth);
+        const double share = error / (depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth);
+        return is_certain ? (error > 0 ? share : 0) : -1;
+    }
+
+  private:
+    template <Projection projection>
+    static double depth_of(double nearness) {
+        if constexpr (projection == Projection::parallel) return -nearness;
+        const double reciprocal = 1 / nearness;
+        return nearness > 0 ? reciprocal : unlimited;
+    }
+    static double held_between(double a, double low, double high) {
+        const double raised = a < low ? low : a;
+        return high < raised ? high : raised;
+    }
+    template <Relative relative>
+    double relative_at(double nearness) const {
+        if constexpr (relative == Relative::everywhere) return relative_;
+        return compounded(factor_ + plane_offset_ / nearness);
+    }
+    /// Depths before rounding, and its relative error.
+    struct Range {
+        double low, truth, high, relative;
+    };
+    double widened_low(const Range& range) const {
+        return range.low - std::abs(range.low) * range.relative - absolute_;
+    }
+    double widened_high(const Range& range) const {
+        return range.high + std::abs(range.high) * range.relative + absolute_;
+    }
+    DepthBound rounded(const Range& range) const {
+        if (!(range.relative + absolute_ + nearness_error_ < unlimited)) return {0, range.truth, unlimited};
+        // beyond the plane's horizon no depth is near enough
+        return {std::isinf(range.low) ? range.low : widened_low(range), range.truth, widened_high(range)};
+    }
+    template <Projection projection, Relative relative>
+    Range on_plane(double x, double y) const {
+        const double nearness = nearness_.at(x, y), here = held_between(nearness, corners_.least, corners_.highest);
+        const double shift = eps_px_.at(here) * gradient_ + nearness_error_;
+        const double low = held_between(depth_of<projection>(nearness + shift), least_depth_, greatest_depth_),
+                     high = held_between(depth_of<projection>(nearness - shift), least_depth_, greatest_depth_);
+        return {low, held_between(depth_of<projection>(nearness), low, high), high, relative_at<relative>(here)};
+    }
+    Range range_at(double x, double y) const;
+    template <Projection projection>
+    static bool holds(const DepthBound& bound, float depth, double own_error) {
+        constexpr double rounding = 8 * unit_roundoff_float64;
+        const double z = depth, of_plane = projection == Projection::perspective ? 2 * own_error * z * z : own_error;
+        return (z >= 0) & (bound.low + of_plane + rounding * z <= z) & (z <= bound.high - of_plane - rounding * z);
+    }
+
+    Affine<double> nearness_{0, 0, 0};
+    double gradient_ = 0, own_error_ = 0;
+    CornerNearness corners_;
+    Displacement eps_px_;
+    double factor_ = 0, plane_offset_ = 0, relative_ = 0, absolute_ = 0, nearness_error_ = 0;
+    double nearest_ = 0, farthest_ = 0;               ///< camera depths of the corners
+    double least_depth_ = 0, greatest_depth_ = 0;     ///< the same, where the renderer keeps to them
+    Projection projection_ = Projection::perspective;
+    bool has_plane_ = false, is_edge_on_ = true;
+};
+
+}  // namespace zproof

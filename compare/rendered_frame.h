@@ -1,0 +1,31 @@
+/// A frame before the judge.
+#pragma once
+
+#include "compare/bounds/bounds.h"
+#include "frame/frame.h"
+
+namespace zproof {
+
+/// A frame and what its renderer promises.
+struct RenderedFrame {
+    const Frame& frame;
+    Precision precision;
+};
+
+/// A frame and what its renderer's promise means for the view.
+struct BoundedFrame {
+    BoundedFrame(const View& view, const RenderedFrame& rendered)
+        : frame(rendered.frame), bounds(view, rendered.precision) {}
+
+    const Frame& frame;
+    ViewBounds bounds;
+};
+
+/// What is compared.
+struct FramePair {
+    const Scene& scene;
+    const View& view;
+    BoundedFrame candidate, reference;
+};
+
+}  // namespace zproof
