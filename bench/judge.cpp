@@ -1,5 +1,5 @@
 // The verdict on each view of the suite beside the reference's rays for it, at 1920 x 1080.
-#include "compare/judge_in_full.h"
+#include "compare/judge.h"
 
 #include "bench/lazy.h"
 #include "bench/suites.h"
@@ -40,17 +40,17 @@ void add_view(const std::shared_ptr<Stage>& stage, const std::string& scene, std
         const View& view = stage->loaded->views[index];
         return Frames{rasterizer::render(stage->loaded->scene, view), stage->embree->trace(view)};
     }};
-    const auto judged = [=](const auto& judge) {
+    const auto judged = [=](const JudgeOptions& options) {
         return [=] {
             const auto& [candidate, reference] = *frames;
             const View& view = stage->loaded->views[index];
             benchmark::DoNotOptimize(judge(stage->loaded->scene, view,
                                            RenderedFrame{candidate, rasterizer::precision()},
-                                           RenderedFrame{reference, oracle::embree_precision()}));
+                                           RenderedFrame{reference, oracle::embree_precision()}, options));
         };
     };
-    add(name + "/zproof", judged(judge), {}, set());
-    add(name + "/judge_in_full", judged(judge_in_full), {}, set());
+    add(name + "/zproof", judged({}), {}, set());
+    add(name + "/all evidence", judged(all_evidence), {}, set());
 }
 
 }  // namespace

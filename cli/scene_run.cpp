@@ -14,7 +14,7 @@
 #include "cli/viewer_evidence.h"
 #include "cli/witness_hearing.h"
 #include "compare/diagnosis/diagnosis.h"
-#include "compare/judge_in_full.h"
+#include "compare/judge.h"
 #include "oracle/oracle_error.h"
 #include "reports/evidence.h"
 #include "scenes/scene_error.h"
@@ -105,14 +105,14 @@ bool leaves_evidence(const Verdict& verdict, Evidence wish) {
     return wish == Evidence::all || defect_count(verdict) > 0;
 }
 
-/// What the judge says; of a view that leaves no evidence the verdict alone.
-JudgedInFull judge_as_wanted(const Trial& trial, const RenderedFrame& candidate, const RenderedFrame& reference) {
+/// What the judge says; of a view that leaves no evidence without any.
+Verdict judge_as_wanted(const Trial& trial, const RenderedFrame& candidate, const RenderedFrame& reference) {
     const Docket& docket = trial.docket;
     if (trial.desk.evidence == Evidence::defects) {
         Verdict verdict = judge(docket.scene, docket.view, candidate, reference);
-        if (!leaves_evidence(verdict, trial.desk.evidence)) return {std::move(verdict), {}, {}};
+        if (!leaves_evidence(verdict, trial.desk.evidence)) return verdict;
     }
-    return judge_in_full(docket.scene, docket.view, candidate, reference);
+    return judge(docket.scene, docket.view, candidate, reference, all_evidence);
 }
 
 /// nullopt: interrupted between two stages.
@@ -130,7 +130,7 @@ std::optional<ViewResult> run_view(const Trial& trial) {
 
     begin(trial, "judge", &StageTimes::judge);
     const RenderedFrame ours{candidate, court.candidate.precision}, theirs{reference, court.reference.precision};
-    auto [verdict, errors, rulings] = judge_as_wanted(trial, ours, theirs);
+    Verdict verdict = judge_as_wanted(trial, ours, theirs);
     ViewResult result = to_view_result(docket, verdict, desk.gate);
     result.diagnosis = diagnose(scene, view, ours, theirs, verdict);
 
@@ -146,7 +146,7 @@ std::optional<ViewResult> run_view(const Trial& trial) {
     if (result.folder.empty()) return result;
     begin(trial, "write", &StageTimes::write);
     write_viewer_evidence(desk.run_folder / result.folder,
-                          {docket, ours, theirs, verdict, std::move(errors), rulings, statements});
+                          {docket, ours, theirs, verdict, statements});
     return result;
 }
 

@@ -23,7 +23,7 @@ void paint_witness(const Easel& easel, const Picture& ours, const SummonedWitnes
     try {
         const Picture theirs = witness.renderer.paint(easel.docket.view, Light{});
         statement.result.picture =
-            differences(ours, theirs, severer(easel.candidate_classes.plane(), statement.classes.plane()));
+            differences(ours, theirs, severer(easel.candidate_classes, statement.classes));
         write_witness_picture(easel.folder, statement.result.name, ours, theirs);
     } catch (const OracleError& e) {
         statement.result.no_picture = e.what();

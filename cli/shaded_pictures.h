@@ -12,7 +12,7 @@ namespace zproof {
 struct Easel {
     const Docket& docket;
     const Frame& candidate;
-    const ClassMap& candidate_classes;
+    const Plane<PixelClass>& candidate_classes;
     std::filesystem::path folder;  ///< the view's evidence
 };
 

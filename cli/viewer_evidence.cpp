@@ -31,7 +31,7 @@ std::vector<planes::Story> stories_of(const JudgedView& judged) {
     const std::vector<PixelPlace> places = telling_pixels(
         judged.verdict, defect_count(judged.verdict) > 0 ? most_stories_of_failed : most_stories_of_proven);
     std::vector<IllustratedStory> told = illustrate(scene, view, judged.candidate, judged.reference,
-                                                    {places, drawn_around_px, most_images, judged.rulings});
+                                                    {places, drawn_around_px, most_images});
     std::vector<planes::Story> stories(told.size());
     tbb::parallel_for(std::size_t(0), told.size(), [&](std::size_t i) {
         auto& [story, images] = told[i];
@@ -121,16 +121,16 @@ std::vector<PixelPlace> telling_pixels(const Verdict& verdict, std::size_t most)
     return places;
 }
 
-void write_viewer_evidence(const std::filesystem::path& folder, JudgedView&& judged) {
-    auto& [docket, candidate, reference, verdict, errors, rulings, statements] = judged;
+void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView& judged) {
+    const auto& [docket, candidate, reference, verdict, statements] = judged;
     planes::ViewPlanes shown{
         .facts = facts_of(docket),
         .candidate = {name_of(docket.parties.candidate), candidate.frame, colours_in(folder / "colour.exr")},
         .reference = {name_of(docket.parties.reference), reference.frame, {}},
         .witnesses = {},
         .verdict = verdict,
-        .candidate_error = std::move(errors.candidate),
-        .reference_error = std::move(errors.reference),
+        .candidate_error = std::move(verdict.errors->candidate),
+        .reference_error = std::move(verdict.errors->reference),
         .ranges = ranges_of(docket.scene),
         .stories = stories_of(judged)};
     for (const Statement& statement : statements)

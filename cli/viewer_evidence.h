@@ -6,7 +6,7 @@
 
 #include "cli/witness_hearing.h"
 #include "compare/explanation/explain.h"
-#include "compare/judge_in_full.h"
+#include "compare/judge.h"
 
 namespace zproof {
 
@@ -14,15 +14,13 @@ namespace zproof {
 struct JudgedView {
     const Docket& docket;
     const RenderedFrame &candidate, &reference;
-    const Verdict& verdict;
-    ErrorMaps errors;
-    const std::vector<RuledPlace>& rulings;  ///< see JudgedInFull
+    Verdict& verdict;  ///< with all_evidence; its maps of errors are taken from it
     const std::vector<Statement>& statements;
 };
 
 /// Writes planes.zvp into the view's folder, with the stories of its most telling pixels; colours are read
 /// from the pictures that lie there. Throws ReportError where it cannot be written.
-void write_viewer_evidence(const std::filesystem::path& folder, JudgedView&& judged);
+void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView& judged);
 
 /// The pixels whose stories are told: of every pair of triangles that some class arises between the worst
 /// one, severest class first, then the worst of all, `most` in all; in raster order.

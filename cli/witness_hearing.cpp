@@ -42,7 +42,7 @@ Statement hear(const SummonedWitness& witness, const Docket& docket, const Rende
     try {
         auto frame = std::make_unique<const Frame>(witness.renderer.render(docket.view));
         const Verdict verdict =
-            judge_with_histograms(docket.scene, docket.view, {*frame, witness.renderer.precision}, reference);
+            judge(docket.scene, docket.view, {*frame, witness.renderer.precision}, reference);
         return {to_witness_result(docket, witness.choice.renderer, verdict), std::move(frame),
                 verdict.classes};
     } catch (const OracleError& e) {

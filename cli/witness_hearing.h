@@ -23,7 +23,7 @@ std::vector<SummonedWitness> summon(const std::vector<WitnessChoice>& choices, c
 struct Statement {
     WitnessResult result;
     std::unique_ptr<const Frame> frame;
-    ClassMap classes;  ///< of its frame
+    Plane<PixelClass> classes;  ///< of its frame
 };
 
 /// Asks for the view and judges the answer against the reference. A refusal is the statement's `absent`.

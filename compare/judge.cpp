@@ -19,8 +19,8 @@ void count(const PixelCheck& pixel, PixelClass verdict, Verdict& sum) {
         const bool is_held = !pixel.candidate.is_invalid && !pixel.reference.is_invalid &&
                              pixel.candidate.answer.primitive != PrimitiveId::none;
         if (is_held) {
-            count(sum.candidate_depth, pixel.candidate.depth.error_over_bound);
-            count(sum.reference_depth, pixel.reference.depth.error_over_bound);
+            count(sum.candidate_depth, pixel.candidate.error_over_bound);
+            count(sum.reference_depth, pixel.reference.error_over_bound);
         }
         return;
     }
@@ -32,12 +32,6 @@ void count(const PixelCheck& pixel, PixelClass verdict, Verdict& sum) {
 
 bool is_wanted(PixelClass verdict, const JudgeOptions& options) {
     return options.findings == JudgeOptions::Findings::differences ? verdict != PixelClass::agree : !passes(verdict);
-}
-
-/// With the depth of what differs in id alone, which no class depends on.
-Finding evidence_of(const FramePair& frames, PixelCheck pixel, const PixelPlace& place) {
-    pixel.candidate = check_answer(frames, frames.candidate, place);
-    return finding_of(pixel, place);
 }
 
 }  // namespace
@@ -62,7 +56,7 @@ Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candida
         const PixelClass said = class_of(checks[i]);
         verdict.classes.at(place.x, place.y) = said;
         count(checks[i], said, verdict);
-        if (is_wanted(said, options)) verdict.findings.push_back(evidence_of(frames, checks[i], place));
+        if (is_wanted(said, options)) verdict.findings.push_back(finding_of(frames, checks[i], place));
     }
     std::ranges::sort(verdict.findings, {}, [](const Finding& f) { return std::pair{f.y, f.x}; });
     return verdict;

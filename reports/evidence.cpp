@@ -77,7 +77,7 @@ void write_findings_file(const fs::path& file, const Verdict& verdict) {
 void write_view_evidence(const fs::path& folder, const Frame& candidate, const Frame& reference,
                          const Verdict& verdict) {
     make_folder(folder);
-    const Plane<PixelClass> classes = verdict.classes.plane();
+    const Plane<PixelClass>& classes = verdict.classes;
     tbb::parallel_invoke([&] { write_exr(folder / "candidate.exr", candidate); },
                          [&] { write_exr(folder / "reference.exr", reference); },
                          [&] { write_ids(folder, "id", candidate.primitive); },

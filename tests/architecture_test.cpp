@@ -37,19 +37,26 @@ const std::map<std::string, Names> may_include{
       "reports"}},
 };
 
-/// The judge's own rooms: what each may look into beside itself and what stands in compare/ itself.
+/// The judge's own rooms: what each may look into beside itself.
 const std::map<std::string, Names> may_include_in_compare{
     {"bounds", {}},
-    {"truth", {"bounds"}},
-    {"search", {"bounds", "truth"}},
-    {"strips", {"bounds"}},
-    {"first_pass", {"bounds", "strips"}},
-    {"layers", {"bounds", "truth", "search", "strips", "first_pass"}},
-    {"hearing", {"bounds", "truth", "search", "strips", "first_pass"}},
-    {"diagnosis", {"search", "hearing"}},
-    {"explanation", {"truth", "search", "hearing"}},
+    {"admissible", {"bounds"}},
+    {"agree", {"bounds"}},
+    {"adjudicate", {"bounds", "admissible", "agree"}},
+    {"diagnosis", {"bounds", "admissible", "adjudicate"}},
+    {"explanation", {"bounds", "admissible", "agree", "adjudicate"}},
     {"metrics", {}},
     {"waivers", {}},
+};
+
+/// What stands in compare/ itself: every room may look at its types, and rooms above the judge at the judge.
+const Names types_of_compare{"pixel_class.h", "verdict.h", "rendered_frame.h"};
+const Names rooms_above_the_judge{"diagnosis", "explanation"};
+/// The rooms that its own files may look into; those that are not named, into none.
+const std::map<std::string, Names> may_include_from_compare{
+    {"judge.cpp", {"agree", "adjudicate"}},
+    {"rendered_frame.h", {"bounds"}},
+    {"verdict.h", {"bounds"}},
 };
 
 /// Where a foreign library is spoken to; everywhere else it is unknown. <iostream>: library rooms never
@@ -135,31 +142,95 @@ std::string room_in_compare(const std::string& path) {
     return std::regex_match(path, match, inner) ? match[1].str() : "";
 }
 
-std::string fault_within_compare(const std::string& path, const std::string& header) {
+/// May a file of this room, or of compare/ itself where it is empty, look into that one?
+bool may_look_within_compare(const std::string& path, const std::string& header) {
     const std::string room = room_in_compare(path), target = room_in_compare(header);
-    if (room.empty() || target.empty() || room == target) return "";
-    const auto allowed = may_include_in_compare.find(room);
-    if (allowed == may_include_in_compare.end()) return "compare/" + room + "/ is no room of the house";
-    if (allowed->second.contains(target)) return "";
-    return ("compare/" + room)
-        .append("/ may not look into compare/")
-        .append(target)
-        .append("/ (docs/design.md, The house)");
+    const auto file_name = [](const std::string& p) { return p.substr(p.find('/') + 1); };
+    if (room == target) return true;
+    if (target.empty())
+        return types_of_compare.contains(file_name(header)) ||
+               (header == "compare/judge.h" && rooms_above_the_judge.contains(room));
+    const auto& plan = room.empty() ? may_include_from_compare : may_include_in_compare;
+    const auto allowed = plan.find(room.empty() ? file_name(path) : room);
+    return allowed != plan.end() && allowed->second.contains(target);
+}
+
+std::string fault_within_compare(const std::string& path, const std::string& header) {
+    if (!path.starts_with("compare/") || !header.starts_with("compare/")) return "";
+    const std::string room = room_in_compare(path);
+    if (!room.empty() && !may_include_in_compare.contains(room))
+        return "compare/" + room + "/ is no room of the house";
+    if (may_look_within_compare(path, header)) return "";
+    const std::string from = room.empty() ? path : "compare/" + room + "/";
+    return from + " may not look into " + header + " (docs/design.md, The house)";
+}
+
+struct Include {
+    std::size_t line;
+    bool is_own;  ///< in quotes
+    std::string header;
+};
+
+std::vector<Include> includes_of(const SourceFile& file) {
+    static const std::regex include{R"re(^\s*#\s*include\s*(["<])([^">]+)[">])re"};
+    std::vector<Include> found;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+        std::smatch match;
+        if (std::regex_search(file.lines[i], match, include)) found.push_back({i, match[1] == "\"", match[2]});
+    }
+    return found;
 }
 
 std::vector<std::string> include_faults(const SourceFile& file) {
-    static const std::regex include{R"re(^\s*#\s*include\s*(["<])([^">]+)[">])re"};
     std::vector<std::string> faults;
-    for (std::size_t i = 0; i < file.lines.size(); ++i) {
-        std::smatch match;
-        if (!std::regex_search(file.lines[i], match, include)) continue;
-        const bool own = match[1] == "\"";
+    for (const auto& [line, is_own, header] : includes_of(file))
         for (const std::string& fault :
-             {own ? fault_of_own_header(file.room, match[2]) : fault_of_foreign_header(file.room, match[2]),
-              fault_within_compare(file.path, match[2])})
-            if (!fault.empty()) faults.push_back(at(file, i) + fault);
-    }
+             {is_own ? fault_of_own_header(file.room, header) : fault_of_foreign_header(file.room, header),
+              fault_within_compare(file.path, header)})
+            if (!fault.empty()) faults.push_back(at(file, line) + fault);
     return faults;
+}
+
+/// Units, x.h and x.cpp together as "x", and the units that each looks into.
+using Units = std::map<std::string, Names>;
+
+Units units_of(const std::vector<SourceFile>& files) {
+    const auto unit_of = [](const std::string& path) { return fs::path(path).replace_extension().generic_string(); };
+    Units units;
+    for (const SourceFile& file : files)
+        for (const Include& include : includes_of(file))
+            if (include.is_own && unit_of(include.header) != unit_of(file.path))
+                units[unit_of(file.path)].insert(unit_of(include.header));
+    return units;
+}
+
+/// The shortest way from a unit back to it, "a -> b -> a"; empty where there is none.
+std::string cycle_of(const std::string& unit, const Units& units) {
+    std::vector<std::string> ways{unit}, ends{unit};
+    Names seen;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const auto from = units.find(ends[i]);
+        if (from == units.end()) continue;
+        for (const std::string& next : from->second) {
+            const std::string way = ways[i] + " -> " + next;
+            if (next == unit) return way;
+            if (!seen.insert(next).second) continue;
+            ways.push_back(way);
+            ends.push_back(next);
+        }
+    }
+    return "";
+}
+
+/// Each named once, from the unit that comes first by name.
+std::vector<std::string> cycles_among(const std::vector<SourceFile>& files) {
+    Units units = units_of(files);
+    std::vector<std::string> cycles;
+    for (const auto& [unit, into] : Units(units)) {
+        if (std::string cycle = cycle_of(unit, units); !cycle.empty()) cycles.push_back(std::move(cycle));
+        units.erase(unit);
+    }
+    return cycles;
 }
 
 /// Characters, not bytes: UTF-8 continuation bytes do not count.
@@ -209,12 +280,45 @@ TEST(HousePlan, APlantedIntruderIsNamed) {
     EXPECT_EQ(include_faults({"reports/a.cpp", "reports", {"  # include <iostream>"}}).size(), 1u);
     EXPECT_EQ(include_faults({"oracle/a.cpp", "oracle", {"#include \"embree.h\""}}).size(), 1u);
     EXPECT_TRUE(include_faults({"oracle/a.cpp", "oracle", {"#include <embree3/rtcore.h>"}}).empty());
-    const std::vector<std::string> judge{"#include \"compare/judge.h\""},
-        hearing{"#include \"compare/hearing/hearing.h\""};
-    EXPECT_TRUE(include_faults({"compare/truth/a.cpp", "compare", judge}).empty());
-    EXPECT_TRUE(include_faults({"compare/diagnosis/hypotheses/a.cpp", "compare", hearing}).empty());
-    EXPECT_EQ(include_faults({"compare/truth/a.cpp", "compare", hearing}).size(), 1u);
-    EXPECT_EQ(include_faults({"compare/attic/a.cpp", "compare", hearing}).size(), 1u);
+}
+
+TEST(HousePlan, APlantedIntruderInTheJudgesRoomsIsNamed) {
+    const auto faults = [](const std::string& path, const std::string& header) {
+        return include_faults({path, "compare", {"#include \"" + header + "\""}}).size();
+    };
+    const std::string adjudicator = "compare/adjudicate/adjudicator.h", judge = "compare/judge.h";
+    EXPECT_EQ(faults("compare/diagnosis/hypotheses/a.cpp", adjudicator), 0u);
+    EXPECT_EQ(faults("compare/admissible/a.cpp", adjudicator), 1u);
+    EXPECT_EQ(faults("compare/attic/a.cpp", adjudicator), 1u);
+    EXPECT_EQ(faults("compare/diagnosis/a.h", judge), 0u);
+    EXPECT_EQ(faults("compare/adjudicate/a.h", judge), 1u);
+    EXPECT_EQ(faults("compare/admissible/a.h", "compare/pixel_class.h"), 0u);
+    EXPECT_EQ(faults("compare/metrics/a.h", "compare/conformance.h"), 1u);
+    EXPECT_EQ(faults("compare/judge.cpp", adjudicator), 0u);
+    EXPECT_EQ(faults("compare/judge.h", adjudicator), 1u);
+    EXPECT_EQ(faults("compare/verdict.h", "compare/bounds/depth_bound.h"), 0u);
+    EXPECT_EQ(faults("compare/verdict.h", adjudicator), 1u);
+    EXPECT_EQ(faults("compare/conformance.cpp", "compare/bounds/bounds.h"), 1u);
+    EXPECT_EQ(faults("compare/conformance.cpp", "compare/accord.h"), 0u);
+}
+
+TEST(HousePlan, UnitsOfTheJudgeStandInNoCycle) {
+    const std::vector<std::string> cycles = cycles_among(sources_in({"compare"}));
+    EXPECT_TRUE(cycles.empty()) << joined(cycles);
+}
+
+TEST(HousePlan, APlantedCycleIsNamed) {
+    const auto unit = [](const std::string& path, const std::string& header) {
+        return SourceFile{path, "compare", {"#include \"" + header + "\""}};
+    };
+    const SourceFile own = unit("compare/bounds/a.cpp", "compare/bounds/a.h"),
+                     down = unit("compare/bounds/a.h", "compare/bounds/b.h"),
+                     on = unit("compare/bounds/b.h", "compare/bounds/c.h"),
+                     back = unit("compare/bounds/c.cpp", "compare/bounds/a.h");
+    EXPECT_TRUE(cycles_among({own, down, on}).empty());
+    const std::vector<std::string> cycles = cycles_among({back, own, down, on});
+    ASSERT_EQ(cycles.size(), 1u);
+    EXPECT_EQ(cycles[0], "compare/bounds/a -> compare/bounds/b -> compare/bounds/c -> compare/bounds/a");
 }
 
 TEST(HousePlan, APlantedGiantIsNamed) {

@@ -4,7 +4,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "compare/truth/depth_bound.h"
+#include "compare/bounds/triangle_depth.h"
 
 namespace zproof::selftest {
 namespace {
@@ -47,7 +47,7 @@ DepthBound lawful_depths(const Stage& stage, Pixel pixel) {
     const ViewBounds bounds(stage.view, stage.precision);
     const auto id = std::uint32_t(stage.good.primitive.at(pixel.x, pixel.y));
     const TriangleInView triangle(stage.view, bounds, corners_of(stage.scene, id));
-    return depth_of(triangle, bounds).at(pixel.x, pixel.y);
+    return TriangleDepth(triangle, bounds).at(pixel.x, pixel.y);
 }
 
 CommonestIds commonest_ids(const Frame& frame) {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "cli/selftest/catalogue.h"
-#include "compare/truth/neighbourhood.h"
+#include "compare/admissible/neighbourhood.h"
 
 namespace zproof::selftest {
 namespace {

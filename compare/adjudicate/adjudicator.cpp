@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "compare/adjudicate/tile_work.h"
 
@@ -26,15 +25,18 @@ struct TileRange {
 };
 
 /// Orders them by tile, and otherwise leaves them as they are.
-std::vector<TileRange> sorted_by_tile(std::vector<Open>& open, std::span<const PixelQuery> queries, const Tiles& tiles) {
+std::vector<TileRange> sort_by_tile(std::vector<Open>& open, std::span<const PixelQuery> queries, const Tiles& tiles) {
     const auto tile_of = [&](const Open& o) { return tiles.of(queries[o.query].x, queries[o.query].y); };
-    std::ranges::stable_sort(open, {}, tile_of);
+    std::vector<std::size_t> next(tiles.count() + 1);  // by tile: where its next one goes
+    for (const Open& o : open) ++next[tile_of(o) + 1];
     std::vector<TileRange> ranges;
-    for (std::size_t i = 0; i < open.size(); ++i) {
-        const std::size_t tile = tile_of(open[i]);
-        if (ranges.empty() || ranges.back().tile != tile) ranges.push_back({tile, i, i});
-        ranges.back().end = i + 1;
+    for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
+        const std::size_t first = next[tile], end = next[tile + 1] += first;
+        if (first != end) ranges.push_back({tile, first, end});
     }
+    std::vector<Open> sorted(open.size());
+    for (const Open& o : open) sorted[next[tile_of(o)]++] = o;
+    open.swap(sorted);
     return ranges;
 }
 
@@ -61,7 +63,7 @@ std::vector<Adjudicated> adjudicate(const Scene& scene, const View& view, std::s
     std::vector<Open> open(queries.size());
     for (std::size_t i = 0; i < open.size(); ++i) open[i] = {std::uint32_t(i), first_search_px};
     while (!open.empty()) {
-        const std::vector<TileRange> ranges = sorted_by_tile(open, queries, tiles);
+        const std::vector<TileRange> ranges = sort_by_tile(open, queries, tiles);
         const TrianglesByTile near = search.find(asked_boxes(open, queries, tiles));
         tbb::parallel_for(std::size_t(0), ranges.size(), [&](std::size_t r) {
             TileWork work(setting, near.of(ranges[r].tile));

@@ -16,10 +16,9 @@ bool is_invalid(const Answer& answer, std::size_t triangle_count);
 struct AnswerCheck {
     Answer answer;
     bool is_invalid = false;
-    /// Of the answer's own triangle: as for a depth that is right where the answer is none or invalid.
-    DepthCheck depth;
+    bool is_depth_admissible = true;  ///< so is one that there is none to ask about
+    double error_over_bound = 0;      ///< of its depth; NaN where there is none to ask about
 };
-AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, const PixelPlace& place);
 
 /// What is known of a pixel, answer by answer; decisions only where ids differ and the answer is one.
 struct PixelCheck {
@@ -38,6 +37,6 @@ PixelClass class_of(const PixelCheck& pixel);
 /// Is the reference's own answer inadmissible?
 bool is_reference_wrong(const PixelCheck& pixel);
 /// The evidence.
-Finding finding_of(const PixelCheck& pixel, const PixelPlace& place);
+Finding finding_of(const FramePair& frames, const PixelCheck& pixel, const PixelPlace& place);
 
 }  // namespace zproof

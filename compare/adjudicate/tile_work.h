@@ -48,18 +48,22 @@ class TileWork {
     /// `near`: all triangles within searched_px of any pixel of the tile that is asked about.
     TileWork(const Setting& setting, std::span<const std::uint32_t> near);
 
-    /// Decides the query, where no triangle farther than searched_px from its centre can matter. Otherwise the reach
-    /// that it needs.
+    /// Decides the query, where no triangle farther than searched_px from its centre can matter, and says 0. Otherwise
+    /// the reach that it needs.
     double decide(const PixelQuery& query, double searched_px, Adjudicated& adjudicated);
 
   private:
-    double own_eps_px(const PixelQuery& query);
-    Neighbourhood gather(const PixelQuery& query, double own_eps_px, double reach_px);
+    void gather(const PixelQuery& query, double reach_px);
+    double own_eps_px(const PixelQuery& query) const;
+    double eps_px_within(double reach_px, double own_eps_px) const;
+    void drop_beyond(double reach_px);
 
     const Setting& setting_;
     TriangleCache triangles_;
     std::vector<Box> boxes_;  ///< of the triangles' images
     CoplanarMemory coplanar_;
+    Neighbourhood around_;              ///< of the query at hand
+    std::vector<double> distances_px_;  ///< of its neighbours' boxes from the pixel's centre
 };
 
 }  // namespace zproof

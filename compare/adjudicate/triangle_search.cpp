@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "math/rounding.h"
-
 namespace zproof {
 
 namespace {
@@ -17,51 +15,6 @@ std::size_t chunk_triangles(std::size_t count) { return std::clamp<std::size_t>(
 /// A float is off by less than 2^-24 of what it stands for, and by less than 2^-126 where that is nearly 0.
 float rounded_down(double a) { return float(std::max(a - std::abs(a) * 0x1p-23 - 0x1p-126, -0x1p126)); }
 float rounded_up(double a) { return float(std::min(a + std::abs(a) * 0x1p-23 + 0x1p-126, 0x1p126)); }
-
-/// The hull of the boxes that a triangle's corners lie in.
-class CornerHull {
-  public:
-    explicit CornerHull(const std::array<Box, 3>& corners) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Box &from = corners[i], &to = corners[(i + 1) % 3];
-            Side& side = sides_[i];  // any direction would do, so that its own rounding is harmless
-            side.x = (from.top + from.bottom) - (to.top + to.bottom);
-            side.y = (to.left + to.right) - (from.left + from.right);
-            for (const Box& corner : corners) side.corners.add(across(side, corner));
-        }
-    }
-
-    /// Does a line along one of the sides part the box from all three corners, certainly?
-    bool is_beside(const Box& box) const {
-        return std::ranges::any_of(sides_, [&](const Side& side) {
-            const Range asked = across(side, box);
-            return side.corners.least > asked.most || side.corners.most < asked.least;
-        });
-    }
-
-  private:
-    /// From the least to the greatest scalar product with a direction.
-    struct Range {
-        double least = HUGE_VAL, most = -HUGE_VAL;
-        void add(const Range& o) { least = std::min(least, o.least), most = std::max(most, o.most); }
-    };
-    struct Side {
-        double x = 0, y = 0;
-        Range corners{};
-    };
-    /// Widened by what its 3 roundings may amount to.
-    static Range across(const Side& side, const Box& box) {
-        constexpr double rounding = gamma(4, unit_roundoff_float64);
-        const double left = side.x * box.left, right = side.x * box.right, top = side.y * box.top,
-                     bottom = side.y * box.bottom;
-        const double unsure = rounding * (std::max(std::abs(left), std::abs(right)) +
-                                          std::max(std::abs(top), std::abs(bottom)));
-        return {std::min(left, right) + std::min(top, bottom) - unsure,
-                std::max(left, right) + std::max(top, bottom) + unsure};
-    }
-
-    std::array<Side, 3> sides_;
-};
 
 int clamped(double px, int count) { return int(std::clamp(px / Tiles::side_px, 0.0, count - 1.0)); }
 
@@ -100,6 +53,14 @@ Box TriangleSearch::box_of_vertex(std::uint32_t vertex) const {
     return {v.left, v.top, v.right, v.bottom};
 }
 
+/// Nothing where a corner has no place.
+std::optional<CornerHull> TriangleSearch::hull_of(std::uint32_t triangle) const {
+    const glm::uvec3& t = scene_.triangles[triangle];
+    const std::array<Box, 3> corners{box_of_vertex(t.x), box_of_vertex(t.y), box_of_vertex(t.z)};
+    if (std::ranges::any_of(corners, [](const Box& b) { return std::isinf(b.left); })) return std::nullopt;
+    return CornerHull(corners);
+}
+
 Box TriangleSearch::box_of(std::uint32_t triangle) const {
     const glm::uvec3& t = scene_.triangles[triangle];
     Box box = box_of_vertex(t.x);
@@ -117,17 +78,12 @@ void TriangleSearch::for_each_tile_met(std::uint32_t triangle, std::span<const B
     if (box.is_empty()) return;
     const int left = clamped(box.left - reach_px, tiles_.columns), right = clamped(box.right + reach_px, tiles_.columns);
     const int top = clamped(box.top - reach_px, tiles_.rows), bottom = clamped(box.bottom + reach_px, tiles_.rows);
-    const glm::uvec3& t = scene_.triangles[triangle];
-    const std::array<Box, 3> corners{box_of_vertex(t.x), box_of_vertex(t.y), box_of_vertex(t.z)};
-    const bool has_hull = (left < right || top < bottom) &&
-                          std::ranges::all_of(corners, [](const Box& b) { return std::isfinite(b.left); });
-    std::optional<CornerHull> hull;
+    const bool is_large = right - left > 1 || bottom - top > 1;
+    const std::optional<CornerHull> hull = is_large ? hull_of(triangle) : std::nullopt;
     for (int row = top; row <= bottom; ++row)
         for (int column = left; column <= right; ++column) {
             const std::size_t tile = tiles_.index(column, row);
-            if (!box.meets(asked[tile])) continue;
-            if (has_hull && !hull) hull.emplace(corners);
-            if (!hull || !hull->is_beside(asked[tile])) visit(tile);
+            if (box.meets(asked[tile]) && !(hull && hull->is_beside(asked[tile]))) visit(tile);
         }
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "compare/adjudicate/image_box.h"
+#include "compare/adjudicate/corner_hull.h"
 #include "compare/adjudicate/tiles.h"
 #include "compare/admissible/neighbourhood.h"
 #include "math/bulk.h"
@@ -44,6 +44,7 @@ class TriangleSearch {
         std::uint32_t tile, triangle;
     };
     Box box_of_vertex(std::uint32_t vertex) const;
+    std::optional<CornerHull> hull_of(std::uint32_t triangle) const;
     template <class Visit>
     void for_each_tile_met(std::uint32_t triangle, std::span<const Box> asked, double reach_px, const Visit& visit) const;
 

@@ -9,45 +9,11 @@ namespace zproof {
 
 namespace {
 
-/// Errors of an image in double hold within a pixel of the centre (Neighbour).
-constexpr double most_eps_px = 1;
-
 double reach(const Affine<double>& f, double half_side_px) {
     return half_side_px * (std::abs(f.a) + std::abs(f.b));
 }
 
 double value_at(const Affine<double>& f, const PixelOffset& at) { return f.at(at.x, at.y); }
-
-bool misses(const Neighbour& n, double half_side_px) {
-    return std::ranges::any_of(
-        n.image->edge, [&](const auto& e) { return e.c + reach(e, half_side_px) < -2 * n.edge_error; });
-}
-
-bool is_inside_all_over(const Neighbour& n, std::size_t edge, double half_side_px) {
-    const Affine<double>& e = n.image->edge[edge];
-    return e.c - reach(e, half_side_px) > 2 * n.edge_error;
-}
-
-bool is_inside(const Neighbour& n, const PixelOffset& at) {
-    return std::ranges::all_of(n.image->edge,
-                               [&](const auto& e) { return value_at(e, at) > 2 * n.edge_error; });
-}
-
-bool is_outside(const Neighbour& n, const PixelOffset& at) {
-    return std::ranges::any_of(n.image->edge,
-                               [&](const auto& e) { return value_at(e, at) < -2 * n.edge_error; });
-}
-
-double nearness_error(const Neighbour& a, const Neighbour& b) { return 2 * (a.plane_error + b.plane_error); }
-
-bool is_behind(const Neighbour& back, const Neighbour& front, const PixelOffset& at) {
-    return value_at(front.image->nearness - back.image->nearness, at) > nearness_error(front, back);
-}
-
-bool is_in_front_all_over(const Neighbour& front, const Neighbour& back, double half_side_px) {
-    const Affine<double> ahead = front.image->nearness - back.image->nearness;
-    return ahead.c - reach(ahead, half_side_px) > nearness_error(front, back);
-}
 
 /// The nearness of the near or far plane moved inwards by its slack, as AdmissibleSet has it; what no triangle keeps
 /// to where nothing is left between them.
@@ -72,7 +38,7 @@ PixelOffset between(const PixelOffset& p, const PixelOffset& q, double t) {
 }  // namespace
 
 ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar)
-    : around_(around), coplanar_(coplanar), is_asked_(around.eps_px <= most_eps_px) {
+    : around_(around), coplanar_(coplanar), error_scale_(2 * std::max(1.0, around.eps_px)), is_asked_(std::isfinite(around.eps_px)) {
     others_.reserve(around.neighbours.size());
     for (const Neighbour& n : around.neighbours) {
         const bool is_answer = PrimitiveId(n.triangle) == answer;
@@ -86,6 +52,28 @@ ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answ
     is_asked_ &= answer == PrimitiveId::none || answer_;
 }
 
+bool ConservativeTest::misses(const Neighbour& n, double half_side_px) const {
+    return std::ranges::any_of(
+        n.image->edge, [&](const auto& e) { return e.c + reach(e, half_side_px) < -edge_error(n); });
+}
+
+bool ConservativeTest::is_inside_all_over(const Neighbour& n, std::size_t edge, double half_side_px) const {
+    const Affine<double>& e = n.image->edge[edge];
+    return e.c - reach(e, half_side_px) > edge_error(n);
+}
+
+bool ConservativeTest::is_inside(const Neighbour& n, const PixelOffset& at) const {
+    return std::ranges::all_of(n.image->edge, [&](const auto& e) { return value_at(e, at) > edge_error(n); });
+}
+
+bool ConservativeTest::is_outside(const Neighbour& n, const PixelOffset& at) const {
+    return std::ranges::any_of(n.image->edge, [&](const auto& e) { return value_at(e, at) < -edge_error(n); });
+}
+
+bool ConservativeTest::is_behind_answer(const Neighbour& n, const PixelOffset& at) const {
+    return value_at(answer_->image->nearness - n.image->nearness, at) > nearness_error(n) + nearness_error(*answer_);
+}
+
 /// Is its image certain, and does no plane cut it in the square?
 bool ConservativeTest::is_sound(const Neighbour& n) const {
     const Camera& c = around_.view.camera;
@@ -97,7 +85,7 @@ bool ConservativeTest::is_sound(const Neighbour& n) const {
 bool ConservativeTest::is_clear_of_planes(const Neighbour& n, double half_side_px) const {
     const Affine<double>& nearness = n.image->nearness;
     const PlaneLimits limits = limits_of(around_.view.camera, n);
-    const double unsure = reach(nearness, half_side_px) + 2 * n.plane_error;
+    const double unsure = reach(nearness, half_side_px) + nearness_error(n);
     return nearness.c + unsure < limits.near && nearness.c - unsure > limits.far;
 }
 
@@ -105,7 +93,7 @@ bool ConservativeTest::is_clear_of_planes(const Neighbour& n, double half_side_p
 bool ConservativeTest::is_seen_at(const PixelOffset& at) const {
     if (answer_ && !is_inside(*answer_, at)) return false;
     return std::ranges::all_of(others_, [&](const Neighbour* n) {
-        return is_outside(*n, at) || (answer_ && is_behind(*n, *answer_, at));
+        return is_outside(*n, at) || (answer_ && is_behind_answer(*n, at));
     });
 }
 
@@ -162,8 +150,11 @@ bool ConservativeTest::shares_edge(const Neighbour& n, std::size_t edge) const {
 }
 
 bool ConservativeTest::hides_in(const Neighbour& n, double half_side_px) const {
-    return n.greatest_nearness >= answer_->least_nearness &&
-           (is_in_front_all_over(n, *answer_, half_side_px) || coplanar_(n.of_scene(), answer_->of_scene()));
+    if (n.greatest_nearness < answer_->least_nearness) return false;
+    const Affine<double> ahead = n.image->nearness - answer_->image->nearness;
+    const bool is_in_front =
+        ahead.c - reach(ahead, half_side_px) > nearness_error(n) + nearness_error(*answer_);
+    return is_in_front || coplanar_(n.of_scene(), answer_->of_scene());
 }
 
 auto ConservativeTest::finding() const -> Finding {

@@ -37,6 +37,15 @@ class ConservativeTest {
         PixelOffset middle() const;
     };
 
+    /// What values in the square may be off by: Neighbour has it for places within a pixel of the centre, twice pays
+    /// for the evaluation.
+    double edge_error(const Neighbour& n) const { return error_scale_ * n.edge_error; }
+    double nearness_error(const Neighbour& n) const { return error_scale_ * n.plane_error; }
+    bool misses(const Neighbour& n, double half_side_px) const;
+    bool is_inside_all_over(const Neighbour& n, std::size_t edge, double half_side_px) const;
+    bool is_inside(const Neighbour& n, const PixelOffset& at) const;
+    bool is_outside(const Neighbour& n, const PixelOffset& at) const;
+    bool is_behind_answer(const Neighbour& n, const PixelOffset& at) const;
     bool is_sound(const Neighbour& n) const;
     bool is_clear_of_planes(const Neighbour& n, double half_side_px) const;
     bool is_seen_at(const PixelOffset& at) const;
@@ -52,6 +61,7 @@ class ConservativeTest {
 
     const Neighbourhood& around_;
     CoplanarMemory& coplanar_;
+    double error_scale_;
     const Neighbour* answer_ = nullptr;      ///< none for background
     std::vector<const Neighbour*> others_;   ///< that do not miss the square for certain, without the answer's
     bool is_asked_ = false;                  ///< are all of them such that double can tell?

@@ -77,12 +77,6 @@ std::optional<std::size_t> Neighbourhood::index_of(PrimitiveId triangle) const {
     return std::size_t(found - neighbours.begin());
 }
 
-CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
-    const glm::uvec3 index = scene.triangles[triangle];
-    const auto& p = scene.vertices.position_world;
-    return {p[index.x], p[index.y], p[index.z]};
-}
-
 Neighbour neighbour_of(const Sight<double>& sight, const BoundedTriangle& triangle) {
     Neighbour n;
     n.p_world = triangle.p_world;
@@ -110,20 +104,14 @@ Neighbour neighbour_of(const Sight<double>& sight, const BoundedTriangle& triang
     return n;
 }
 
-void add(Neighbourhood& around, Neighbour neighbour, double own_eps_px) {
-    if (neighbour.image && comes_within(*neighbour.image, own_eps_px))
-        around.eps_px = std::max(around.eps_px, neighbour.bounds.eps_px);
-    around.neighbours.push_back(std::move(neighbour));
-}
-
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const Site& site, double own_eps_px) {
     const Sight<double> sight(view, site.x, site.y);
     Neighbourhood around{view, site.x, site.y, own_eps_px, {}};
     for (const std::uint32_t triangle : site.triangles) {
-        Neighbour neighbour = neighbour_of(sight, bounds, corners_of(scene, triangle));
-        neighbour.triangle = triangle;
-        add(around, std::move(neighbour), own_eps_px);
+        Neighbour& n = around.neighbours.emplace_back(neighbour_of(sight, bounds, corners_of(scene, triangle)));
+        n.triangle = triangle;
+        if (n.image && comes_within(*n.image, own_eps_px)) around.eps_px = std::max(around.eps_px, n.bounds.eps_px);
     }
     return around;
 }

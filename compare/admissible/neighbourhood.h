@@ -51,12 +51,10 @@ struct Neighbourhood {
     std::optional<std::size_t> index_of(PrimitiveId triangle) const;
 };
 
-CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);
-
 /// What one triangle brings to every pixel of a view by one renderer's bounds.
 struct BoundedTriangle {
-    BoundedTriangle(const ViewBounds& bounds, const CornersWorld& p)
-        : BoundedTriangle(bounds, p, bounds.extent_of(p)) {}
+    BoundedTriangle(const ViewBounds& of_view, const CornersWorld& p)
+        : BoundedTriangle(of_view, p, of_view.extent_of(p)) {}
     /// `extent` is the triangle's, by the bounds of any renderer of the view.
     BoundedTriangle(const ViewBounds& of_view, const CornersWorld& p, const TriangleExtent& extent)
         : p_world(p),
@@ -88,7 +86,5 @@ double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds
 /// same.
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const Site& site, double own_eps_px);
-/// Takes one more triangle in, and its eps where it comes near.
-void add(Neighbourhood& around, Neighbour neighbour, double own_eps_px);
 
 }  // namespace zproof

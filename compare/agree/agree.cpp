@@ -41,8 +41,11 @@ class BlockScan {
                   bottom = std::min(top + block_height, frames_.view.height);
         table_.clear();
         for (int y = top; y < bottom; ++y) {
-            look_up({left, right, y}, frames_.candidate.frame);
-            look_up({left, right, y}, frames_.reference.frame);
+            const PixelRow row{left, right, y};
+            const auto candidate = row.of(frames_.candidate.frame.primitive),
+                       reference = row.of(frames_.reference.frame.primitive);
+            look_up(candidate);
+            if (!std::ranges::equal(candidate, reference)) look_up(reference);
         }
         table_.make();
         for (int y = top; y < bottom; ++y) scan({left, right, y}, undecided);
@@ -64,8 +67,8 @@ class BlockScan {
         }
     }
 
-    void look_up(const PixelRow& row, const Frame& frame) {
-        for_each_run(row.of(frame.primitive), [&](PrimitiveId id, std::size_t, std::size_t) {
+    void look_up(std::span<const PrimitiveId> ids) {
+        for_each_run(ids, [&](PrimitiveId id, std::size_t, std::size_t) {
             if (is_triangle(id)) table_.place_of(id);
         });
     }
@@ -74,17 +77,17 @@ class BlockScan {
     void look_at(const PixelRow& row, const Frame& frame, TriangleDepth BoundTable::Depths::*side,
                  RowOf<PrimitiveId>& shown, RowOf<double>& errors) {
         const auto ids = row.of(frame.primitive);
-        const auto depths = row.of(frame.camera_depth);
         std::fill(std::ranges::copy(ids, shown.begin()).out, shown.end(), PrimitiveId::none);
-        std::fill(errors.begin() + std::ptrdiff_t(ids.size()), errors.end(), 0.0);
+        std::ranges::copy(row.of(frame.camera_depth), depths_.begin());
         for_each_run(ids, [&](PrimitiveId id, std::size_t first, std::size_t end) {
             if (is_triangle(id))
-                find_depth_errors(table_[table_.place_of(id)].*side, row.left + int(first), row.y,
-                                  depths.subspan(first, end - first), &errors[first]);
+                find_depth_errors(table_[table_.place_of(id)].*side, row.left + int(first), row.y, end - first,
+                                  &depths_[first], &errors_found_[first]);
             else
                 for (std::size_t i = first; i < end; ++i)
-                    errors[i] = id == PrimitiveId::none && depths[i] == background_depth ? 0 : undecided_error;
+                    errors_found_[i] = id == PrimitiveId::none && depths_[i] == background_depth ? 0 : undecided_error;
         });
+        std::fill(std::copy_n(errors_found_.begin(), ids.size(), errors.begin()), errors.end(), 0.0);
     }
 
     void scan(const PixelRow& row, std::vector<UndecidedPixel>& undecided) {
@@ -126,6 +129,9 @@ class BlockScan {
     BoundTable table_;
     ErrorMaps* errors_;
     ComparedRow row_;
+    /// Of one frame's row; runs are read and written beyond their ends, from left to right.
+    std::array<float, row_pixels + errors_together> depths_{};
+    std::array<double, row_pixels + errors_together> errors_found_{};
     RowCounts counts_;
 };
 

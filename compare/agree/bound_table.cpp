@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "compare/admissible/neighbourhood.h"
 
 namespace zproof {
 

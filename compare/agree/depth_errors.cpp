@@ -7,40 +7,42 @@ namespace zproof {
 namespace {
 
 template <Projection projection, TriangleDepth::Relative relative>
-[[gnu::always_inline]] inline void find_errors(const TriangleDepth& of, int x, int y, std::span<const float> depths,
+[[gnu::always_inline]] inline void find_errors(const TriangleDepth& of, int x, int y, int count, const float* depths,
                                                double* errors) {
     const TriangleDepth triangle = of;  // its numbers change under no pixel's error
-    for (int i = 0; i < int(depths.size()); ++i)
-        errors[i] = triangle.certain_error_over_bound<projection, relative>(x + i, y, depths[std::size_t(i)]);
+    for (int i = 0; i < count; ++i)
+        errors[i] = triangle.certain_error_over_bound<projection, relative>(x + i, y, depths[i]);
 }
 
 template <Projection projection>
-[[gnu::always_inline]] inline void find_errors(const TriangleDepth& of, int x, int y, std::span<const float> depths,
+[[gnu::always_inline]] inline void find_errors(const TriangleDepth& of, int x, int y, int count, const float* depths,
                                                double* errors) {
     using enum TriangleDepth::Relative;
     if (of.relative() == everywhere)
-        find_errors<projection, everywhere>(of, x, y, depths, errors);
+        find_errors<projection, everywhere>(of, x, y, count, depths, errors);
     else
-        find_errors<projection, by_nearness>(of, x, y, depths, errors);
+        find_errors<projection, by_nearness>(of, x, y, count, depths, errors);
 }
 
 // Compiled once per instruction set, with everything that it calls. No bit depends on which runs: contraction is off,
 // and every pixel's operations keep their order.
 [[gnu::flatten, gnu::target_clones("default", "avx2", "avx512f")]] void find_on_plane(
-    const TriangleDepth& triangle, int x, int y, std::span<const float> depths, double* errors) {
+    const TriangleDepth& triangle, int x, int y, int count, const float* depths, double* errors) {
     if (triangle.projection() == Projection::perspective)
-        find_errors<Projection::perspective>(triangle, x, y, depths, errors);
+        find_errors<Projection::perspective>(triangle, x, y, count, depths, errors);
     else
-        find_errors<Projection::parallel>(triangle, x, y, depths, errors);
+        find_errors<Projection::parallel>(triangle, x, y, count, depths, errors);
 }
 
 }  // namespace
 
-void find_depth_errors(const TriangleDepth& triangle, int x, int y, std::span<const float> depths, double* errors) {
+void find_depth_errors(const TriangleDepth& triangle, int x, int y, std::size_t count, const float* depths,
+                       double* errors) {
+    const std::size_t rounded_up = (count + errors_together - 1) / errors_together * errors_together;
     if (triangle.has_plane())
-        find_on_plane(triangle, x, y, depths, errors);
+        find_on_plane(triangle, x, y, int(rounded_up), depths, errors);
     else
-        std::fill_n(errors, depths.size(), undecided_error);
+        std::fill_n(errors, count, undecided_error);
 }
 
 }  // namespace zproof

@@ -1,7 +1,7 @@
 /// Depths along a run of pixels held against one triangle's bound, side by side.
 #pragma once
 
-#include <span>
+#include <cstddef>
 
 #include "compare/bounds/triangle_depth.h"
 
@@ -10,8 +10,12 @@ namespace zproof {
 /// Says of a pixel that double precision does not hold its depth admissible for certain.
 inline constexpr double undecided_error = -1;
 
-/// Writes error / bound, or undecided_error, of pixels (x, y), (x + 1, y) ... that show the triangle. `errors` has as
-/// many places as there are depths.
-void find_depth_errors(const TriangleDepth& triangle, int x, int y, std::span<const float> depths, double* errors);
+/// Errors are found for so many pixels at a time.
+inline constexpr std::size_t errors_together = 4;
+
+/// Writes error / bound, or undecided_error, of `count` pixels (x, y), (x + 1, y) ... that show the triangle. Up to the
+/// next multiple of errors_together, depths are read and errors written beyond them.
+void find_depth_errors(const TriangleDepth& triangle, int x, int y, std::size_t count, const float* depths,
+                       double* errors);
 
 }  // namespace zproof

@@ -15,6 +15,8 @@ namespace zproof {
 
 using CornersWorld = std::array<glm::vec3, 3>;
 
+CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);
+
 /// A triangle's corners in the number type asked for, without loss.
 template <class Number>
 Corners<Number> corners(const CornersWorld& p) {

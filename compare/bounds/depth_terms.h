@@ -102,8 +102,8 @@ struct Displacement {
     }
 
     double at(double nearness) const {
-        const double reach = (base + per * nearness) * amplification;
-        return per == 0 ? base : std::min(most, reach);
+        const double reach = (base + per * nearness) * amplification, kept = reach < most ? reach : most;
+        return per == 0 ? base : kept;
     }
 
     double base = 0, per = 0, most = 0, amplification = 1;

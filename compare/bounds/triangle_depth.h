@@ -51,7 +51,7 @@ class TriangleDepth {
     double certain_error_over_bound(double x, double y, float depth) const {
         const Range range = on_plane<projection, relative>(x, y);
         const DepthBound bound{widened_low(range), range.truth, widened_high(range)};
-        const bool is_certain = (range.relative < unlimited) & (range.truth < unlimited) &
+        const bool is_certain = is_bounded(range.relative) & (range.truth < unlimited) &
                                 holds<projection>(bound, depth, own_error_);
         const double error = std::abs(depth - bound.truth);
         const double share = error / (depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth);
@@ -69,11 +69,14 @@ class TriangleDepth {
         const double raised = a < low ? low : a;
         return high < raised ? high : raised;
     }
+    /// compounded(), but where that is unlimited: there it is none that is_bounded() takes, so that no branch is needed.
     template <Relative relative>
     double relative_at(double nearness) const {
         if constexpr (relative == Relative::everywhere) return relative_;
-        return compounded(factor_ + plane_offset_ / nearness);
+        const double sum = factor_ + plane_offset_ / nearness;
+        return sum / (1 - sum);
     }
+    static bool is_bounded(double relative) { return (relative >= 0) & (relative < unlimited); }
     /// Depths before rounding, and its relative error.
     struct Range {
         double low, truth, high, relative;
@@ -85,7 +88,8 @@ class TriangleDepth {
         return range.high + std::abs(range.high) * range.relative + absolute_;
     }
     DepthBound rounded(const Range& range) const {
-        if (!(range.relative + absolute_ + nearness_error_ < unlimited)) return {0, range.truth, unlimited};
+        const bool is_bounded_here = is_bounded(range.relative) && absolute_ + nearness_error_ < unlimited;
+        if (!is_bounded_here) return {0, range.truth, unlimited};
         // beyond the plane's horizon no depth is near enough
         return {std::isinf(range.low) ? range.low : widened_low(range), range.truth, widened_high(range)};
     }

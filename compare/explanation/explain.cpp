@@ -47,7 +47,7 @@ std::vector<Candidate> candidates_in(const View& view, const ViewBounds& bounds,
 
 /// A pixel before its surroundings are looked into: everything but `candidates` and `background`.
 PixelStory told_so_far(const FramePair& frames, const PixelCheck& pixel, const PixelPlace& place) {
-    PixelStory story{finding_of(pixel, place), pixel.candidate_decision.decision, pixel.reference_decision.decision,
+    PixelStory story{finding_of(frames, pixel, place), pixel.candidate_decision.decision, pixel.reference_decision.decision,
                      pixel.ids_differ(), {}, {}};
     if (!pixel.ids_differ() && !pixel.candidate.is_invalid)
         story.finding.eps_px = own_eps_px(frames.scene, frames.view, frames.candidate.bounds, place,

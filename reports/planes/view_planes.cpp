@@ -161,7 +161,7 @@ Container container_of(const ViewPlanes& v) {
     const auto width = std::size_t(v.candidate.frame.size().width);
     const Frame& ours = v.candidate.frame;
     std::vector<Recipe> recipes{
-        [&] { return class_block(v.verdict.classes.plane()); },
+        [&] { return class_block(v.verdict.classes); },
         [&] { return findings_block(v.verdict, int(width)); },
         [&] { return json_block("stories", to_json(v.stories)); },
         [&] { return json_block("ranges", to_json(v.ranges)); },

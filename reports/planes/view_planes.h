@@ -48,7 +48,7 @@ struct ViewPlanes {
     Renderer candidate, reference;
     std::vector<Renderer> witnesses;
     const Verdict& verdict;
-    Plane<float> candidate_error, reference_error;  ///< error / bound (compare/first_pass/error_map.h)
+    Plane<float> candidate_error, reference_error;  ///< error / bound (ErrorMaps)
     std::vector<TriangleRange> ranges;
     std::vector<Story> stories;
 };

@@ -1,12 +1,12 @@
 /// The admissible set beside the brute-force one: not one disagreement, in exact numbers or in intervals.
-#include "compare/truth/admissible.h"
+#include "compare/admissible/admissible_set.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "brute_force.h"
-#include "compare/truth/standing.h"
+#include "compare/admissible/admissibility.h"
 #include "math/interval.h"
 #include "math/lazy_rational.h"
 #include "random_surroundings.h"

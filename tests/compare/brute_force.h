@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "compare/truth/admissible.h"
+#include "compare/admissible/admissible_set.h"
 #include "math/rational.h"
 
 namespace zproof::brute_force {

@@ -1,4 +1,4 @@
-#include "compare/truth/coplanar.h"
+#include "compare/admissible/coplanar.h"
 
 #include <gtest/gtest.h>
 

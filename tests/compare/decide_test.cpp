@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "brute_force.h"
-#include "compare/truth/plain_case.h"
+#include "compare/admissible/conservative_test.h"
 #include "math/lazy_rational.h"
 #include "random_surroundings.h"
 #include "stage.h"
@@ -22,13 +22,13 @@ TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
         CoplanarMemory memory(16);
         AdmissibleSet<Rational> set(s.around, memory);
         const std::size_t count = s.around.neighbours.size();
-        const Decision bare = decide(s.around, PrimitiveId::none);
-        ASSERT_EQ(bare.standing, word_for(set, count, std::nullopt));
-        ++said[std::size_t(bare.standing)];
+        const Decision bare = decide(s.around, PrimitiveId::none, memory);
+        ASSERT_EQ(bare.admissibility, word_for(set, count, std::nullopt));
+        ++said[std::size_t(bare.admissibility)];
         for (std::size_t i = 0; i < count; ++i) {
-            const Decision decision = decide(s.around, PrimitiveId(s.around.neighbours[i].triangle));
-            ASSERT_EQ(decision.standing, word_for(set, count, i)) << i;
-            ++said[std::size_t(decision.standing)];
+            const Decision decision = decide(s.around, PrimitiveId(s.around.neighbours[i].triangle), memory);
+            ASSERT_EQ(decision.admissibility, word_for(set, count, i)) << i;
+            ++said[std::size_t(decision.admissibility)];
             exact += decision.exact;
         }
     }
@@ -64,15 +64,15 @@ TEST(Decide, ASilhouetteIsDecidedAsRationalsDecideHardlyEverByThem) {
         CoplanarMemory memory(16);
         AdmissibleSet<Rational> set(around, memory);
         for (std::size_t i = 0; i < around.neighbours.size(); ++i) {
-            const Decision decision = decide(around, PrimitiveId(std::uint32_t(i)));
-            ASSERT_EQ(decision.standing, word_for(set, around.neighbours.size(), i)) << i;
+            const Decision decision = decide(around, PrimitiveId(std::uint32_t(i)), memory);
+            ASSERT_EQ(decision.admissibility, word_for(set, around.neighbours.size(), i)) << i;
             exact += decision.exact;
-            ++said[std::size_t(decision.standing)];
+            ++said[std::size_t(decision.admissibility)];
         }
     }
-    EXPECT_GT(said[std::size_t(Standing::visible)], 300);
-    EXPECT_GT(said[std::size_t(Standing::tied)], 100);
-    EXPECT_GT(said[std::size_t(Standing::hidden)], 100);
+    EXPECT_GT(said[std::size_t(Admissibility::visible)], 300);
+    EXPECT_GT(said[std::size_t(Admissibility::tied)], 100);
+    EXPECT_GT(said[std::size_t(Admissibility::hidden)], 100);
     EXPECT_LT(exact, 40) << "where the planes' difference is worked out, 321";
 }
 
@@ -91,9 +91,10 @@ TEST(Decide, OneSetIsAskedAboutAllAnswers) {
     }
 }
 
-TEST(Decide, APlainCaseIsDecidedAsRationalsDecide) {
+TEST(Decide, WhatDoubleTellsOfWallsIsWhatRationalsTell) {
+    using Finding = ConservativeTest::Finding;
     std::array<int, 2> said{};
-    int plain_cases = 0, others = 0;
+    int certain = 0, others = 0;
     for (std::uint32_t seed = 0; seed < 3000; ++seed) {
         SCOPED_TRACE(seed);
         Dice dice(seed);
@@ -104,34 +105,36 @@ TEST(Decide, APlainCaseIsDecidedAsRationalsDecide) {
         CoplanarMemory memory(16);
         AdmissibleSet<Rational> set(around, memory);
         for (std::size_t i = 0; i < around.neighbours.size(); ++i) {
-            const auto plain = standing_without_edges(around, PrimitiveId(std::uint32_t(i)), memory);
-            ++(plain ? plain_cases : others);
-            if (!plain) continue;
-            ASSERT_EQ(*plain, word_for(set, around.neighbours.size(), i)) << i;
-            ++said[*plain == Standing::tied];
+            const Finding finding = ConservativeTest(around, PrimitiveId(std::uint32_t(i)), memory).finding();
+            ++(finding == Finding::undecided ? others : certain);
+            if (finding == Finding::undecided) continue;
+            const auto word = finding == Finding::tied ? Admissibility::tied : Admissibility::visible;
+            ASSERT_EQ(word, word_for(set, around.neighbours.size(), i)) << i;
+            ++said[finding == Finding::tied];
         }
     }
     EXPECT_GT(said[0], 300) << "visible";
     EXPECT_GT(said[1], 300) << "tied";
-    EXPECT_GT(plain_cases, others / 2);
+    EXPECT_GT(certain, others / 2);
 }
 
 TEST(Decide, ATriangleThatIsNoNeighbourIsOutside) {
     const Surroundings s = random_surroundings(0);
-    EXPECT_EQ(decide(s.around, PrimitiveId(99)).standing, Standing::outside);
+    CoplanarMemory memory(16);
+    EXPECT_EQ(decide(s.around, PrimitiveId(99), memory).admissibility, Admissibility::outside);
 }
 
 TEST(ClassOf, TheCandidatesDefectComesFirstThenTheReferencesThenTheLessPlainLawfulWord) {
-    EXPECT_EQ(class_of(Standing::hole, Standing::hidden), PixelClass::hole);
-    EXPECT_EQ(class_of(Standing::outside, Standing::visible), PixelClass::outside);
-    EXPECT_EQ(class_of(Standing::hidden, Standing::hole), PixelClass::hidden);
-    for (const Standing wrong : {Standing::hole, Standing::outside, Standing::hidden})
-        EXPECT_EQ(class_of(Standing::tied, wrong), PixelClass::reference_wrong);
-    EXPECT_EQ(class_of(Standing::visible, Standing::visible), PixelClass::edge);
-    EXPECT_EQ(class_of(Standing::clipped, Standing::visible), PixelClass::clip);
-    EXPECT_EQ(class_of(Standing::visible, Standing::clipped), PixelClass::clip);
-    EXPECT_EQ(class_of(Standing::tied, Standing::clipped), PixelClass::depth_tie);
-    EXPECT_EQ(class_of(Standing::tied, Standing::through_a_crack), PixelClass::abutting_edges);
+    EXPECT_EQ(class_of(Admissibility::hole, Admissibility::hidden), PixelClass::hole);
+    EXPECT_EQ(class_of(Admissibility::outside, Admissibility::visible), PixelClass::outside);
+    EXPECT_EQ(class_of(Admissibility::hidden, Admissibility::hole), PixelClass::hidden);
+    for (const Admissibility wrong : {Admissibility::hole, Admissibility::outside, Admissibility::hidden})
+        EXPECT_EQ(class_of(Admissibility::tied, wrong), PixelClass::reference_wrong);
+    EXPECT_EQ(class_of(Admissibility::visible, Admissibility::visible), PixelClass::edge);
+    EXPECT_EQ(class_of(Admissibility::clipped, Admissibility::visible), PixelClass::clip);
+    EXPECT_EQ(class_of(Admissibility::visible, Admissibility::clipped), PixelClass::clip);
+    EXPECT_EQ(class_of(Admissibility::tied, Admissibility::clipped), PixelClass::depth_tie);
+    EXPECT_EQ(class_of(Admissibility::tied, Admissibility::through_a_crack), PixelClass::abutting_edges);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 /// How much of eps an answer needs, for edges whose distance from the centre (1.5, 1.5) is known.
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <numeric>
 
-#include "compare/truth/displacement.h"
+#include "bisected.h"
+#include "compare/admissible/admissibility.h"
+#include "compare/admissible/displacement.h"
+#include "random_surroundings.h"
 #include "stage.h"
 
 namespace zproof {
@@ -104,23 +106,39 @@ TEST_P(Displacement, IsNotAskedOfTiesAndDefects) {
     EXPECT_EQ(recorded(verdict.candidate_edges), 0u);
 }
 
-TEST(LeastStep, IsTheSameFromWhereverItIsLookedFor) {
-    constexpr double infinite = std::numeric_limits<double>::infinity(),
-                     nan = std::numeric_limits<double>::quiet_NaN();
-    const auto step = [](int number) { return eps_px * number / displacement_steps; };
-    for (const int first : {1, 2, 3, 17, 511, 512, 513, 1022, 1023, 1024}) {
-        const auto is_seen_within = [&](double half_side_px) { return half_side_px >= step(first); };
-        const std::optional<double> expected =
-            first == 1 ? std::nullopt : std::optional(double(first - 1) / displacement_steps);
-        EXPECT_EQ(least_step(eps_px, std::nullopt, is_seen_within), expected);
-        for (const double likely_px : {-eps_px, 0.0, step(2), step(first - 1), step(first), step(first + 9),
-                                       step(700), eps_px, 2 * eps_px, infinite, -infinite, nan}) {
-            int asked = 0;
-            const auto count = [&](double half_side_px) { return ++asked, is_seen_within(half_side_px); };
-            EXPECT_EQ(least_step(eps_px, likely_px, count), expected);
-            EXPECT_LE(asked, likely_px == step(first) ? 3 : 21) << first << ", " << likely_px;
+/// Two walls that meet beside the centre, before a third.
+TEST(DisplacementOverEps, IsTheLeastStepFromWhicheverStepItIsLookedFor) {
+    const View view = pixel_view(Projection::parallel, 4, 4);
+    const ViewBounds bounds(view, raster_precision());
+    for (const int step : {1, 2, 3, 17, 511, 512, 513, 1022, 1023}) {
+        const double edge = 1.5 + (step - 0.5) / displacement_steps * eps_px;
+        const Scene scene = scene_of(view, {wall_left_of(edge, 4), wall_right_of(edge, 4), wall(8)});
+        const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
+        CoplanarMemory coplanar(16);
+        const auto found = displacement_over_eps(around, PrimitiveId(1), coplanar);
+        EXPECT_EQ(found, bisected_displacement(around, PrimitiveId(1))) << step;
+        const double expected = double(step - 1) / displacement_steps;
+        EXPECT_NEAR(found.value_or(0), expected, 1.5 / displacement_steps) << step;
+    }
+}
+
+TEST(DisplacementOverEps, IsWhatBisectionFindsWhateverIsCertainInDouble) {
+    int moved = 0, asked = 0;
+    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        CoplanarMemory coplanar(16);
+        std::vector<PrimitiveId> answers{PrimitiveId::none};
+        for (const Neighbour& n : s.around.neighbours) answers.push_back(PrimitiveId(n.triangle));
+        for (const PrimitiveId answer : answers) {
+            if (decide(s.around, answer, coplanar).admissibility != Admissibility::visible) continue;
+            const auto found = displacement_over_eps(s.around, answer, coplanar);
+            ASSERT_EQ(found, bisected_displacement(s.around, answer)) << int(answer);
+            ++asked, moved += found.has_value();
         }
     }
+    EXPECT_GT(asked, 500);
+    EXPECT_GT(moved, 50);
 }
 
 }  // namespace

@@ -32,11 +32,11 @@ TEST(Explain, TellsEveryTriangleWithinEpsNearestFirst) {
     EXPECT_EQ(story.candidates[0].primitive, PrimitiveId(0));
     EXPECT_EQ(story.candidates[2].primitive, PrimitiveId(2));
     EXPECT_EQ(story.candidates[0].depth.truth, 4);
-    EXPECT_EQ(story.candidates[1].decision.standing, Standing::visible);
-    EXPECT_EQ(story.candidates[2].decision.standing, Standing::hidden);
-    EXPECT_EQ(story.candidate.standing, Standing::visible);
-    EXPECT_EQ(story.reference.standing, Standing::visible);
-    EXPECT_EQ(story.background.standing, Standing::hole);
+    EXPECT_EQ(story.candidates[1].decision.admissibility, Admissibility::visible);
+    EXPECT_EQ(story.candidates[2].decision.admissibility, Admissibility::hidden);
+    EXPECT_EQ(story.candidate.admissibility, Admissibility::visible);
+    EXPECT_EQ(story.reference.admissibility, Admissibility::visible);
+    EXPECT_EQ(story.background.admissibility, Admissibility::hole);
 }
 
 TEST(Explain, EdgeDistancesAreIn256thsOfAPixelPositiveInside) {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <numeric>
 
-#include "compare/truth/depth_bound.h"
+#include "compare/bounds/triangle_depth.h"
 #include "stage.h"
 
 namespace zproof {
@@ -140,7 +140,7 @@ TEST(Limit, DepthIsWrongBeyondItsBoundOnEitherSide) {
         t.view.camera.near_depth = -64;
         answer(t.reference, 0, 0, 0, 8);
         const ViewBounds bounds(t.view, t.candidate_precision);
-        const TriangleDepth depth = depth_of(TriangleInView(t.view, bounds, corners_of(t.scene, 0)), bounds);
+        const TriangleDepth depth(TriangleInView(t.view, bounds, corners_of(t.scene, 0)), bounds);
         const DepthBound bound = depth.at(0, 0);
         ASSERT_EQ(bound.truth, 8);
         const float last = last_that([&](float z) { return bound.low <= z && z <= bound.high; }, 8, limit);

@@ -116,6 +116,16 @@ View random_view(Dice& dice) {
     return view;
 }
 
+View view_from_far_away(Dice& dice) {
+    View view = random_view(dice);
+    Camera& c = view.camera;
+    c.projection = Projection::parallel;
+    c.eye_world = glm::vec3(dice.between(-1, 1) * 0x1p20 * c.right + dice.between(-1, 1) * 0x1p20 * c.up);
+    const double u = -glm::dot(c.right, glm::dvec3(c.eye_world)), v = -glm::dot(c.up, glm::dvec3(c.eye_world));
+    c.window = {.left = u - 1, .right = u + 1, .bottom = v - 1, .top = v + 1};
+    return view;
+}
+
 Scene random_crowd(Dice& dice, const View& view, int x, int y) {
     Scene scene;
     const int count = 1 + dice.below(5);

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "compare/truth/neighbourhood.h"
+#include "compare/admissible/neighbourhood.h"
 #include "scenes/scene.h"
 
 namespace zproof {
@@ -24,6 +24,9 @@ class Dice {
 /// A view turned at random (perspective, off-axis, parallel or oblique) or, half of the time, a plain one in
 /// which one unit is one pixel. Up to 16 x 16 pixels.
 View random_view(Dice& dice);
+
+/// The same, parallel and around the origin, but the eye far to the side: its window begins as far to the other.
+View view_from_far_away(Dice& dice);
 
 /// A few triangles that crowd around one pixel. Some share edges or corners with others, lie in one plane
 /// with another, are slivers, pass through the pixel's centre by a corner or an edge, cross near or far, have

@@ -1,5 +1,5 @@
 /// Regions against membership of points: what is left by `without` holds exactly the points that it should.
-#include "compare/truth/region.h"
+#include "compare/admissible/region.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compare/search/nearby_triangles.h"
+#include "compare/adjudicate/triangle_search.h"
 
 namespace zproof {
 

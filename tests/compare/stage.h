@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "compare/judge_in_full.h"
-#include "compare/truth/neighbourhood.h"
+#include "compare/admissible/neighbourhood.h"
+#include "compare/judge.h"
 
 namespace zproof {
 
@@ -47,8 +47,7 @@ struct Trial {
     Trial(Projection projection, int width, int height, const std::vector<Triangle>& triangles);
 
     Verdict verdict() const {
-        return judge_in_full(scene, view, {candidate, candidate_precision}, {reference, reference_precision})
-            .verdict;
+        return judge(scene, view, {candidate, candidate_precision}, {reference, reference_precision}, all_evidence);
     }
     PixelClass class_at(int x, int y) const { return verdict().classes.at(x, y); }
     /// Half-side of the square in which the candidate's answer (triangle) would be judged.

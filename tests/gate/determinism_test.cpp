@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "compare/judge_in_full.h"
+#include "compare/judge.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
 #include "scenes/suite.h"
@@ -15,22 +15,18 @@
 namespace zproof {
 namespace {
 
-bool same_bits(const Frame& a, const Frame& b) {
-    const auto bits = [](float depth) { return std::bit_cast<std::uint32_t>(depth); };
-    return std::ranges::equal(a.primitive.pixels(), b.primitive.pixels()) &&
-           std::ranges::equal(a.camera_depth.pixels(), b.camera_depth.pixels(), {}, bits, bits);
+bool same_bits(const Plane<float>& a, const Plane<float>& b) {
+    const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
+    return std::ranges::equal(a.pixels(), b.pixels(), {}, bits, bits);
 }
 
-bool same_finding(const Finding& a, const Finding& b) {
-    return a.x == b.x && a.y == b.y && a.verdict == b.verdict && a.eps_px == b.eps_px &&
-           a.candidate.primitive == b.candidate.primitive && a.reference.primitive == b.reference.primitive &&
-           std::bit_cast<std::uint64_t>(a.error_over_bound) ==
-               std::bit_cast<std::uint64_t>(b.error_over_bound);
+bool same_bits(const Frame& a, const Frame& b) {
+    return std::ranges::equal(a.primitive.pixels(), b.primitive.pixels()) && same_bits(a.camera_depth, b.camera_depth);
 }
 
 struct Outcome {
     Frame candidate, reference;
-    Verdict verdict, with_histograms, in_full;
+    Verdict verdict, in_full;
 };
 
 Outcome run_on(int threads, const Loaded& loaded) {
@@ -44,8 +40,7 @@ Outcome run_on(int threads, const Loaded& loaded) {
         const RenderedFrame ours{run.candidate, rasterizer::precision()},
             theirs{run.reference, oracle::embree_precision()};
         run.verdict = judge(loaded.scene, view, ours, theirs);
-        run.with_histograms = judge_with_histograms(loaded.scene, view, ours, theirs);
-        run.in_full = judge_in_full(loaded.scene, view, ours, theirs).verdict;
+        run.in_full = judge(loaded.scene, view, ours, theirs, all_evidence);
     });
     return run;
 }
@@ -62,7 +57,8 @@ TEST_P(Determinism, FramesAndVerdictsDoNotDependOnThreadsOrRuns) {
         EXPECT_TRUE(same_bits(one.reference, other.reference));
         expect_same_counts(one.verdict, other.verdict);
         expect_same_counts(one.in_full, other.in_full);
-        expect_same_histograms(one.in_full, other.in_full);
+        EXPECT_TRUE(same_bits(one.in_full.errors->candidate, other.in_full.errors->candidate));
+        EXPECT_TRUE(same_bits(one.in_full.errors->reference, other.in_full.errors->reference));
         EXPECT_TRUE(std::ranges::equal(one.in_full.findings, other.in_full.findings, same_finding));
     }
 }
@@ -70,13 +66,7 @@ TEST_P(Determinism, FramesAndVerdictsDoNotDependOnThreadsOrRuns) {
 TEST_P(Determinism, AVerdictIsTheSameInFull) {
     const Outcome run = run_on(2, generate_suite_scene(GetParam(), 640, 360));
     expect_same_counts(run.verdict, run.in_full);
-    expect_same_counts(run.with_histograms, run.in_full);
-    expect_same_histograms(run.with_histograms, run.in_full);
-    std::vector<Finding> failing;
-    std::ranges::copy_if(run.in_full.findings, std::back_inserter(failing),
-                         [](const Finding& f) { return !passes(f.verdict); });
-    EXPECT_TRUE(std::ranges::equal(run.verdict.findings, failing, same_finding));
-    EXPECT_TRUE(std::ranges::equal(run.with_histograms.findings, failing, same_finding));
+    EXPECT_TRUE(std::ranges::equal(run.verdict.findings, defects_among(run.in_full.findings), same_finding));
 }
 
 INSTANTIATE_TEST_SUITE_P(Suite, Determinism,

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "compare/judge_in_full.h"
-#include "compare/truth/neighbourhood.h"
+#include "compare/admissible/neighbourhood.h"
+#include "compare/judge.h"
 #include "oracle/embree.h"
 #include "rasterizer/pipeline.h"
 #include "rasterizer/rasterizer.h"
@@ -84,9 +84,8 @@ TEST_P(EdgeBound, IsNeededByMoreThanHalfAndNeverByMoreThanAll) {
     for (const View& view : loaded.views) {
         SCOPED_TRACE(view.name);
         const Frame candidate = rasterizer::render(loaded.scene, view), reference = embree.trace(view);
-        const Verdict verdict = judge_in_full(loaded.scene, view, {candidate, rasterizer::precision()},
-                                              {reference, oracle::embree_precision()})
-                                    .verdict;
+        const Verdict verdict = judge(loaded.scene, view, {candidate, rasterizer::precision()},
+                                      {reference, oracle::embree_precision()}, all_evidence);
         EXPECT_LE(verdict.candidate_edges.max_error_over_bound, 1);
         EXPECT_LE(verdict.reference_edges.max_error_over_bound, 1);
         const ViewBounds bounds(view, rasterizer::precision());

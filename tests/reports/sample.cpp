@@ -114,9 +114,9 @@ SampleView sample_view() {
     s.candidate.primitive.at(6, 1) = PrimitiveId::none;
     s.candidate.camera_depth.at(6, 1) = background_depth;
     s.candidate.primitive.at(2, 3) = PrimitiveId((1u << 24) + 1);
-    s.verdict.classes = ClassMap({8, 4});
-    s.verdict.classes.set(6, 1, PixelClass::hole);
-    s.verdict.classes.set(2, 3, PixelClass::edge);
+    s.verdict.classes = Plane<PixelClass>({8, 4}, PixelClass::agree);
+    s.verdict.classes.at(6, 1) = PixelClass::hole;
+    s.verdict.classes.at(2, 3) = PixelClass::edge;
     s.verdict.findings = {hole_at(6, 1, PrimitiveId(1)),
                           {.x = 2,
                            .y = 3,

@@ -1,11 +1,11 @@
-#include "compare/first_pass/error_map.h"
-
+/// Maps of errors, and stories of many pixels at once.
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
-#include <stdexcept>
+#include <limits>
 
+#include "compare/bounds/triangle_depth.h"
 #include "compare/explanation/illustration.h"
 #include "stage.h"
 
@@ -20,14 +20,30 @@ Trial before_walls(Projection projection) {
     return t;
 }
 
-TEST(ErrorMap, IsWhatTheJudgeHoldsAgainstTheBoundAtEveryPixel) {
+/// |depth - truth| / bound of a frame's own triangles, one by one.
+Plane<float> errors_of(const Trial& t, const Frame& frame, const Precision& precision) {
+    const ViewBounds bounds(t.view, precision);
+    Plane<float> map(frame.size(), std::numeric_limits<float>::quiet_NaN());
+    for (int y = 0; y < t.view.height; ++y)
+        for (int x = 0; x < t.view.width; ++x) {
+            const auto triangle = std::uint32_t(frame.primitive.at(x, y));
+            if (triangle >= t.scene.triangles.size()) continue;
+            const TriangleDepth depth(TriangleInView(t.view, bounds, corners_of(t.scene, triangle)), bounds);
+            map.at(x, y) = float(error_over_bound(depth.at(x, y), frame.camera_depth.at(x, y)));
+        }
+    return map;
+}
+
+TEST(ErrorMaps, AreWhatTheJudgeHoldsAgainstTheBoundAtEveryPixel) {
     for (const Projection projection : {Projection::perspective, Projection::parallel}) {
         Trial t = before_walls(projection);
         answer(t.candidate, 3, 2, 0, std::nextafter(4.0f, 5.0f));
         answer(t.candidate, 4, 2, 0, 4.5);
         answer(t.candidate, 5, 2, 1, 8);
-        const Plane<float> map = error_over_bound(t.scene, t.view, {t.candidate, t.candidate_precision});
-        for (const Finding& f : t.verdict().findings)
+        const Verdict verdict = t.verdict();
+        const Plane<float>& map = verdict.errors->candidate;
+        ASSERT_GE(verdict.findings.size(), 2u);
+        for (const Finding& f : verdict.findings)
             EXPECT_EQ(map.at(f.x, f.y), float(f.error_over_bound)) << f.x << ' ' << f.y;
         EXPECT_EQ(map.at(0, 0), 0);
         EXPECT_GT(map.at(3, 2), 0);
@@ -36,13 +52,15 @@ TEST(ErrorMap, IsWhatTheJudgeHoldsAgainstTheBoundAtEveryPixel) {
     }
 }
 
+/// But for the NaNs', of which there are many kinds.
 std::vector<std::uint32_t> bits_of(const Plane<float>& map) {
     std::vector<std::uint32_t> bits;
-    for (const float value : map.pixels()) bits.push_back(std::bit_cast<std::uint32_t>(value));
+    for (const float value : map.pixels())
+        bits.push_back(std::isnan(value) ? 0xFFFF'FFFF : std::bit_cast<std::uint32_t>(value));
     return bits;
 }
 
-TEST(ErrorMap, OfTheJudgeIsTheSameBitForBit) {
+TEST(ErrorMaps, AreThoseOfPixelsOneByOneBitForBit) {
     for (const Projection projection : {Projection::perspective, Projection::parallel}) {
         Trial t(projection, 131, 37, {wall(4), wall(8), {{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
         for (int y = 0; y < 37; ++y)
@@ -53,23 +71,34 @@ TEST(ErrorMap, OfTheJudgeIsTheSameBitForBit) {
                 answer(t.reference, x, y, which == 3 ? 0 : which, 4.0f * off);
                 if (which == 6) answer_background(t.candidate, x, y);
             }
-        const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
-        const auto [verdict, errors, rulings] = judge_in_full(t.scene, t.view, ours, theirs);
-        EXPECT_EQ(bits_of(errors.candidate), bits_of(error_over_bound(t.scene, t.view, ours)));
-        EXPECT_EQ(bits_of(errors.reference), bits_of(error_over_bound(t.scene, t.view, theirs)));
-        EXPECT_EQ(verdict.counts, judge(t.scene, t.view, ours, theirs).counts);
+        const Verdict verdict = t.verdict();
+        EXPECT_EQ(bits_of(verdict.errors->candidate), bits_of(errors_of(t, t.candidate, t.candidate_precision)));
+        EXPECT_EQ(bits_of(verdict.errors->reference), bits_of(errors_of(t, t.reference, t.reference_precision)));
     }
 }
 
-TEST(ErrorMap, AsksNothingWhereThereIsNoTriangleOrNoDepth) {
+TEST(ErrorMaps, AskNothingWhereThereIsNoTriangleOrNoDepth) {
     Trial t = before_walls(Projection::parallel);
     answer_background(t.candidate, 1, 1);
     answer(t.candidate, 2, 1, 2, 4);
     answer(t.candidate, 3, 1, 0, NAN);
-    const Plane<float> map = error_over_bound(t.scene, t.view, {t.candidate, t.candidate_precision});
-    for (int x = 1; x <= 3; ++x) EXPECT_TRUE(std::isnan(map.at(x, 1))) << x;
-    const Frame small({2, 2});
-    EXPECT_THROW(error_over_bound(t.scene, t.view, {small, t.candidate_precision}), std::invalid_argument);
+    const Verdict verdict = t.verdict();
+    for (int x = 1; x <= 3; ++x) EXPECT_TRUE(std::isnan(verdict.errors->candidate.at(x, 1))) << x;
+}
+
+/// Nothing bounds the depth of a triangle that is seen edge-on.
+TEST(ErrorMaps, AskNothingOfADepthThatIsNoneWhereNothingBoundsIt) {
+    Trial t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
+    t.candidate_precision = ray_precision();
+    answer(t.candidate, 1, 1, 0, NAN);
+    EXPECT_TRUE(std::isnan(t.verdict().errors->candidate.at(1, 1)));
+}
+
+TEST(ErrorMaps, AreMadeWhereTheyAreAskedFor) {
+    const Trial t = before_walls(Projection::parallel);
+    const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
+    EXPECT_FALSE(judge(t.scene, t.view, ours, theirs).errors);
+    EXPECT_TRUE(judge(t.scene, t.view, ours, theirs, all_evidence).errors);
 }
 
 TEST(Illustration, GivesTheTrianglesAroundAPixelNearestFirstWithDistancesInPixels) {
@@ -108,26 +137,23 @@ TEST(Explain, ManyPixelsAtOnceAreWhatEachIsByItself) {
                   in_words(t.scene, explain(t.scene, t.view, ours, theirs, places[i])));
 }
 
-TEST(Explain, WhatTheJudgeRuledIsToldAsIfItWereRuledOnAgain) {
+TEST(Explain, WhatIsDrawnBesideAStoryDoesNotChangeIt) {
     Trial t = before_walls(Projection::perspective);
     answer(t.candidate, 2, 2, 1, 8);
     answer_background(t.candidate, 4, 4);
     answer_background(t.reference, 5, 4);
     const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
-    JudgedInFull judged = judge_in_full(t.scene, t.view, ours, theirs);
-    ASSERT_EQ(judged.rulings.size(), 3u);
     const PixelPlace places[] = {{5, 4}, {2, 2}, {0, 0}, {4, 4}};
-    const auto told = [&](std::span<const RuledPlace> known) {
-        std::vector<std::string> texts;
-        for (const auto& [story, images] : illustrate(t.scene, t.view, ours, theirs, {places, 1, 9, known})) {
-            texts.push_back(in_words(t.scene, story) + std::to_string(int(story.reference.standing)) +
-                            std::to_string(story.reference_eps_px) + std::to_string(images.size()));
-        }
-        return texts;
-    };
-    EXPECT_EQ(told(judged.rulings), told({}));
-    judged.rulings[2].reference.standing = Standing::hidden;
-    EXPECT_NE(told(judged.rulings), told({})) << "they are taken at their word";
+    const auto illustrated = illustrate(t.scene, t.view, ours, theirs, {places, 1, 9});
+    const auto images = images_around(t.scene, t.view, places, 1, 9);
+    ASSERT_EQ(illustrated.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const PixelStory story = explain(t.scene, t.view, ours, theirs, places[i]);
+        EXPECT_EQ(in_words(t.scene, illustrated[i].story), in_words(t.scene, story));
+        EXPECT_EQ(illustrated[i].story.reference.admissibility, story.reference.admissibility);
+        EXPECT_EQ(illustrated[i].story.reference.eps_px, story.reference.eps_px);
+        EXPECT_EQ(illustrated[i].images.size(), images[i].size());
+    }
 }
 
 TEST(Explain, AnIdThatDoesNotExistInBothFramesHasAStoryToo) {

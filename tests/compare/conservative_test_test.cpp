@@ -1,0 +1,307 @@
+/// What double precision says for certain exact rationals must say as well.
+#include "compare/admissible/conservative_test.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bisected.h"
+#include "compare/admissible/admissibility.h"
+#include "math/rational.h"
+#include "random_surroundings.h"
+#include "stage.h"
+#include "word_for.h"
+
+namespace zproof {
+namespace {
+
+/// One pixel of a scene, with every triangle around it.
+class OnePixel {
+  public:
+    OnePixel(const Scene& scene, const View& view, const Precision& precision, int x, int y)
+        : scene_(scene), view_(view), bounds_(view, precision), x_(x), y_(y) {}
+
+    Neighbourhood around(PrimitiveId answer) const {
+        return surroundings(scene_, view_, bounds_, {x_, y_}, own_eps_px(scene_, view_, bounds_, {x_, y_}, answer));
+    }
+
+  private:
+    const Scene& scene_;
+    const View& view_;
+    ViewBounds bounds_;
+    int x_, y_;
+};
+
+/// Counts by word; fails where what is certain in double is not what rationals say.
+class Comparison {
+  public:
+    explicit Comparison(std::uint32_t seed = 0) : dice_(seed) {}
+
+    void ask(const OnePixel& pixel, PrimitiveId answer) {
+        const Neighbourhood around = pixel.around(answer);
+        CoplanarMemory memory(16);
+        const ConservativeTest test(around, answer, memory);
+        const auto index = around.index_of(answer);
+        ASSERT_TRUE(index || answer == PrimitiveId::none);
+        AdmissibleSet<Rational> set(around, memory);
+        ask_for_word(test, word_for(set, around.neighbours.size(), index));
+        ask_whether_seen(test, set, around.eps_px, index);
+        ask_for_displacement(around, answer, memory);
+    }
+    void ask_about_all(const Scene& scene, const OnePixel& pixel) {
+        ask(pixel, PrimitiveId::none);
+        for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) ask(pixel, PrimitiveId(t));
+    }
+
+    std::array<int, 7> said{};
+    int decided = 0, left = 0, moved = 0, seen = 0, unseen = 0;
+
+  private:
+    void ask_for_word(const ConservativeTest& test, Admissibility word) {
+        const ConservativeTest::Finding finding = test.finding();
+        const bool is_certain = finding != ConservativeTest::Finding::undecided;
+        ++(is_certain ? decided : left);
+        if (!is_certain) return;
+        const bool is_tied = finding == ConservativeTest::Finding::tied;
+        ASSERT_EQ(is_tied ? Admissibility::tied : Admissibility::visible, word);
+        ++said[std::size_t(word)];
+    }
+    /// In squares of a few sizes.
+    void ask_whether_seen(const ConservativeTest& test, AdmissibleSet<Rational>& set, double eps_px,
+                          std::optional<std::size_t> index) {
+        for (const double half_side_px : {least_px(eps_px), dice_.between(0, 1) * eps_px, eps_px}) {
+            const ConservativeTest::Seen certain = test.seen_within(half_side_px);
+            if (certain == ConservativeTest::Seen::undecided) continue;
+            set.set_half_side(half_side_px);
+            const bool is_seen = index ? set.is_seen(*index) : set.holds_background(EdgeRule::watertight);
+            ASSERT_EQ(certain == ConservativeTest::Seen::yes, is_seen) << half_side_px / eps_px;
+            ++(is_seen ? seen : unseen);
+        }
+    }
+    void ask_for_displacement(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& memory) {
+        if (decide(around, answer, memory).admissibility != Admissibility::visible) return;
+        const auto displacement = displacement_over_eps(around, answer, memory);
+        ASSERT_EQ(displacement, bisected_displacement(around, answer));
+        moved += displacement.has_value();
+    }
+
+    Dice dice_;
+};
+
+TEST(ConservativeTest, SaysWhatExactRationalsSayOrNothing) {
+    Comparison comparison;
+    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const Precision precision = seed % 2 ? raster_precision() : ray_precision();
+        const OnePixel pixel(s.scene, s.view, precision, s.x, s.y);
+        comparison.ask_about_all(s.scene, pixel);
+        if (testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GT(comparison.decided, 600);
+    EXPECT_GT(comparison.said[std::size_t(Admissibility::visible)], 500);
+}
+
+TEST(ConservativeTest, TellsTiesOfWallsAsRationalsDo) {
+    Comparison comparison;
+    for (std::uint32_t seed = 0; seed < 1500; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
+        const Scene scene = random_walls(dice, view);
+        const OnePixel pixel(scene, view, dice.below(2) ? raster_precision() : ray_precision(), 1, 1);
+        for (std::uint32_t t = 0; t < scene.triangles.size(); ++t) comparison.ask(pixel, PrimitiveId(t));
+        if (testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GT(comparison.said[std::size_t(Admissibility::visible)], 300);
+    EXPECT_GT(comparison.said[std::size_t(Admissibility::tied)], 300);
+}
+
+/// Two walls that meet within eps of the centre, at any slope, in front of a third or of nothing; or four
+/// that meet in one point.
+std::vector<Triangle> random_seams(Dice& dice) {
+    constexpr double eps_px = 1.0 / 512;
+    const double x = 1.5 + dice.between(-1, 1) * eps_px, y = 1.5 + dice.between(-1, 1) * eps_px;
+    const double slope = dice.between(-2, 2), far = 64;
+    const Corner up{x - slope * far, y - far, 4}, down{x + slope * far, y + far, 4};
+    const Corner left{-512, y, 4}, right{512, y, 4}, middle{x, y, 4};
+    std::vector<Triangle> walls;
+    if (dice.below(2)) {
+        walls = {{up, left, down}, {up, down, right}};
+    } else {
+        walls = {{middle, left, up}, {middle, up, right}, {middle, right, down}, {middle, down, left}};
+    }
+    if (dice.below(3) == 0) walls.pop_back();
+    if (dice.below(2)) walls.push_back(wall(8));
+    return walls;
+}
+
+/// Asks about background and every wall, of so many views.
+Comparison asked(std::vector<Triangle> (*random)(Dice&), std::uint32_t views = 1000) {
+    Comparison comparison;
+    for (std::uint32_t seed = 0; seed < views; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
+        const Scene scene = scene_of(view, random(dice));
+        const OnePixel pixel(scene, view, dice.below(4) ? raster_precision() : ray_precision(), 1, 1);
+        comparison.ask_about_all(scene, pixel);
+        if (testing::Test::HasFatalFailure()) break;
+    }
+    return comparison;
+}
+
+TEST(ConservativeTest, TellsSeamsAndHowFarTheyMovedAsTheLongWayDoes) {
+    const Comparison comparison = asked(random_seams);
+    EXPECT_GT(comparison.said[std::size_t(Admissibility::visible)], 1000);
+    EXPECT_GT(comparison.moved, 300);
+}
+
+/// A wall, and others in its plane or nearly so whose edges pass within eps of the centre; sometimes one that
+/// is in front for certain covers a part of them.
+std::vector<Triangle> random_torn_walls(Dice& dice) {
+    constexpr double eps_px = 1.0 / 512, far = 64;
+    std::vector<Triangle> walls{wall(4)};
+    for (int count = 1 + dice.below(3); count > 0; --count) {
+        const double depth =
+            dice.below(5) == 0 ? 2 : 4 + (dice.below(3) == 0 ? std::ldexp(1.0, -dice.below(40)) : 0);
+        const double x = 1.5 + dice.between(-1, 1) * eps_px, slope = dice.between(-2, 2);
+        const Corner up{x - slope * far, 1.5 - far, depth}, down{x + slope * far, 1.5 + far, depth};
+        walls.push_back(dice.below(2) ? Triangle{up, Corner{-512, 1.5, depth}, down}
+                                      : Triangle{up, down, Corner{512, 1.5, depth}});
+    }
+    return walls;
+}
+
+TEST(ConservativeTest, TellsTiesWithinWhichEdgesPassAsRationalsDo) {
+    const Comparison comparison = asked(random_torn_walls);
+    EXPECT_GT(comparison.said[std::size_t(Admissibility::tied)], 1000);
+    EXPECT_GT(comparison.left, 1000) << "hidden ones, for one";
+}
+
+/// Walls on either side of an edge that passes within eps of the centre, in one plane with each other or in
+/// planes that meet there; several of them on the same side, whose third corners are the same or not.
+std::vector<Triangle> random_walls_along_an_edge(Dice& dice) {
+    constexpr double eps_px = 1.0 / 512, far = 64;
+    const double x = 1.5 + dice.between(-1, 1) * eps_px, slope = dice.between(-2, 2);
+    const Corner up{x - slope * far, 1.5 - far, 4}, down{x + slope * far, 1.5 + far, 4};
+    std::vector<Triangle> walls;
+    for (int count = 2 + dice.below(3); count > 0; --count) {
+        const bool to_the_left = dice.below(3) == 0;
+        const double depth = dice.below(3) == 0 ? 4 + std::ldexp(1.0, -dice.below(30)) : 4;
+        const Corner third{to_the_left ? -512.0 : 512.0, dice.below(2) ? 1.5 : 40, depth};
+        walls.push_back(to_the_left ? Triangle{up, third, down} : Triangle{up, down, third});
+    }
+    return walls;
+}
+
+TEST(ConservativeTest, TellsWhatSharesAnEdgeAsRationalsDo) {
+    const Comparison comparison = asked(random_walls_along_an_edge);
+    EXPECT_GT(comparison.said[std::size_t(Admissibility::tied)], 1000);
+    EXPECT_GT(comparison.said[std::size_t(Admissibility::visible)], 1000);
+    EXPECT_GT(comparison.moved, 100);
+}
+
+/// Walls close to the near or the far plane, some so close that it may cut them: those hide nothing, and tie
+/// with nothing.
+std::vector<Triangle> random_walls_next_to_a_plane(Dice& dice) {
+    const Camera& c = pixel_view(Projection::perspective, 4, 4).camera;
+    const bool near = dice.below(2) != 0;
+    const double plane = near ? c.near_depth : c.far_depth;
+    std::vector<Triangle> walls;
+    for (int count = 2 + dice.below(2); count > 0; --count) {
+        const double share = std::exp2(dice.between(-24, -14));
+        walls.push_back(wall(plane * (near ? 1 + share : 1 - share)));
+    }
+    return walls;
+}
+
+TEST(ConservativeTest, TellsTiesNextToAPlaneAsRationalsDo) {
+    const Comparison comparison = asked(random_walls_next_to_a_plane, 3000);
+    EXPECT_GT(comparison.said[std::size_t(Admissibility::tied)], 300);
+    EXPECT_GT(comparison.left, 300) << "a plane may cut them";
+}
+
+/// A wall, and others that pass through it along upright lines, so slowly that they are tied with it for some
+/// pixels to either side.
+std::vector<Triangle> random_crossing_walls(Dice& dice) {
+    std::vector<Triangle> walls{wall(4)};
+    for (int count = 1 + dice.below(2); count > 0; --count) {
+        const double line_x = dice.between(-4, 7),
+                     per_px = std::ldexp(dice.between(-1, 1), -12 - dice.below(16));
+        const auto corner = [&](double x, double y) { return Corner{x, y, 4 + per_px * (x - line_x)}; };
+        walls.push_back({corner(-1000, -1000), corner(3000, -1000), corner(-1000, 3000)});
+    }
+    return walls;
+}
+
+TEST(ConservativeTest, TellsTiesOfCrossingWallsAsRationalsDo) {
+    const Comparison comparison = asked(random_crossing_walls, 2000);
+    EXPECT_GT(comparison.said[std::size_t(Admissibility::visible)], 1000);
+    EXPECT_GT(comparison.said[std::size_t(Admissibility::tied)], 300);
+}
+
+/// Half-sides of squares whose corner an edge meets, but for next to nothing.
+std::vector<double> halves_that_just_touch(const Neighbourhood& around, Dice& dice) {
+    std::vector<double> halves;
+    for (const Neighbour& n : around.neighbours) {
+        const auto image = image_of(Sight<Rational>(around.view, around.x, around.y), corners<Rational>(n.p_world));
+        for (std::size_t i = 0; image && i < 3; ++i) {
+            const Affine<Rational>& e = image->edge[i];
+            const Rational slope = abs(e.a) + abs(e.b);
+            if (slope == 0) continue;
+            const double half = double(Rational(abs(e.c) / slope));
+            const double beside = half * (1 + std::ldexp(dice.between(-1, 1), -20 - dice.below(28)));
+            if (beside > 0 && beside <= around.eps_px) halves.push_back(beside);
+        }
+    }
+    return halves;
+}
+
+void ask_where_edges_just_touch(const Neighbourhood& around, Dice& dice, std::array<int, 2>& said) {
+    std::vector<PrimitiveId> answers{PrimitiveId::none};
+    for (const Neighbour& n : around.neighbours) answers.push_back(PrimitiveId(n.triangle));
+    CoplanarMemory memory(16);
+    AdmissibleSet<Rational> set(around, memory);
+    for (const double half_side_px : halves_that_just_touch(around, dice))
+        for (const PrimitiveId answer : answers) {
+            const auto certain = ConservativeTest(around, answer, memory).seen_within(half_side_px);
+            if (certain == ConservativeTest::Seen::undecided) continue;
+            set.set_half_side(half_side_px);
+            const bool is_seen = answer == PrimitiveId::none ? set.holds_background(EdgeRule::watertight)
+                                                             : set.is_seen(*around.index_of(answer));
+            ASSERT_EQ(certain == ConservativeTest::Seen::yes, is_seen) << int(answer) << " within " << half_side_px;
+            ++said[is_seen];
+        }
+}
+
+TEST(ConservativeTest, IsRightWhereEdgesJustTouchTheSquare) {
+    std::array<int, 2> said{};
+    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        Dice dice(seed);
+        ask_where_edges_just_touch(s.around, dice, said);
+        if (HasFatalFailure()) return;
+    }
+    for (const int count : said) EXPECT_GT(count, 100);
+}
+
+/// The origin of sight is a small difference of large numbers there: its rounding counts.
+TEST(ConservativeTest, IsRightWhereParallelSightComesFromFarAway) {
+    std::array<int, 2> said{};
+    for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view = view_from_far_away(dice);
+        const PixelPlace place{dice.below(16), dice.below(16)};
+        const Scene scene = random_crowd(dice, view, place.x, place.y);
+        const ViewBounds bounds(view, RasterPrecision{.transform = Arithmetic::float64});
+        ask_where_edges_just_touch(surroundings(scene, view, bounds, place, 0x1p-9), dice, said);
+        if (HasFatalFailure()) return;
+    }
+    for (const int count : said) EXPECT_GT(count, 100);
+}
+
+}  // namespace
+}  // namespace zproof

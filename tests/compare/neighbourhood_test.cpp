@@ -1,0 +1,121 @@
+/// What is said of a triangle at a pixel in double is off by no more than it says.
+#include "compare/admissible/neighbourhood.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "math/rational.h"
+#include "random_surroundings.h"
+#include "stage.h"
+
+namespace zproof {
+namespace {
+
+Rational exact_value(const Affine<double>& f, const PixelOffset& at) {
+    return Rational(f.a) * Rational(at.x) + Rational(f.b) * Rational(at.y) + Rational(f.c);
+}
+
+struct Tried {
+    int trusted = 0, others = 0;
+    double largest_share = 0;  ///< of an error, in what it may be
+};
+
+/// Both within a pixel of the centre, the double also where it is worked out in double.
+void hold(const Affine<double>& f, const Affine<Rational>& truth, double error, Dice& dice, Tried& tried) {
+    const PixelOffset inside{dice.between(-1, 1), dice.between(-1, 1)};
+    for (const PixelOffset& at : {PixelOffset{-1, -1}, {1, -1}, {-1, 1}, {1, 1}, {0, 0}, inside}) {
+        const Rational true_value = truth.at(Rational(at.x), Rational(at.y));
+        const Rational off = abs(exact_value(f, at) - true_value);
+        ASSERT_LE(off, Rational(error)) << at.x << ' ' << at.y;
+        ASSERT_LE(abs(Rational(f.at(at.x, at.y)) - true_value), Rational(2 * error)) << at.x << ' ' << at.y;
+        if (error > 0) tried.largest_share = std::max(tried.largest_share, double(Rational(off / Rational(error))));
+    }
+}
+
+void hold(const View& view, const PixelPlace& place, const CornersWorld& p, Dice& dice, Tried& tried) {
+    const ViewBounds bounds(view, RayPrecision{});
+    const Neighbour n = neighbour_of(Sight<double>(view, place.x, place.y), bounds, p);
+    const auto truth = image_of(Sight<Rational>(view, place.x, place.y), corners<Rational>(p));
+    ++(n.is_trusted ? tried.trusted : tried.others);
+    if (!n.is_trusted) return;
+    ASSERT_TRUE(truth) << "trusted, and edge-on";
+    for (std::size_t edge = 0; edge < 3; ++edge)
+        hold(n.image->edge[edge], truth->edge[edge], n.edge_error, dice, tried);
+    hold(n.image->nearness, truth->nearness, n.plane_error, dice, tried);
+}
+
+void expect_tried(const Tried& tried) {
+    EXPECT_GT(tried.trusted, 300);
+    EXPECT_GT(tried.largest_share, 1e-4) << "the errors are needlessly large";
+}
+
+TEST(Neighbour, IsOffByNoMoreThanItsErrors) {
+    Tried tried;
+    for (std::uint32_t seed = 0; seed < 1200; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        Dice dice(seed);
+        for (const Neighbour& n : s.around.neighbours) hold(s.view, {s.x, s.y}, n.p_world, dice, tried);
+        if (HasFatalFailure()) return;
+    }
+    expect_tried(tried);
+    EXPECT_GT(tried.others, 50);
+}
+
+/// The origin of sight is a small difference of large numbers there: its rounding counts.
+TEST(Neighbour, IsOffByNoMoreThanItsErrorsWhereParallelSightComesFromFarAway) {
+    Tried tried;
+    for (std::uint32_t seed = 0; seed < 400; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(seed);
+        const View view = view_from_far_away(dice);
+        const PixelPlace place{dice.below(16), dice.below(16)};
+        const Scene scene = random_crowd(dice, view, place.x, place.y);
+        for (std::uint32_t t = 0; t < scene.triangles.size(); ++t)
+            hold(view, place, corners_of(scene, t), dice, tried);
+        if (HasFatalFailure()) return;
+    }
+    expect_tried(tried);
+}
+
+/// Two corners of a triangle of the crowd, and one far behind the third.
+TEST(Neighbour, IsOffByNoMoreThanItsErrorsWithOneFarCorner) {
+    Tried tried;
+    for (std::uint32_t seed = 0; seed < 1000; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        Dice dice(seed);
+        const glm::vec3 eye = s.view.camera.eye_world;
+        for (const Neighbour& n : s.around.neighbours) {
+            CornersWorld p = n.p_world;
+            const auto far = std::size_t(dice.below(3));
+            p[far] = eye + float(std::exp2(dice.between(4, 24))) * (p[far] - eye) + (p[(far + 1) % 3] - eye);
+            hold(s.view, {s.x, s.y}, p, dice, tried);
+        }
+        if (HasFatalFailure()) return;
+    }
+    expect_tried(tried);
+}
+
+TEST(NearnessOf, HasTheBitsOfTheWholeImage) {
+    int images = 0;
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        for (const Neighbour& n : s.around.neighbours) {
+            const Sight<double> sight(s.view, s.x, s.y);
+            const auto image = image_of(sight, corners<double>(n.p_world));
+            const auto nearness = nearness_of(sight, corners<double>(n.p_world));
+            ASSERT_EQ(image.has_value(), nearness.has_value());
+            if (!image) continue;
+            ++images;
+            const auto parts = [](const Affine<double>& f) { return std::array{f.a, f.b, f.c}; };
+            ASSERT_EQ(parts(*nearness), parts(image->nearness));
+        }
+    }
+    EXPECT_GT(images, 500);
+}
+
+}  // namespace
+}  // namespace zproof
