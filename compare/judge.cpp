@@ -1,6 +1,8 @@
 #include "compare/judge.h"
 
-#include <algorithm>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_sort.h>
+
 #include <stdexcept>
 #include <utility>
 
@@ -12,22 +14,49 @@ namespace zproof {
 
 namespace {
 
-void count(const PixelCheck& pixel, PixelClass verdict, Verdict& sum) {
-    ++sum.counts[std::size_t(verdict)];
-    sum.reference_defects += is_reference_wrong(pixel);
-    if (!pixel.ids_differ()) {
-        const bool is_held = !pixel.candidate.is_invalid && !pixel.reference.is_invalid &&
-                             pixel.candidate.answer.primitive != PrimitiveId::none;
-        if (is_held) {
-            count(sum.candidate_depth, pixel.candidate.error_over_bound);
-            count(sum.reference_depth, pixel.reference.error_over_bound);
-        }
-        return;
+/// What one thread counts and lists.
+struct Tally {
+    ClassCounts counts{};
+    BoundRecord candidate_depth, reference_depth, candidate_edges, reference_edges;
+    std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
+    std::vector<Finding> findings;
+
+    void count(const PixelCheck& pixel, PixelClass verdict) {
+        ++counts[std::size_t(verdict)];
+        reference_defects += is_reference_wrong(pixel);
+        if (pixel.ids_differ())
+            count_decisions(pixel.candidate_decision, pixel.reference_decision);
+        else
+            count_depths(pixel);
     }
-    ++sum.adjudicated;
-    sum.exact += pixel.candidate_decision.decision.exact || pixel.reference_decision.decision.exact;
-    if (const auto& d = pixel.candidate_decision.displacement_over_eps) count(sum.candidate_edges, *d);
-    if (const auto& d = pixel.reference_decision.displacement_over_eps) count(sum.reference_edges, *d);
+
+  private:
+    void count_decisions(const Adjudicated& candidate, const Adjudicated& reference) {
+        ++adjudicated;
+        exact += candidate.decision.exact || reference.decision.exact;
+        if (const auto& d = candidate.displacement_over_eps) zproof::count(candidate_edges, *d);
+        if (const auto& d = reference.displacement_over_eps) zproof::count(reference_edges, *d);
+    }
+    /// Of pixels that name the same triangle.
+    void count_depths(const PixelCheck& pixel) {
+        const bool is_background = pixel.candidate.answer.primitive == PrimitiveId::none;
+        if (is_background || pixel.candidate.is_invalid || pixel.reference.is_invalid) return;
+        zproof::count(candidate_depth, pixel.candidate.error_over_bound);
+        zproof::count(reference_depth, pixel.reference.error_over_bound);
+    }
+};
+
+/// Integers and maxima: the order of adding does not matter.
+void add(Verdict& sum, const Tally& part) {
+    for (std::size_t c = 0; c < part.counts.size(); ++c) sum.counts[c] += part.counts[c];
+    add(sum.candidate_depth, part.candidate_depth);
+    add(sum.reference_depth, part.reference_depth);
+    add(sum.candidate_edges, part.candidate_edges);
+    add(sum.reference_edges, part.reference_edges);
+    sum.reference_defects += part.reference_defects;
+    sum.adjudicated += part.adjudicated;
+    sum.exact += part.exact;
+    sum.findings.insert(sum.findings.end(), part.findings.begin(), part.findings.end());
 }
 
 bool is_wanted(PixelClass verdict, const JudgeOptions& options) {
@@ -50,15 +79,18 @@ Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candida
     verdict.candidate_depth = agreement.candidate_depth;
     verdict.reference_depth = agreement.reference_depth;
     verdict.counts[std::size_t(PixelClass::agree)] = size.pixel_count() - agreement.undecided.size();
-    const std::vector<PixelCheck> checks = check_pixels(frames, agreement.undecided);
-    for (std::size_t i = 0; i < checks.size(); ++i) {
-        const PixelPlace place{agreement.undecided[i].x, agreement.undecided[i].y};
-        const PixelClass said = class_of(checks[i]);
+    tbb::enumerable_thread_specific<Tally> tallies;
+    check_pixels(frames, agreement.undecided, [&](std::size_t i, const PixelCheck& pixel) {
+        const PixelPlace& place = agreement.undecided[i].place;
+        const PixelClass said = class_of(pixel);
         verdict.classes.at(place.x, place.y) = said;
-        count(checks[i], said, verdict);
-        if (is_wanted(said, options)) verdict.findings.push_back(finding_of(frames, checks[i], place));
-    }
-    std::ranges::sort(verdict.findings, {}, [](const Finding& f) { return std::pair{f.y, f.x}; });
+        tallies.local().count(pixel, said);
+        if (is_wanted(said, options)) tallies.local().findings.push_back(finding_of(frames, pixel, place));
+    });
+    for (const Tally& tally : tallies) add(verdict, tally);
+    tbb::parallel_sort(verdict.findings, [](const Finding& a, const Finding& b) {
+        return std::pair{a.y, a.x} < std::pair{b.y, b.x};
+    });
     return verdict;
 }
 

@@ -13,67 +13,75 @@ namespace {
 /// Triangles are looked for so far around every pixel at first: few squares are larger.
 constexpr double first_search_px = 1.0 / 16;
 
-/// A query that is not decided yet.
-struct Open {
-    std::uint32_t query;
+/// A pixel at which something is to be decided, and how far triangles are looked for around it.
+struct Pending {
+    std::uint32_t pixel;
     double reach_px;
 };
 
-/// Those of one tile: from `first` to before `end`.
+/// Those of one tile.
 struct TileRange {
     std::size_t tile, first, end;
 };
 
 /// Orders them by tile, and otherwise leaves them as they are.
-std::vector<TileRange> sort_by_tile(std::vector<Open>& open, std::span<const PixelQuery> queries, const Tiles& tiles) {
-    const auto tile_of = [&](const Open& o) { return tiles.of(queries[o.query].x, queries[o.query].y); };
+std::vector<TileRange> sort_by_tile(std::vector<Pending>& pending, std::span<const PixelPlace> pixels,
+                                    const Tiles& tiles) {
+    const auto tile_of = [&](const Pending& p) { return tiles.of(pixels[p.pixel].x, pixels[p.pixel].y); };
     std::vector<std::size_t> next(tiles.count() + 1);  // by tile: where its next one goes
-    for (const Open& o : open) ++next[tile_of(o) + 1];
+    for (const Pending& p : pending) ++next[tile_of(p) + 1];
     std::vector<TileRange> ranges;
     for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
         const std::size_t first = next[tile], end = next[tile + 1] += first;
         if (first != end) ranges.push_back({tile, first, end});
     }
-    std::vector<Open> sorted(open.size());
-    for (const Open& o : open) sorted[next[tile_of(o)]++] = o;
-    open.swap(sorted);
+    std::vector<Pending> sorted(pending.size());
+    for (const Pending& p : pending) sorted[next[tile_of(p)]++] = p;
+    pending.swap(sorted);
     return ranges;
 }
 
-std::vector<Box> asked_boxes(std::span<const Open> open, std::span<const PixelQuery> queries, const Tiles& tiles) {
+std::vector<Box> asked_boxes(std::span<const Pending> pending, std::span<const PixelPlace> pixels,
+                             const Tiles& tiles) {
     std::vector<Box> asked(tiles.count());
-    for (const auto& [i, reach_px] : open) {
-        const PixelQuery& query = queries[i];
-        asked[tiles.of(query.x, query.y)].add(square_around(query.x, query.y, reach_px));
+    for (const auto& [i, reach_px] : pending) {
+        const auto& [x, y] = pixels[i];
+        asked[tiles.of(x, y)].add(square_around(x, y, reach_px));
     }
     return asked;
 }
 
 }  // namespace
 
-/// What needs to look farther than it was searched is looked at once more.
-std::vector<Adjudicated> adjudicate(const Scene& scene, const View& view, std::span<const PixelQuery> queries,
-                                    Asked asked, const RuleOverride& override) {
-    std::vector<Adjudicated> adjudicated(queries.size());
-    if (queries.empty()) return adjudicated;
-    const Tiles tiles(view);
-    const Sights<double> rays(view);
-    const TriangleSearch search(scene, view);
-    const TileWork::Setting setting{scene, rays, view, search, asked, override};
-    std::vector<Open> open(queries.size());
-    for (std::size_t i = 0; i < open.size(); ++i) open[i] = {std::uint32_t(i), first_search_px};
-    while (!open.empty()) {
-        const std::vector<TileRange> ranges = sort_by_tile(open, queries, tiles);
-        const TrianglesByTile near = search.find(asked_boxes(open, queries, tiles));
-        tbb::parallel_for(std::size_t(0), ranges.size(), [&](std::size_t r) {
+/// What needs to look farther than was searched is asked once more.
+void Adjudicator::for_each_pixel(std::span<const PixelPlace> pixels, const DoAtPixel& act) const {
+    if (pixels.empty()) return;
+    const Tiles tiles(view_);
+    const Sights<double> rays(view_);
+    const TriangleSearch search(scene_, view_);
+    const TileWork::Setting setting{scene_, view_, rays, search, asked_, override_};
+    std::vector<Pending> pending;
+    for (std::size_t i = 0; i < pixels.size(); ++i) pending.push_back({std::uint32_t(i), first_search_px});
+    while (!pending.empty()) {
+        const std::vector<TileRange> ranges = sort_by_tile(pending, pixels, tiles);
+        const TrianglesByTile near = search.find(asked_boxes(pending, pixels, tiles));
+        const auto do_tile = [&](std::size_t r) {
             TileWork work(setting, near.of(ranges[r].tile));
-            for (std::size_t i = ranges[r].first; i < ranges[r].end; ++i) {
-                const std::uint32_t query = open[i].query;
-                open[i].reach_px = work.decide(queries[query], open[i].reach_px, adjudicated[query]);
-            }
-        }, tbb::simple_partitioner());
-        std::erase_if(open, [](const Open& o) { return o.reach_px == 0; });
+            for (std::size_t i = ranges[r].first; i < ranges[r].end; ++i)
+                pending[i].reach_px = act(work, pending[i].pixel, pending[i].reach_px);
+        };
+        tbb::parallel_for(std::size_t(0), ranges.size(), do_tile, tbb::simple_partitioner());
+        std::erase_if(pending, [](const Pending& p) { return p.reach_px == 0; });
     }
+}
+
+std::vector<Adjudicated> Adjudicator::decide(std::span<const PixelQuery> queries) const {
+    std::vector<PixelPlace> pixels;
+    for (const PixelQuery& query : queries) pixels.push_back({query.x, query.y});
+    std::vector<Adjudicated> adjudicated(queries.size());
+    for_each_pixel(pixels, [&](TileWork& work, std::size_t i, double searched_px) {
+        return work.decide(queries[i], searched_px, adjudicated[i]);
+    });
     return adjudicated;
 }
 

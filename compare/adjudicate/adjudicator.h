@@ -34,9 +34,29 @@ enum class Asked {
     displacement,  ///< Adjudicated::displacement_over_eps as well
 };
 
-/// Decides all queries, in their order; on all threads. It takes a pass over the scene whatever their number: put many
-/// into one call.
-std::vector<Adjudicated> adjudicate(const Scene& scene, const View& view, std::span<const PixelQuery> queries,
-                                    Asked asked, const RuleOverride& override = nullptr);
+class TileWork;
+/// What is to be done at one of many pixels: decides what there is to decide by the work of its tile, in which all
+/// triangles within searched_px are known, and says 0. Otherwise the reach that it needs: it is asked again with that.
+using DoAtPixel = std::function<double(TileWork& work, std::size_t pixel, double searched_px)>;
+
+/// Decides answers at the pixels of one view. It takes a pass over the scene whatever their number: put many into one
+/// call.
+class Adjudicator {
+  public:
+    /// All must outlive it.
+    Adjudicator(const Scene& scene, const View& view, Asked asked, RuleOverride override = nullptr)
+        : scene_(scene), view_(view), asked_(asked), override_(std::move(override)) {}
+
+    /// On all threads; pixels of one tile follow each other on one.
+    void for_each_pixel(std::span<const PixelPlace> pixels, const DoAtPixel& act) const;
+    /// All queries, in their order.
+    std::vector<Adjudicated> decide(std::span<const PixelQuery> queries) const;
+
+  private:
+    const Scene& scene_;
+    const View& view_;
+    Asked asked_;
+    RuleOverride override_;
+};
 
 }  // namespace zproof

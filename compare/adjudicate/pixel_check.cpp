@@ -1,9 +1,11 @@
 #include "compare/adjudicate/pixel_check.h"
 
-#include <tbb/parallel_for.h>
-
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "compare/adjudicate/tile_work.h"
+#include "compare/admissible/depth_rule.h"
 
 namespace zproof {
 
@@ -32,34 +34,21 @@ AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, con
     return {answer, false, depth.is_admissible, depth.error_over_bound};
 }
 
-/// Puts the answers of pixels at which ids differ to the admissible set, and hands out what it says.
-class Queries {
-  public:
-    Queries(const FramePair& frames, std::span<const UndecidedPixel> pixels) : frames_(frames), pixels_(pixels) {}
+/// Both answers, before they are put to the admissible set.
+PixelCheck answers_at(const FramePair& frames, const UndecidedPixel& pixel) {
+    const auto check = [&](const BoundedFrame& frame) {
+        return pixel.differs_in_id_alone ? AnswerCheck{.answer = answer_at(frame.frame, pixel.place)}
+                                         : check_answer(frames, frame, pixel.place);
+    };
+    return {check(frames.candidate), check(frames.reference)};
+}
 
-    void decide(std::vector<PixelCheck>& checks) {
-        for (std::size_t i = 0; i < checks.size(); ++i) {
-            if (!checks[i].ids_differ()) continue;
-            add(i, checks[i].candidate, frames_.candidate, checks[i].candidate_decision);
-            add(i, checks[i].reference, frames_.reference, checks[i].reference_decision);
-        }
-        const std::vector<Adjudicated> decided =
-            adjudicate(frames_.scene, frames_.view, queries_, Asked::displacement);
-        for (std::size_t q = 0; q < decided.size(); ++q) *to_[q] = decided[q];
-    }
-
-  private:
-    void add(std::size_t pixel, const AnswerCheck& check, const BoundedFrame& frame, Adjudicated& to) {
-        if (check.is_invalid) return;
-        queries_.push_back({&frame.bounds, check.answer.primitive, pixels_[pixel].x, pixels_[pixel].y});
-        to_.push_back(&to);
-    }
-
-    const FramePair& frames_;
-    std::span<const UndecidedPixel> pixels_;
-    std::vector<PixelQuery> queries_;
-    std::vector<Adjudicated*> to_;  ///< by query
-};
+/// Decides an answer, if it is one; the reach that this needs, or 0.
+double decide(TileWork& work, const BoundedFrame& frame, const AnswerCheck& check, const PixelPlace& place,
+              double searched_px, Adjudicated& decision) {
+    if (check.is_invalid) return 0;
+    return work.decide({&frame.bounds, check.answer.primitive, place.x, place.y}, searched_px, decision);
+}
 
 }  // namespace
 
@@ -69,19 +58,23 @@ bool is_invalid(const Answer& answer, std::size_t triangle_count) {
     return std::size_t(answer.primitive) >= triangle_count;
 }
 
-std::vector<PixelCheck> check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixels) {
-    std::vector<PixelCheck> checks(pixels.size());
-    tbb::parallel_for(std::size_t(0), pixels.size(), [&](std::size_t i) {
-        const auto& [x, y, differs_in_id_alone] = pixels[i];
-        const auto check = [&](const BoundedFrame& frame) {
-            return differs_in_id_alone ? AnswerCheck{.answer = answer_at(frame.frame, {x, y})}
-                                       : check_answer(frames, frame, {x, y});
-        };
-        checks[i].candidate = check(frames.candidate);
-        checks[i].reference = check(frames.reference);
-    });
-    Queries(frames, pixels).decide(checks);
-    return checks;
+void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixels,
+                  const std::function<void(std::size_t, const PixelCheck&)>& tell) {
+    std::vector<PixelPlace> places;
+    for (const UndecidedPixel& pixel : pixels) places.push_back(pixel.place);
+    const auto check_pixel = [&](TileWork& work, std::size_t i, double searched_px) {
+        const PixelPlace& place = pixels[i].place;
+        PixelCheck pixel = answers_at(frames, pixels[i]);
+        if (pixel.ids_differ()) {
+            const double needed_px = std::max(
+                decide(work, frames.candidate, pixel.candidate, place, searched_px, pixel.candidate_decision),
+                decide(work, frames.reference, pixel.reference, place, searched_px, pixel.reference_decision));
+            if (needed_px > 0) return needed_px;
+        }
+        tell(i, pixel);
+        return 0.0;
+    };
+    Adjudicator(frames.scene, frames.view, Asked::displacement).for_each_pixel(places, check_pixel);
 }
 
 PixelClass class_of(const PixelCheck& pixel) {

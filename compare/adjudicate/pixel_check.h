@@ -1,8 +1,10 @@
-/// One pixel that the first tier left undecided.
+/// Pixels that the first tier left undecided.
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "compare/adjudicate/adjudicator.h"
-#include "compare/admissible/depth_rule.h"
 #include "compare/agree/agree.h"
 #include "compare/rendered_frame.h"
 #include "compare/verdict.h"
@@ -23,14 +25,15 @@ struct AnswerCheck {
 /// What is known of a pixel, answer by answer; decisions only where ids differ and the answer is one.
 struct PixelCheck {
     AnswerCheck candidate, reference;
-    Adjudicated candidate_decision, reference_decision;
+    Adjudicated candidate_decision{}, reference_decision{};
 
     bool ids_differ() const { return candidate.answer.primitive != reference.answer.primitive; }
 };
 
-/// All of them, in their order; on all threads. Depths of pixels that differ in id alone are taken for admissible
-/// without being looked at.
-std::vector<PixelCheck> check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixels);
+/// Does what is left to do at pixels that the first tier did not decide: tell(i, check) for each of them once, on all
+/// threads. Depths of pixels that differ in id alone are taken for admissible without being looked at.
+void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixels,
+                  const std::function<void(std::size_t, const PixelCheck&)>& tell);
 
 /// The class that it earns.
 PixelClass class_of(const PixelCheck& pixel);

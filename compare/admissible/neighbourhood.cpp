@@ -11,12 +11,6 @@ namespace {
 
 double steepness(const Affine<double>& f) { return std::abs(f.a) + std::abs(f.b); }
 
-/// By its functional of nearness at a pixel.
-PlaneHere plane_here(const BoundedTriangle& triangle, const Affine<double>& nearness) {
-    const double gradient = steepness(nearness);
-    return {nearness.c, gradient, triangle.plane_error.at(std::abs(nearness.c) + gradient)};
-}
-
 bool is_known(const std::optional<PlaneHere>& plane) { return plane && std::isfinite(plane->error); }
 
 LocalBounds bounds_at(const BoundedTriangle& triangle, const std::optional<PlaneHere>& plane) {
@@ -77,30 +71,38 @@ std::optional<std::size_t> Neighbourhood::index_of(PrimitiveId triangle) const {
     return std::size_t(found - neighbours.begin());
 }
 
-Neighbour neighbour_of(const Sight<double>& sight, const BoundedTriangle& triangle) {
+Neighbour seen_at(const Sight<double>& sight, const CornersWorld& corners_world, const PlaneError& plane_error) {
     Neighbour n;
-    n.p_world = triangle.p_world;
-    const Corners<double> p_world = corners<double>(n.p_world);
+    n.p_world = corners_world;
+    const Corners<double> p_world = corners<double>(corners_world);
     n.image = image_of(sight, p_world);
-    std::optional<PlaneHere> plane;
-    if (n.image) {
-        plane = plane_here(triangle, n.image->nearness);
-        n.gradient = plane->gradient;
-        n.plane_error = plane->error;
-        n.is_plane_known = is_known(plane);
-        const ProductErrors errors = product_errors(sight, p_world);
-        n.edge_error = errors.edge;
-        n.is_trusted = n.is_plane_known && std::abs(orientation_of(sight, p_world)) > errors.orientation;
-    }
-    n.bounds = bounds_at(triangle, plane);
+    if (!n.image) return n;
+    n.gradient = steepness(n.image->nearness);
+    n.plane_error = plane_error.at(std::abs(n.image->nearness.c) + n.gradient);
+    n.is_plane_known = std::isfinite(n.plane_error);
+    const ProductErrors errors = product_errors(sight, p_world);
+    n.edge_error = errors.edge;
+    n.is_trusted = n.is_plane_known && std::abs(orientation_of(sight, p_world)) > errors.orientation;
+    return n;
+}
+
+void set_bounds(Neighbour& n, const BoundedTriangle& triangle, Projection projection) {
     const TriangleBounds& of_triangle = triangle.bounds;
+    std::optional<PlaneHere> plane;
+    if (n.image) plane = PlaneHere{n.image->nearness.c, n.gradient, n.plane_error};
+    n.bounds = bounds_at(triangle, plane);
     n.near_slack = of_triangle.near_slack;
     n.far_slack = of_triangle.far_slack;
     n.nearest = of_triangle.nearest;
     n.farthest = of_triangle.farthest;
-    const NearnessRange range = nearness_range(triangle, plane, n.bounds, sight.projection);
+    const NearnessRange range = nearness_range(triangle, plane, n.bounds, projection);
     n.least_nearness = range.least;
     n.greatest_nearness = range.greatest;
+}
+
+Neighbour neighbour_of(const Sight<double>& sight, const BoundedTriangle& triangle) {
+    Neighbour n = seen_at(sight, triangle.p_world, triangle.plane_error);
+    set_bounds(n, triangle, sight.projection);
     return n;
 }
 

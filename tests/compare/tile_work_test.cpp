@@ -73,6 +73,14 @@ TEST_F(AQuery, SaysHowFarItMovedOnlyWhereItIsVisible) {
     EXPECT_FALSE(adjudicated.displacement_over_eps);
 }
 
+TEST_F(AQuery, SaysHowFarItMovedOnlyWhereThatIsAsked) {
+    TileWork::Setting for_admissibility{scene, rays, view, search, Asked::admissibility, none};
+    TileWork plain(for_admissibility, near);
+    EXPECT_EQ(plain.decide({&coarse, PrimitiveId(1), 8, 8}, 2, adjudicated), 0);
+    EXPECT_EQ(adjudicated.decision.admissibility, Admissibility::visible);
+    EXPECT_FALSE(adjudicated.displacement_over_eps);
+}
+
 /// Such a triangle does not come near: its own eps is known all the same.
 TEST_F(AQuery, MayBeOfATriangleThatIsNotNear) {
     const std::uint32_t some[] = {0, 2};

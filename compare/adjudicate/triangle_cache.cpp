@@ -1,0 +1,23 @@
+#include "compare/adjudicate/triangle_cache.h"
+
+#include <algorithm>
+
+namespace zproof {
+
+TriangleCache::TriangleCache(const Scene& scene, const TriangleSearch& search, std::span<const std::uint32_t> near)
+    : scene_(scene), near_(near) {
+    boxes_.reserve(near.size());
+    for (const std::uint32_t triangle : near) boxes_.push_back(search.box_of(triangle));
+}
+
+const BoundedTriangle& TriangleCache::of(std::size_t place, const ViewBounds& bounds) {
+    auto found = std::ranges::find(renderers_, &bounds, &OfRenderer::bounds);
+    if (found == renderers_.end())
+        found = renderers_.insert(renderers_.end(),
+                                  {&bounds, std::vector<std::optional<BoundedTriangle>>(near_.size())});
+    std::optional<BoundedTriangle>& triangle = found->triangles[place];
+    if (!triangle) triangle.emplace(bounds, corners_of(scene_, near_[place]));
+    return *triangle;
+}
+
+}  // namespace zproof
