@@ -96,6 +96,7 @@ ViewBounds::ViewBounds(const View& view, const Precision& precision)
     } else {
         set_aim(gamma(24, unit_roundoff_float64), std::get<PlaneRayPrecision>(precision).aim_offset_px);
     }
+    common_terms_ = common_terms();
 }
 
 Gauge ViewBounds::make_gauge() const {
@@ -136,24 +137,28 @@ TriangleExtent ViewBounds::extent_of(const CornersWorld& p_world) const {
 }
 
 TriangleBounds ViewBounds::of(const TriangleExtent& extent) const {
-    return between_the_planes(
-        std::visit([&](const auto& precision) { return bounds_by(extent, precision); }, precision_), extent);
+    TriangleBounds bounds =
+        std::visit([&](const auto& precision) { return bounds_by(extent, precision); }, precision_);
+    const CornerDepths corners = corner_depths(extent);
+    bounds.nearest = corners.nearest;
+    bounds.farthest = corners.farthest;
+    return bounds;
 }
 
-TriangleBounds ViewBounds::of_depth(const TriangleExtent& extent) const {
-    const auto* ray = std::get_if<RayPrecision>(&precision_);
-    if (!ray) return of(extent);
-    TriangleBounds bounds = bounds_of(ray_terms(*ray).of(extent.size));
-    bounds.depth_factor += framing_by(*ray);
-    return between_the_planes(bounds, extent);
+DepthTerms ViewBounds::depth_terms(const TriangleExtent& extent) const {
+    if (const auto* raster = std::get_if<RasterTerms>(&common_terms_)) return raster->of(extent.size);
+    if (const auto* ray = std::get_if<RayTerms>(&common_terms_)) {
+        DepthTerms terms = ray->of(extent.size);
+        terms.factor += framing_by(std::get<RayPrecision>(precision_));
+        return terms;
+    }
+    return of(extent).depth_terms();
 }
 
-TriangleBounds ViewBounds::between_the_planes(TriangleBounds bounds, const TriangleExtent& extent) const {
+auto ViewBounds::corner_depths(const TriangleExtent& extent) const -> CornerDepths {
     const Camera& c = view_.camera;
     const auto [low, high] = std::minmax({extent.size.depth[0], extent.size.depth[1], extent.size.depth[2]});
-    bounds.nearest = std::clamp(low, c.near_depth, c.far_depth);
-    bounds.farthest = std::clamp(high, c.near_depth, c.far_depth);
-    return bounds;
+    return {std::clamp(low, c.near_depth, c.far_depth), std::clamp(high, c.near_depth, c.far_depth)};
 }
 
 bool ViewBounds::keeps_to_corners() const {
@@ -178,7 +183,7 @@ double ViewBounds::transform_error(const RasterPrecision& precision, int cuts) c
 /// A rasterizer's transform in double, into a guard band, is as coarse for one triangle as for another.
 CommonTerms ViewBounds::common_terms() const {
     if (const auto* ray = std::get_if<RayPrecision>(&precision_)) {
-        if (framing_by(*ray) == 0) return ray_terms(*ray);
+        return ray_terms(*ray);
     } else if (const auto* raster = std::get_if<RasterPrecision>(&precision_)) {
         if (raster->transform == Arithmetic::float64 && raster->clipping == Clipping::guard_band &&
             raster->depth_buffer == DepthBuffer::camera_depth)

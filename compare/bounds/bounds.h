@@ -92,9 +92,13 @@ class ViewBounds {
     TriangleExtent extent_of(const CornersWorld& p_world) const;
     TriangleBounds of(const TriangleExtent& extent) const;
     TriangleBounds of(const CornersWorld& p_world) const { return of(extent_of(p_world)); }
-    /// What depth needs of it; eps and slack may be missing.
-    TriangleBounds of_depth(const TriangleExtent& extent) const;
-    CommonTerms common_terms() const;
+    /// What depth needs of it.
+    DepthTerms depth_terms(const TriangleExtent& extent) const;
+    /// Camera depths of the corners, clamped to near and far.
+    struct CornerDepths {
+        double nearest, farthest;
+    };
+    CornerDepths corner_depths(const TriangleExtent& extent) const;
     /// What triangles are measured with.
     const Gauge& gauge() const { return gauge_; }
     /// Barycentrics of a snapped triangle stay between its corners' depths; a ray and a plane equation meet
@@ -117,7 +121,7 @@ class ViewBounds {
     RasterTerms raster_terms(const RasterPrecision& precision, double transform, double viewport) const;
     RayTerms ray_terms(const RayPrecision& precision) const;
     static double framing_by(const RayPrecision& precision);
-    TriangleBounds between_the_planes(TriangleBounds bounds, const TriangleExtent& extent) const;
+    CommonTerms common_terms() const;
     TriangleBounds bounds_by(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
     /// How far a point that a ray met may seem to lie from where it is on its triangle, scene units.
     double plane_test_error(const TriangleExtent& extent, const PlaneRayPrecision& precision) const;
@@ -147,6 +151,7 @@ class ViewBounds {
     /// A ray's own rounding: sideways, px (and px per unit of depth), and along the view axis.
     double aim_px_ = 0, aim_px_per_depth_ = 0, aim_depth_relative_ = 0, aim_depth_absolute_ = 0;
     Gauge gauge_;
+    CommonTerms common_terms_;
 };
 
 }  // namespace zproof

@@ -15,17 +15,17 @@ TriangleInView::TriangleInView(const Sight<double>& first_pixel, const ViewBound
 
 TriangleDepth::TriangleDepth(const TriangleInView& triangle, const ViewBounds& of_view)
     : nearness_(triangle.nearness), gradient_(triangle.gradient), own_error_(triangle.own_error) {
-    const TriangleBounds bounds = of_view.of_depth(triangle.extent);
-    const DepthTerms terms = bounds.depth_terms();
-    corners_ = CornerNearness(bounds.nearest, bounds.farthest);
+    const DepthTerms terms = of_view.depth_terms(triangle.extent);
+    const ViewBounds::CornerDepths corners = of_view.corner_depths(triangle.extent);
+    corners_ = CornerNearness(corners.nearest, corners.farthest);
     eps_px_ = Displacement(terms.eps_base_px, terms.eps_per_nearness, gradient_, corners_.highest);
     factor_ = terms.factor;
     plane_offset_ = terms.plane_offset;
     relative_ = compounded(terms.factor);
     absolute_ = terms.absolute;
     nearness_error_ = terms.nearness_error;
-    nearest_ = bounds.nearest;
-    farthest_ = bounds.farthest;
+    nearest_ = corners.nearest;
+    farthest_ = corners.farthest;
     least_depth_ = of_view.keeps_to_corners() ? nearest_ : -unlimited;
     greatest_depth_ = of_view.keeps_to_corners() ? farthest_ : unlimited;
     projection_ = of_view.projection();
