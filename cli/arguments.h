@@ -52,11 +52,11 @@ struct ReportArguments {
     ProgressStyle progress = ProgressStyle::automatic;
     Detail detail = Detail::table;
     PictureWish pictures = PictureWish::none;
-    Evidence evidence = Evidence::all;
+    Evidence evidence = Evidence::defects;
     std::vector<ReportFormat> formats = usual_formats();
-    GateArguments gate;
-    std::string typed;              ///< the command line, quoted for a shell
-    std::vector<std::string> argv;  ///< the same, word by word
+    GateArguments gate{};
+    std::string typed{};              ///< the command line, quoted for a shell
+    std::vector<std::string> argv{};  ///< the same, word by word
 };
 
 struct RunArguments {
@@ -72,7 +72,7 @@ struct CompareArguments {
     std::string view;  ///< empty: the scene's only view
     Parties parties;   ///< the candidate is a stored frame
     int threads = available_threads();
-    ReportArguments report;
+    ReportArguments report{.evidence = Evidence::all};  ///< one frame, which somebody asks about
 };
 
 struct ExplainArguments {

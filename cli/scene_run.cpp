@@ -129,7 +129,8 @@ std::optional<ViewResult> run_view(const Trial& trial) {
     if (interrupted()) return std::nullopt;
 
     begin(trial, "judge", &StageTimes::judge);
-    const RenderedFrame ours{candidate, court.candidate.precision}, theirs{reference, court.reference.precision};
+    const RenderedFrame ours{candidate, court.candidate.precision},
+        theirs{reference, court.reference.precision};
     Verdict verdict = judge_as_wanted(trial, ours, theirs);
     ViewResult result = to_view_result(docket, verdict, desk.gate);
     result.diagnosis = diagnose(scene, view, ours, theirs, verdict);
@@ -145,8 +146,7 @@ std::optional<ViewResult> run_view(const Trial& trial) {
 
     if (result.folder.empty()) return result;
     begin(trial, "write", &StageTimes::write);
-    write_viewer_evidence(desk.run_folder / result.folder,
-                          {docket, ours, theirs, verdict, statements});
+    write_viewer_evidence(desk.run_folder / result.folder, {docket, ours, theirs, verdict, statements});
     return result;
 }
 

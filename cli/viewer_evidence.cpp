@@ -30,8 +30,8 @@ std::vector<planes::Story> stories_of(const JudgedView& judged) {
     const View& view = judged.docket.view;
     const std::vector<PixelPlace> places = telling_pixels(
         judged.verdict, defect_count(judged.verdict) > 0 ? most_stories_of_failed : most_stories_of_proven);
-    std::vector<IllustratedStory> told = illustrate(scene, view, judged.candidate, judged.reference,
-                                                    {places, drawn_around_px, most_images});
+    std::vector<IllustratedStory> told =
+        illustrate(scene, view, judged.candidate, judged.reference, {places, drawn_around_px, most_images});
     std::vector<planes::Story> stories(told.size());
     tbb::parallel_for(std::size_t(0), told.size(), [&](std::size_t i) {
         auto& [story, images] = told[i];

@@ -60,13 +60,14 @@ void add(Verdict& sum, const Tally& part) {
 }
 
 bool is_wanted(PixelClass verdict, const JudgeOptions& options) {
-    return options.findings == JudgeOptions::Findings::differences ? verdict != PixelClass::agree : !passes(verdict);
+    return options.findings == JudgeOptions::Findings::differences ? verdict != PixelClass::agree
+                                                                   : !passes(verdict);
 }
 
 }  // namespace
 
-Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candidate, const RenderedFrame& reference,
-              const JudgeOptions& options) {
+Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candidate,
+              const RenderedFrame& reference, const JudgeOptions& options) {
     const Resolution size{view.width, view.height};
     if (candidate.frame.size() != size || reference.frame.size() != size)
         throw std::invalid_argument("judge: both frames must have the view's size");
@@ -92,13 +93,6 @@ Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candida
         return std::pair{a.y, a.x} < std::pair{b.y, b.x};
     });
     return verdict;
-}
-
-std::uint64_t defect_count(const Verdict& verdict) {
-    std::uint64_t defects = 0;
-    for (int c = 0; c < pixel_class_count; ++c)
-        if (!passes(PixelClass(c))) defects += verdict.counts[std::size_t(c)];
-    return defects;
 }
 
 }  // namespace zproof

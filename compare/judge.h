@@ -1,4 +1,5 @@
-/// The judge: decides for every pixel which answers are admissible, from scene, view and declared precision alone.
+/// The judge: decides for every pixel which answers are admissible, from scene, view and declared precision
+/// alone.
 #pragma once
 
 #include "compare/rendered_frame.h"
@@ -23,9 +24,9 @@ struct JudgeOptions {
 inline constexpr JudgeOptions all_evidence{.findings = JudgeOptions::Findings::differences,
                                            .errors = JudgeOptions::Errors::maps};
 
-/// Judges every pixel on the threads of the surrounding tbb::task_arena; the result does not depend on their number.
-/// Both frames must have the view's size (std::invalid_argument otherwise).
-Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candidate, const RenderedFrame& reference,
-              const JudgeOptions& options = {});
+/// Judges every pixel on the threads of the surrounding tbb::task_arena; the result does not depend on their
+/// number. Both frames must have the view's size (std::invalid_argument otherwise).
+Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candidate,
+              const RenderedFrame& reference, const JudgeOptions& options = {});
 
 }  // namespace zproof

@@ -39,8 +39,8 @@ struct BoundRecord {
     bool operator==(const BoundRecord&) const = default;
 };
 
-/// |depth - truth| / bound of each frame's own ids; NaN where that asks nothing: background, an id that does not
-/// exist, a depth that is NaN. In double, so at 1 only the judge's word counts.
+/// |depth - truth| / bound of each frame's own ids; NaN where that asks nothing: background, an id that does
+/// not exist, a depth that is NaN. In double, so at 1 only the judge's word counts.
 struct ErrorMaps {
     Plane<float> candidate, reference;
 };
@@ -50,8 +50,8 @@ struct Verdict {
     ClassCounts counts{};
     std::vector<Finding> findings;  ///< in raster order: the pixels that were asked for (JudgeOptions)
     BoundRecord candidate_depth, reference_depth;  ///< where both answers name the same triangle
-    /// Displacement over eps, where the two differ and an answer is admissible by its place but not right at the
-    /// centre (compare/admissible/displacement.h).
+    /// Displacement over eps, where the two differ and an answer is admissible by its place but not right at
+    /// the centre (compare/admissible/displacement.h).
     BoundRecord candidate_edges, reference_edges;
     std::uint64_t reference_defects = 0;  ///< pixels at which the reference's own answer is inadmissible
     std::uint64_t adjudicated = 0;        ///< pixels that needed the admissible set

@@ -183,7 +183,7 @@ std::string row(std::string_view kind, const std::string& content) {
 /// A view that left no evidence says so.
 std::string without_evidence(const ViewResult& v) {
     if (!v.folder.empty()) return "";
-    return paragraph("fine", "Its frames, pictures and findings were not kept (--evidence defects).");
+    return paragraph("fine", "Its frames, pictures and findings were not kept; --evidence all keeps them.");
 }
 
 std::string judgement(const PageView& page) {

@@ -176,7 +176,8 @@ std::vector<Include> includes_of(const SourceFile& file) {
     std::vector<Include> found;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
         std::smatch match;
-        if (std::regex_search(file.lines[i], match, include)) found.push_back({i, match[1] == "\"", match[2]});
+        if (std::regex_search(file.lines[i], match, include))
+            found.push_back({i, match[1] == "\"", match[2]});
     }
     return found;
 }
@@ -195,7 +196,9 @@ std::vector<std::string> include_faults(const SourceFile& file) {
 using Units = std::map<std::string, Names>;
 
 Units units_of(const std::vector<SourceFile>& files) {
-    const auto unit_of = [](const std::string& path) { return fs::path(path).replace_extension().generic_string(); };
+    const auto unit_of = [](const std::string& path) {
+        return fs::path(path).replace_extension().generic_string();
+    };
     Units units;
     for (const SourceFile& file : files)
         for (const Include& include : includes_of(file))

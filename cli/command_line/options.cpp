@@ -60,8 +60,10 @@ void add_report(CLI::App& app, ReportArguments& report) {
 
 void add_evidence(CLI::App& app, ReportArguments& report) {
     add_choice(app, "--evidence", report.evidence, evidences)
-        ->default_str("all")
-        ->description("frames, pictures and findings: of all views, or of those with defects only");
+        ->default_str(report.evidence == Evidence::all ? "all" : "defects")
+        ->description(
+            "frames, pictures, findings and the viewer's planes: of all views, or of those with defects "
+            "only");
     app.add_flag_callback(
         "--pictures", [&report] { report.pictures = PictureWish::shaded; },
         "shaded colour pictures, beside those of witnesses that can paint");

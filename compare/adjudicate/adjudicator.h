@@ -2,45 +2,23 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "compare/admissible/admissibility.h"
+#include "compare/adjudicate/pixel_query.h"
 #include "scenes/scene.h"
 
 namespace zproof {
 
-/// An answer to be decided: a triangle of the scene, or none, at a pixel.
-struct PixelQuery {
-    const ViewBounds* bounds = nullptr;  ///< the renderer's
-    PrimitiveId answer = PrimitiveId::none;
-    int x = 0, y = 0;
-};
-
-/// What became of a query.
-struct Adjudicated {
-    Decision decision;
-    /// Of an answer that is admissible by its place (Admissibility::visible); see admissible/displacement.h.
-    std::optional<double> displacement_over_eps;
-};
-
-/// Changes what stands around an answer before it is decided: another rule of drawing than the declared one.
-using RuleOverride = std::function<void(Neighbourhood& around, PrimitiveId answer)>;
-
-/// What is asked beside admissibility.
-enum class Asked {
-    admissibility,
-    displacement,  ///< Adjudicated::displacement_over_eps as well
-};
-
 class TileWork;
-/// What is to be done at one of many pixels: decides what there is to decide by the work of its tile, in which all
-/// triangles within searched_px are known, and says 0. Otherwise the reach that it needs: it is asked again with that.
+/// What is to be done at one of many pixels: decides what there is to decide by the work of its tile, in
+/// which all triangles within searched_px are known, and says 0. Otherwise the reach that it needs: it is
+/// asked again with that.
 using DoAtPixel = std::function<double(TileWork& work, std::size_t pixel, double searched_px)>;
 
-/// Decides answers at the pixels of one view. It takes a pass over the scene whatever their number: put many into one
-/// call.
+/// Decides answers at the pixels of one view. It takes a pass over the scene whatever their number: put many
+/// into one call.
 class Adjudicator {
   public:
     /// All must outlive it.

@@ -20,7 +20,8 @@ BoxProjection::BoxProjection(const View& view)
       px_per_u_(view.width / (camera_.window.right - camera_.window.left)),
       px_per_v_(view.height / (camera_.window.top - camera_.window.bottom)),
       least_depth_(perspective_ ? camera_.near_depth / 2 : -std::numeric_limits<double>::infinity()),
-      px_of_rounding_(64 * unit_roundoff_float64 * (1 + std::abs(camera_.shear.x) + std::abs(camera_.shear.y)) *
+      px_of_rounding_(64 * unit_roundoff_float64 *
+                      (1 + std::abs(camera_.shear.x) + std::abs(camera_.shear.y)) *
                       std::max(px_per_u_, px_per_v_) / (perspective_ ? least_depth_ : 1)) {}
 
 std::optional<Box> BoxProjection::operator()(const CornersWorld& p_world) const {
@@ -58,8 +59,7 @@ glm::dvec3 BoxProjection::to_camera(const glm::dvec3& v) const {
 void BoxProjection::add(Box& box, const glm::dvec3& p) const {
     const double u = perspective_ ? p.x / p.z : p.x - camera_.shear.x * p.z;
     const double v = perspective_ ? p.y / p.z : p.y - camera_.shear.y * p.z;
-    box.add((u - camera_.window.left) * px_per_u_,
-            (camera_.window.top - v) * px_per_v_);
+    box.add((u - camera_.window.left) * px_per_u_, (camera_.window.top - v) * px_per_v_);
 }
 
 /// Scaling and the window's offset add a few ulps of the result.

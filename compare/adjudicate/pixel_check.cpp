@@ -12,7 +12,8 @@ namespace zproof {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr DepthCheck nothing_to_check{.bound = {nan, nan, nan}, .error_over_bound = nan, .is_admissible = true};
+constexpr DepthCheck nothing_to_check{
+    .bound = {nan, nan, nan}, .error_over_bound = nan, .is_admissible = true};
 
 /// Of an answer that is valid.
 DepthCheck check_depth_of(const FramePair& frames, const BoundedFrame& frame, const Answer& answer,
@@ -68,7 +69,8 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
         if (pixel.ids_differ()) {
             const double needed_px = std::max(
                 decide(work, frames.candidate, pixel.candidate, place, searched_px, pixel.candidate_decision),
-                decide(work, frames.reference, pixel.reference, place, searched_px, pixel.reference_decision));
+                decide(work, frames.reference, pixel.reference, place, searched_px,
+                       pixel.reference_decision));
             if (needed_px > 0) return needed_px;
         }
         tell(i, pixel);

@@ -30,8 +30,9 @@ struct PixelCheck {
     bool ids_differ() const { return candidate.answer.primitive != reference.answer.primitive; }
 };
 
-/// Does what is left to do at pixels that the first tier did not decide: tell(i, check) for each of them once, on all
-/// threads. Depths of pixels that differ in id alone are taken for admissible without being looked at.
+/// Does what is left to do at pixels that the first tier did not decide: tell(i, check) for each of them
+/// once, on all threads. Depths of pixels that differ in id alone are taken for admissible without being
+/// looked at.
 void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixels,
                   const std::function<void(std::size_t, const PixelCheck&)>& tell);
 

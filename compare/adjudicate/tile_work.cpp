@@ -33,7 +33,8 @@ void TileWork::look_at(const PixelQuery& query, double reach_px) {
     const PixelPlace pixel{query.x, query.y};
     const Projection projection = setting_.view.camera.projection;
     if (pixel == pixel_ && reach_px == seen_px_) {
-        for (auto& [place, distance_px, n] : seen_) set_bounds(n, triangles_.of(place, *query.bounds), projection);
+        for (auto& [place, distance_px, n] : seen_)
+            set_bounds(n, triangles_.of(place, *query.bounds), projection);
         return;
     }
     pixel_ = pixel;
@@ -57,8 +58,8 @@ double TileWork::own_eps_px(const PixelQuery& query) const {
                : zproof::own_eps_px(setting_.scene, setting_.view, *query.bounds, pixel_, query.answer);
 }
 
-/// The largest eps, and own_eps_px at least, of what comes within own_eps_px of the centre and whose box is no farther
-/// from it than reach_px.
+/// The largest eps, and own_eps_px at least, of what comes within own_eps_px of the centre and whose box is
+/// no farther from it than reach_px.
 double TileWork::eps_px_within(double reach_px, double own_eps_px) const {
     double eps_px = own_eps_px;
     for (const auto& [place, distance_px, n] : seen_)
@@ -79,7 +80,8 @@ double TileWork::decide(const PixelQuery& query, double searched_px, Adjudicated
     look_at(query, searched_px);
     const double own_eps = own_eps_px(query), least_reach_px = first_reach * own_eps;
     around_.eps_px = eps_px_within(least_reach_px, own_eps);
-    const double reach_px = std::max(least_reach_px, around_.eps_px);
+    const double reach_px =
+        first_reach * around_.eps_px;  // edges are moved inwards by eps in a square of eps
     if (reach_px > searched_px) return reach_px;
     gather(reach_px);
     if (setting_.override) setting_.override(around_, query.answer);

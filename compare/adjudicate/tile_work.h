@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "compare/adjudicate/adjudicator.h"
+#include "compare/adjudicate/pixel_query.h"
 #include "compare/adjudicate/triangle_cache.h"
 #include "compare/bounds/sight.h"
 
@@ -23,8 +23,8 @@ class TileWork {
     /// `near`: all triangles within the reach that will be asked for of any pixel that is.
     TileWork(const Setting& setting, std::span<const std::uint32_t> near);
 
-    /// Decides the query, where no triangle farther than searched_px from its centre can matter, and says 0. Otherwise
-    /// the reach that it needs. Queries about one pixel should follow each other.
+    /// Decides the query, where no triangle farther than searched_px from its centre can matter, and says 0.
+    /// Otherwise the reach that it needs. Queries about one pixel should follow each other.
     double decide(const PixelQuery& query, double searched_px, Adjudicated& adjudicated);
 
   private:

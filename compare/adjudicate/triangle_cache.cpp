@@ -4,7 +4,8 @@
 
 namespace zproof {
 
-TriangleCache::TriangleCache(const Scene& scene, const TriangleSearch& search, std::span<const std::uint32_t> near)
+TriangleCache::TriangleCache(const Scene& scene, const TriangleSearch& search,
+                             std::span<const std::uint32_t> near)
     : scene_(scene), near_(near) {
     boxes_.reserve(near.size());
     for (const std::uint32_t triangle : near) boxes_.push_back(search.box_of(triangle));

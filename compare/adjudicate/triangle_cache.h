@@ -1,5 +1,5 @@
-/// The triangles that come near a tile, each by the bounds of every renderer that is asked about; made when first asked
-/// for.
+/// The triangles that come near a tile, each by the bounds of every renderer that is asked about; made when
+/// first asked for.
 #pragma once
 
 #include <optional>

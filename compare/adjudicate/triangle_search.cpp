@@ -41,8 +41,8 @@ TriangleSearch::TriangleSearch(const Scene& scene, const View& view)
         const std::size_t end = std::min((some + 1) * together, vertices_.size());
         for (std::size_t i = some * together; i < end; ++i) {
             const auto box = projection_(scene.vertices.position_world[i]);
-            vertices_[i] = box ? VertexBox{rounded_down(box->left), rounded_down(box->top), rounded_up(box->right),
-                                           rounded_up(box->bottom)}
+            vertices_[i] = box ? VertexBox{rounded_down(box->left), rounded_down(box->top),
+                                           rounded_up(box->right), rounded_up(box->bottom)}
                                : VertexBox{-HUGE_VALF, -HUGE_VALF, HUGE_VALF, HUGE_VALF};
         }
     });
@@ -77,13 +77,16 @@ void TriangleSearch::for_each_tile_met(std::uint32_t triangle, std::span<const B
     const glm::uvec3& t = scene_.triangles[triangle];
     const VertexBox &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
     const VertexBox of_corners{std::min({a.left, b.left, c.left}), std::min({a.top, b.top, c.top}),
-                               std::max({a.right, b.right, c.right}), std::max({a.bottom, b.bottom, c.bottom})};
+                               std::max({a.right, b.right, c.right}),
+                               std::max({a.bottom, b.bottom, c.bottom})};
     const Box box = std::isfinite(of_corners.left)
                         ? Box{of_corners.left, of_corners.top, of_corners.right, of_corners.bottom}
                         : box_of(triangle);
     if (box.is_empty()) return;
-    const int left = clamped(box.left - reach_px, tiles_.columns), right = clamped(box.right + reach_px, tiles_.columns);
-    const int top = clamped(box.top - reach_px, tiles_.rows), bottom = clamped(box.bottom + reach_px, tiles_.rows);
+    const int left = clamped(box.left - reach_px, tiles_.columns),
+              right = clamped(box.right + reach_px, tiles_.columns);
+    const int top = clamped(box.top - reach_px, tiles_.rows),
+              bottom = clamped(box.bottom + reach_px, tiles_.rows);
     const bool is_large = right - left > 1 || bottom - top > 1;
     const std::optional<CornerHull> hull = is_large ? hull_of(triangle) : std::nullopt;
     for (int row = top; row <= bottom; ++row)

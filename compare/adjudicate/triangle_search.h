@@ -15,7 +15,7 @@ namespace zproof {
 
 /// Lists of triangles, one per tile, each ascending.
 struct TrianglesByTile {
-    std::vector<std::size_t> first;   ///< by tile, and one more: where its list begins
+    std::vector<std::size_t> first;  ///< by tile, and one more: where its list begins
     Bulk<std::uint32_t> triangles;
 
     std::span<const std::uint32_t> of(std::size_t tile) const {
@@ -28,9 +28,10 @@ class TriangleSearch {
     /// Looks at every vertex once; on all threads. Both must outlive it.
     TriangleSearch(const Scene& scene, const View& view);
 
-    /// All triangles whose image (in front of half the near depth) may meet the box that a tile asks for; `asked` has
-    /// one for each tile, empty where nothing is asked. Too many is harmless, too few is not: images are widened by the
-    /// rounding error of their own computation. On all threads; one pass over the scene.
+    /// All triangles whose image (in front of half the near depth) may meet the box that a tile asks for;
+    /// `asked` has one for each tile, empty where nothing is asked. Too many is harmless, too few is not:
+    /// images are widened by the rounding error of their own computation. On all threads; one pass over the
+    /// scene.
     TrianglesByTile find(std::span<const Box> asked) const;
     /// Around a triangle's image in front of half the near depth; empty where there is none.
     Box box_of(std::uint32_t triangle) const;
@@ -46,7 +47,8 @@ class TriangleSearch {
     Box box_of_vertex(std::uint32_t vertex) const;
     std::optional<CornerHull> hull_of(std::uint32_t triangle) const;
     template <class Visit>
-    void for_each_tile_met(std::uint32_t triangle, std::span<const Box> asked, double reach_px, const Visit& visit) const;
+    void for_each_tile_met(std::uint32_t triangle, std::span<const Box> asked, double reach_px,
+                           const Visit& visit) const;
 
     const Scene& scene_;
     BoxProjection projection_;

@@ -1,9 +1,10 @@
-/// May a renderer show this triangle, or background, at this pixel? The one place that says so (docs/truth.md).
+/// May a renderer show this triangle, or background, at this pixel? The one place that says so
+/// (docs/truth.md).
 #pragma once
 
-#include "compare/pixel_class.h"
 #include "compare/admissible/coplanar.h"
 #include "compare/admissible/neighbourhood.h"
+#include "compare/pixel_class.h"
 
 namespace zproof {
 
@@ -26,8 +27,8 @@ struct Decision {
     double eps_px = 0;   ///< half-side of the square that it was decided in
 };
 
-/// Decides one answer: a triangle's id, which must be among the neighbours if it is to be admissible, or none. In
-/// double, then by intervals, then by rationals.
+/// Decides one answer: a triangle's id, which must be among the neighbours if it is to be admissible, or
+/// none. In double, then by intervals, then by rationals.
 Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar);
 
 /// The class of a pixel at which the two renderers gave different, each by itself judged, answers.

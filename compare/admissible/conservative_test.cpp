@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/admissible/displacement.h"
-
 namespace zproof {
 
 namespace {
@@ -15,8 +13,8 @@ double reach(const Affine<double>& f, double half_side_px) {
 
 double value_at(const Affine<double>& f, const PixelOffset& at) { return f.at(at.x, at.y); }
 
-/// The nearness of the near or far plane moved inwards by its slack, as AdmissibleSet has it; what no triangle keeps
-/// to where nothing is left between them.
+/// The nearness of the near or far plane moved inwards by its slack, as AdmissibleSet has it; what no
+/// triangle keeps to where nothing is left between them.
 struct PlaneLimits {
     double near, far;
 };
@@ -25,10 +23,9 @@ PlaneLimits limits_of(const Camera& c, const Neighbour& n) {
     const auto nearness = [&](double depth) { return perspective ? 1 / depth : -depth; };
     const double near = c.near_depth + n.near_slack, far = c.far_depth - n.far_slack;
     const bool is_none_left = far <= (perspective ? 0 : -unlimited);
-    return {std::isinf(near) ? -unlimited : nearness(near),
-            is_none_left      ? unlimited
-            : std::isinf(far) ? -unlimited
-                              : nearness(far)};
+    return {std::isinf(near) ? -unlimited : nearness(near), is_none_left      ? unlimited
+                                                            : std::isinf(far) ? -unlimited
+                                                                              : nearness(far)};
 }
 
 PixelOffset between(const PixelOffset& p, const PixelOffset& q, double t) {
@@ -38,7 +35,10 @@ PixelOffset between(const PixelOffset& p, const PixelOffset& q, double t) {
 }  // namespace
 
 ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar)
-    : around_(around), coplanar_(coplanar), error_scale_(2 * std::max(1.0, around.eps_px)), is_asked_(std::isfinite(around.eps_px)) {
+    : around_(around),
+      coplanar_(coplanar),
+      error_scale_(2 * std::max(1.0, around.eps_px)),
+      is_asked_(std::isfinite(around.eps_px)) {
     others_.reserve(around.neighbours.size());
     for (const Neighbour& n : around.neighbours) {
         const bool is_answer = PrimitiveId(n.triangle) == answer;
@@ -53,8 +53,8 @@ ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answ
 }
 
 bool ConservativeTest::misses(const Neighbour& n, double half_side_px) const {
-    return std::ranges::any_of(
-        n.image->edge, [&](const auto& e) { return e.c + reach(e, half_side_px) < -edge_error(n); });
+    return std::ranges::any_of(n.image->edge,
+                               [&](const auto& e) { return e.c + reach(e, half_side_px) < -edge_error(n); });
 }
 
 bool ConservativeTest::is_inside_all_over(const Neighbour& n, std::size_t edge, double half_side_px) const {
@@ -67,18 +67,20 @@ bool ConservativeTest::is_inside(const Neighbour& n, const PixelOffset& at) cons
 }
 
 bool ConservativeTest::is_outside(const Neighbour& n, const PixelOffset& at) const {
-    return std::ranges::any_of(n.image->edge, [&](const auto& e) { return value_at(e, at) < -edge_error(n); });
+    return std::ranges::any_of(n.image->edge,
+                               [&](const auto& e) { return value_at(e, at) < -edge_error(n); });
 }
 
 bool ConservativeTest::is_behind_answer(const Neighbour& n, const PixelOffset& at) const {
-    return value_at(answer_->image->nearness - n.image->nearness, at) > nearness_error(n) + nearness_error(*answer_);
+    return value_at(answer_->image->nearness - n.image->nearness, at) >
+           nearness_error(n) + nearness_error(*answer_);
 }
 
 /// Is its image certain, and does no plane cut it in the square?
 bool ConservativeTest::is_sound(const Neighbour& n) const {
     const Camera& c = around_.view.camera;
-    return n.is_trusted && ((n.nearest > c.near_depth && n.farthest < c.far_depth) ||
-                            is_clear_of_planes(n, around_.eps_px));
+    return n.is_trusted &&
+           ((n.nearest > c.near_depth && n.farthest < c.far_depth) || is_clear_of_planes(n, around_.eps_px));
 }
 
 /// Does it keep between near and far, each moved inwards by its slack, all over the square?
@@ -100,11 +102,12 @@ bool ConservativeTest::is_seen_at(const PixelOffset& at) const {
 /// Nothing hides it there by the bounded rule.
 bool ConservativeTest::is_held_at(const PixelOffset& at) const {
     return is_inside(*answer_, at) && std::ranges::all_of(others_, [&](const Neighbour* n) {
-        return is_outside(*n, at) || n->least_nearness <= answer_->greatest_nearness;
-    });
+               return is_outside(*n, at) || n->least_nearness <= answer_->greatest_nearness;
+           });
 }
 
-/// The square's corners and the middles of its sides, and for a triangle the middle of its part of the square.
+/// The square's corners and the middles of its sides, and for a triangle the middle of its part of the
+/// square.
 template <class IsThere>
 bool ConservativeTest::is_anywhere(double half_side_px, const IsThere& is_there) const {
     const double h = half_side_px;

@@ -10,6 +10,12 @@
 
 namespace zproof {
 
+/// Displacements are told in so many steps of eps.
+inline constexpr int displacement_steps = 1024;
+
+/// Half the side of the least square that is asked about: what is seen there needs no displacement.
+constexpr double least_px(double eps_px) { return eps_px / displacement_steps; }
+
 class ConservativeTest {
   public:
     /// Of an answer: a triangle, or none. The neighbourhood must outlive it.
@@ -20,12 +26,12 @@ class ConservativeTest {
     Finding finding() const;
 
     enum class Seen { yes, no, undecided };
-    /// Is it seen in the square of that half-side, at most eps: what AdmissibleSet::is_seen() and, for background,
-    /// holds_background() say?
+    /// Is it seen in the square of that half-side, at most eps: what AdmissibleSet::is_seen() and, for
+    /// background, holds_background() say?
     Seen seen_within(double half_side_px) const;
 
-    /// The half-side at which a corner of the square reaches the answer's triangle, and no triangle that holds the
-    /// centre in front of it. An estimate.
+    /// The half-side at which a corner of the square reaches the answer's triangle, and no triangle that
+    /// holds the centre in front of it. An estimate.
     double likely_displacement_px() const;
 
   private:
@@ -37,8 +43,8 @@ class ConservativeTest {
         PixelOffset middle() const;
     };
 
-    /// What values in the square may be off by: Neighbour has it for places within a pixel of the centre, twice pays
-    /// for the evaluation.
+    /// What values in the square may be off by: Neighbour has it for places within a pixel of the centre,
+    /// twice pays for the evaluation.
     double edge_error(const Neighbour& n) const { return error_scale_ * n.edge_error; }
     double nearness_error(const Neighbour& n) const { return error_scale_ * n.plane_error; }
     bool misses(const Neighbour& n, double half_side_px) const;
@@ -62,9 +68,9 @@ class ConservativeTest {
     const Neighbourhood& around_;
     CoplanarMemory& coplanar_;
     double error_scale_;
-    const Neighbour* answer_ = nullptr;      ///< none for background
-    std::vector<const Neighbour*> others_;   ///< that do not miss the square for certain, without the answer's
-    bool is_asked_ = false;                  ///< are all of them such that double can tell?
+    const Neighbour* answer_ = nullptr;     ///< none for background
+    std::vector<const Neighbour*> others_;  ///< that do not miss the square for certain, without the answer's
+    bool is_asked_ = false;                 ///< are all of them such that double can tell?
 };
 
 }  // namespace zproof

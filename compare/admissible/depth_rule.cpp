@@ -44,7 +44,8 @@ bool is_admissible_depth(const View& view, const ViewBounds& bounds, const Corne
     const Neighbour n = neighbour_of(Sight<double>(view, place.x, place.y), bounds, p_world);
     const Projection projection = view.camera.projection;
     if (!std::isfinite(depth)) return false;
-    if (!std::isfinite(n.bounds.depth_relative + n.bounds.depth_absolute + n.bounds.nearness_error)) return true;
+    if (!std::isfinite(n.bounds.depth_relative + n.bounds.depth_absolute + n.bounds.nearness_error))
+        return true;
     const CornerLimits limits = bounds.keeps_to_corners() ? corner_limits(n, depth) : CornerLimits{};
     if (limits.is_beyond) return false;
     if (!n.is_plane_known) return true;  // the corners alone say

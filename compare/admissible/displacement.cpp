@@ -42,8 +42,8 @@ class SeenWithin {
 
 }  // namespace
 
-/// What is seen in a square is seen in every larger one: by ever larger strides from the likely half-side, and then by
-/// bisection.
+/// What is seen in a square is seen in every larger one: by ever larger strides from the likely half-side,
+/// and then by bisection.
 std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer,
                                             CoplanarMemory& coplanar) {
     SeenWithin seen_within(around, answer, coplanar);

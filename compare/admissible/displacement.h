@@ -7,19 +7,14 @@
 
 namespace zproof {
 
-/// Displacements are told in so many steps of eps.
-inline constexpr int displacement_steps = 1024;
-
-/// Half the side of the least square that is asked about: what is seen there needs no displacement.
-constexpr double least_px(double eps_px) { return eps_px / displacement_steps; }
-
 /// The least half-side of a square around the centre in which the answer is seen, over eps_px of the
-/// neighbourhood; multiples of 1/1024, rounded down, so never 1 for an answer that is admissible by its place.
-/// Nothing where not even 1/1024 is needed: the answer is right at the centre. An estimate in double, for
-/// statistics; it decides nothing (docs/bounds.md, "Is the bound tight?").
+/// neighbourhood; multiples of 1/1024, rounded down, so never 1 for an answer that is admissible by its
+/// place. Nothing where not even 1/1024 is needed: the answer is right at the centre. An estimate in double,
+/// for statistics; it decides nothing (docs/bounds.md, "Is the bound tight?").
 ///
 /// For a triangle that misses the centre this is how far its corners must have moved; for one that others
 /// hide there, or for background, how far those others must have moved aside.
-std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar);
+std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer,
+                                            CoplanarMemory& coplanar);
 
 }  // namespace zproof

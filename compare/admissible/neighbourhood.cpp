@@ -32,23 +32,24 @@ NearnessRange nearness_range(const BoundedTriangle& triangle, const std::optiona
 
 double size_of(const Vector3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-/// Forward errors of a triple product: at most 16 roundings, with every difference and product in absolute value.
-/// Parallel projections round the origin of the ray as well.
+/// Forward errors of a triple product: at most 16 roundings, with every difference and product in absolute
+/// value. Parallel projections round the origin of the ray as well, by a share of its size.
 struct ProductErrors {
     double edge;         ///< of an edge's value within a pixel of the centre
     double orientation;  ///< of what the sign of all edges is taken from
 };
 
-ProductErrors product_errors(const Sight<double>& sight, const Corners<double>& p_world) {
-    const double steps = size_of(sight.step_x) + size_of(sight.step_y), direction = size_of(sight.direction);
+ProductErrors product_errors(const Sight<double>& sight, const Corners<double>& p_world,
+                             const ViewBounds::RaySize& ray_size) {
+    constexpr double share = gamma(16, unit_roundoff_float64) * 4;
+    const double steps = size_of(sight.step_x) + size_of(sight.step_y);
     const bool is_parallel = sight.projection == Projection::parallel;
+    const double of_origin = is_parallel ? ray_size.origin : 0, moved = is_parallel ? steps : 0;
     double from_eye = 0;
     for (const Vector3<double>& p : p_world)
-        from_eye = std::max(from_eye,
-                            is_parallel ? size_of(p) + size_of(sight.origin) + steps : size_of(p - sight.origin));
-    constexpr double share = gamma(16, unit_roundoff_float64) * 4;
-    const double square = share * from_eye * from_eye;
-    return {square * (direction + steps), square * (is_parallel ? direction : from_eye)};
+        from_eye = std::max(from_eye, size_of(p - sight.origin) + share * of_origin + moved);
+    const double square = share * from_eye * (from_eye + of_origin);
+    return {square * (ray_size.direction + steps), square * (is_parallel ? ray_size.direction : from_eye)};
 }
 
 /// What image_of() takes the orientation from.
@@ -71,16 +72,16 @@ std::optional<std::size_t> Neighbourhood::index_of(PrimitiveId triangle) const {
     return std::size_t(found - neighbours.begin());
 }
 
-Neighbour seen_at(const Sight<double>& sight, const CornersWorld& corners_world, const PlaneError& plane_error) {
+Neighbour seen_at(const Sight<double>& sight, const BoundedTriangle& triangle) {
     Neighbour n;
-    n.p_world = corners_world;
-    const Corners<double> p_world = corners<double>(corners_world);
+    n.p_world = triangle.p_world;
+    const Corners<double> p_world = corners<double>(n.p_world);
     n.image = image_of(sight, p_world);
     if (!n.image) return n;
     n.gradient = steepness(n.image->nearness);
-    n.plane_error = plane_error.at(std::abs(n.image->nearness.c) + n.gradient);
+    n.plane_error = triangle.plane_error.at(std::abs(n.image->nearness.c) + n.gradient);
     n.is_plane_known = std::isfinite(n.plane_error);
-    const ProductErrors errors = product_errors(sight, p_world);
+    const ProductErrors errors = product_errors(sight, p_world, triangle.ray_size);
     n.edge_error = errors.edge;
     n.is_trusted = n.is_plane_known && std::abs(orientation_of(sight, p_world)) > errors.orientation;
     return n;
@@ -101,7 +102,7 @@ void set_bounds(Neighbour& n, const BoundedTriangle& triangle, Projection projec
 }
 
 Neighbour neighbour_of(const Sight<double>& sight, const BoundedTriangle& triangle) {
-    Neighbour n = seen_at(sight, triangle.p_world, triangle.plane_error);
+    Neighbour n = seen_at(sight, triangle);
     set_bounds(n, triangle, sight.projection);
     return n;
 }
@@ -111,9 +112,11 @@ Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewB
     const Sight<double> sight(view, site.x, site.y);
     Neighbourhood around{view, site.x, site.y, own_eps_px, {}};
     for (const std::uint32_t triangle : site.triangles) {
-        Neighbour& n = around.neighbours.emplace_back(neighbour_of(sight, bounds, corners_of(scene, triangle)));
+        Neighbour& n =
+            around.neighbours.emplace_back(neighbour_of(sight, bounds, corners_of(scene, triangle)));
         n.triangle = triangle;
-        if (n.image && comes_within(*n.image, own_eps_px)) around.eps_px = std::max(around.eps_px, n.bounds.eps_px);
+        if (n.image && comes_within(*n.image, own_eps_px))
+            around.eps_px = std::max(around.eps_px, n.bounds.eps_px);
     }
     return around;
 }

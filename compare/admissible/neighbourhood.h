@@ -59,11 +59,13 @@ struct BoundedTriangle {
     BoundedTriangle(const ViewBounds& of_view, const CornersWorld& p, const TriangleExtent& extent)
         : p_world(p),
           plane_error(extent.size.plane),
+          ray_size(of_view.ray_size()),
           bounds(of_view.of(extent)),
           keeps_to_corners(of_view.keeps_to_corners()) {}
 
     CornersWorld p_world;
     PlaneError plane_error;
+    ViewBounds::RaySize ray_size;
     TriangleBounds bounds;
     bool keeps_to_corners;
 };
@@ -72,12 +74,13 @@ struct BoundedTriangle {
 bool comes_within(const TriangleImage<double>& image, double eps_px);
 
 /// What one triangle is at a pixel, whoever draws it: its image, with its errors. `triangle` is left 0.
-Neighbour seen_at(const Sight<double>& sight, const CornersWorld& p_world, const PlaneError& plane_error);
+Neighbour seen_at(const Sight<double>& sight, const BoundedTriangle& triangle);
 /// Sets what depends on the renderer.
 void set_bounds(Neighbour& seen, const BoundedTriangle& triangle, Projection projection);
 /// Both.
 Neighbour neighbour_of(const Sight<double>& sight, const BoundedTriangle& triangle);
-inline Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds, const CornersWorld& p_world) {
+inline Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds,
+                              const CornersWorld& p_world) {
     return neighbour_of(sight, BoundedTriangle(bounds, p_world));
 }
 
@@ -86,8 +89,8 @@ double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds
                   PrimitiveId answer);
 
 /// Gathers the evidence for an answer whose own eps is own_eps_px <= site.reach_px. Where the result's eps_px
-/// exceeds site.reach_px, triangles may be missing: look again with that reach; the result's eps_px will be the
-/// same.
+/// exceeds site.reach_px, triangles may be missing: look again with that reach; the result's eps_px will be
+/// the same.
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const Site& site, double own_eps_px);
 

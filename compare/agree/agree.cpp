@@ -73,7 +73,8 @@ class BlockScan {
         });
     }
 
-    /// What one frame shows, with error / bound; a background that is none and what is no triangle are undecided.
+    /// What one frame shows, with error / bound; a background that is none and what is no triangle are
+    /// undecided.
     void look_at(const PixelRow& row, const Frame& frame, TriangleDepth BoundTable::Depths::*side,
                  RowOf<PrimitiveId>& shown, RowOf<double>& errors) {
         const auto ids = row.of(frame.primitive);
@@ -81,18 +82,21 @@ class BlockScan {
         std::ranges::copy(row.of(frame.camera_depth), depths_.begin());
         for_each_run(ids, [&](PrimitiveId id, std::size_t first, std::size_t end) {
             if (is_triangle(id))
-                find_depth_errors(table_[table_.place_of(id)].*side, row.left + int(first), row.y, end - first,
-                                  &depths_[first], &errors_found_[first]);
+                find_depth_errors(table_[table_.place_of(id)].*side, row.left + int(first), row.y,
+                                  end - first, &depths_[first], &errors_found_[first]);
             else
                 for (std::size_t i = first; i < end; ++i)
-                    errors_found_[i] = id == PrimitiveId::none && depths_[i] == background_depth ? 0 : undecided_error;
+                    errors_found_[i] =
+                        id == PrimitiveId::none && depths_[i] == background_depth ? 0 : undecided_error;
         });
         std::fill(std::copy_n(errors_found_.begin(), ids.size(), errors.begin()), errors.end(), 0.0);
     }
 
     void scan(const PixelRow& row, std::vector<UndecidedPixel>& undecided) {
-        look_at(row, frames_.candidate.frame, &BoundTable::Depths::candidate, row_.candidate, row_.candidate_error);
-        look_at(row, frames_.reference.frame, &BoundTable::Depths::reference, row_.reference, row_.reference_error);
+        look_at(row, frames_.candidate.frame, &BoundTable::Depths::candidate, row_.candidate,
+                row_.candidate_error);
+        look_at(row, frames_.reference.frame, &BoundTable::Depths::reference, row_.reference,
+                row_.reference_error);
         if (counts_.add(row_)) list_undecided(row, undecided);
         if (!errors_) return;
         write_errors(row, frames_.candidate.frame, &BoundTable::Depths::candidate, row_.candidate_error,
@@ -117,7 +121,8 @@ class BlockScan {
         for (std::size_t i = 0; i < row.count(); ++i) {
             const int x = row.left + int(i);
             double error = std::numeric_limits<double>::quiet_NaN();
-            if (is_triangle(ids[i]) && errors[i] != undecided_error) error = errors[i];
+            if (is_triangle(ids[i]) && errors[i] != undecided_error)
+                error = errors[i];
             else if (is_triangle(ids[i]))
                 error = error_over_bound((table_[table_.place_of(ids[i])].*side).at(x, row.y), depths[i]);
             map.at(x, row.y) = float(error);
@@ -152,7 +157,8 @@ Agreement find_agreement(const FramePair& frames, ErrorMaps* errors) {
         add(all.candidate_depth, scan.counts().candidate());
         add(all.reference_depth, scan.counts().reference());
     }
-    for (const auto& pixels : of_band) all.undecided.insert(all.undecided.end(), pixels.begin(), pixels.end());
+    for (const auto& pixels : of_band)
+        all.undecided.insert(all.undecided.end(), pixels.begin(), pixels.end());
     return all;
 }
 

@@ -1,5 +1,5 @@
-/// The first tier: looks at every pixel once. Where both frames name the same triangle, each at a depth that is within
-/// its bound for certain, they agree; every other pixel is undecided.
+/// The first tier: looks at every pixel once. Where both frames name the same triangle, each at a depth that
+/// is within its bound for certain, they agree; every other pixel is undecided.
 #pragma once
 
 #include <vector>
@@ -21,8 +21,8 @@ struct Agreement {
     std::vector<UndecidedPixel> undecided;         ///< block by block
 };
 
-/// On the threads of the surrounding tbb::task_arena; the result does not depend on their number. Fills in the maps of
-/// errors where there are some: of pixels that have none, NaN.
+/// On the threads of the surrounding tbb::task_arena; the result does not depend on their number. Fills in
+/// the maps of errors where there are some: of pixels that have none, NaN.
 Agreement find_agreement(const FramePair& frames, ErrorMaps* errors);
 
 }  // namespace zproof

@@ -7,16 +7,16 @@ namespace zproof {
 namespace {
 
 template <Projection projection, TriangleDepth::Relative relative>
-[[gnu::always_inline]] inline void find_errors(const TriangleDepth& of, int x, int y, int count, const float* depths,
-                                               double* errors) {
+[[gnu::always_inline]] inline void find_errors(const TriangleDepth& of, int x, int y, int count,
+                                               const float* depths, double* errors) {
     const TriangleDepth triangle = of;  // its numbers change under no pixel's error
     for (int i = 0; i < count; ++i)
         errors[i] = triangle.certain_error_over_bound<projection, relative>(x + i, y, depths[i]);
 }
 
 template <Projection projection>
-[[gnu::always_inline]] inline void find_errors(const TriangleDepth& of, int x, int y, int count, const float* depths,
-                                               double* errors) {
+[[gnu::always_inline]] inline void find_errors(const TriangleDepth& of, int x, int y, int count,
+                                               const float* depths, double* errors) {
     using enum TriangleDepth::Relative;
     if (of.relative() == everywhere)
         find_errors<projection, everywhere>(of, x, y, count, depths, errors);
@@ -24,8 +24,8 @@ template <Projection projection>
         find_errors<projection, by_nearness>(of, x, y, count, depths, errors);
 }
 
-// Compiled once per instruction set, with everything that it calls. No bit depends on which runs: contraction is off,
-// and every pixel's operations keep their order.
+// Compiled once per instruction set, with everything that it calls. No bit depends on which runs: contraction
+// is off, and every pixel's operations keep their order.
 [[gnu::flatten, gnu::target_clones("default", "avx2", "avx512f")]] void find_on_plane(
     const TriangleDepth& triangle, int x, int y, int count, const float* depths, double* errors) {
     if (triangle.projection() == Projection::perspective)

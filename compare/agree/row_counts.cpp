@@ -18,8 +18,10 @@ static_assert(uncounted < int(RowCounts::stride) && row_pixels % RowCounts::lane
 }
 
 /// Writes the bins of each pixel, and raises the largest errors. Is any pixel undecided?
-[[gnu::target_clones("default", "avx2", "avx512f")]] bool set_bins(const ComparedRow& row, RowCounts::Most& candidate,
-                                                                   RowCounts::Most& reference, RowOf<int>& pairs) {
+[[gnu::target_clones("default", "avx2", "avx512f")]] bool set_bins(const ComparedRow& row,
+                                                                   RowCounts::Most& candidate,
+                                                                   RowCounts::Most& reference,
+                                                                   RowOf<int>& pairs) {
     RowCounts::Most most = candidate, most_of_reference = reference;
     int undecided = 0;
     for (std::size_t first = 0; first < row_pixels; first += RowCounts::lanes)
@@ -31,7 +33,8 @@ static_assert(uncounted < int(RowCounts::stride) && row_pixels % RowCounts::lane
             undecided |= !is_decided;
             pairs[i] = is_counted ? bin_of(a) * int(RowCounts::stride) + bin_of(b) : uncounted;
             most[lane] = is_counted & (a > most[lane]) ? a : most[lane];
-            most_of_reference[lane] = is_counted & (b > most_of_reference[lane]) ? b : most_of_reference[lane];
+            most_of_reference[lane] =
+                is_counted & (b > most_of_reference[lane]) ? b : most_of_reference[lane];
         }
     candidate = most;
     reference = most_of_reference;
@@ -43,7 +46,8 @@ static_assert(uncounted < int(RowCounts::stride) && row_pixels % RowCounts::lane
 bool RowCounts::add(const ComparedRow& row) {
     RowOf<int> pairs;
     const bool is_any_undecided = set_bins(row, candidate_most_, reference_most_, pairs);
-    for (std::size_t i = 0; i < row_pixels; ++i) ++pairs_[i % lanes * stride * stride + std::size_t(pairs[i])];
+    for (std::size_t i = 0; i < row_pixels; ++i)
+        ++pairs_[i % lanes * stride * stride + std::size_t(pairs[i])];
     return is_any_undecided;
 }
 

@@ -14,7 +14,8 @@ inline constexpr std::size_t row_pixels = 64;
 template <class T>
 using RowOf = std::array<T, row_pixels>;
 
-/// What both frames show in a row, and error / bound of each. Beyond the image's right side both show background.
+/// What both frames show in a row, and error / bound of each. Beyond the image's right side both show
+/// background.
 struct ComparedRow {
     RowOf<PrimitiveId> candidate, reference;
     RowOf<double> candidate_error, reference_error;  ///< below 0: undecided

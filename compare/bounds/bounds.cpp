@@ -60,16 +60,6 @@ double largest_defect(const Camera& camera) {
 
 }  // namespace
 
-CornersWorld corners_of(const Scene& scene, std::uint32_t triangle) {
-    const glm::uvec3& index = scene.triangles[triangle];
-    const auto& p = scene.vertices.position_world;
-    return {p[index.x], p[index.y], p[index.z]};
-}
-
-double TriangleExtent::largest_depth() const {
-    return std::max({std::abs(size.depth[0]), std::abs(size.depth[1]), std::abs(size.depth[2])});
-}
-
 double ViewBounds::lateral_px(const glm::dvec3& camera_abs) const {
     return scale_.lateral_px(exactly<double>(camera_abs));
 }

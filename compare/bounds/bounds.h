@@ -7,22 +7,11 @@
 #include <limits>
 
 #include "compare/bounds/depth_terms.h"
+#include "compare/bounds/triangle_extent.h"
 #include "frame/precision.h"
-#include "scenes/scene.h"
 #include "scenes/view.h"
 
 namespace zproof {
-
-using CornersWorld = std::array<glm::vec3, 3>;
-
-CornersWorld corners_of(const Scene& scene, std::uint32_t triangle);
-
-/// A triangle's corners in the number type asked for, without loss.
-template <class Number>
-Corners<Number> corners(const CornersWorld& p) {
-    return {exactly<Number>(glm::dvec3(p[0])), exactly<Number>(glm::dvec3(p[1])),
-            exactly<Number>(glm::dvec3(p[2]))};
-}
 
 /// The bounds of one triangle at one place of the image.
 struct LocalBounds {
@@ -31,14 +20,6 @@ struct LocalBounds {
     double depth_relative = 0;  ///< delta: relative error of depth; infinite where the plane is not known
     double depth_absolute = 0;  ///< alpha: absolute error of depth, scene units
     double nearness_error = 0;  ///< of nearness itself; unlimited where the plane is not known
-};
-
-/// A triangle as the error analysis sees it, the same for every renderer of a view.
-struct TriangleExtent {
-    std::array<glm::dvec3, 3> v_world;  ///< corner - eye
-    TriangleSize size;
-
-    double largest_depth() const;  ///< of the corners, in absolute value
 };
 
 /// The terms of every triangle's depth, where a renderer has such.
@@ -58,8 +39,8 @@ struct TriangleBounds {
     /// At a place where nearness is `nearness` and changes by `gradient` (|d/dx| + |d/dy|) per pixel.
     LocalBounds at(double nearness, double gradient) const;
     DepthTerms depth_terms() const {
-        return {depth_eps_base_px, depth_eps_per_nearness, depth_factor, depth_absolute, nearness_error,
-                plane_offset};
+        return {depth_eps_base_px, depth_eps_per_nearness, depth_factor,
+                depth_absolute,    nearness_error,         plane_offset};
     }
 };
 
@@ -105,9 +86,18 @@ class ViewBounds {
     /// the plane.
     bool keeps_to_corners() const;
     Projection projection() const { return view_.camera.projection; }
+    /// Sums of the terms that the image's rays are made of, each in absolute value, at their largest.
+    struct RaySize {
+        double origin, direction;
+    };
+    RaySize ray_size() const {
+        const Vector3<double> origin = gauge_.eye_abs + gauge_.origin_abs, &direction = gauge_.direction_abs;
+        return {origin.x + origin.y + origin.z, direction.x + direction.y + direction.z};
+    }
     /// No |nearness| in the image is larger; `nearness` is of pixel indices.
     double largest_in_image(const Affine<double>& nearness) const {
-        return std::abs(nearness.c) + std::abs(nearness.a) * view_.width + std::abs(nearness.b) * view_.height;
+        return std::abs(nearness.c) + std::abs(nearness.a) * view_.width +
+               std::abs(nearness.b) * view_.height;
     }
     /// The share that every triangle has in common; above 0.
     double background_eps_px() const { return background_eps_px_; }

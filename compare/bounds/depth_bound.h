@@ -10,12 +10,12 @@ struct DepthBound {
     double low = 0, truth = 0, high = 0;  ///< all NaN where the answer is background
 };
 
-/// |depth - truth| over the bound on that side; 0 for an exact hit, and where nothing bounds it.
+/// |depth - truth| over the bound on that side; 0 for an exact hit, and where nothing bounds it; NaN for NaN.
 inline double error_over_bound(const DepthBound& bound, double depth) {
     const double error = std::abs(depth - bound.truth);
     const double room = depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth;
     const double share = error / room;
-    return (error == 0) | std::isinf(room) ? 0 : share;
+    return error == 0 || (std::isinf(room) && depth == depth) ? 0 : share;
 }
 
 }  // namespace zproof

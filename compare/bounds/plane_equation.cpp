@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/bounds/depth_terms.h"
 #include "math/rounding.h"
 
 namespace zproof {

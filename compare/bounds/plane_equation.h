@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "compare/bounds/bounds.h"
+#include "compare/bounds/triangle_extent.h"
+#include "scenes/view.h"
 
 namespace zproof {
 

@@ -38,9 +38,11 @@ auto TriangleDepth::range_at(double x, double y) const -> Range {
     using enum Relative;
     const bool is_perspective = projection_ == perspective;
     if (has_plane_ && relative() == everywhere)
-        return is_perspective ? on_plane<perspective, everywhere>(x, y) : on_plane<parallel, everywhere>(x, y);
+        return is_perspective ? on_plane<perspective, everywhere>(x, y)
+                              : on_plane<parallel, everywhere>(x, y);
     if (has_plane_)
-        return is_perspective ? on_plane<perspective, by_nearness>(x, y) : on_plane<parallel, by_nearness>(x, y);
+        return is_perspective ? on_plane<perspective, by_nearness>(x, y)
+                              : on_plane<parallel, by_nearness>(x, y);
     const double here = held_between(nearness_.at(x, y), corners_.least, corners_.highest);
     return {nearest_, nearest_, farthest_,
             relative() == everywhere ? relative_ : relative_at<by_nearness>(here)};

@@ -1,5 +1,5 @@
-/// The depths that one renderer may report for one triangle, anywhere in the image: the depth rule in double, with
-/// a forward error bound (docs/bounds.md). Where that does not settle it, ask is_admissible_depth()
+/// The depths that one renderer may report for one triangle, anywhere in the image: the depth rule in double,
+/// with a forward error bound (docs/bounds.md). Where that does not settle it, ask is_admissible_depth()
 /// (admissible/depth_rule.h).
 #pragma once
 
@@ -14,13 +14,14 @@ struct TriangleInView {
     TriangleInView(const View& view, const ViewBounds& any_bounds, const CornersWorld& p_world)
         : TriangleInView(Sight<double>(view, 0, 0), any_bounds, p_world) {}
     /// `first_pixel` is the ray of pixel (0, 0).
-    TriangleInView(const Sight<double>& first_pixel, const ViewBounds& any_bounds, const CornersWorld& p_world);
+    TriangleInView(const Sight<double>& first_pixel, const ViewBounds& any_bounds,
+                   const CornersWorld& p_world);
 
     TriangleExtent extent;
     bool is_edge_on = false;
     Affine<double> nearness{0, 0, 0};  ///< of pixel indices
     double gradient = 0;               ///< |d/dx| + |d/dy|
-    double own_error = 0;              ///< of nearness, anywhere in the image; infinite where the plane is not known
+    double own_error = 0;  ///< of nearness, anywhere in the image; infinite where the plane is not known
 };
 
 class TriangleDepth {
@@ -45,16 +46,18 @@ class TriangleDepth {
     /// Is the relative error of depth the same all over the triangle?
     enum class Relative { everywhere, by_nearness };
     Relative relative() const { return plane_offset_ > 0 ? Relative::by_nearness : Relative::everywhere; }
-    /// Both for a triangle that has a plane, without branches: error / bound, or -1 where double does not hold the
-    /// depth admissible for certain.
+    /// Both for a triangle that has a plane, without branches: error / bound, or -1 where double does not
+    /// hold the depth admissible for certain.
     template <Projection projection, Relative relative>
     double certain_error_over_bound(double x, double y, float depth) const {
         const Range range = on_plane<projection, relative>(x, y);
         const DepthBound bound{widened_low(range), range.truth, widened_high(range)};
-        const bool is_certain = is_bounded(range.relative) & (range.truth < unlimited) &
+        const bool is_certain = is_bounded(range.relative + absolute_ + nearness_error_) &
+                                (range.relative >= 0) & (range.truth < unlimited) &
                                 holds<projection>(bound, depth, own_error_);
         const double error = std::abs(depth - bound.truth);
-        const double share = error / (depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth);
+        const double share =
+            error / (depth < bound.truth ? bound.truth - bound.low : bound.high - bound.truth);
         return is_certain ? (error > 0 ? share : 0) : -1;
     }
 
@@ -69,7 +72,8 @@ class TriangleDepth {
         const double raised = a < low ? low : a;
         return high < raised ? high : raised;
     }
-    /// compounded(), but where that is unlimited: there it is none that is_bounded() takes, so that no branch is needed.
+    /// compounded(), but where that is unlimited: there it is none that is_bounded() takes, so that no branch
+    /// is needed.
     template <Relative relative>
     double relative_at(double nearness) const {
         if constexpr (relative == Relative::everywhere) return relative_;
@@ -95,18 +99,28 @@ class TriangleDepth {
     }
     template <Projection projection, Relative relative>
     Range on_plane(double x, double y) const {
-        const double nearness = nearness_.at(x, y), here = held_between(nearness, corners_.least, corners_.highest);
+        const double nearness = nearness_.at(x, y),
+                     here = held_between(nearness, corners_.least, corners_.highest);
         const double shift = eps_px_.at(here) * gradient_ + nearness_error_;
-        const double low = held_between(depth_of<projection>(nearness + shift), least_depth_, greatest_depth_),
-                     high = held_between(depth_of<projection>(nearness - shift), least_depth_, greatest_depth_);
-        return {low, held_between(depth_of<projection>(nearness), low, high), high, relative_at<relative>(here)};
+        const double low =
+                         held_between(depth_of<projection>(nearness + shift), least_depth_, greatest_depth_),
+                     high =
+                         held_between(depth_of<projection>(nearness - shift), least_depth_, greatest_depth_);
+        return {low, held_between(depth_of<projection>(nearness), low, high), high,
+                relative_at<relative>(here)};
     }
     Range range_at(double x, double y) const;
     template <Projection projection>
     static bool holds(const DepthBound& bound, float depth, double own_error) {
         constexpr double rounding = 8 * unit_roundoff_float64;
-        const double z = depth, of_plane = projection == Projection::perspective ? 2 * own_error * z * z : own_error;
-        return (z >= 0) & (bound.low + of_plane + rounding * z <= z) & (z <= bound.high - of_plane - rounding * z);
+        // an error g of nearness is one of g h / (1 - g h) in the depth h: at most 2 g h^2, or the depth is
+        // not held
+        const auto of_plane = [&](double h) {
+            return projection == Projection::perspective ? 2 * own_error * h * h : own_error;
+        };
+        const double z = depth;
+        return (z >= 0) & (bound.low + of_plane(z) + rounding * z <= z) &
+               (z <= bound.high - of_plane(bound.high) - rounding * z);
     }
 
     Affine<double> nearness_{0, 0, 0};
@@ -114,8 +128,8 @@ class TriangleDepth {
     CornerNearness corners_;
     Displacement eps_px_;
     double factor_ = 0, plane_offset_ = 0, relative_ = 0, absolute_ = 0, nearness_error_ = 0;
-    double nearest_ = 0, farthest_ = 0;               ///< camera depths of the corners
-    double least_depth_ = 0, greatest_depth_ = 0;     ///< the same, where the renderer keeps to them
+    double nearest_ = 0, farthest_ = 0;            ///< camera depths of the corners
+    double least_depth_ = 0, greatest_depth_ = 0;  ///< the same, where the renderer keeps to them
     Projection projection_ = Projection::perspective;
     bool has_plane_ = false, is_edge_on_ = true;
 };

@@ -1,8 +1,6 @@
 #include "compare/diagnosis/hypothesis.h"
 
-#include <iterator>
-
-#include "compare/diagnosis/hypotheses/catalogue.h"
+#include <utility>
 
 namespace zproof {
 
@@ -16,17 +14,6 @@ Hypothesis as_declared(const CaseFile& file, std::string name, std::string descr
             .restate = nullptr,
             .amend = nullptr,
             .report = nullptr};
-}
-
-std::vector<Hypothesis> all_hypotheses(const CaseFile& file) {
-    std::vector<Hypothesis> all;
-    for (const auto family :
-         {hypotheses_of_signs, hypotheses_of_place, hypotheses_of_depth, hypotheses_of_ids,
-          hypotheses_of_drawing, hypotheses_of_parts, hypotheses_of_precision}) {
-        std::vector<Hypothesis> more = family(file);
-        all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-    }
-    return all;
 }
 
 }  // namespace zproof

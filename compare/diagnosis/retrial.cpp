@@ -153,9 +153,9 @@ std::uint64_t count_lawful(const CaseFile& file, const District& district, const
         queries.push_back({&reading.bounds(), *id, claim.x, claim.y});
         asked.push_back(&claim);
     }
-    std::vector<Adjudicated> adjudicated =
-        Adjudicator(district.scene(), supposed.view, Asked::admissibility, in_district(supposed.amend, district))
-            .decide(queries);
+    std::vector<Adjudicated> adjudicated = Adjudicator(district.scene(), supposed.view, Asked::admissibility,
+                                                       in_district(supposed.amend, district))
+                                               .decide(queries);
     for (std::size_t i = 0; i < asked.size(); ++i) {
         if (adjudicated[i].decision.eps_px <= district.reach_px(*asked[i])) continue;
         adjudicated[i].decision.admissibility = Admissibility::outside;

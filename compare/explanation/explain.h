@@ -1,36 +1,14 @@
-/// The whole story of one pixel.
+/// The whole story of one pixel, told.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "compare/admissible/admissibility.h"
-#include "compare/bounds/pixel_place.h"
+#include "compare/explanation/pixel_story.h"
 #include "compare/rendered_frame.h"
-#include "compare/verdict.h"
 
 namespace zproof {
-
-/// A triangle that comes near the pixel, as the judge sees it.
-struct Candidate {
-    PrimitiveId primitive = PrimitiveId::none;
-    /// Signed distance of the pixel's centre from each edge (0: v1v2, 1: v2v0, 2: v0v1), in 1/256 px;
-    /// positive inside; all NaN where the triangle is seen edge-on.
-    std::array<double, 3> edge_distance{};
-    DepthBound depth;
-    Decision decision;
-};
-
-struct PixelStory {
-    Finding finding;
-    Decision candidate, reference;  ///< both answers, each judged by its own renderer's precision
-    bool ids_differ = false;        ///< otherwise the decisions were not needed and say nothing
-    std::vector<Candidate>
-        candidates;       ///< triangles within eps of the centre, nearest first; candidate's precision
-    Decision background;  ///< would background have been lawful?
-};
 
 /// Judges one pixel and keeps the evidence. It must lie inside the view (std::out_of_range otherwise).
 PixelStory explain(const Scene& scene, const View& view, const RenderedFrame& candidate,

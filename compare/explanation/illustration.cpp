@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "compare/explanation/storyteller.h"
 #include "compare/adjudicate/triangle_search.h"
+#include "compare/explanation/storyteller.h"
 
 namespace zproof {
 

@@ -2,7 +2,10 @@
 /// them.
 #pragma once
 
-#include "compare/explanation/explain.h"
+#include <span>
+#include <vector>
+
+#include "compare/explanation/pixel_story.h"
 #include "compare/rendered_frame.h"
 
 namespace zproof {

@@ -32,7 +32,7 @@ json comparable(const Folder& folder, const std::string& out) {
 TEST(Run, LeavesTheReportsAndTheEvidenceOfASuiteScene) {
     const Folder folder;
     const std::string name = suite_manifest().front().name;
-    const Ran ran = run(folder, run_words({name}));
+    const Ran ran = run(folder, run_words({name, "--evidence", "all"}));
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
     EXPECT_EQ(folder.names(), Words{"zproof-out"});
     const json results = json::parse(folder.read("zproof-out/results.json"));
@@ -49,10 +49,10 @@ TEST(Run, SaysTheSameForAnyNumberOfThreads) {
     const Folder folder;
     const auto manifest = suite_manifest();
     for (const char* threads : {"1", "2", "5"})
-        ASSERT_EQ(
-            run(folder, run_words({manifest[0].name, manifest[1].name, "--threads", threads, "-o", threads}))
-                .exit_code,
-            0);
+        ASSERT_EQ(run(folder, run_words({manifest[0].name, manifest[1].name, "--evidence", "all", "--threads",
+                                         threads, "-o", threads}))
+                      .exit_code,
+                  0);
     EXPECT_EQ(comparable(folder, "1"), comparable(folder, "2"));
     EXPECT_EQ(comparable(folder, "1"), comparable(folder, "5"));
 }

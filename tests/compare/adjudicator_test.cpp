@@ -14,7 +14,14 @@
 namespace zproof {
 namespace {
 
-RasterPrecision with_subpixel_bits(int bits) { return {.transform = Arithmetic::float64, .subpixel_bits = bits}; }
+std::vector<Adjudicated> adjudicate(const Scene& scene, const View& view, std::span<const PixelQuery> queries,
+                                    Asked asked, const RuleOverride& override = nullptr) {
+    return Adjudicator(scene, view, asked, override).decide(queries);
+}
+
+RasterPrecision with_subpixel_bits(int bits) {
+    return {.transform = Arithmetic::float64, .subpixel_bits = bits};
+}
 
 /// In the square of half-side 1/8 around the only place asked about, but farther from it than 1/12, two walls
 /// meet in front of a third.
@@ -24,8 +31,8 @@ class ACoarseAnswerAmongFineOnes : public testing::TestWithParam<Projection> {
     static constexpr std::uint32_t back = 2;
 
     View view = pixel_view(GetParam(), 16, 16);
-    Scene scene =
-        scene_of(view, {wall_left_of(seam_x, front_depth), wall_right_of(seam_x, front_depth), wall(back_depth)});
+    Scene scene = scene_of(
+        view, {wall_left_of(seam_x, front_depth), wall_right_of(seam_x, front_depth), wall(back_depth)});
     ViewBounds fine{view, with_subpixel_bits(8)}, coarse{view, with_subpixel_bits(2)};
 
     /// Of that triangle by the coarse renderer, after so many of the fine one in the same tile.
@@ -65,7 +72,8 @@ TEST(Adjudicator, LooksAsFarAsEachQueryNeeds) {
     const View view = pixel_view(Projection::parallel, tiles * 16, 16);
     const Scene scene = scene_of(view, {wall_right_of(centre_x, 8), wall_left_of(centre_x + 0x1p-11, 4),
                                         wall_right_of(centre_x + 0x1p-12, 4)});
-    const ViewBounds fine(view, RayPrecision{.arithmetic = Arithmetic::float64}), coarse(view, with_subpixel_bits(-3));
+    const ViewBounds fine(view, RayPrecision{.arithmetic = Arithmetic::float64}),
+        coarse(view, with_subpixel_bits(-3));
     std::vector<PixelQuery> queries;
     for (int tile = 0; tile < tiles; ++tile)
         if (tile != x / 16)
@@ -123,8 +131,8 @@ struct Crowd {
             const int t = dice.below(int(scene.triangles.size()) + 1);
             const PrimitiveId answer = t == 0 ? PrimitiveId::none : PrimitiveId(t - 1);
             const bool is_there = dice.below(2);
-            queries.push_back({&renderers[std::size_t(dice.below(4))], answer, is_there ? x : some_column(dice, 48),
-                               is_there ? y : some_column(dice, 48)});
+            queries.push_back({&renderers[std::size_t(dice.below(4))], answer,
+                               is_there ? x : some_column(dice, 48), is_there ? y : some_column(dice, 48)});
         }
     }
     Crowd(const Crowd&) = delete;  // queries point into it
@@ -143,7 +151,8 @@ struct Crowd {
         while (true) {
             site.triangles.clear();
             for (std::uint32_t t = 0; t < scene.triangles.size(); ++t)
-                if (search.box_of(t).meets(square_around(q.x, q.y, site.reach_px))) site.triangles.push_back(t);
+                if (search.box_of(t).meets(square_around(q.x, q.y, site.reach_px)))
+                    site.triangles.push_back(t);
             Neighbourhood around = neighbourhood_of(scene, view, *q.bounds, site, own_px);
             if (around.eps_px <= site.reach_px) return around;
             site.reach_px = around.eps_px;
@@ -227,8 +236,8 @@ TEST(Adjudicator, IsNotInfluencedByWhatElseIsAskedNorByTheOrderOfQueriesOrThread
     }
 }
 
-/// A corner so far away that float32 moves its triangle by a pixel: the square grows to what that may uncover. Both
-/// walls are beyond what is searched at first.
+/// A corner so far away that float32 moves its triangle by a pixel: the square grows to what that may
+/// uncover. Both walls are beyond what is searched at first.
 TEST(Adjudicator, LooksAgainWhereTheSquareOutgrowsTheSearch) {
     const View view = pixel_view(Projection::perspective, 48, 48);
     const ViewBounds bounds(view, RasterPrecision{.transform = Arithmetic::float32, .subpixel_bits = 8});
@@ -245,8 +254,8 @@ TEST(Adjudicator, LooksAgainWhereTheSquareOutgrowsTheSearch) {
     }
 }
 
-/// A wall's slanted edge passes beyond the square, but within twice its half-side: whether its neighbour continues it
-/// there decides between a hole and a crack, whoever else asks in the tile.
+/// A wall's slanted edge passes beyond the square, but within twice its half-side: whether its neighbour
+/// continues it there decides between a hole and a crack, whoever else asks in the tile.
 TEST(Adjudicator, KnowsWhatContinuesAnEdgeJustBeyondTheSquare) {
     const View view = pixel_view(Projection::perspective, 48, 48);
     const ViewBounds bounds(view, RasterPrecision{.transform = Arithmetic::float32, .subpixel_bits = 8}),
@@ -261,7 +270,8 @@ TEST(Adjudicator, KnowsWhatContinuesAnEdgeJustBeyondTheSquare) {
     ASSERT_LT(eps_px, 2);
     const double beyond = 3 * eps_px, far = 64;  // x + y there; the square's corner is at 2 eps
     const Corner up{24.5 + far, 24.5 - far - beyond, 4}, down{24.5 - far, 24.5 + far - beyond, 4};
-    const Triangle front{up, down, {24.5 + 4 * far, 24.5 + 4 * far, 4}}, next{down, up, {24.5 - far, 24.5 - far, 4}};
+    const Triangle front{up, down, {24.5 + 4 * far, 24.5 + 4 * far, 4}},
+        next{down, up, {24.5 - far, 24.5 - far, 4}};
     const Scene alone = scene_of(view, {swaying, front}), continued = scene_of(view, {swaying, front, next});
     const PixelQuery both[] = {query, other};
     EXPECT_EQ(decided(alone, std::span(&query, 1)).admissibility, Admissibility::through_a_crack);
@@ -278,7 +288,8 @@ TEST(RuleOverride, IsAppliedToEveryQueryBeforeItIsDecided) {
     for (int i = 0; i < 32; ++i) queries.push_back({&bounds, PrimitiveId(i % 2), i, 31 - i});
     const auto plainly = adjudicate(scene, view, queries, Asked::admissibility);
     const auto all_but_the_answer_gone = [](Neighbourhood& around, PrimitiveId answer) {
-        std::erase_if(around.neighbours, [&](const Neighbour& n) { return PrimitiveId(n.triangle) != answer; });
+        std::erase_if(around.neighbours,
+                      [&](const Neighbour& n) { return PrimitiveId(n.triangle) != answer; });
     };
     const auto alone = adjudicate(scene, view, queries, Asked::admissibility, all_but_the_answer_gone);
     const auto nothing_left = [](Neighbourhood& around, PrimitiveId) { around.neighbours.clear(); };
@@ -290,19 +301,20 @@ TEST(RuleOverride, IsAppliedToEveryQueryBeforeItIsDecided) {
     }
 }
 
-/// Where it asks for a larger square, its triangles are looked for there as well.
-TEST(RuleOverride, MayWidenTheSquare) {
-    const View view = pixel_view(Projection::parallel, 32, 32);
-    const Scene scene = scene_of(view, {wall_left_of(18, 4), wall(8)});
-    const ViewBounds bounds(view, raster_precision());
-    const PixelQuery query{&bounds, PrimitiveId(0), 20, 8};
-    const auto asked = [&](const RuleOverride& override) {
-        return adjudicate(scene, view, std::span(&query, 1), Asked::admissibility, override)[0].decision;
-    };
-    EXPECT_EQ(asked(nullptr).admissibility, Admissibility::outside);
-    const Decision wide = asked([](Neighbourhood& around, PrimitiveId) { around.eps_px = 3; });
-    EXPECT_EQ(wide.eps_px, 3);
-    EXPECT_EQ(wide.admissibility, Admissibility::visible);
+/// Each pixel is done once, or once more for each time that it asks for a larger reach; it is given that.
+TEST(Adjudicator, DoesEveryPixelUntilItIsContent) {
+    const View view = pixel_view(Projection::parallel, 48, 48);
+    const Scene scene = scene_of(view, {wall(4)});
+    std::vector<PixelPlace> pixels;
+    for (int i = 0; i < 500; ++i) pixels.push_back({i * 37 % 48, i * 11 % 48});
+    std::vector<int> times(pixels.size());
+    Adjudicator(scene, view, Asked::admissibility)
+        .for_each_pixel(pixels, [&](TileWork&, std::size_t i, double searched_px) {
+            const int time = ++times[i], enough = 1 + int(i % 3);
+            EXPECT_TRUE(time == 1 || searched_px == time) << i;
+            return time == enough ? 0.0 : time + 1.0;
+        });
+    for (std::size_t i = 0; i < times.size(); ++i) EXPECT_EQ(times[i], 1 + int(i % 3)) << i;
 }
 
 }  // namespace

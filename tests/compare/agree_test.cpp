@@ -18,7 +18,10 @@ namespace {
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 FramePair pair_of(const Trial& t) {
-    return {t.scene, t.view, {t.view, {t.candidate, t.candidate_precision}}, {t.view, {t.reference, t.reference_precision}}};
+    return {t.scene,
+            t.view,
+            {t.view, {t.candidate, t.candidate_precision}},
+            {t.view, {t.reference, t.reference_precision}}};
 }
 
 /// One answer by itself: is it certain, and what is its error?
@@ -39,13 +42,14 @@ Alone alone(const FramePair& pair, const BoundedFrame& frame, int x, int y) {
 }
 
 bool is_in_raster_order(const UndecidedPixel& a, const UndecidedPixel& b) {
-    return a.y != b.y ? a.y < b.y : a.x < b.x;
+    return a.place.y != b.place.y ? a.place.y < b.place.y : a.place.x < b.place.x;
 }
 
 void expect_same(const Plane<float>& map, const Plane<float>& expected) {
     for (std::size_t i = 0; i < map.pixels().size(); ++i) {
         const float found = map.pixels()[i], right = expected.pixels()[i];
-        ASSERT_TRUE(found == right || (std::isnan(found) && std::isnan(right))) << i << ": " << found << ", not " << right;
+        ASSERT_TRUE(found == right || (std::isnan(found) && std::isnan(right)))
+            << i << ": " << found << ", not " << right;
     }
 }
 
@@ -69,7 +73,7 @@ void try_frames(const Trial& t, Tried& tried) {
             expected_maps.reference.at(x, y) = b.in_map;
             const bool are_certain = a.error >= 0 && b.error >= 0;
             if (!are_certain || t.candidate.primitive.at(x, y) != t.reference.primitive.at(x, y)) {
-                expected.push_back({x, y, are_certain});
+                expected.push_back({{x, y}, are_certain});
             } else if (t.candidate.primitive.at(x, y) != PrimitiveId::none) {
                 count(candidate, a.error);
                 count(reference, b.error);
@@ -78,8 +82,7 @@ void try_frames(const Trial& t, Tried& tried) {
         }
     ASSERT_EQ(found.undecided.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        ASSERT_EQ(found.undecided[i].x, expected[i].x);
-        ASSERT_EQ(found.undecided[i].y, expected[i].y);
+        ASSERT_EQ(found.undecided[i].place, expected[i].place);
         ASSERT_EQ(found.undecided[i].differs_in_id_alone, expected[i].differs_in_id_alone);
         ++tried.undecided, tried.in_id_alone += expected[i].differs_in_id_alone;
     }
@@ -89,25 +92,28 @@ void try_frames(const Trial& t, Tried& tried) {
     expect_same(maps.reference, expected_maps.reference);
 }
 
-/// Walls at depths 1, 1 + 1/64 ..., a sliver that has no plane, and frames that show runs of any of them: at their
-/// depth, next to it or far from it, at none, or as background and ids that are none.
+/// Walls at depths 1, 1 + 1/64 ..., a sliver that has no plane, and frames that show runs of any of them: at
+/// their depth, next to it or far from it, at none, or as background and ids that are none.
 Trial random_frames(std::uint32_t seed, int width, int height, int walls, int longest_run) {
     Dice dice(seed);
     std::vector<Triangle> triangles{{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}};
     for (int i = 1; i < walls; ++i)
-        triangles.push_back({{{-64, -64, 1 + i / 64.0}, {4096, -64, 1 + i / 64.0}, {-64, 4096, 1 + i / 64.0}}});
+        triangles.push_back(
+            {{{-64, -64, 1 + i / 64.0}, {4096, -64, 1 + i / 64.0}, {-64, 4096, 1 + i / 64.0}}});
     Trial t(dice.below(2) ? Projection::perspective : Projection::parallel, width, height, triangles);
     std::uint32_t shown = 0;
     const auto answer_at = [&](Frame& frame, int x, int y) {
         const double depth = 1 + shown / 64.0;
-        const float depths[] = {float(depth), std::nextafter(float(depth), 0.f), float(depth * (1 + 0x1p-12)), nan};
+        const float depths[] = {float(depth), std::nextafter(float(depth), 0.f), float(depth * (1 + 0x1p-12)),
+                                nan};
         answer(frame, x, y, shown, depths[dice.below(30) ? dice.below(2) : 2 + dice.below(2)]);
         if (dice.below(12) == 0) answer_background(frame, x, y);
         if (dice.below(60) == 0) frame.primitive.at(x, y) = PrimitiveId::none;
     };
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            if (dice.below(longest_run) == 0) shown = std::uint32_t(dice.below(walls + 1));  // or none of the scene
+            if (dice.below(longest_run) == 0)
+                shown = std::uint32_t(dice.below(walls + 1));  // or none of the scene
             answer_at(t.candidate, x, y);
             if (dice.below(6) == 0) shown = std::uint32_t(dice.below(walls));
             answer_at(t.reference, x, y);
@@ -170,8 +176,7 @@ TEST(Agree, DoesNotDependOnTheNumberOfThreads) {
         EXPECT_EQ(other.reference_depth, one.reference_depth);
         ASSERT_EQ(other.undecided.size(), one.undecided.size());
         for (std::size_t i = 0; i < one.undecided.size(); ++i) {
-            ASSERT_EQ(other.undecided[i].x, one.undecided[i].x);
-            ASSERT_EQ(other.undecided[i].y, one.undecided[i].y);
+            ASSERT_EQ(other.undecided[i].place, one.undecided[i].place);
         }
     }
 }

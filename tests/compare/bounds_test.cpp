@@ -192,7 +192,8 @@ TEST(Bounds, NoTriangleHasLessThanBackground) {
         const Surroundings s = random_surroundings(seed);
         const ViewBounds bounds(s.view, precisions[seed % precisions.size()]);
         for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t)
-            ASSERT_GE(own_eps_px(s.scene, s.view, bounds, {s.x, s.y}, PrimitiveId(t)), bounds.background_eps_px());
+            ASSERT_GE(own_eps_px(s.scene, s.view, bounds, {s.x, s.y}, PrimitiveId(t)),
+                      bounds.background_eps_px());
     }
 }
 

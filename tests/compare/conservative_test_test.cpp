@@ -22,7 +22,8 @@ class OnePixel {
         : scene_(scene), view_(view), bounds_(view, precision), x_(x), y_(y) {}
 
     Neighbourhood around(PrimitiveId answer) const {
-        return surroundings(scene_, view_, bounds_, {x_, y_}, own_eps_px(scene_, view_, bounds_, {x_, y_}, answer));
+        return surroundings(scene_, view_, bounds_, {x_, y_},
+                            own_eps_px(scene_, view_, bounds_, {x_, y_}, answer));
     }
 
   private:
@@ -245,13 +246,14 @@ TEST(ConservativeTest, TellsTiesOfCrossingWallsAsRationalsDo) {
 std::vector<double> halves_that_just_touch(const Neighbourhood& around, Dice& dice) {
     std::vector<double> halves;
     for (const Neighbour& n : around.neighbours) {
-        const auto image = image_of(Sight<Rational>(around.view, around.x, around.y), corners<Rational>(n.p_world));
+        const auto image =
+            image_of(Sight<Rational>(around.view, around.x, around.y), corners<Rational>(n.p_world));
         for (std::size_t i = 0; image && i < 3; ++i) {
             const Affine<Rational>& e = image->edge[i];
             const Rational slope = abs(e.a) + abs(e.b);
             if (slope == 0) continue;
             const double half = double(Rational(abs(e.c) / slope));
-            const double beside = half * (1 + std::ldexp(dice.between(-1, 1), -20 - dice.below(28)));
+            const double beside = half * (1 + std::ldexp(dice.between(-1, 1), -2 - dice.below(46)));
             if (beside > 0 && beside <= around.eps_px) halves.push_back(beside);
         }
     }
@@ -270,7 +272,8 @@ void ask_where_edges_just_touch(const Neighbourhood& around, Dice& dice, std::ar
             set.set_half_side(half_side_px);
             const bool is_seen = answer == PrimitiveId::none ? set.holds_background(EdgeRule::watertight)
                                                              : set.is_seen(*around.index_of(answer));
-            ASSERT_EQ(certain == ConservativeTest::Seen::yes, is_seen) << int(answer) << " within " << half_side_px;
+            ASSERT_EQ(certain == ConservativeTest::Seen::yes, is_seen)
+                << int(answer) << " within " << half_side_px;
             ++said[is_seen];
         }
 }

@@ -35,17 +35,22 @@ struct Tried {
     int certain = 0, undecided = 0, unbounded = 0, with_plane_offset = 0;
 };
 
-void try_run(const TriangleDepth& triangle, const PixelPlace& first, std::span<const float> depths, Tried& tried) {
+void try_run(const TriangleDepth& triangle, const PixelPlace& first, std::span<const float> depths,
+             Tried& tried) {
     constexpr double untouched = 77;
-    std::vector<double> errors(depths.size() + 1, untouched);
-    find_depth_errors(triangle, first.x, first.y, depths, errors.data());
+    const std::size_t whole = (depths.size() + errors_together - 1) / errors_together * errors_together;
+    std::vector<double> errors(whole + 1, untouched);
+    std::vector<float> padded(depths.begin(), depths.end());
+    padded.resize(whole, std::numeric_limits<float>::quiet_NaN());
+    find_depth_errors(triangle, first.x, first.y, depths.size(), padded.data(), errors.data());
     ASSERT_EQ(errors.back(), untouched) << "beyond the run";
     for (std::size_t i = 0; i < depths.size(); ++i) {
         const DepthBound bound = triangle.at(first.x + int(i), first.y);
         const bool is_certain = triangle.has_plane() && triangle.certainly_holds(bound, depths[i]);
         const double expected = is_certain ? error_over_bound(bound, depths[i]) : undecided_error;
         if (is_bounded(bound) || errors[i] != undecided_error) {
-            ASSERT_EQ(errors[i], expected) << "pixel " << i << " of " << depths.size() << ", depth " << depths[i];
+            ASSERT_EQ(errors[i], expected)
+                << "pixel " << i << " of " << depths.size() << ", depth " << depths[i];
             ASSERT_FALSE(std::signbit(errors[i]) && errors[i] == 0);
         }
         ++(!is_bounded(bound) ? tried.unbounded : is_certain ? tried.certain : tried.undecided);
@@ -54,7 +59,8 @@ void try_run(const TriangleDepth& triangle, const PixelPlace& first, std::span<c
 }
 
 class DepthErrors : public testing::TestWithParam<Projection> {};
-INSTANTIATE_TEST_SUITE_P(Projections, DepthErrors, testing::Values(Projection::perspective, Projection::parallel));
+INSTANTIATE_TEST_SUITE_P(Projections, DepthErrors,
+                         testing::Values(Projection::perspective, Projection::parallel));
 
 TEST_P(DepthErrors, OfARunAreThoseOfItsPixelsWhateverItsLength) {
     const Precision precisions[] = {RasterPrecision{},
@@ -98,9 +104,9 @@ TEST(DepthErrorsOf, ATriangleWithoutAPlaneAreUndecided) {
     const ViewBounds bounds(view, raster_precision());
     const TriangleDepth triangle(TriangleInView(view, bounds, corners_of(scene, 0)), bounds);
     ASSERT_FALSE(triangle.has_plane());
-    const float depths[] = {2, 4, 8};
-    double errors[3]{};
-    find_depth_errors(triangle, 0, 1, depths, errors);
+    const float depths[errors_together] = {2, 4, 8, 4};
+    double errors[errors_together]{};
+    find_depth_errors(triangle, 0, 1, errors_together, depths, errors);
     for (const double error : errors) EXPECT_EQ(error, undecided_error);
 }
 

@@ -72,8 +72,10 @@ TEST(ErrorMaps, AreThoseOfPixelsOneByOneBitForBit) {
                 if (which == 6) answer_background(t.candidate, x, y);
             }
         const Verdict verdict = t.verdict();
-        EXPECT_EQ(bits_of(verdict.errors->candidate), bits_of(errors_of(t, t.candidate, t.candidate_precision)));
-        EXPECT_EQ(bits_of(verdict.errors->reference), bits_of(errors_of(t, t.reference, t.reference_precision)));
+        EXPECT_EQ(bits_of(verdict.errors->candidate),
+                  bits_of(errors_of(t, t.candidate, t.candidate_precision)));
+        EXPECT_EQ(bits_of(verdict.errors->reference),
+                  bits_of(errors_of(t, t.reference, t.reference_precision)));
     }
 }
 

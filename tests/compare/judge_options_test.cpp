@@ -1,4 +1,5 @@
-/// The whole judge beside a slow one that asks every pixel by itself, and what options may change of a verdict.
+/// The whole judge beside a slow one that asks every pixel by itself, and what options may change of a
+/// verdict.
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
@@ -6,7 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "compare/adjudicate/pixel_check.h"
+#include "compare/admissible/admissibility.h"
+#include "compare/admissible/depth_rule.h"
 #include "compare/agree/row_counts.h"
 #include "compare/judge.h"
 #include "random_surroundings.h"
@@ -24,7 +26,8 @@ double true_depth(const View& view, int x, int y, const CornersWorld& p_world) {
     return view.camera.projection == Projection::perspective ? 1 / nearness : -nearness;
 }
 
-/// Runs of pixels that show a triangle of the scene, nothing, or what is none, most at the right depth or nearly so.
+/// Runs of pixels that show a triangle of the scene, nothing, or what is none, most at the right depth or
+/// nearly so.
 void show_runs(Frame& frame, Dice& dice, const View& view, const Scene& scene) {
     const int count = int(scene.triangles.size());
     int shown = 0;
@@ -51,8 +54,9 @@ struct Shown {
 
     explicit Shown(std::uint32_t seed)
         : dice(seed),
-          view(dice.below(2) ? pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 70, 20)
-                             : random_view(dice)),
+          view(dice.below(2)
+                   ? pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 70, 20)
+                   : random_view(dice)),
           scene(view.width == 70 ? random_walls(dice, view) : random_crowd(dice, view, 8, 8)),
           candidate({view.width, view.height}),
           reference({view.width, view.height}),
@@ -77,12 +81,14 @@ struct Alone {
     Decision decision;
 };
 
-Alone alone(const Shown& s, const Frame& frame, const ViewBounds& bounds, const PixelPlace& place, bool differs) {
+Alone alone(const Shown& s, const Frame& frame, const ViewBounds& bounds, const PixelPlace& place,
+            bool differs) {
     const auto id = frame.primitive.at(place.x, place.y);
     const float z = frame.camera_depth.at(place.x, place.y);
     const bool is_none = id == PrimitiveId::none;
     Alone a;
-    a.is_invalid = std::isnan(z) || z < 0 || (is_none ? !std::isinf(z) : std::size_t(id) >= s.scene.triangles.size());
+    a.is_invalid =
+        std::isnan(z) || z < 0 || (is_none ? !std::isinf(z) : std::size_t(id) >= s.scene.triangles.size());
     if (a.is_invalid) return a;
     if (!is_none) {
         const CornersWorld p = corners_of(s.scene, std::uint32_t(id));
@@ -138,9 +144,9 @@ TEST(Judge, SaysOfEveryPixelWhatTheRulesSayOfItByItself) {
         EXPECT_EQ(verdict.reference_depth, reference);
         if (HasFailure()) return;
     }
-    for (const PixelClass c : {PixelClass::agree, PixelClass::depth_tie, PixelClass::reference_wrong,
-                               PixelClass::wrong_depth, PixelClass::hole, PixelClass::outside, PixelClass::hidden,
-                               PixelClass::invalid})
+    for (const PixelClass c :
+         {PixelClass::agree, PixelClass::depth_tie, PixelClass::reference_wrong, PixelClass::wrong_depth,
+          PixelClass::hole, PixelClass::outside, PixelClass::hidden, PixelClass::invalid})
         EXPECT_GT(said[std::size_t(c)], 50u) << name_of(c);
 }
 
@@ -151,7 +157,8 @@ TEST(JudgeOptions, ChangeNoClassCountOrRecord) {
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
         const Shown s(seed);
-        const Verdict plain = s.verdict({}), all = s.verdict(all_evidence), with_maps = s.verdict({defects, maps}),
+        const Verdict plain = s.verdict({}), all = s.verdict(all_evidence),
+                      with_maps = s.verdict({defects, maps}),
                       with_findings = s.verdict({differences, records});
         for (const Verdict* other : {&all, &with_maps, &with_findings}) expect_same_counts(*other, plain);
         EXPECT_TRUE(std::ranges::equal(with_maps.findings, plain.findings, same_finding));

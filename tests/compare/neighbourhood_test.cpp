@@ -29,7 +29,8 @@ void hold(const Affine<double>& f, const Affine<Rational>& truth, double error, 
         const Rational off = abs(exact_value(f, at) - true_value);
         ASSERT_LE(off, Rational(error)) << at.x << ' ' << at.y;
         ASSERT_LE(abs(Rational(f.at(at.x, at.y)) - true_value), Rational(2 * error)) << at.x << ' ' << at.y;
-        if (error > 0) tried.largest_share = std::max(tried.largest_share, double(Rational(off / Rational(error))));
+        if (error > 0)
+            tried.largest_share = std::max(tried.largest_share, double(Rational(off / Rational(error))));
     }
 }
 
@@ -96,6 +97,34 @@ TEST(Neighbour, IsOffByNoMoreThanItsErrorsWithOneFarCorner) {
         if (HasFatalFailure()) return;
     }
     expect_tried(tried);
+}
+
+/// Whoever drew it before: the image stays, and all that is a renderer's is the new one's.
+TEST(SetBounds, MakesANeighbourAnotherRenderers) {
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        const Surroundings s = random_surroundings(seed);
+        const ViewBounds ray(s.view, RayPrecision{}), raster(s.view, RasterPrecision{.subpixel_bits = 4});
+        const Sight<double> sight(s.view, s.x, s.y);
+        for (const Neighbour& n : s.around.neighbours) {
+            Neighbour changed = neighbour_of(sight, ray, n.p_world);
+            set_bounds(changed, BoundedTriangle(raster, n.p_world), s.view.camera.projection);
+            const Neighbour expected = neighbour_of(sight, raster, n.p_world);
+            ASSERT_EQ(changed.bounds.eps_px, expected.bounds.eps_px);
+            ASSERT_EQ(changed.bounds.depth_eps_px, expected.bounds.depth_eps_px);
+            ASSERT_EQ(changed.bounds.depth_relative, expected.bounds.depth_relative);
+            ASSERT_EQ(changed.bounds.depth_absolute, expected.bounds.depth_absolute);
+            ASSERT_EQ(changed.bounds.nearness_error, expected.bounds.nearness_error);
+            ASSERT_EQ(changed.near_slack, expected.near_slack);
+            ASSERT_EQ(changed.far_slack, expected.far_slack);
+            ASSERT_EQ(changed.nearest, expected.nearest);
+            ASSERT_EQ(changed.farthest, expected.farthest);
+            ASSERT_EQ(changed.least_nearness, expected.least_nearness);
+            ASSERT_EQ(changed.greatest_nearness, expected.greatest_nearness);
+            ASSERT_EQ(changed.is_trusted, expected.is_trusted);
+            ASSERT_EQ(changed.plane_error, expected.plane_error);
+        }
+    }
 }
 
 TEST(NearnessOf, HasTheBitsOfTheWholeImage) {

@@ -121,7 +121,8 @@ View view_from_far_away(Dice& dice) {
     Camera& c = view.camera;
     c.projection = Projection::parallel;
     c.eye_world = glm::vec3(dice.between(-1, 1) * 0x1p20 * c.right + dice.between(-1, 1) * 0x1p20 * c.up);
-    const double u = -glm::dot(c.right, glm::dvec3(c.eye_world)), v = -glm::dot(c.up, glm::dvec3(c.eye_world));
+    const double u = -glm::dot(c.right, glm::dvec3(c.eye_world)),
+                 v = -glm::dot(c.up, glm::dvec3(c.eye_world));
     c.window = {.left = u - 1, .right = u + 1, .bottom = v - 1, .top = v + 1};
     return view;
 }

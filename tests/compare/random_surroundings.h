@@ -25,7 +25,8 @@ class Dice {
 /// which one unit is one pixel. Up to 16 x 16 pixels.
 View random_view(Dice& dice);
 
-/// The same, parallel and around the origin, but the eye far to the side: its window begins as far to the other.
+/// The same, parallel and around the origin, but the eye far to the side: its window begins as far to the
+/// other.
 View view_from_far_away(Dice& dice);
 
 /// A few triangles that crowd around one pixel. Some share edges or corners with others, lie in one plane

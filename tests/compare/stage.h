@@ -47,7 +47,8 @@ struct Trial {
     Trial(Projection projection, int width, int height, const std::vector<Triangle>& triangles);
 
     Verdict verdict() const {
-        return judge(scene, view, {candidate, candidate_precision}, {reference, reference_precision}, all_evidence);
+        return judge(scene, view, {candidate, candidate_precision}, {reference, reference_precision},
+                     all_evidence);
     }
     PixelClass class_at(int x, int y) const { return verdict().classes.at(x, y); }
     /// Half-side of the square in which the candidate's answer (triangle) would be judged.

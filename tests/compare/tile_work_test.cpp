@@ -2,45 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "random_surroundings.h"
 #include "stage.h"
 
 namespace zproof {
 namespace {
-
-TEST(TriangleCache, KnowsTheTrianglesThatAreNear) {
-    const View view = pixel_view(Projection::parallel, 4, 4);
-    const Scene scene = scene_of(view, std::vector<Triangle>(12, wall(4)));
-    const std::uint32_t near[] = {1, 4, 9};
-    const TriangleCache cache(scene, near);
-    EXPECT_EQ(cache.count(), 3u);
-    EXPECT_EQ(cache.place_of(PrimitiveId(1)), 0u);
-    EXPECT_EQ(cache.place_of(PrimitiveId(9)), 2u);
-    for (const std::uint32_t other : {0u, 5u, 10u, std::uint32_t(PrimitiveId::none)})
-        EXPECT_FALSE(cache.place_of(PrimitiveId(other))) << other;
-    EXPECT_EQ(cache.triangle(1), 4u);
-}
-
-/// Asked in turn about renderers and triangles, each is that triangle's by that renderer's bounds.
-TEST(TriangleCache, KeepsRenderersApart) {
-    const View view = pixel_view(Projection::perspective, 4, 4);
-    const Scene scene = scene_of(view, {wall(2), wall(4), wall(8)});
-    const std::uint32_t near[] = {0, 1, 2};
-    const std::vector<ViewBounds> renderers{ViewBounds(view, raster_precision()), ViewBounds(view, ray_precision()),
-                                            ViewBounds(view, RasterPrecision{.subpixel_bits = 2})};
-    TriangleCache cache(scene, near);
-    Dice dice(1);
-    for (int i = 0; i < 60; ++i) {
-        const auto place = std::size_t(dice.below(3));
-        const ViewBounds& bounds = renderers[std::size_t(dice.below(3))];
-        const BoundedTriangle found = cache.of(place, bounds), expected(bounds, corners_of(scene, near[place]));
-        EXPECT_EQ(found.p_world, expected.p_world);
-        EXPECT_EQ(found.bounds.eps_base_px, expected.bounds.eps_base_px);
-        EXPECT_EQ(found.bounds.eps_per_nearness, expected.bounds.eps_per_nearness);
-        EXPECT_EQ(found.bounds.depth_factor, expected.bounds.depth_factor);
-        EXPECT_EQ(found.keeps_to_corners, expected.keeps_to_corners);
-    }
-}
 
 /// Two walls that meet before a third, at 1/4 px from a pixel's centre.
 class AQuery : public testing::Test {
@@ -50,7 +15,7 @@ class AQuery : public testing::Test {
     Sights<double> rays{view};
     TriangleSearch search{scene, view};
     RuleOverride none;
-    TileWork::Setting setting{scene, rays, view, search, Asked::displacement, none};
+    TileWork::Setting setting{scene, view, rays, search, Asked::displacement, none};
     std::uint32_t near[3] = {0, 1, 2};
     TileWork work{setting, near};
     ViewBounds coarse{view, RasterPrecision{.transform = Arithmetic::float64, .subpixel_bits = 0}};
@@ -74,7 +39,7 @@ TEST_F(AQuery, SaysHowFarItMovedOnlyWhereItIsVisible) {
 }
 
 TEST_F(AQuery, SaysHowFarItMovedOnlyWhereThatIsAsked) {
-    TileWork::Setting for_admissibility{scene, rays, view, search, Asked::admissibility, none};
+    TileWork::Setting for_admissibility{scene, view, rays, search, Asked::admissibility, none};
     TileWork plain(for_admissibility, near);
     EXPECT_EQ(plain.decide({&coarse, PrimitiveId(1), 8, 8}, 2, adjudicated), 0);
     EXPECT_EQ(adjudicated.decision.admissibility, Admissibility::visible);
@@ -88,6 +53,31 @@ TEST_F(AQuery, MayBeOfATriangleThatIsNotNear) {
     EXPECT_EQ(of_some.decide({&coarse, PrimitiveId(1), 2, 8}, 2, adjudicated), 0);
     EXPECT_EQ(adjudicated.decision.admissibility, Admissibility::outside);
     EXPECT_NEAR(adjudicated.decision.eps_px, 0.5, 1e-9);
+}
+
+/// What was looked at for one renderer, one pixel or one reach is not taken for another's.
+TEST_F(AQuery, IsDecidedTheSameWhateverWasDecidedBefore) {
+    const ViewBounds fine(view, raster_precision());
+    std::vector<PixelQuery> queries;
+    for (const ViewBounds* bounds : {static_cast<const ViewBounds*>(&coarse), &fine})
+        for (const std::uint32_t answer : {0u, 1u, 2u, std::uint32_t(PrimitiveId::none)})
+            for (const int x : {8, 9}) queries.push_back({bounds, PrimitiveId(answer), x, 8});
+    const auto decided_by = [&](TileWork& by, const PixelQuery& query, double searched_px) {
+        Adjudicated found;
+        EXPECT_EQ(by.decide(query, searched_px, found), 0);
+        return found;
+    };
+    for (const PixelQuery& before : queries)
+        for (const PixelQuery& query : queries)
+            for (const double searched_px : {1.5, 2.0, 3.0}) {
+                TileWork fresh(setting, near), used(setting, near);
+                decided_by(used, before, 2);
+                const Adjudicated found = decided_by(used, query, searched_px),
+                                  expected = decided_by(fresh, query, 2);
+                EXPECT_EQ(found.decision.admissibility, expected.decision.admissibility);
+                EXPECT_EQ(found.decision.eps_px, expected.decision.eps_px);
+                EXPECT_EQ(found.displacement_over_eps, expected.displacement_over_eps);
+            }
 }
 
 }  // namespace

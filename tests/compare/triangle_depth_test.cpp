@@ -16,7 +16,8 @@ namespace {
 
 /// Admissible by the formula of docs/bounds.md, all in rationals: within the plane's depths over the
 /// displacement, and (rasterizers) within the corners' depths, each with its rounding.
-bool admissible_in_rationals(const Surroundings& s, const ViewBounds& bounds, const CornersWorld& p, float depth) {
+bool admissible_in_rationals(const Surroundings& s, const ViewBounds& bounds, const CornersWorld& p,
+                             float depth) {
     const Neighbour n = neighbour_of(Sight<double>(s.view, s.x, s.y), bounds, p);
     const auto image = image_of(Sight<Rational>(s.view, s.x, s.y), corners<Rational>(p));
     const Rational z{double(depth)}, r(n.bounds.depth_relative), a(n.bounds.depth_absolute), one(1);
@@ -29,8 +30,8 @@ bool admissible_in_rationals(const Surroundings& s, const ViewBounds& bounds, co
 }
 
 /// By the depth rule's exact arithmetic alone: of a triangle whose plane double precision does not know.
-bool is_admissible_exactly(const View& view, const ViewBounds& bounds, const CornersWorld& p, const PixelPlace& place,
-                           float z) {
+bool is_admissible_exactly(const View& view, const ViewBounds& bounds, const CornersWorld& p,
+                           const PixelPlace& place, float z) {
     TriangleInView triangle(view, bounds, p);
     triangle.is_edge_on = false;
     triangle.own_error = unlimited;
@@ -87,7 +88,8 @@ TEST(DepthRule, DecidesAsRationalsDo) {
             for (const float z : depths_around(depth.at(s.x, s.y))) {
                 const bool truth = admissible_in_rationals(s, bounds, n.p_world, z);
                 ASSERT_EQ(is_admissible_exactly(s.view, bounds, n.p_world, {s.x, s.y}, z), truth) << z;
-                ASSERT_EQ(check_depth(s.view, bounds, n.p_world, depth, {s.x, s.y}, z).is_admissible, truth) << z;
+                ASSERT_EQ(check_depth(s.view, bounds, n.p_world, depth, {s.x, s.y}, z).is_admissible, truth)
+                    << z;
                 ++asked, admissible += truth;
             }
         }
@@ -98,9 +100,10 @@ TEST(DepthRule, DecidesAsRationalsDo) {
 
 /// What a run of one pixel says of it.
 double certain_error(const TriangleDepth& depth, const PixelPlace& place, float z) {
-    double error = 0;
-    find_depth_errors(depth, place.x, place.y, std::span(&z, 1), &error);
-    return error;
+    const float depths[errors_together] = {z};
+    double errors[errors_together]{};
+    find_depth_errors(depth, place.x, place.y, 1, depths, errors);
+    return errors[0];
 }
 
 /// A wall at depth 4 in a view of 4 x 4 pixels, its plane in double as badly known as the test says.
@@ -119,7 +122,8 @@ struct Wall {
 };
 
 class OwnError : public testing::TestWithParam<Projection> {};
-INSTANTIATE_TEST_SUITE_P(Projections, OwnError, testing::Values(Projection::perspective, Projection::parallel));
+INSTANTIATE_TEST_SUITE_P(Projections, OwnError,
+                         testing::Values(Projection::perspective, Projection::parallel));
 
 TEST_P(OwnError, KeepsADepthNearItsBoundFromBeingCertain) {
     const DepthBound bound = Wall(0, GetParam()).depth().at(1, 1);

@@ -239,7 +239,8 @@ TEST(TriangleSearch, FindsAllThatMeetsWhatATileAsksFor) {
             asked[tiles.of(site.x, site.y)].add(square_around(site.x, site.y, site.reach_px));
         const TrianglesByTile found = TriangleSearch(s.scene, s.view).find(asked);
         for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
-            ASSERT_TRUE(std::ranges::is_sorted(found.of(tile), std::less_equal{}) || found.of(tile).size() < 2);
+            ASSERT_TRUE(std::ranges::is_sorted(found.of(tile), std::less_equal{}) ||
+                        found.of(tile).size() < 2);
             ASSERT_TRUE(!asked[tile].is_empty() || found.of(tile).empty());
         }
         const ViewBounds bounds(s.view, RasterPrecision{});
@@ -282,7 +283,8 @@ TEST(TriangleSearch, ASliverComesIntoTheTilesThatItPasses) {
 /// Each side of a triangle parts something that no other does.
 TEST(TriangleSearch, RulesOutWhatLiesBeyondOneSide) {
     const View view = pixel_view(Projection::parallel, 64, 64);
-    const Scene scene = scene_of(view, {{{{8, 8, 4}, {56, 8, 4}, {8, 56, 4}}}, {{{56, 56, 4}, {56, 8, 4}, {8, 56, 4}}}});
+    const Scene scene =
+        scene_of(view, {{{{8, 8, 4}, {56, 8, 4}, {8, 56, 4}}}, {{{56, 56, 4}, {56, 8, 4}, {8, 56, 4}}}});
     const Tiles tiles(view);
     std::vector<Box> asked(tiles.count());
     asked[tiles.of(50, 50)] = square_around(50, 50, 1);
@@ -301,7 +303,8 @@ TEST(TriangleSearch, BoxesAreRoundedOutwards) {
     for (int round = 0; round < 500; ++round) {
         const double scale = std::exp2(dice.between(0, 30));
         const auto place = [&] { return dice.between(-1, 1) * scale; };
-        const Scene scene = scene_of(view, {{{{place(), place(), 4}, {place(), place(), 4}, {place(), place(), 4}}}});
+        const Scene scene =
+            scene_of(view, {{{{place(), place(), 4}, {place(), place(), 4}, {place(), place(), 4}}}});
         const Box box = TriangleSearch(scene, view).box_of(0);
         for (const glm::vec3& p : corners_of(scene, 0)) {
             EXPECT_TRUE(box.left < p.x && p.x < box.right);

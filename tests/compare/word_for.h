@@ -16,7 +16,8 @@ Admissibility word_for(Set& set, std::size_t count, std::optional<std::size_t> i
     const Admissibility seen = clipped ? Admissibility::clipped : Admissibility::visible;
     if (!index) {
         if (set.holds_background(EdgeRule::watertight)) return seen;
-        return set.holds_background(EdgeRule::separate) ? Admissibility::through_a_crack : Admissibility::hole;
+        return set.holds_background(EdgeRule::separate) ? Admissibility::through_a_crack
+                                                        : Admissibility::hole;
     }
     if (!set.reaches(*index)) return Admissibility::outside;
     if (set.is_visible(*index) || set.holds(*index, by_place)) return seen;

@@ -30,7 +30,8 @@ class Courtroom {
         return rasterizer::render_by(rules, loaded_.scene, view_);
     }
     std::optional<Diagnosis> diagnosis_of(const Frame& frame) const {
-        const RenderedFrame ours{frame, rasterizer::precision()}, theirs{reference_, oracle::embree_precision()};
+        const RenderedFrame ours{frame, rasterizer::precision()},
+            theirs{reference_, oracle::embree_precision()};
         return diagnose(scene(), view_, ours, theirs, judge(scene(), view_, ours, theirs));
     }
 

@@ -27,7 +27,7 @@ std::string hexadecimal(std::uint32_t bits) {
 }
 
 /// "480 agree, 2 edge"
-std::string runs_of(const ClassMap& classes, int y) {
+std::string runs_of(const Plane<PixelClass>& classes, int y) {
     std::string text;
     const int width = classes.size().width;
     for (int x = 0, end = 0; x < width; x = end) {

@@ -21,7 +21,8 @@ bool same_bits(const Plane<float>& a, const Plane<float>& b) {
 }
 
 bool same_bits(const Frame& a, const Frame& b) {
-    return std::ranges::equal(a.primitive.pixels(), b.primitive.pixels()) && same_bits(a.camera_depth, b.camera_depth);
+    return std::ranges::equal(a.primitive.pixels(), b.primitive.pixels()) &&
+           same_bits(a.camera_depth, b.camera_depth);
 }
 
 struct Outcome {

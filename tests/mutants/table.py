@@ -12,7 +12,7 @@ the rasterizer's own sources (`tests/mutants/catalogue.txt`), one at a time. Thi
 
     tests/mutants/score --table docs/detection.md
 
-The planted defects are also a test of their own (`./dev test --full`): one that survives fails it. Texture filters have a
+its last section, on the judge itself, by `tests/mutants/score_judge`. The planted defects are also a test of their own (`./dev test --full`): one that survives fails it. Texture filters have a
 table of their own, 58 planted defects judged by the law of each method ([filter-conformance.md](filter-conformance.md));
 `zproof selftest` plants them too.
 

@@ -35,13 +35,15 @@ inline bool same_finding(const Finding& a, const Finding& b) {
     };
     return a.x == b.x && a.y == b.y && a.verdict == b.verdict && a.eps_px == b.eps_px &&
            same_answer(a.candidate, b.candidate) && same_answer(a.reference, b.reference) &&
-           same_bound(a.candidate_depth, b.candidate_depth) && bits(a.error_over_bound) == bits(b.error_over_bound);
+           same_bound(a.candidate_depth, b.candidate_depth) &&
+           bits(a.error_over_bound) == bits(b.error_over_bound);
 }
 
 /// Findings that fail the gate.
 inline std::vector<Finding> defects_among(const std::vector<Finding>& findings) {
     std::vector<Finding> failing;
-    std::ranges::copy_if(findings, std::back_inserter(failing), [](const Finding& f) { return !passes(f.verdict); });
+    std::ranges::copy_if(findings, std::back_inserter(failing),
+                         [](const Finding& f) { return !passes(f.verdict); });
     return failing;
 }
 

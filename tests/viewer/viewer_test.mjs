@@ -14,8 +14,8 @@ before(async () => {
     folder = makeFolder();
     failing = join(folder, 'failing');
     lawful = join(folder, 'lawful');
-    zproof(1, 'run', 'room', ...small, '--precision', 'raster,subpixel_bits=14', '--oracle', 'none', '--pictures', '-o', failing);
-    zproof(0, 'run', 'room', 'coplanar', ...small, '--oracle', 'none', '-o', lawful);
+    zproof(1, 'run', 'room', ...small, '--precision', 'raster,subpixel_bits=14', '--oracle', 'none', '--pictures', '--evidence', 'all', '-o', failing);
+    zproof(0, 'run', 'room', 'coplanar', ...small, '--oracle', 'none', '--evidence', 'all', '-o', lawful);
     browser = await openBrowser();
 });
 
@@ -259,7 +259,7 @@ describe('filters', () => {
 describe('a single wrong pixel of two million', () => {
     it('is seen in the fitted view, and found with one key', async () => {
         const run = join(folder, 'whole'), bad = join(folder, 'bad.exr'), judged = join(folder, 'judged');
-        zproof(0, 'run', 'coplanar', '--oracle', 'none', '-o', run);
+        zproof(0, 'run', 'coplanar', '--oracle', 'none', '--evidence', 'all', '-o', run);
         const view = results(run).views[0], frame = readExr(readFileSync(join(run, view.folder, 'candidate.exr')));
         const wrong = 700 * frame.width + 1234;
         frame.planes.id[wrong] = 0xfffffffe;
@@ -291,7 +291,7 @@ describe('a hostile name', () => {
             buffers: [{byteLength: 36, uri: 'data:application/octet-stream;base64,' + corners.toString('base64')}],
         }));
         const run = join(folder, 'hostile');
-        zproof(0, 'run', file, ...small, '--oracle', 'none', '-o', run);
+        zproof(0, 'run', file, ...small, '--oracle', 'none', '--evidence', 'all', '-o', run);
         const page = await openReport(browser, run);
         await press(page, 'v');
         await viewerShows(page);

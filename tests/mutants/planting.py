@@ -1,0 +1,134 @@
+"""What the programs that plant defects have in common: catalogues of them, the words that compile and link, and
+sections of a page."""
+import collections
+import json
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+
+Mutant = collections.namedtuple("Mutant", "area sentence name file find put survives")
+
+
+class Refusal(Exception):
+    """A defect that cannot be planted, built or run."""
+
+
+def mutant_of(area, lines):
+    """`survives` says why nothing can catch it; empty where something should."""
+    fields = {key: value.strip() for key, value in (line.split(":", 1) for line in lines[1:])}
+    return Mutant(area, lines[0], fields["name"], fields["file"], fields["find"], fields["put"],
+                  fields.get("survives", ""))
+
+
+def read_catalogue(name):
+    mutants, area = [], ""
+    for block in (HERE / name).read_text().split("\n\n"):
+        lines = [line for line in block.splitlines() if line and not line.startswith("# ")]
+        if not lines:
+            continue
+        if lines[0].startswith("## "):
+            area = lines[0][3:]
+        else:
+            mutants.append(mutant_of(area, lines))
+    names = [mutant.name for mutant in mutants]
+    if len(set(names)) != len(names):
+        raise Refusal(f"{name}: a name occurs twice")
+    return mutants
+
+
+def planted_text(mutant):
+    """Lines may be broken otherwise than in the catalogue."""
+    text = (ROOT / mutant.file).read_text()
+    pattern = r"\s+".join(re.escape(word) for word in mutant.find.split())
+    planted, times = re.subn(pattern, lambda _: mutant.put, text)
+    if times != 1:
+        raise Refusal(f"{mutant.name}: the text occurs {times} times in {mutant.file}, not once: {mutant.find}")
+    return planted
+
+
+def check(mutants, least):
+    """Can all be planted, and are there so many? Names those that cannot."""
+    plantable = 0
+    for mutant in mutants:
+        try:
+            planted_text(mutant)
+            plantable += 1
+        except Refusal as refusal:
+            print(refusal, file=sys.stderr)
+    return 0 if plantable == len(mutants) >= least else 1
+
+
+def write_if_changed(file, text):
+    file.parent.mkdir(parents=True, exist_ok=True)
+    if not file.exists() or file.read_text() != text:
+        file.write_text(text)
+
+
+def call(words, what, folder):
+    done = subprocess.run(words, cwd=folder, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise Refusal(f"{what}:\n{done.stderr[-2000:]}")
+    return done.stdout
+
+
+def compile_words(build, is_wanted):
+    """Words that compile sources, up to a name, each with the sources that they are for: some have flags of their
+    own."""
+    sources = {}
+    for command in json.loads((build / "compile_commands.json").read_text()):
+        file = pathlib.Path(command["file"])
+        if file.is_relative_to(ROOT) and is_wanted(file.relative_to(ROOT)):
+            words = shlex.split(command["command"])
+            flags = tuple(word for word in words[:words.index("-o")] if word not in ("-Werror", "-O3", "-g1"))
+            sources.setdefault(flags, []).append(file.relative_to(ROOT).as_posix())
+    return [(list(flags), files) for flags, files in sources.items()]
+
+
+def link_words(build, target):
+    """Of a program; what may follow, such as listing its tests, is left out."""
+    line = call(["ninja", "-t", "commands", target], "ninja", build).splitlines()[-1]
+    return shlex.split(line.split(" && ")[1])
+
+
+def prepare_headers(build, work, words, room):
+    """What no defect touches, parsed once for all of them: the headers of other rooms and libraries."""
+    included = sorted({line for source in (ROOT / room).rglob("*") if source.is_file()
+                       for line in source.read_text().splitlines()
+                       if line.startswith("#include") and f'"{room}/' not in line and "immintrin" not in line})
+    header = work / "headers.h"
+    header.write_text("\n".join(included) + "\n")
+    call([*words, "-w", "-O1", "-x", "c++-header", str(header), "-o", f"{header}.gch"], "headers", build)
+    return header
+
+
+def compile_source(words, folder, header, source, made, what, build):
+    """What lies in the folder goes before what has its name elsewhere. -O1, since bits do not depend on it."""
+    at = next(i for i, word in enumerate(words) if word.startswith("-I"))
+    headers = ["-include", str(header)] if header else []
+    call([*words[:at], f"-I{folder}", *words[at:], "-w", "-O1", *headers, "-o", str(made), "-c", str(source)], what,
+         build)
+
+
+JUDGES_SECTION = "the judge's own mutants"  # of docs/detection.md
+
+
+def marks_of(name):
+    return f"<!-- {name} -->\n", f"<!-- end of {name} -->\n"
+
+
+def section_of(page, name):
+    """The part of a page between its marks; empty where it has none."""
+    begin, end = marks_of(name)
+    return page.split(begin, 1)[1].split(end, 1)[0] if begin in page else ""
+
+
+def with_section(page, name, text):
+    """The page with that text between these marks, at its end where it had none."""
+    begin, end = marks_of(name)
+    before, rest = page.split(begin, 1) if begin in page else (page + "\n", end)
+    return before + begin + text + end + rest.split(end, 1)[1]
