@@ -113,7 +113,7 @@ TEST_F(StoredFrames, AWitnessThatIsNotInstalledIsNamedAndMayBeRequired) {
 
 TEST_F(StoredFrames, FourRenderersShareOneMatrixAndPovRayPaints) {
     const Ran ran = run(folder, {"run", "two.gltf", "--width", "64", "--height", "48", "--oracle",
-                                 "povray,opengl", "--pictures"});
+                                 "povray,opengl", "--evidence", "all", "--pictures"});
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
     const json view = only_view();
     EXPECT_EQ(view.at("accord").at("same").size(), 4u);
@@ -129,7 +129,7 @@ TEST_F(StoredFrames, FourRenderersShareOneMatrixAndPovRayPaints) {
 
 TEST_F(StoredFrames, WitnessesAreJudgedAndCounted) {
     const Ran ran = run(folder, {"run", "two.gltf", "--width", "64", "--height", "48", "--renderer", "embree",
-                                 "--oracle", "zproof"});
+                                 "--oracle", "zproof", "--evidence", "all"});
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
     const json view = only_view();
     EXPECT_EQ(view.at("candidate"), "embree");
