@@ -51,17 +51,25 @@ bool RowCounts::add(const ComparedRow& row) {
     return is_any_undecided;
 }
 
+/// Calls add(bin of the candidate's error, bin of the reference's, pixels).
+template <class Add>
+void RowCounts::for_each_pair(const Add& add) const {
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        for (std::size_t a = 0; a < uncounted; ++a)
+            for (std::size_t b = 0; b < uncounted; ++b) add(a, b, pairs_[(lane * stride + a) * stride + b]);
+}
+
 BoundRecord RowCounts::candidate() const {
     BoundRecord record{.max_error_over_bound = std::ranges::max(candidate_most_)};
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-        if (i % stride != uncounted) record.histogram[i / stride % stride] += pairs_[i];
+    for_each_pair(
+        [&](std::size_t bin, std::size_t, std::uint64_t pixels) { record.histogram[bin] += pixels; });
     return record;
 }
 
 BoundRecord RowCounts::reference() const {
     BoundRecord record{.max_error_over_bound = std::ranges::max(reference_most_)};
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-        if (i % stride != uncounted) record.histogram[i % stride] += pairs_[i];
+    for_each_pair(
+        [&](std::size_t, std::size_t bin, std::uint64_t pixels) { record.histogram[bin] += pixels; });
     return record;
 }
 

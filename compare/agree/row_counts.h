@@ -36,6 +36,9 @@ class RowCounts {
     using Most = std::array<double, lanes>;
 
   private:
+    template <class Add>
+    void for_each_pair(const Add& add) const;
+
     Most candidate_most_{}, reference_most_{};
     std::vector<std::uint64_t> pairs_;  ///< by lane, bin of the candidate's error, bin of the reference's
 };
