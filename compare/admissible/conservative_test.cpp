@@ -42,8 +42,8 @@ ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answ
     others_.reserve(around.neighbours.size());
     for (const Neighbour& n : around.neighbours) {
         const bool is_answer = PrimitiveId(n.triangle) == answer;
-        if (n.is_trusted && !is_answer && misses(n, around.eps_px)) continue;
-        is_asked_ &= is_sound(n);
+        if (!is_answer && misses(n, around.eps_px)) continue;
+        is_asked_ &= (n.is_trusted || !is_answer) && is_clear_of_planes(n);
         if (is_answer)
             answer_ = &n;
         else
@@ -52,39 +52,45 @@ ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answ
     is_asked_ &= answer == PrimitiveId::none || answer_;
 }
 
+/// Where the sign of the edges is not certain, edges that differ in it say so.
 bool ConservativeTest::misses(const Neighbour& n, double half_side_px) const {
-    return std::ranges::any_of(n.image->edge,
-                               [&](const auto& e) { return e.c + reach(e, half_side_px) < -edge_error(n); });
+    const bool is_outside = std::ranges::any_of(n.edges, [&](const Affine<double>& e) {
+        return e.c + reach(e, half_side_px) < -edge_error(n);
+    });
+    return is_outside && (n.is_trusted || std::ranges::any_of(n.edges, [&](const Affine<double>& e) {
+                              return e.c - reach(e, half_side_px) > edge_error(n);
+                          }));
 }
 
 bool ConservativeTest::is_inside_all_over(const Neighbour& n, std::size_t edge, double half_side_px) const {
-    const Affine<double>& e = n.image->edge[edge];
+    const Affine<double>& e = n.edges[edge];
     return e.c - reach(e, half_side_px) > edge_error(n);
 }
 
 bool ConservativeTest::is_inside(const Neighbour& n, const PixelOffset& at) const {
-    return std::ranges::all_of(n.image->edge, [&](const auto& e) { return value_at(e, at) > edge_error(n); });
+    return std::ranges::all_of(n.edges, [&](const auto& e) { return value_at(e, at) > edge_error(n); });
 }
 
 bool ConservativeTest::is_outside(const Neighbour& n, const PixelOffset& at) const {
-    return std::ranges::any_of(n.image->edge,
-                               [&](const auto& e) { return value_at(e, at) < -edge_error(n); });
+    const auto is_below = [&](const Affine<double>& e) { return value_at(e, at) < -edge_error(n); };
+    const auto is_above = [&](const Affine<double>& e) { return value_at(e, at) > edge_error(n); };
+    return std::ranges::any_of(n.edges, is_below) && (n.is_trusted || std::ranges::any_of(n.edges, is_above));
 }
 
 bool ConservativeTest::is_behind_answer(const Neighbour& n, const PixelOffset& at) const {
-    return value_at(answer_->image->nearness - n.image->nearness, at) >
-           nearness_error(n) + nearness_error(*answer_);
+    return n.is_trusted && value_at(answer_->image->nearness - n.image->nearness, at) >
+                               nearness_error(n) + nearness_error(*answer_);
 }
 
-/// Is its image certain, and does no plane cut it in the square?
-bool ConservativeTest::is_sound(const Neighbour& n) const {
+/// Does no plane cut it in the square?
+bool ConservativeTest::is_clear_of_planes(const Neighbour& n) const {
     const Camera& c = around_.view.camera;
-    return n.is_trusted &&
-           ((n.nearest > c.near_depth && n.farthest < c.far_depth) || is_clear_of_planes(n, around_.eps_px));
+    return (n.nearest > c.near_depth && n.farthest < c.far_depth) ||
+           (n.is_trusted && keeps_between_planes(n, around_.eps_px));
 }
 
 /// Does it keep between near and far, each moved inwards by its slack, all over the square?
-bool ConservativeTest::is_clear_of_planes(const Neighbour& n, double half_side_px) const {
+bool ConservativeTest::keeps_between_planes(const Neighbour& n, double half_side_px) const {
     const Affine<double>& nearness = n.image->nearness;
     const PlaneLimits limits = limits_of(around_.view.camera, n);
     const double unsure = reach(nearness, half_side_px) + nearness_error(n);
@@ -134,9 +140,10 @@ bool ConservativeTest::is_hidden_in(double half_side_px) const {
 
 /// Does it cover what the answer has of the square: are all its edges that may pass there the answer's, too?
 bool ConservativeTest::covers_answer_in(const Neighbour& n, double half_side_px) const {
+    if (!n.is_trusted) return false;
     for (std::size_t edge = 0; edge < 3; ++edge)
         if (!is_inside_all_over(n, edge, half_side_px) && !shares_edge(n, edge)) return false;
-    return is_clear_of_planes(n, half_side_px);
+    return keeps_between_planes(n, half_side_px);
 }
 
 /// Has the answer that edge as well, and lie both on the same side of it?
@@ -146,7 +153,7 @@ bool ConservativeTest::shares_edge(const Neighbour& n, std::size_t edge) const {
     for (std::size_t k = 0; k < 3; ++k) {
         const glm::vec3 &start = answer_->p_world[(k + 1) % 3], &end = answer_->p_world[(k + 2) % 3];
         if (!(from == start && to == end) && !(from == end && to == start)) continue;
-        const Affine<double>&e = n.image->edge[edge], &f = answer_->image->edge[k];
+        const Affine<double>&e = n.edges[edge], &f = answer_->edges[k];
         return e.a * f.a + e.b * f.b > 0;
     }
     return false;
@@ -197,7 +204,7 @@ double ConservativeTest::likely_displacement_px() const {
 auto ConservativeTest::part_in(double half_side_px) const -> Part {
     const double h = half_side_px;
     Part part{{{{-h, -h}, {h, -h}, {h, h}, {-h, h}}}, 4};
-    for (const Affine<double>& e : answer_->image->edge) {
+    for (const Affine<double>& e : answer_->edges) {
         Part kept;
         const auto keep = [&](const PixelOffset& at) {
             if (kept.count < kept.corner.size()) kept.corner[kept.count++] = at;

@@ -52,8 +52,8 @@ class ConservativeTest {
     bool is_inside(const Neighbour& n, const PixelOffset& at) const;
     bool is_outside(const Neighbour& n, const PixelOffset& at) const;
     bool is_behind_answer(const Neighbour& n, const PixelOffset& at) const;
-    bool is_sound(const Neighbour& n) const;
-    bool is_clear_of_planes(const Neighbour& n, double half_side_px) const;
+    bool is_clear_of_planes(const Neighbour& n) const;
+    bool keeps_between_planes(const Neighbour& n, double half_side_px) const;
     bool is_seen_at(const PixelOffset& at) const;
     bool is_held_at(const PixelOffset& at) const;
     template <class IsThere>
@@ -70,7 +70,7 @@ class ConservativeTest {
     double error_scale_;
     const Neighbour* answer_ = nullptr;     ///< none for background
     std::vector<const Neighbour*> others_;  ///< that do not miss the square for certain, without the answer's
-    bool is_asked_ = false;                 ///< are all of them such that double can tell?
+    bool is_asked_ = false;                 ///< is the answer's image certain, and cuts no plane anything?
 };
 
 }  // namespace zproof

@@ -77,12 +77,13 @@ Neighbour seen_at(const Sight<double>& sight, const BoundedTriangle& triangle) {
     n.p_world = triangle.p_world;
     const Corners<double> p_world = corners<double>(n.p_world);
     n.image = image_of(sight, p_world);
+    n.edges = n.image ? n.image->edge : edges_of(sight, p_world);
+    const ProductErrors errors = product_errors(sight, p_world, triangle.ray_size);
+    n.edge_error = errors.edge;
     if (!n.image) return n;
     n.gradient = steepness(n.image->nearness);
     n.plane_error = triangle.plane_error.at(std::abs(n.image->nearness.c) + n.gradient);
     n.is_plane_known = std::isfinite(n.plane_error);
-    const ProductErrors errors = product_errors(sight, p_world, triangle.ray_size);
-    n.edge_error = errors.edge;
     n.is_trusted = n.is_plane_known && std::abs(orientation_of(sight, p_world)) > errors.orientation;
     return n;
 }

@@ -33,6 +33,7 @@ struct Neighbour {
     /// Of p_world: whoever changes one changes both. In double; nothing for an edge-on triangle. Off by at
     /// most `edge_error` and `plane_error` (of nearness) anywhere within a pixel of the centre.
     std::optional<TriangleImage<double>> image;
+    std::array<Affine<double>, 3> edges{};  ///< the image's; without an image, of no orientation
     double edge_error = 0, plane_error = 0;
     /// What a faultless renderer may hold for its nearness at the pixel, all bounds included.
     double least_nearness = 0, greatest_nearness = 0;

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "compare/agree/bound_table.h"
 #include "compare/agree/depth_errors.h"
@@ -30,6 +32,21 @@ struct PixelRow {
     }
 };
 
+/// Pixels [first, end) of a row, which show the same: a triangle of the table, or none of the scene's.
+struct Run {
+    std::size_t first, end;
+    std::optional<std::uint32_t> place;
+};
+
+/// A row's runs in both frames.
+struct RowRuns {
+    std::vector<Run> of_candidate, of_reference;
+    bool are_same = false;  ///< and the reference's are not listed
+
+    const std::vector<Run>& candidate() const { return of_candidate; }
+    const std::vector<Run>& reference() const { return are_same ? of_candidate : of_reference; }
+};
+
 /// One thread's look at both frames, block by block.
 class BlockScan {
   public:
@@ -44,65 +61,69 @@ class BlockScan {
             const PixelRow row{left, right, y};
             const auto candidate = row.of(frames_.candidate.frame.primitive),
                        reference = row.of(frames_.reference.frame.primitive);
-            look_up(candidate);
-            if (!std::ranges::equal(candidate, reference)) look_up(reference);
+            RowRuns& runs = runs_[std::size_t(y - top)];
+            list_runs(candidate, runs.of_candidate);
+            runs.are_same = std::ranges::equal(candidate, reference);
+            if (!runs.are_same) list_runs(reference, runs.of_reference);
         }
         table_.make();
-        for (int y = top; y < bottom; ++y) scan({left, right, y}, undecided);
+        for (int y = top; y < bottom; ++y) scan({left, right, y}, runs_[std::size_t(y - top)], undecided);
     }
 
     const RowCounts& counts() const { return counts_; }
 
   private:
-    bool is_triangle(PrimitiveId id) const { return std::size_t(id) < triangle_count_; }
-
-    /// Calls visit(id, first, end) for each run of pixels that show the same.
-    template <class Visit>
-    static void for_each_run(std::span<const PrimitiveId> ids, const Visit& visit) {
+    void list_runs(std::span<const PrimitiveId> ids, std::vector<Run>& runs) {
+        runs.clear();
         for (std::size_t first = 0; first < ids.size();) {
             std::size_t end = first + 1;
             while (end < ids.size() && ids[end] == ids[first]) ++end;
-            visit(ids[first], first, end);
+            const bool is_triangle = std::size_t(ids[first]) < triangle_count_;
+            runs.push_back(
+                {first, end, is_triangle ? std::optional(table_.place_of(ids[first])) : std::nullopt});
             first = end;
         }
     }
 
-    void look_up(std::span<const PrimitiveId> ids) {
-        for_each_run(ids, [&](PrimitiveId id, std::size_t, std::size_t) {
-            if (is_triangle(id)) table_.place_of(id);
-        });
-    }
-
     /// What one frame shows, with error / bound; a background that is none and what is no triangle are
     /// undecided.
-    void look_at(const PixelRow& row, const Frame& frame, TriangleDepth BoundTable::Depths::*side,
-                 RowOf<PrimitiveId>& shown, RowOf<double>& errors) {
+    void look_at(const PixelRow& row, const Frame& frame, const std::vector<Run>& runs,
+                 TriangleDepth BoundTable::Depths::*side, RowOf<PrimitiveId>& shown, RowOf<double>& errors) {
         const auto ids = row.of(frame.primitive);
         std::fill(std::ranges::copy(ids, shown.begin()).out, shown.end(), PrimitiveId::none);
         std::ranges::copy(row.of(frame.camera_depth), depths_.begin());
-        for_each_run(ids, [&](PrimitiveId id, std::size_t first, std::size_t end) {
-            if (is_triangle(id))
-                find_depth_errors(table_[table_.place_of(id)].*side, row.left + int(first), row.y,
-                                  end - first, &depths_[first], &errors_found_[first]);
+        for (const auto& [first, end, place] : runs)
+            if (place)
+                find_depth_errors(table_[*place].*side, row.left + int(first), row.y, end - first,
+                                  &depths_[first], &errors_found_[first]);
             else
                 for (std::size_t i = first; i < end; ++i)
                     errors_found_[i] =
-                        id == PrimitiveId::none && depths_[i] == background_depth ? 0 : undecided_error;
-        });
+                        ids[i] == PrimitiveId::none && depths_[i] == background_depth ? 0 : undecided_error;
         std::fill(std::copy_n(errors_found_.begin(), ids.size(), errors.begin()), errors.end(), 0.0);
     }
 
-    void scan(const PixelRow& row, std::vector<UndecidedPixel>& undecided) {
-        look_at(row, frames_.candidate.frame, &BoundTable::Depths::candidate, row_.candidate,
-                row_.candidate_error);
-        look_at(row, frames_.reference.frame, &BoundTable::Depths::reference, row_.reference,
-                row_.reference_error);
+    /// Do both frames show nothing but background?
+    bool is_bare(const PixelRow& row, const RowRuns& runs) const {
+        const auto is_background = [](float depth) { return depth == background_depth; };
+        return runs.are_same && runs.of_candidate.size() == 1 &&
+               row.of(frames_.candidate.frame.primitive).front() == PrimitiveId::none &&
+               std::ranges::all_of(row.of(frames_.candidate.frame.camera_depth), is_background) &&
+               std::ranges::all_of(row.of(frames_.reference.frame.camera_depth), is_background);
+    }
+
+    void scan(const PixelRow& row, const RowRuns& runs, std::vector<UndecidedPixel>& undecided) {
+        if (!errors_ && is_bare(row, runs)) return;
+        look_at(row, frames_.candidate.frame, runs.candidate(), &BoundTable::Depths::candidate,
+                row_.candidate, row_.candidate_error);
+        look_at(row, frames_.reference.frame, runs.reference(), &BoundTable::Depths::reference,
+                row_.reference, row_.reference_error);
         if (counts_.add(row_)) list_undecided(row, undecided);
         if (!errors_) return;
-        write_errors(row, frames_.candidate.frame, &BoundTable::Depths::candidate, row_.candidate_error,
-                     errors_->candidate);
-        write_errors(row, frames_.reference.frame, &BoundTable::Depths::reference, row_.reference_error,
-                     errors_->reference);
+        write_errors(row, frames_.candidate.frame, runs.candidate(), &BoundTable::Depths::candidate,
+                     row_.candidate_error, errors_->candidate);
+        write_errors(row, frames_.reference.frame, runs.reference(), &BoundTable::Depths::reference,
+                     row_.reference_error, errors_->reference);
     }
 
     void list_undecided(const PixelRow& row, std::vector<UndecidedPixel>& undecided) const {
@@ -114,25 +135,27 @@ class BlockScan {
     }
 
     /// What is undecided has an error as well.
-    void write_errors(const PixelRow& row, const Frame& frame, TriangleDepth BoundTable::Depths::*side,
-                      const RowOf<double>& errors, Plane<float>& map) {
-        const auto ids = row.of(frame.primitive);
+    void write_errors(const PixelRow& row, const Frame& frame, const std::vector<Run>& runs,
+                      TriangleDepth BoundTable::Depths::*side, const RowOf<double>& errors,
+                      Plane<float>& map) {
         const auto depths = row.of(frame.camera_depth);
-        for (std::size_t i = 0; i < row.count(); ++i) {
-            const int x = row.left + int(i);
-            double error = std::numeric_limits<double>::quiet_NaN();
-            if (is_triangle(ids[i]) && errors[i] != undecided_error)
-                error = errors[i];
-            else if (is_triangle(ids[i]))
-                error = error_over_bound((table_[table_.place_of(ids[i])].*side).at(x, row.y), depths[i]);
-            map.at(x, row.y) = float(error);
-        }
+        for (const auto& [first, end, place] : runs)
+            for (std::size_t i = first; i < end; ++i) {
+                const int x = row.left + int(i);
+                double error = std::numeric_limits<double>::quiet_NaN();
+                if (place && errors[i] != undecided_error)
+                    error = errors[i];
+                else if (place)
+                    error = error_over_bound((table_[*place].*side).at(x, row.y), depths[i]);
+                map.at(x, row.y) = float(error);
+            }
     }
 
     const FramePair& frames_;
     std::size_t triangle_count_;
     BoundTable table_;
     ErrorMaps* errors_;
+    std::array<RowRuns, block_height> runs_;  ///< of the block at hand
     ComparedRow row_;
     /// Of one frame's row; runs are read and written beyond their ends, from left to right.
     std::array<float, row_pixels + errors_together> depths_{};

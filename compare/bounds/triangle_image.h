@@ -38,6 +38,16 @@ Affine<Number> parallel_edge(const Sight<Number>& sight, const Vector3<Number>& 
     return {-dot(side, sight.step_x), -dot(side, sight.step_y), dot(cross(r1, r2), sight.direction)};
 }
 
+/// Of corners relative to the sight's origin, before they are oriented: edge i is opposite corner i.
+template <class Number>
+std::array<Affine<Number>, 3> edges_between(const Sight<Number>& sight, const Vector3<Number>& v0,
+                                            const Vector3<Number>& v1, const Vector3<Number>& v2) {
+    if (sight.projection == Projection::parallel)
+        return {parallel_edge(sight, v1, v2), parallel_edge(sight, v2, v0), parallel_edge(sight, v0, v1)};
+    return {perspective_functional(sight, cross(v1, v2)), perspective_functional(sight, cross(v2, v0)),
+            perspective_functional(sight, cross(v0, v1))};
+}
+
 template <class Number>
 TriangleImage<Number> oriented(TriangleImage<Number> image, int orientation) {
     if (orientation < 0)
@@ -73,6 +83,13 @@ std::optional<Affine<Number>> nearness_of(const Sight<Number>& sight, const Corn
     return (Number(1) / plane.divisor) * plane.scaled;
 }
 
+/// A triangle's edges before they are oriented: a point at which two have different signs lies outside.
+template <class Number>
+std::array<Affine<Number>, 3> edges_of(const Sight<Number>& sight, const Corners<Number>& p_world) {
+    return detail::edges_between(sight, p_world[0] - sight.origin, p_world[1] - sight.origin,
+                                 p_world[2] - sight.origin);
+}
+
 /// The image of a triangle, or nothing where its plane holds the line of sight's origin (perspective) or
 /// direction (parallel): seen exactly edge-on it covers no area.
 template <class Number>
@@ -85,17 +102,14 @@ std::optional<TriangleImage<Number>> image_of(const Sight<Number>& sight, const 
         const Number volume = dot(v0, normal);
         const int orientation = sign(volume);
         if (orientation == 0) return std::nullopt;
-        image.edge = {detail::perspective_functional(sight, cross(v1, v2)),
-                      detail::perspective_functional(sight, cross(v2, v0)),
-                      detail::perspective_functional(sight, cross(v0, v1))};
+        image.edge = detail::edges_between(sight, v0, v1, v2);
         image.nearness = (Number(1) / volume) * detail::perspective_functional(sight, normal);
         return detail::oriented(image, orientation);
     }
     const Number facing = dot(normal, sight.direction);
     const int orientation = sign(facing);
     if (orientation == 0) return std::nullopt;
-    image.edge = {detail::parallel_edge(sight, v1, v2), detail::parallel_edge(sight, v2, v0),
-                  detail::parallel_edge(sight, v0, v1)};
+    image.edge = detail::edges_between(sight, v0, v1, v2);
     image.nearness = (Number(-1) / facing) *
                      Affine<Number>{-dot(normal, sight.step_x), -dot(normal, sight.step_y), dot(normal, v0)};
     return detail::oriented(image, orientation);

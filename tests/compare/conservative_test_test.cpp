@@ -180,6 +180,26 @@ TEST(ConservativeTest, TellsTiesWithinWhichEdgesPassAsRationalsDo) {
     EXPECT_GT(comparison.left, 1000) << "hidden ones, for one";
 }
 
+/// A wall or two, and before or behind them triangles that are seen edge-on: across the centre, within eps of
+/// it or beside the square, some of which end near the centre.
+std::vector<Triangle> random_walls_edge_on(Dice& dice) {
+    constexpr double eps_px = 1.0 / 512, far = 64;
+    std::vector<Triangle> walls{dice.below(2) ? wall(8) : wall_left_of(1.5 + dice.between(-1, 1) * eps_px, 8)};
+    for (int count = 1 + dice.below(3); count > 0; --count) {
+        const double x = 1.5 + dice.below(5) * eps_px / 2 - eps_px, slope = dice.below(5) - 2;
+        const double end = dice.below(3) ? far : (dice.below(5) - 2) * eps_px / 2;
+        const auto along = [&](double y, double depth) { return Corner{x + slope * y, 1.5 + y, depth}; };
+        walls.push_back({along(-far, 2), along(end, 4), along(dice.below(2) ? end : -far / 2, 16)});
+    }
+    return walls;
+}
+
+TEST(ConservativeTest, TellsWhatIsSeenBesideTrianglesEdgeOnAsRationalsDo) {
+    const Comparison comparison = asked(random_walls_edge_on);
+    EXPECT_GT(comparison.said[std::size_t(Admissibility::visible)], 500);
+    EXPECT_GT(comparison.left, 1000) << "those that are edge-on themselves, for one";
+}
+
 /// Walls on either side of an edge that passes within eps of the centre, in one plane with each other or in
 /// planes that meet there; several of them on the same side, whose third corners are the same or not.
 std::vector<Triangle> random_walls_along_an_edge(Dice& dice) {

@@ -37,9 +37,16 @@ void hold(const Affine<double>& f, const Affine<Rational>& truth, double error, 
 void hold(const View& view, const PixelPlace& place, const CornersWorld& p, Dice& dice, Tried& tried) {
     const ViewBounds bounds(view, RayPrecision{});
     const Neighbour n = neighbour_of(Sight<double>(view, place.x, place.y), bounds, p);
-    const auto truth = image_of(Sight<Rational>(view, place.x, place.y), corners<Rational>(p));
     ++(n.is_trusted ? tried.trusted : tried.others);
-    if (!n.is_trusted) return;
+    const Sight<Rational> exact_sight(view, place.x, place.y);
+    if (!n.is_trusted) {
+        const auto edges = edges_of(Sight<double>(view, place.x, place.y), corners<double>(p));
+        const auto exact_edges = edges_of(exact_sight, corners<Rational>(p));
+        for (std::size_t edge = 0; edge < 3; ++edge)
+            hold(edges[edge], exact_edges[edge], n.edge_error, dice, tried);
+        return;
+    }
+    const auto truth = image_of(exact_sight, corners<Rational>(p));
     ASSERT_TRUE(truth) << "trusted, and edge-on";
     for (std::size_t edge = 0; edge < 3; ++edge)
         hold(n.image->edge[edge], truth->edge[edge], n.edge_error, dice, tried);
