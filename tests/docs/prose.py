@@ -15,7 +15,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LONGEST_LINE, MOST_WORDS = 120, 35
 ITEM = re.compile(r"^\s*([-*]|\d+\.)\s+")
-SENTENCE_END = re.compile(r"(?<!\be\.g)(?<!\bi\.e)(?<!\bcf)(?<!\bvs)[.!?][)\"*_]*\s+")
+SENTENCE_END = re.compile(r"(?<!\be\.g)(?<!\bi\.e)(?<!\bcf)(?<!\bvs)(?<=\S)[.!?][)\"*_]*\s+")
 
 
 def pages():
