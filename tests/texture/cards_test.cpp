@@ -40,7 +40,8 @@ std::string words_of(const std::string& text) {
 
 TEST(DefinitionCards, AreOnTheirPage) {
     const std::string page = cards_on_the_page();
-    EXPECT_EQ(words_of(page), words_of(cards())) << "docs/texture-filters.md, below '## Cards', must read:\n" << cards();
+    EXPECT_EQ(words_of(page), words_of(cards())) << "docs/texture-filters.md, below '## Cards', must read:\n"
+                                                 << cards();
 }
 
 }  // namespace
