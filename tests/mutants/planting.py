@@ -114,7 +114,7 @@ def compile_source(words, folder, header, source, made, what, build):
          build)
 
 
-JUDGES_SECTION = "the judge's own mutants"  # of docs/detection.md
+JUDGES_SECTION = "the judge's own mutants"  # of docs/detection-tables.md
 
 
 def marks_of(name):
