@@ -1,5 +1,5 @@
-/// How a pixel class looks: fixed for every report. Blues are lawful ties, greens somebody else's flaw, warm
-/// colours and white are defects; glyph and name say the same without colour.
+/// How a pixel class looks: fixed for every report. Blues are admissible ties, greens somebody else's flaw,
+/// warm colours and white are defects; glyph and name say the same without colour.
 #pragma once
 
 #include <string_view>

@@ -116,10 +116,10 @@ std::string summary(const std::vector<PageView>& pages) {
            rows + "</tbody></table></div>\n";
 }
 
-std::string legend_rows(bool lawful) {
+std::string legend_rows(bool admissible) {
     std::string rows;
     for (int i = 0; i < pixel_class_count; ++i)
-        if (passes(PixelClass(i)) == lawful)
+        if (passes(PixelClass(i)) == admissible)
             rows += "<dt>" + class_badge(PixelClass(i)) + "</dt><dd>" +
                     std::string(style_of(PixelClass(i)).meaning) + "</dd>\n";
     return "<dl>" + rows + "</dl>";
@@ -133,7 +133,7 @@ std::string legend() {
            "renderer of the candidate's declared precision could have answered so. The bounds follow from "
            "that "
            "arithmetic; nothing is tuned. Each pixel gets one word:</p>\n"
-           "<div class=\"columns\"><div><h3>Lawful</h3>" +
+           "<div class=\"columns\"><div><h3>Admissible</h3>" +
            legend_rows(true) + "</div><div><h3>Defects</h3>" + legend_rows(false) +
            "<p class=\"fine\">Depth error / bound: how much of the permitted depth error was used up. Near 0 "
            "the bound is loose, above 1 something is wrong.</p></div></div>\n</section>\n";

@@ -18,7 +18,7 @@ using document::Table;
 
 /// Of the formats, those that a chart has room for: in [-1, 1] whole numbers hold what they hold in [0, 1].
 bool is_charted(const Format& format) {
-    return format.range == Range::zero_to_one || format.store == Store::float32;
+    return format.range == NdcRange::zero_to_one || format.store == Store::float32;
 }
 
 std::string power_of_ten(double value) { return "1e" + std::to_string(int(std::lround(std::log10(value)))); }
@@ -313,7 +313,7 @@ Section fighting_section(const DepthStudy& study, const std::string& stem) {
     }
     return {
         study.scene + " / " + study.view + ": layers that fight",
-        {"Every triangle lies on a second one whose corners are delta deeper along their lines of sight. A "
+        {"Every triangle lies on a second one whose corners are delta deeper along their view rays. A "
          "pixel fights where the second layer's stored depth is not farther: equal is enough, for then the "
          "order of drawing decides. The view's own planes; 1/z interpolated."},
         {std::move(table), document::Plot{stem + "-fights", "Equal counts as fighting", std::move(chart)}}};

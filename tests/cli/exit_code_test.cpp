@@ -123,7 +123,7 @@ const std::vector<Case> cases{
     {"CompareMissingFrame", {"compare", "absent.exr", "one.gltf"}, 3, "absent.exr"},
     {"RenderAbsentScene", {"render", "absent.glb"}, 3, "absent.glb"},
     {"ContractCheckOfAMute", {"contract-check", "true {out}"}, 3, "no frame"},
-    {"RequiredWitnessThatFails", {"run", "one.gltf", "--renderer", "false {out}"}, 3, "exit status 1"},
+    {"RequiredOracleThatFails", {"run", "one.gltf", "--renderer", "false {out}"}, 3, "exit status 1"},
     {"FiltersTableOfNothing", {"filters", "table", "empty"}, 3, "empty"},
     {"FiltersRunWithoutTexture", {"filters", "run", "one.gltf", "--methods", "nearest"}, 4, "no pixel"},
     {"EmptyFolder", {"run", "empty"}, 4, "nothing to judge"},

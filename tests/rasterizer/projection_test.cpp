@@ -37,7 +37,7 @@ TEST(Projection, CameraSpaceLooksDownMinusZ) {
 // The lesson's own program, line by line, with its canvas on the near plane.
 TEST(Projection, AgreesWithTheLessonsStages) {
     const Camera camera = turned_camera();
-    const ViewSetup setup({.name = "", .camera = camera, .width = 640, .height = 480}, lawful_rules);
+    const ViewSetup setup({.name = "", .camera = camera, .width = 640, .height = 480}, correct_rules);
     std::mt19937 random(3);
     for (int i = 0; i < 1000; ++i) {
         const glm::dvec3 p_camera{uniform(random, -5, 5), uniform(random, -5, 5), uniform(random, -50, -1)};
@@ -96,7 +96,7 @@ TEST(Projection, InfiniteFarPlaneIsTheLimitOfDistantOnes) {
 }
 
 // Camera.h: p_camera(t) = (u, v, 0) + t (shear.x, shear.y, -1) is seen at (u, v) for every t.
-TEST(Projection, LinesOfSightOfAnObliqueCameraAreSeenAsPoints) {
+TEST(Projection, ViewRaysOfAnObliqueCameraAreSeenAsPoints) {
     Camera camera = turned_camera();
     camera.projection = Projection::parallel;
     camera.shear = {0.5, -0.25};

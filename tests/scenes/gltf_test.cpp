@@ -354,8 +354,8 @@ TEST(Gltf, ReadsAnInfinitePerspectiveCamera) {
 
 TEST(Gltf, ReadsAnOrthographicCameraAndDropsItsNodesScale) {
     const TestFolder folder;
-    const nlohmann::json lens = {{"xmag", 4}, {"ymag", 2}, {"znear", 0}, {"zfar", 9}};
-    const WrittenGltf gltf = with_camera({{"type", "orthographic"}, {"orthographic", lens}},
+    const nlohmann::json window = {{"xmag", 4}, {"ymag", 2}, {"znear", 0}, {"zfar", 9}};
+    const WrittenGltf gltf = with_camera({{"type", "orthographic"}, {"orthographic", window}},
                                          {{"name", "top"}, {"scale", {2, -2, 2}}});
     const Loaded loaded = load_gltf(gltf.write(folder), 200, 100);
     const Camera& camera = loaded.views.at(0).camera;
