@@ -24,7 +24,7 @@ enum class PixelClass : std::uint8_t {
 inline constexpr int pixel_class_count = int(PixelClass::invalid) + 1;
 
 /// What a pixel of a class does to the gate.
-enum class Gate : std::uint8_t {
+enum class GateEffect : std::uint8_t {
     pass,
     fail,
     fail_always,  ///< no waiver may speak of it
@@ -32,7 +32,7 @@ enum class Gate : std::uint8_t {
 
 struct ClassFacts {
     std::string_view name;  ///< in reports and files
-    Gate gate = Gate::pass;
+    GateEffect gate = GateEffect::pass;
     /// Heading of its column in the table of a run; none: its pixels are counted in another column, or agree.
     std::string_view column = {};
     /// 0xRRGGBB, of Okabe and Ito's palette (2008) and two tints. Blues are admissible ties, greens are flaws
@@ -101,7 +101,7 @@ constexpr ClassFacts facts_of(PixelClass c) {
         case PixelClass::wrong_depth:
             return {
                 .name = "wrong_depth",
-                .gate = Gate::fail,
+                .gate = GateEffect::fail,
                 .colour = 0xE69F00,
                 .glyph = "↕",
                 .meaning = "The right triangle, but its depth lies outside the bound.",
@@ -109,7 +109,7 @@ constexpr ClassFacts facts_of(PixelClass c) {
         case PixelClass::hole:
             return {
                 .name = "hole",
-                .gate = Gate::fail,
+                .gate = GateEffect::fail,
                 .colour = 0xD55E00,
                 .glyph = "○",
                 .meaning = "Background, where the scene covers the pixel for certain.",
@@ -117,7 +117,7 @@ constexpr ClassFacts facts_of(PixelClass c) {
         case PixelClass::outside:
             return {
                 .name = "outside",
-                .gate = Gate::fail,
+                .gate = GateEffect::fail,
                 .colour = 0xF0E442,
                 .glyph = "◇",
                 .meaning = "A triangle that does not reach this pixel.",
@@ -125,7 +125,7 @@ constexpr ClassFacts facts_of(PixelClass c) {
         case PixelClass::hidden:
             return {
                 .name = "hidden",
-                .gate = Gate::fail,
+                .gate = GateEffect::fail,
                 .colour = 0xCC79A7,
                 .glyph = "▣",
                 .meaning = "A triangle that lies behind another for certain.",
@@ -133,7 +133,7 @@ constexpr ClassFacts facts_of(PixelClass c) {
         case PixelClass::invalid:
             return {
                 .name = "invalid",
-                .gate = Gate::fail_always,
+                .gate = GateEffect::fail_always,
                 .colour = 0xFFFFFF,
                 .glyph = "×",
                 .meaning = "No answer at all: NaN, a negative depth, a triangle that does not exist.",
@@ -142,8 +142,8 @@ constexpr ClassFacts facts_of(PixelClass c) {
     return {};
 }
 
-constexpr bool passes(PixelClass c) { return facts_of(c).gate == Gate::pass; }
-constexpr bool is_waivable(PixelClass c) { return facts_of(c).gate == Gate::fail; }
+constexpr bool passes(PixelClass c) { return facts_of(c).gate == GateEffect::pass; }
+constexpr bool is_waivable(PixelClass c) { return facts_of(c).gate == GateEffect::fail; }
 constexpr bool has_column(PixelClass c) { return !facts_of(c).column.empty(); }
 
 /// The worse of two classes is the one with the larger value.
