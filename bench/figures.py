@@ -4,6 +4,7 @@
     figures.py ratios [FILTER]     a line per case: zproof's time and each peer's, as multiples of zproof's
     figures.py compare OLD.json    what became slower since OLD.json, beyond the noise of both
     figures.py check [--renew]     instruction counts by callgrind beside bench/instructions.json; 1 where one grew
+    figures.py judge-table MACHINE verdicts of the suite beside Embree's rays, into docs/performance-judge.md
     figures.py plot                time and memory over triangles and pixels, as SVG
 
 Every run also writes its JSON into build/bench/. Status: 0, 1 where something is slower, 2 for a wrong word.
@@ -20,6 +21,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PROGRAMS = ROOT / "build/release/bench"
 OUT = ROOT / "build/bench"
 BASELINE = ROOT / "bench/instructions.json"
+JUDGE_PAGE = ROOT / "docs/performance-judge.md"
 REPETITIONS = 9
 MOST_GROWTH = 1.10  # of instructions
 
@@ -61,6 +63,27 @@ def ratios(filter_="."):
             if who != "zproof":
                 line += f"   {who} {statistics.median(theirs) / median:.2f} x"
         print(line)
+    return 0
+
+
+def judge_page(samples, machine, times):
+    """The least times of every view, as the page docs/performance-judge.md."""
+    lines = ["# The judge, view by view", "",
+             "What a verdict on each view of the suite costs beside Embree's rays for it, at 1920 x 1080.",
+             "[performance.md](performance.md) has the goals. `./dev bench --judge-table MACHINE` writes this page.", "",
+             f"{machine}.", f"Least times of {times}:", "",
+             "| view | verdict, ms | Embree's rays, ms | ratio |", "|---|---|---|---|"]
+    for (_, view), by_who in samples.items():
+        verdict, rays = min(by_who["zproof"]), min(by_who["Embree's rays"])
+        scene, _, name = view.partition("-")
+        lines.append(f"| `{scene}` / {name} | {verdict:.1f} | {rays:.1f} | {verdict / rays:.2f} |")
+    return "\n".join(lines) + "\n"
+
+
+def judge_table(machine):
+    OUT.mkdir(parents=True, exist_ok=True)
+    samples = run_benchmarks("^judge/", OUT / "judge.json")
+    JUDGE_PAGE.write_text(judge_page(samples, machine, f"{REPETITIONS} verdicts and frames of rays"))
     return 0
 
 
@@ -193,7 +216,8 @@ def write_chart(file, rows, x, series, unit):
 
 
 if __name__ == "__main__":
-    commands = {"ratios": ratios, "compare": compare, "check": check, "plot": plot}
+    commands = {"ratios": ratios, "compare": compare, "check": check, "plot": plot,
+                "judge-table": judge_table}
     if len(sys.argv) < 2 or sys.argv[1] not in commands:
         print(__doc__, file=sys.stderr)
         sys.exit(2)

@@ -5,7 +5,7 @@
 
 namespace zproof {
 
-std::string version_number();  ///< "0.1.0"
+std::string version_number();  ///< "0.2.0"
 std::string compiler_name();   ///< "g++ 12.2.0"
 std::string version_line();    ///< both, and the reference's version
 

@@ -1,16 +1,26 @@
-# zproof_room(name SOURCES a.cpp ... USES rooms-and-libraries ...): one static library per folder, zproof::name.
+# What most sources of every room include, parsed once for each room. A source still names all that it needs.
+set(zproof_precompiled
+    <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <iterator> <limits> <map> <memory> <optional>
+    <span> <sstream> <stdexcept> <string> <string_view> <utility> <vector> <glm/glm.hpp>)
+
+# zproof_room(name SOURCES a.cpp ... USES rooms-and-libraries ... [PRECOMPILE <header> ...]): one static library per
+# folder, zproof::name.
 function(zproof_room name)
-    cmake_parse_arguments(ROOM "" "" "SOURCES;USES" ${ARGN})
+    cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PRECOMPILE" ${ARGN})
     add_library(zproof_${name} STATIC ${ROOM_SOURCES})
     add_library(zproof::${name} ALIAS zproof_${name})
     set_target_properties(zproof_${name} PROPERTIES EXPORT_NAME ${name})
     target_link_libraries(zproof_${name} PUBLIC zproof_strict ${ROOM_USES})
+    target_precompile_headers(zproof_${name} PRIVATE ${zproof_precompiled} ${ROOM_PRECOMPILE})
 endfunction()
 
-# zproof_test(room SOURCES a_test.cpp ... USES ...): one test program per room; every TEST is one ctest entry.
+# zproof_test(room SOURCES a_test.cpp ... USES ...): one test program per room; every TEST is one ctest entry. What is
+# tested is compiled as it is shipped; the tests themselves, for a quick build, are optimized less.
 function(zproof_test room)
     cmake_parse_arguments(TEST "" "" "SOURCES;USES" ${ARGN})
     add_executable(${room}_test ${TEST_SOURCES})
     target_link_libraries(${room}_test PRIVATE zproof_strict ${TEST_USES} GTest::gtest_main)
+    target_compile_options(${room}_test PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_precompile_headers(${room}_test PRIVATE ${zproof_precompiled} <gtest/gtest.h>)
     gtest_discover_tests(${room}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()

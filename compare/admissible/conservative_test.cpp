@@ -54,9 +54,8 @@ ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answ
 
 /// Where the sign of the edges is not certain, edges that differ in it say so.
 bool ConservativeTest::misses(const Neighbour& n, double half_side_px) const {
-    const bool is_outside = std::ranges::any_of(n.edges, [&](const Affine<double>& e) {
-        return e.c + reach(e, half_side_px) < -edge_error(n);
-    });
+    const bool is_outside = std::ranges::any_of(
+        n.edges, [&](const Affine<double>& e) { return e.c + reach(e, half_side_px) < -edge_error(n); });
     return is_outside && (n.is_trusted || std::ranges::any_of(n.edges, [&](const Affine<double>& e) {
                               return e.c - reach(e, half_side_px) > edge_error(n);
                           }));
@@ -78,8 +77,8 @@ bool ConservativeTest::is_outside(const Neighbour& n, const PixelOffset& at) con
 }
 
 bool ConservativeTest::is_behind_answer(const Neighbour& n, const PixelOffset& at) const {
-    return n.is_trusted && value_at(answer_->image->nearness - n.image->nearness, at) >
-                               nearness_error(n) + nearness_error(*answer_);
+    return n.image && value_at(answer_->image->nearness - n.image->nearness, at) >
+                          nearness_error(n) + nearness_error(*answer_);
 }
 
 /// Does no plane cut it in the square?

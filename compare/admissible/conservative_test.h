@@ -1,5 +1,5 @@
-/// What double precision, with its error bounded, says for certain of an answer (docs/truth.md, "In double").
-/// Where it says nothing, ask AdmissibleSet.
+/// What double precision, with its error bounded, says for certain of an answer (docs/truth-proofs.md,
+/// "In double"). Where it says nothing, ask AdmissibleSet.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 /// OpenImageIO's texture filters (docs/filter-peers.md). A library of its own, which tests and benchmarks
 /// link to and the program does not: OpenImageIO brings along 250 shared libraries, which cost every start of
-/// a program that is linked to it a third of a second (docs/performance.md).
+/// a program that is linked to it a third of a second.
 #pragma once
 
 #include "oracle/filter_peers.h"

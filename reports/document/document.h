@@ -68,7 +68,7 @@ struct Section {
 struct Document {
     static constexpr const char* schema_version = "1.0";
     std::string title;
-    std::string command, version;           ///< as typed; "0.1.0"
+    std::string command, version;           ///< as typed; "0.2.0"
     std::vector<std::string> introduction;  ///< paragraphs: what was asked, and the answer in short
     std::vector<Section> sections;
     bool operator==(const Document&) const = default;

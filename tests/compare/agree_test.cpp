@@ -57,15 +57,29 @@ struct Tried {
     int undecided = 0, in_id_alone = 0, agreed = 0;
 };
 
+/// The same whether error maps are asked for or not.
+Agreement sorted_agreement(const FramePair& pair, ErrorMaps* maps) {
+    Agreement found = find_agreement(pair, maps);
+    std::ranges::sort(found.undecided, is_in_raster_order);
+    return found;
+}
+
+void expect_same(const Agreement& found, const Agreement& expected) {
+    ASSERT_EQ(found.undecided.size(), expected.undecided.size());
+    for (std::size_t i = 0; i < expected.undecided.size(); ++i) {
+        ASSERT_EQ(found.undecided[i].place, expected.undecided[i].place);
+        ASSERT_EQ(found.undecided[i].differs_in_id_alone, expected.undecided[i].differs_in_id_alone);
+    }
+    EXPECT_EQ(found.candidate_depth, expected.candidate_depth);
+    EXPECT_EQ(found.reference_depth, expected.reference_depth);
+}
+
 /// Holds what the tier finds against every pixel by itself.
 void try_frames(const Trial& t, Tried& tried) {
     const FramePair pair = pair_of(t);
     const Resolution size{t.view.width, t.view.height};
     ErrorMaps maps{Plane<float>(size, 77), Plane<float>(size, 77)}, expected_maps = maps;
-    Agreement found = find_agreement(pair, &maps);
-    std::ranges::sort(found.undecided, is_in_raster_order);
-    std::vector<UndecidedPixel> expected;
-    BoundRecord candidate, reference;
+    Agreement expected;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const Alone a = alone(pair, pair.candidate, x, y), b = alone(pair, pair.reference, x, y);
@@ -73,23 +87,32 @@ void try_frames(const Trial& t, Tried& tried) {
             expected_maps.reference.at(x, y) = b.in_map;
             const bool are_certain = a.error >= 0 && b.error >= 0;
             if (!are_certain || t.candidate.primitive.at(x, y) != t.reference.primitive.at(x, y)) {
-                expected.push_back({{x, y}, are_certain});
+                expected.undecided.push_back({{x, y}, are_certain});
+                ++tried.undecided, tried.in_id_alone += are_certain;
             } else if (t.candidate.primitive.at(x, y) != PrimitiveId::none) {
-                count(candidate, a.error);
-                count(reference, b.error);
+                count(expected.candidate_depth, a.error);
+                count(expected.reference_depth, b.error);
                 ++tried.agreed;
             }
         }
-    ASSERT_EQ(found.undecided.size(), expected.size());
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        ASSERT_EQ(found.undecided[i].place, expected[i].place);
-        ASSERT_EQ(found.undecided[i].differs_in_id_alone, expected[i].differs_in_id_alone);
-        ++tried.undecided, tried.in_id_alone += expected[i].differs_in_id_alone;
-    }
-    EXPECT_EQ(found.candidate_depth, candidate);
-    EXPECT_EQ(found.reference_depth, reference);
+    expect_same(sorted_agreement(pair, &maps), expected);
+    expect_same(sorted_agreement(pair, nullptr), expected);
     expect_same(maps.candidate, expected_maps.candidate);
     expect_same(maps.reference, expected_maps.reference);
+}
+
+/// Row y shows background in both frames, but perhaps for one pixel of one of them: a triangle at infinity,
+/// or a background at a depth.
+void make_bare(Trial& t, int y, Dice& dice) {
+    const int width = t.view.width;
+    for (int x = 0; x < width; ++x) {
+        answer_background(t.candidate, x, y);
+        answer_background(t.reference, x, y);
+    }
+    Frame& frame = dice.below(2) ? t.candidate : t.reference;
+    const int x = dice.below(width), odd = dice.below(3);
+    if (odd == 0) frame.primitive.at(x, y) = PrimitiveId(1);
+    if (odd == 1) frame.camera_depth.at(x, y) = 4;
 }
 
 /// Walls at depths 1, 1 + 1/64 ..., a sliver that has no plane, and frames that show runs of any of them: at
@@ -118,6 +141,7 @@ Trial random_frames(std::uint32_t seed, int width, int height, int walls, int lo
             if (dice.below(6) == 0) shown = std::uint32_t(dice.below(walls));
             answer_at(t.reference, x, y);
         }
+    for (int y = dice.below(3); y < height; y += 2) make_bare(t, y, dice);
     return t;
 }
 

@@ -76,6 +76,14 @@ def call(words, what, folder):
     return done.stdout
 
 
+def without_precompiled(words):
+    """Without the headers that the build parses beforehand: they are for its own flags."""
+    if "-include" not in words:
+        return words
+    at = words.index("-include")
+    return [word for word in words[:at] + words[at + 2:] if word != "-Winvalid-pch"]
+
+
 def compile_words(build, is_wanted):
     """Words that compile sources, up to a name, each with the sources that they are for: some have flags of their
     own."""
@@ -83,7 +91,7 @@ def compile_words(build, is_wanted):
     for command in json.loads((build / "compile_commands.json").read_text()):
         file = pathlib.Path(command["file"])
         if file.is_relative_to(ROOT) and is_wanted(file.relative_to(ROOT)):
-            words = shlex.split(command["command"])
+            words = without_precompiled(shlex.split(command["command"]))
             flags = tuple(word for word in words[:words.index("-o")] if word not in ("-Werror", "-O3", "-g1"))
             sources.setdefault(flags, []).append(file.relative_to(ROOT).as_posix())
     return [(list(flags), files) for flags, files in sources.items()]
@@ -114,7 +122,7 @@ def compile_source(words, folder, header, source, made, what, build):
          build)
 
 
-JUDGES_SECTION = "the judge's own mutants"  # of docs/detection.md
+JUDGES_SECTION = "the judge's own mutants"  # of docs/detection-tables.md
 
 
 def marks_of(name):

@@ -1,4 +1,4 @@
-/// How frames are compared today, for the table of docs/detection.md. None of this decides anything here.
+/// How frames are compared today, for the table of docs/detection-tables.md. Nothing here decides anything.
 #pragma once
 
 #include <filesystem>

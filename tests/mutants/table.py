@@ -1,49 +1,15 @@
-"""The page docs/detection.md, from what tests/mutants/score measured."""
+"""The page docs/detection-tables.md, from what tests/mutants/score measured."""
 import collections
 import pathlib
 
 RIVALS = {"idiff": "`idiff`", "idiff_blender": "`idiff`, Blender's settings", "fuzzy": "fuzzy 3 x 3",
           "pytorch3d": "PyTorch3D's rule"}
 
-HEAD = """# Detection
+HEAD = """# Detection, row by row
 
-What the gate catches, measured: faults injected into a good frame (`zproof selftest`, shipped), and defects planted into
-the rasterizer's own sources (`tests/mutants/catalogue.txt`), one at a time. This page is written by
+What [detection.md](detection.md) sums up. `tests/mutants/score --table docs/detection-tables.md` writes this page, and
+`tests/mutants/score_judge --table docs/detection-tables.md` its last section.
 
-    tests/mutants/score --table docs/detection.md
-
-its last section, on the judge itself, by `tests/mutants/score_judge`. The planted defects are also a test of their own (`./dev test --full`): one that survives fails it. Texture filters have a
-table of their own, 58 planted defects judged by the law of each method ([filter-conformance.md](filter-conformance.md));
-`zproof selftest` plants them too.
-
-"""
-
-METHOD = """
-## How it was measured
-
-A planted defect is a text of `rasterizer/` replaced by another. The renderer is compiled with it and judged on the whole
-suite at 480 x 270, and where nothing is found at 1920 x 1080. *Class* and *cause* are those of the first view that fails;
-the class is the one that most of its pixels got, the cause what the diagnosis says (a dash: "no single cause"). An
-injected fault must get exactly the class, and where it is one pixel the count, that `cli/selftest/` states for it.
-
-`tests/mutants/causes.txt` says which defects a hypothesis describes, and what it should be called; it was written before
-the diagnosis was asked.
-
-The rivals are given the same two frames as the gate, the candidate's and Embree's:
-
-- `idiff` of OpenImageIO, at its defaults and with Blender's `-fail 0.016 -failpercent 1`, on an 8-bit picture with a
-  colour per id and on the depths as float32; an alarm is a failure of either. For planted defects its comparison
-  (`ImageBufAlgo::compare`) is called directly; for injected faults the program runs as well and both must agree.
-- the fuzzy compare: each pixel's id must be found among the 3 x 3 pixels around it in the reference, its depth between the
-  least and the greatest there, give or take 0.1 %. No pixel may fail.
-- PyTorch3D's rule: 99.99 % of the ids equal, 99.9 % of the depths within 0.001.
-
-A rival *catches* a defect where it raises an alarm at a view whose clean frame raises none. An alarm that the clean frame
-raises as well tells nobody anything. Where all views raise one, as they do for `idiff` at its defaults, nothing is left
-to catch with; that is the price of comparing two renderers that are both right but not equal.
-
-What a frame cannot show is not in the list: a fill rule that gives edges to the other neighbour, a fused multiply-add, or
-twice drawn samples on an edge leave a lawful picture. `zproof measure` and the rasterizer's own tests look at those.
 """
 
 
@@ -142,7 +108,7 @@ def page(rows, lines, false_alarms, catalogue_size):
     text += summary(rows, faults, false_alarms) + diagnosis_line(rows, faults)
     text += (f"\nOf {len(controls)} good frames among the injected faults (`cli/selftest/clean_frames.cpp`) the gate passes "
              f"{sum(line['as_expected'] for line in controls)}.\n")
-    text += METHOD + "\n## Planted defects\n\n`x`: this rival catches it, too.\n"
+    text += "\n## Planted defects\n\n`x`: this rival catches it, too.\n"
     areas = collections.OrderedDict()
     for row in rows:
         areas.setdefault(row["mutant"].area, []).append(mutant_row(row))

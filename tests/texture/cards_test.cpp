@@ -30,9 +30,18 @@ std::string cards_on_the_page() {
     return text.substr(from, text.find("\n## ", from) - from);
 }
 
+/// A word per line, wherever the page breaks its lines.
+std::string words_of(const std::string& text) {
+    std::istringstream words{text};
+    std::string folded;
+    for (std::string word; words >> word;) folded += word + "\n";
+    return folded;
+}
+
 TEST(DefinitionCards, AreOnTheirPage) {
     const std::string page = cards_on_the_page();
-    EXPECT_EQ(page, cards()) << "docs/texture-filters.md, below '## Cards', must read:\n" << cards();
+    EXPECT_EQ(words_of(page), words_of(cards())) << "docs/texture-filters.md, below '## Cards', must read:\n"
+                                                 << cards();
 }
 
 }  // namespace

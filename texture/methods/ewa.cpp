@@ -155,9 +155,8 @@ constexpr const char* lod_rule =
 
 /// What is the same for all: `weights` are those of a texel at squared radius r2.
 std::string taps(const std::string& weights) {
-    return "In either level around the LOD every texel whose centre lies inside the ellipse, whose squared "
-           "radii "
-           "are widened by one texel of that level (J J^T + I); weight " +
+    return "In either level around the LOD every texel whose centre lies inside the ellipse. Its squared "
+           "radii are widened by one texel of that level (J J^T + I). Weight " +
            weights +
            ", divided by the sum of weights. The levels are blended by the LOD's fraction. The last level is "
            "read "

@@ -134,7 +134,7 @@ std::vector<Method> openimageio_methods() {
                      "height), 1 to a.",
               .taps =
                   "n = max(1, floor(2 aspect - 1)) bilinear probes in either level, at p = (2 i + 1) / n - "
-                  "1, i = 0 to n - 1, times (s1 - s2) along the longer axis, linear about the centre; each "
+                  "1, i = 0 to n - 1, times (s1 - s2) along the longer axis, linear about the centre. Each "
                   "weighs exp(-2 x^2), x = p s1 / (2 (s1 - s2)), divided by the sum. The coarser level's "
                   "share is 2 width - 1 there, within [0, 1]. A footprint that is not finite is one probe of "
                   "the "

@@ -178,12 +178,13 @@ std::vector<Method> sat_methods() {
                                 "texture its upright box." +
                                     horizon,
                                 "ours"),
-        method<Shape::strips>("sat-strips",
-                              "The pixel cut across the longer of its two steps into as many strips as the "
-                              "ellipse's major axis is longer than its minor one, rounded up, at most the "
-                              "largest anisotropy; round each strip's quadrilateral its upright box." +
-                                  horizon,
-                              "ours")};
+        method<Shape::strips>(
+            "sat-strips",
+            "The pixel cut across the longer of its two steps into strips: the ratio of the "
+            "ellipse's major axis to its minor one, rounded up, at most the largest "
+            "anisotropy. Round each strip's quadrilateral its upright box." +
+                horizon,
+            "ours")};
 }
 
 }  // namespace zproof::texture
