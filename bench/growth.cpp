@@ -26,7 +26,7 @@ double processor_seconds() {
            1e-6 * double(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
-class Stages {
+class StageTimer {
   public:
     template <class Work>
     auto run(const char* name, const Work& work) {
@@ -60,14 +60,14 @@ int main(int argc, char** argv) {
     std::cout << "{\"triangles\": " << timed.scene.triangles.size() << ", \"width\": " << view.width
               << ", \"height\": " << view.height << ", \"scene_mib\": " << scene_mib
               << ", \"frame_mib\": " << 8.0 * view.width * view.height / (1 << 20) << ", ";
-    Stages stages;
-    std::optional embree = stages.run("build", [&] { return oracle::Embree{timed.scene}; });
-    const Frame reference = stages.run("trace", [&] { return embree->trace(view); });
+    StageTimer timer;
+    std::optional embree = timer.run("build", [&] { return oracle::Embree{timed.scene}; });
+    const Frame reference = timer.run("trace", [&] { return embree->trace(view); });
     std::cout << "\"mib_after_trace\": " << peak_mib() << ", ";
     embree.reset();
-    const Frame candidate = stages.run("render", [&] { return rasterizer::render(timed.scene, view); });
+    const Frame candidate = timer.run("render", [&] { return rasterizer::render(timed.scene, view); });
     std::cout << "\"mib_after_render\": " << peak_mib() << ", ";
-    const Verdict verdict = stages.run("judge", [&] {
+    const Verdict verdict = timer.run("judge", [&] {
         return judge(timed.scene, view, {candidate, rasterizer::precision()},
                      {reference, oracle::embree_precision()});
     });

@@ -7,8 +7,8 @@ namespace zproof::bench {
 namespace {
 
 /// A sheet of 2 x columns x rows triangles; place(u, v) for u, v in [0, 1].
-template <class Place>
-void add_sheet(Scene& scene, int columns, int rows, Place place) {
+template <class Position>
+void add_sheet(Scene& scene, int columns, int rows, Position place) {
     const auto first = std::uint32_t(scene.vertices.position_world.size());
     const auto stride = std::uint32_t(columns + 1);
     for (int j = 0; j <= rows; ++j) {

@@ -19,8 +19,8 @@ template <class Code>
 struct Table {
     explicit Table(int channels)
         : codes(std::size_t{side} * side * std::size_t(channels)), sums(codes.size()) {
-        std::mt19937 dice(1);
-        for (Code& code : codes) code = Code(dice());
+        std::mt19937 rng(1);
+        for (Code& code : codes) code = Code(rng());
     }
     std::vector<Code> codes;
     std::vector<std::uint32_t> sums;

@@ -15,15 +15,15 @@
 #include "reports/markdown.h"
 #include "reports/report_error.h"
 #include "reports/terminal.h"
-#include "reports/waiver_standing.h"
+#include "reports/waiver_status.h"
 #include "reports/wording.h"
 
 namespace zproof {
 namespace {
 
-Colour resolve(ColourWish wish) {
-    if (wish == ColourWish::always) return Colour::ansi;
-    if (wish == ColourWish::never) return Colour::plain;
+Colour resolve(ColourMode mode) {
+    if (mode == ColourMode::always) return Colour::ansi;
+    if (mode == ColourMode::never) return Colour::plain;
     const char* no_color = std::getenv("NO_COLOR");  // no-color.org: any value but the empty one
     const bool refused = no_color != nullptr && *no_color != '\0';
     return !refused && is_terminal(STDOUT_FILENO) ? Colour::ansi : Colour::plain;
@@ -43,9 +43,9 @@ void summarize_step(const Results& results) {
 }
 
 void remark_on_waivers(const Results& results) {
-    for (const WaiverStanding& standing : waiver_standings(results))
-        if (const std::string advice = advice_for(standing); !advice.empty())
-            std::cerr << "zproof: " << (fails(standing, results.strictness) ? "error: " : "warning: ")
+    for (const WaiverStatus& status : waiver_statuses(results))
+        if (const std::string advice = advice_for(status); !advice.empty())
+            std::cerr << "zproof: " << (fails(status, results.strictness) ? "error: " : "warning: ")
                       << one_line(advice) << "\n";
 }
 

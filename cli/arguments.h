@@ -17,7 +17,7 @@
 
 namespace zproof {
 
-enum class ColourWish {
+enum class ColourMode {
     automatic,  ///< on a terminal, unless NO_COLOR is set or TERM is "dumb"
     always,
     never,
@@ -34,9 +34,9 @@ enum class Detail {
     times,    ///< the same, and where the time went
 };
 
-enum class PictureWish {
+enum class PictureMode {
     none,
-    shaded,  ///< colour pictures of every view that leaves evidence, also from witnesses that can paint
+    shaded,  ///< colour pictures of every view that leaves evidence, also from oracles that can paint
 };
 
 /// Which views leave evidence beside the results: frames, pictures, findings, what the viewer shows.
@@ -48,10 +48,10 @@ enum class Evidence {
 /// Where the reports go and what the terminal shows.
 struct ReportArguments {
     std::filesystem::path out = "zproof-out";
-    ColourWish colour = ColourWish::automatic;
+    ColourMode colour = ColourMode::automatic;
     ProgressStyle progress = ProgressStyle::automatic;
     Detail detail = Detail::table;
-    PictureWish pictures = PictureWish::none;
+    PictureMode pictures = PictureMode::none;
     Evidence evidence = Evidence::defects;
     std::vector<ReportFormat> formats = usual_formats();
     GateArguments gate{};
@@ -62,24 +62,24 @@ struct ReportArguments {
 struct RunArguments {
     std::vector<std::string> scenes;  ///< empty: the whole suite
     Shard shard;
-    Parties parties;
+    ChosenRenderers renderers;
     RenderSettings settings;
     ReportArguments report;
 };
 
 struct CompareArguments {
     std::string scene;
-    std::string view;  ///< empty: the scene's only view
-    Parties parties;   ///< the candidate is a stored frame
+    std::string view;           ///< empty: the scene's only view
+    ChosenRenderers renderers;  ///< the candidate is a stored frame
     int threads = available_threads();
     ReportArguments report{.evidence = Evidence::all};  ///< one frame, which somebody asks about
 };
 
 struct ExplainArguments {
     std::string scene;
-    int x = 0, y = 0;  ///< pixel
-    std::string view;  ///< empty: the scene's first view
-    Parties parties;   ///< witnesses are not asked
+    int x = 0, y = 0;           ///< pixel
+    std::string view;           ///< empty: the scene's first view
+    ChosenRenderers renderers;  ///< oracles are not asked
     RenderSettings settings;
 };
 

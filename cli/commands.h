@@ -78,8 +78,9 @@ ExitCode execute(const FiltersTableArguments& arguments);
 /// Makes a study's figures and page again, as chosen.
 ExitCode execute(const FiltersFigureArguments& arguments);
 
-/// Holds pictures of filters against the law of their method and prints what is outside, by how much and
-/// which rule is at fault; a defect where anything is. UsageError where a method has no law.
+/// Holds pictures of filters against the filter reference of their method and prints what is outside, by how
+/// much and which rule is at fault; a defect where anything is. UsageError where a method has no filter
+/// reference.
 ExitCode execute(const FiltersCheckArguments& arguments);
 
 /// Writes the page that answers the lecture's questions about Crow 1984.

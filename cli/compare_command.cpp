@@ -21,11 +21,11 @@ std::string view_meant(const CompareArguments& arguments, const SceneSource& sou
 }  // namespace
 
 ExitCode execute(const CompareArguments& arguments) {
-    const auto& candidate = std::get<StoredFrame>(arguments.parties.candidate.who);
+    const auto& candidate = std::get<StoredFrame>(arguments.renderers.candidate.who);
     const Resolution size = read_exr(candidate.file).size();
     const SceneSource source = select_scene(arguments.scene);
     return judge_and_report({.sources = {source},
-                             .parties = arguments.parties,
+                             .renderers = arguments.renderers,
                              .settings = {.resolution = size, .threads = arguments.threads},
                              .report = arguments.report,
                              .selection = selection_of({source}, size),

@@ -5,7 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
-#include "cli/renderers/roster.h"
+#include "cli/renderers/registry.h"
 #include "cli/threads.h"
 #include "cli/work_progress.h"
 #include "compare/diagnosis/diagnosis.h"
@@ -19,13 +19,13 @@ namespace zproof {
 namespace {
 
 /// A perspective view from inside with a triangle at every pixel, windows that are not centred, and a
-/// projection whose lines of sight do not run along the view axis: together they tell apart what a renderer
+/// projection whose view rays do not run along the view axis: together they tell apart what a renderer
 /// can mistake in the contract. The picture is not square, so that width and height cannot be exchanged.
-constexpr std::array conversation{"room", "off_axis", "oblique"};
+constexpr std::array contract_scenes{"room", "off_axis", "oblique"};
 constexpr Resolution picture_size{.width = 160, .height = 100};
 
-/// What came of the conversation so far; the worst of it is the exit status.
-struct Minutes {
+/// What came of the contract's scenes so far; the worst of it is the exit status.
+struct ContractTally {
     int expected = 0;  ///< pictures, unless we are interrupted
     int pictures = 0, wrong = 0, missing = 0;
     std::map<std::string, int> causes;  ///< of how many wrong pictures each is the likely one
@@ -42,43 +42,43 @@ std::string in_words(const Scene& scene, const Verdict& verdict, const std::opti
 }
 
 /// One picture: what came of it, in words that end a line.
-std::string judged(const Scene& scene, const View& view, const Renderer& renderer, Minutes& minutes) {
+std::string judged(const Scene& scene, const View& view, const Renderer& renderer, ContractTally& tally) {
     const Renderer embree = open({.who = BuiltIn{"embree"}, .precision_word = {}}, scene);
     const Frame candidate = renderer.render(view), reference = embree.render(view);
     const RenderedFrame ours{candidate, renderer.precision}, theirs{reference, embree.precision};
     const Verdict verdict = judge(scene, view, ours, theirs);
     if (defect_count(verdict) == 0) return "kept\n";
     const std::optional<Diagnosis> diagnosis = diagnose(scene, view, ours, theirs, verdict);
-    ++minutes.wrong;
-    if (diagnosis && diagnosis->cause) ++minutes.causes[diagnosis->cause->name];
+    ++tally.wrong;
+    if (diagnosis && diagnosis->cause) ++tally.causes[diagnosis->cause->name];
     return in_words(scene, verdict, diagnosis) + "\n";
 }
 
 /// The same where no frame may come.
-std::string answer_of(const Scene& scene, const View& view, const Renderer& renderer, Minutes& minutes) {
-    ++minutes.pictures;
+std::string answer_of(const Scene& scene, const View& view, const Renderer& renderer, ContractTally& tally) {
+    ++tally.pictures;
     try {
-        return judged(scene, view, renderer, minutes);
+        return judged(scene, view, renderer, tally);
     } catch (const OracleError& e) {
-        ++minutes.missing;
+        ++tally.missing;
         return std::string{"no frame\n    "} + e.what() + "\n";
     }
 }
 
-void talk_about(const Loaded& loaded, const RendererChoice& choice, WorkProgress& progress,
-                Minutes& minutes) {
+void check_views(const Loaded& loaded, const RendererChoice& choice, WorkProgress& progress,
+                 ContractTally& tally) {
     const Renderer renderer = open(choice, loaded.scene);
     for (const View& view : loaded.views) {
         if (interrupted()) return;
         const std::string picture = loaded.scene.name + "/" + view.name;
         progress.begin(picture);
-        progress.say(std::cout, picture + ": " + answer_of(loaded.scene, view, renderer, minutes));
+        progress.say(std::cout, picture + ": " + answer_of(loaded.scene, view, renderer, tally));
     }
 }
 
-std::vector<Loaded> scenes_of_the_conversation() {
+std::vector<Loaded> load_contract_scenes() {
     std::vector<Loaded> scenes;
-    for (const char* name : conversation)
+    for (const char* name : contract_scenes)
         scenes.push_back(generate_suite_scene(name, picture_size.width, picture_size.height));
     return scenes;
 }
@@ -89,40 +89,40 @@ int views_of(const std::vector<Loaded>& scenes) {
     return views;
 }
 
-ExitCode conclusion(const Minutes& minutes) {
+ExitCode conclusion(const ContractTally& tally) {
     std::cout << "\n";
-    for (const auto& [cause, count] : minutes.causes)
+    for (const auto& [cause, count] : tally.causes)
         std::cout << "likely cause: " << cause << " (" << counted(std::uint64_t(count), "picture") << ")\n";
     std::cout << "\n"
-              << counted(std::uint64_t(minutes.pictures), "picture") << ": " << minutes.wrong << " wrong, "
-              << minutes.missing << " missing. ";
-    if (minutes.pictures < minutes.expected) {
+              << counted(std::uint64_t(tally.pictures), "picture") << ": " << tally.wrong << " wrong, "
+              << tally.missing << " missing. ";
+    if (tally.pictures < tally.expected) {
         std::cout << "Not all were asked for.\n" << std::flush;
-        return say_interrupted({std::size_t(minutes.pictures), std::size_t(minutes.expected)}, "picture",
+        return say_interrupted({std::size_t(tally.pictures), std::size_t(tally.expected)}, "picture",
                                "asked for and judged");
     }
-    if (minutes.missing > 0) {
+    if (tally.missing > 0) {
         std::cout << "The contract is not kept; docs/renderer-contract.md says what a program must do.\n";
         return ExitCode::cannot_judge;
     }
-    std::cout << (minutes.wrong == 0 ? "The contract is kept.\n"
-                                     : "The program answers, and not what it sees.\n");
-    return minutes.wrong == 0 ? ExitCode::proven : ExitCode::defect;
+    std::cout << (tally.wrong == 0 ? "The contract is kept.\n"
+                                   : "The program answers, and not what it sees.\n");
+    return tally.wrong == 0 ? ExitCode::proven : ExitCode::defect;
 }
 
 }  // namespace
 
 ExitCode execute(const ContractCheckArguments& arguments) {
-    const std::vector<Loaded> scenes = scenes_of_the_conversation();
+    const std::vector<Loaded> scenes = load_contract_scenes();
     note_interrupts();
-    Minutes minutes{.expected = views_of(scenes), .causes = {}};
+    ContractTally tally{.expected = views_of(scenes), .causes = {}};
     {
-        WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(minutes.expected)};
+        WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(tally.expected)};
         on_threads(arguments.threads, [&] {
-            for (const Loaded& loaded : scenes) talk_about(loaded, arguments.renderer, progress, minutes);
+            for (const Loaded& loaded : scenes) check_views(loaded, arguments.renderer, progress, tally);
         });
     }
-    return conclusion(minutes);
+    return conclusion(tally);
 }
 
 }  // namespace zproof

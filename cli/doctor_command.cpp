@@ -5,7 +5,7 @@
 
 #include "cli/command_line/tree.h"
 #include "cli/commands.h"
-#include "cli/renderers/roster.h"
+#include "cli/renderers/registry.h"
 #include "cli/settings/apply.h"
 #include "cli/usage_error.h"
 #include "cli/version.h"
@@ -65,16 +65,15 @@ void print_setting(const Setting& setting, const SettingValues& effective, const
 }
 
 /// Where a renderer or a file that the settings need is missing, no run can end well.
-std::string missing_among(const Parties& parties, const std::filesystem::path& waivers) {
+std::string missing_among(const ChosenRenderers& renderers, const std::filesystem::path& waivers) {
     const auto absent = [](const RendererChoice& choice) {
         const std::string why = absence_of(choice);
         return why.empty() ? "" : name_of(choice) + ": " + why;
     };
-    std::string missing = absent(parties.reference);
-    if (missing.empty()) missing = absent(parties.candidate);
-    for (const WitnessChoice& witness : parties.witnesses)
-        if (missing.empty() && witness.need == WitnessChoice::Need::required)
-            missing = absent(witness.renderer);
+    std::string missing = absent(renderers.reference);
+    if (missing.empty()) missing = absent(renderers.candidate);
+    for (const OracleChoice& oracle : renderers.oracles)
+        if (missing.empty() && oracle.need == OracleChoice::Need::required) missing = absent(oracle.renderer);
     std::error_code unseen;
     if (missing.empty() && !waivers.empty() && !std::filesystem::exists(waivers, unseen))
         missing = "waivers: " + waivers.string() + ": no such file";
@@ -82,14 +81,14 @@ std::string missing_among(const Parties& parties, const std::filesystem::path& w
 }
 
 /// Programs are a shell's affair: only asking for a picture shows whether they are there.
-std::vector<std::string> programs_among(const Parties& parties) {
+std::vector<std::string> programs_among(const ChosenRenderers& renderers) {
     std::vector<std::string> programs;
     const auto add = [&](const RendererChoice& choice) {
         if (const auto* program = std::get_if<Program>(&choice.who)) programs.push_back(program->command);
     };
-    add(parties.candidate);
-    add(parties.reference);
-    for (const WitnessChoice& witness : parties.witnesses) add(witness.renderer);
+    add(renderers.candidate);
+    add(renderers.reference);
+    for (const OracleChoice& oracle : renderers.oracles) add(oracle.renderer);
     return programs;
 }
 
@@ -108,18 +107,18 @@ ExitCode execute(const DoctorArguments& arguments) {
     CLI::App& run = *tree.root().get_subcommand("run");
     const SettingValues effective = settings_here(arguments.settings, of_process);
     give(effective, run);
-    const Parties parties = parties_of(tree.words().parties);
+    const ChosenRenderers renderers = chosen_renderers(tree.words().renderers);
     print_machine();
     print_renderers();
     print_file(arguments.settings);
     for (const Setting& setting : known_settings())
         print_setting(setting, effective, run.get_option(option_name(setting.name)));
-    if (const std::string missing = missing_among(parties, tree.words().run.report.gate.waivers);
+    if (const std::string missing = missing_among(renderers, tree.words().run.report.gate.waivers);
         !missing.empty()) {
         std::cout << "missing: " << one_line(missing) << "\n";
         return ExitCode::cannot_judge;
     }
-    const std::vector<std::string> programs = programs_among(parties);
+    const std::vector<std::string> programs = programs_among(renderers);
     for (const std::string& program : programs)
         std::cout << "not tried: " << one_line(program) << " (zproof contract-check asks it for pictures)\n";
     std::cout << (programs.empty() ? "everything" : "everything else")

@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "cli/commands.h"
-#include "cli/renderers/roster.h"
+#include "cli/renderers/registry.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
 #include "cli/usage_error.h"
@@ -27,9 +27,9 @@ void require_inside(const ExplainArguments& arguments, const View& view) {
                      " x " + std::to_string(view.height) + "; see --width, --height"};
 }
 
-PixelStory story_of(const ExplainArguments& arguments, const Scene& scene, const View& view) {
-    const Renderer ours = open(arguments.parties.candidate, scene),
-                   theirs = open(arguments.parties.reference, scene);
+PixelExplanation story_of(const ExplainArguments& arguments, const Scene& scene, const View& view) {
+    const Renderer ours = open(arguments.renderers.candidate, scene),
+                   theirs = open(arguments.renderers.reference, scene);
     const Frame candidate = ours.render(view), reference = theirs.render(view);
     return explain(scene, view, {candidate, ours.precision}, {reference, theirs.precision},
                    {arguments.x, arguments.y});
@@ -46,7 +46,7 @@ ExitCode execute(const ExplainArguments& arguments) {
         std::cerr << "zproof: " << source.name << ": the scene has no triangles, nothing to explain\n";
         return ExitCode::nothing;
     }
-    PixelStory story;
+    PixelExplanation story;
     on_threads(arguments.settings.threads, [&] { story = story_of(arguments, loaded.scene, view); });
     std::cout << in_words(loaded.scene, story);
     return passes(story.finding.verdict) ? ExitCode::proven : ExitCode::defect;

@@ -7,7 +7,7 @@
 #include "cli/announcement.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
-#include "cli/renderers/roster.h"
+#include "cli/renderers/registry.h"
 #include "cli/scene_run.h"
 #include "cli/threads.h"
 #include "cli/version.h"
@@ -21,7 +21,7 @@ namespace {
 
 /// An interrupt that comes when everything is judged changes nothing any more. Returns how many scenes it
 /// kept from being begun.
-std::size_t judge_all(const std::vector<SceneSource>& sources, const Desk& desk, Results& results) {
+std::size_t judge_all(const std::vector<SceneSource>& sources, const RunConfig& config, Results& results) {
     std::size_t left = 0;
     for (const SceneSource& source : sources) {
         if (results.ending == Ending::interrupted || interrupted()) {
@@ -30,7 +30,7 @@ std::size_t judge_all(const std::vector<SceneSource>& sources, const Desk& desk,
             ++left;
             continue;
         }
-        SceneReport report = run_scene(source, desk);
+        SceneReport report = run_scene(source, config);
         results.ending = report.ending;
         std::ranges::move(report.views, std::back_inserter(results.views));
     }
@@ -53,18 +53,18 @@ std::vector<SceneWork> expected_work(const std::vector<SceneSource>& sources,
     return expected_work(names, earlier_results(folder));
 }
 
-/// Candidate, reference, and the witnesses that can be asked. Throws OracleError for one that must be there
+/// Candidate, reference, and the oracles that can be asked. Throws OracleError for one that must be there
 /// and is not.
-std::vector<RendererFacts> roll_call(const Parties& parties) {
+std::vector<RendererFacts> facts_of_all(const ChosenRenderers& renderers) {
     std::vector<RendererFacts> present;
-    const auto call = [&](const RendererChoice& choice, WitnessChoice::Need need) {
+    const auto call = [&](const RendererChoice& choice, OracleChoice::Need need) {
         const std::string absent = absence_of(choice);
         if (absent.empty()) return present.push_back(facts_of(choice));
-        if (need == WitnessChoice::Need::required) throw OracleError{name_of(choice) + ": " + absent};
+        if (need == OracleChoice::Need::required) throw OracleError{name_of(choice) + ": " + absent};
     };
-    call(parties.candidate, WitnessChoice::Need::required);
-    call(parties.reference, WitnessChoice::Need::required);
-    for (const WitnessChoice& witness : parties.witnesses) call(witness.renderer, witness.need);
+    call(renderers.candidate, OracleChoice::Need::required);
+    call(renderers.reference, OracleChoice::Need::required);
+    for (const OracleChoice& oracle : renderers.oracles) call(oracle.renderer, oracle.need);
     return present;
 }
 
@@ -76,8 +76,8 @@ Share judged_of(const Results& results, std::size_t scenes_left) {
 
 }  // namespace
 
-ExitCode judge_and_report(const Assignment& assignment) {
-    const auto& [sources, parties, settings, report, selection, shard, only_view] = assignment;
+ExitCode judge_and_report(const RunRequest& request) {
+    const auto& [sources, renderers, settings, report, selection, shard, only_view] = request;
     const Gate gate = open_gate(report.gate);
     Results results{.version = version_number(),
                     .command = report.typed,
@@ -90,7 +90,7 @@ ExitCode judge_and_report(const Assignment& assignment) {
                     .today = gate.waivers.empty() ? "" : in_words(gate.today),
                     .strictness = gate.strictness,
                     .waivers = gate.waivers,
-                    .renderers = roll_call(parties),
+                    .renderers = facts_of_all(renderers),
                     .views = {}};
     OutputFolder out{report.out};
     note_interrupts();
@@ -99,10 +99,10 @@ ExitCode judge_and_report(const Assignment& assignment) {
     std::size_t scenes_left = 0;
     {
         Progress progress{std::cerr, resolve(report.progress), expected_work(sources, report.out)};
-        const Desk desk{settings.resolution, out.working(),   names,    progress, parties, gate,
-                        report.pictures,     report.evidence, only_view};
+        const RunConfig config{settings.resolution, out.working(),   names,    progress, renderers, gate,
+                               report.pictures,     report.evidence, only_view};
         on_threads(settings.threads,
-                   [&, &scenes = sources] { scenes_left = judge_all(scenes, desk, results); });
+                   [&, &scenes = sources] { scenes_left = judge_all(scenes, config, results); });
     }
     on_threads(settings.threads, [&] { write_reports(out.working(), results, report.formats); });
     out.publish();

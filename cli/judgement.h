@@ -10,9 +10,9 @@
 
 namespace zproof {
 
-struct Assignment {
+struct RunRequest {
     std::vector<SceneSource> sources;
-    const Parties& parties;
+    const ChosenRenderers& renderers;
     RenderSettings settings;
     const ReportArguments& report;
     Selection selection;
@@ -23,6 +23,6 @@ struct Assignment {
 /// Writes results.json, the reports that are asked for and the evidence, and prints what the report arguments
 /// ask for. Throws OracleError, before any work, where a renderer that is needed cannot be asked on this
 /// machine.
-ExitCode judge_and_report(const Assignment& assignment);
+ExitCode judge_and_report(const RunRequest& request);
 
 }  // namespace zproof

@@ -2,7 +2,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
-#include "cli/renderers/roster.h"
+#include "cli/renderers/registry.h"
 #include "cli/threads.h"
 #include "cli/work_progress.h"
 #include "measure/measure.h"
@@ -28,11 +28,12 @@ ExitCode execute(const MeasureArguments& arguments) {
     Share instruments{0, measure::instrument_count};
     {
         WorkProgress progress{std::cerr, resolve(ProgressStyle::automatic), measure::about_all_pictures};
-        const measure::Audience audience{
+        const measure::ProgressSink progress_sink{
             .begins = [&](const std::string& what, int pictures) { progress.begin(what, pictures); },
             .ends = [&] { ++instruments.done; },
             .wants_to_stop = interrupted};
-        on_threads(1, [&] { measurement = measure::measure(renderer, audience); });  // hundreds, all tiny
+        on_threads(1,
+                   [&] { measurement = measure::measure(renderer, progress_sink); });  // hundreds, all tiny
     }
     const auto findings = measure::findings(measurement, renderer.declared);
     std::cout << (arguments.format == MeasurementFormat::json ? measurement_json(renderer.name, findings)

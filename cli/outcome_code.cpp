@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reports/waiver_standing.h"
+#include "reports/waiver_status.h"
 
 namespace zproof {
 

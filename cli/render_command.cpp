@@ -3,7 +3,7 @@
 #include "cli/commands.h"
 #include "cli/folder_names.h"
 #include "cli/interrupt.h"
-#include "cli/renderers/roster.h"
+#include "cli/renderers/registry.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
 #include "cli/work_progress.h"

@@ -13,7 +13,7 @@ ExitCode execute(const RunArguments& arguments) {
         return ExitCode::nothing;
     }
     return judge_and_report({.sources = share_of(selected, arguments.shard),
-                             .parties = arguments.parties,
+                             .renderers = arguments.renderers,
                              .settings = arguments.settings,
                              .report = arguments.report,
                              .selection = selection_of(selected, arguments.settings.resolution),

@@ -7,12 +7,12 @@
 
 #include "cli/expectations.h"
 #include "cli/interrupt.h"
+#include "cli/oracle_answers.h"
 #include "cli/shaded_pictures.h"
 #include "cli/stage_clock.h"
 #include "cli/usage_error.h"
 #include "cli/view_result.h"
 #include "cli/viewer_evidence.h"
-#include "cli/witness_hearing.h"
 #include "compare/diagnosis/diagnosis.h"
 #include "compare/judge.h"
 #include "oracle/oracle_error.h"
@@ -23,43 +23,43 @@
 namespace zproof {
 namespace {
 
-/// Candidate, reference and witnesses of one scene.
-struct Court {
+/// Candidate, reference and oracles of one scene.
+struct OpenedRenderers {
     Renderer candidate, reference;
-    std::vector<SummonedWitness> witnesses;
+    std::vector<OpenedOracle> oracles;
 };
 
-/// A scene's court, and sha256_of(Scene).
-struct Session {
-    Court court;
+/// A scene's renderers, and sha256_of(Scene).
+struct OpenedScene {
+    OpenedRenderers opened;
     std::string scene_sha256;
 };
 
 /// Hashing keeps one thread busy, and building trees keeps any number: they go side by side.
-Session open_session(const Parties& parties, const Scene& scene) {
-    Session session;
+OpenedScene open_scene(const ChosenRenderers& renderers, const Scene& scene) {
+    OpenedScene opened_scene;
     tbb::task_group beside;
-    beside.run([&] { session.scene_sha256 = sha256_of(scene); });
-    session.court = {open(parties.candidate, scene), open(parties.reference, scene),
-                     summon(parties.witnesses, scene)};
+    beside.run([&] { opened_scene.scene_sha256 = sha256_of(scene); });
+    opened_scene.opened = {open(renderers.candidate, scene), open(renderers.reference, scene),
+                           open_oracles(renderers.oracles, scene)};
     beside.wait();
-    return session;
+    return opened_scene;
 }
 
 /// One view with everybody who answers about it.
-struct Trial {
-    const Docket& docket;
-    Court& court;
-    const Desk& desk;
+struct ViewRun {
+    const ViewContext& context;
+    OpenedRenderers& opened;
+    const RunConfig& config;
     StageClock& clock;
     bool is_last;  ///< of the scene
 };
 
 /// The renderer's frame. After the last view it lets go of what it made of the scene: Embree's tree takes
 /// more than the scene itself.
-Frame ask(Renderer& renderer, const Trial& trial) {
-    Frame frame = renderer.render(trial.docket.view);
-    if (trial.is_last) renderer.render = nullptr;
+Frame ask(Renderer& renderer, const ViewRun& view_run) {
+    Frame frame = renderer.render(view_run.context.view);
+    if (view_run.is_last) renderer.render = nullptr;
     return frame;
 }
 
@@ -69,84 +69,86 @@ struct JudgedPair {
     const Verdict& verdict;
 };
 
-/// Asks the witnesses, and counts where everybody names the same triangle.
-std::vector<Statement> hear_witnesses(const Trial& trial, const JudgedPair& judged, ViewResult& result) {
+/// Asks the oracles, and counts where everybody names the same triangle.
+std::vector<OracleAnswer> ask_oracles(const ViewRun& view_run, const JudgedPair& judged, ViewResult& result) {
     const Frame &candidate = judged.candidate.frame, &reference = judged.reference.frame;
-    std::vector<Statement> statements;
-    for (const SummonedWitness& witness : trial.court.witnesses) {
-        trial.desk.progress.begin_stage("ask " + name_of(witness.choice.renderer) + " " +
-                                        trial.docket.view.name);
-        statements.push_back(hear(witness, trial.docket, judged.reference));
+    std::vector<OracleAnswer> answers;
+    for (const OpenedOracle& oracle : view_run.opened.oracles) {
+        view_run.config.progress.begin_stage("ask " + name_of(oracle.choice.renderer) + " " +
+                                             view_run.context.view.name);
+        answers.push_back(ask_oracle(oracle, view_run.context, judged.reference));
     }
-    const std::filesystem::path folder = trial.desk.run_folder / result.folder;
+    const std::filesystem::path folder = view_run.config.run_folder / result.folder;
     const bool is_kept = !result.folder.empty();
-    if (is_kept && trial.desk.pictures == PictureWish::shaded)
-        paint({trial.docket, candidate, judged.verdict.classes, folder}, trial.court.witnesses, statements);
+    if (is_kept && view_run.config.pictures == PictureMode::shaded)
+        paint({view_run.context, candidate, judged.verdict.classes, folder}, view_run.opened.oracles,
+              answers);
     std::vector<const Frame*> frames{&candidate, &reference};
-    for (const Statement& statement : statements) {
-        result.witnesses.push_back(statement.result);
-        if (!statement.frame) continue;
-        frames.push_back(statement.frame.get());
-        if (is_kept) write_witness_frame(folder, statement.result.name, *statement.frame);
+    for (const OracleAnswer& answer : answers) {
+        result.oracles.push_back(answer.result);
+        if (!answer.frame) continue;
+        frames.push_back(answer.frame.get());
+        if (is_kept) write_oracle_frame(folder, answer.result.name, *answer.frame);
     }
-    result.accord = accord_of(frames);
-    const std::string missing = missing_witness(trial.court.witnesses, result.witnesses);
+    result.id_agreement = count_id_agreement(frames);
+    const std::string missing = missing_oracle(view_run.opened.oracles, result.oracles);
     if (!missing.empty()) result.outcome = Outcome::unreadable, result.message = missing;
-    return statements;
+    return answers;
 }
 
 /// Tells that a stage begins, and measures it.
-void begin(const Trial& trial, const char* what, double StageTimes::*stage) {
-    trial.clock.begin(stage);
-    trial.desk.progress.begin_stage(std::string{what} + " " + trial.docket.view.name);
+void begin(const ViewRun& view_run, const char* what, double StageTimes::*stage) {
+    view_run.clock.begin(stage);
+    view_run.config.progress.begin_stage(std::string{what} + " " + view_run.context.view.name);
 }
 
-bool leaves_evidence(const Verdict& verdict, Evidence wish) {
-    return wish == Evidence::all || defect_count(verdict) > 0;
+bool leaves_evidence(const Verdict& verdict, Evidence mode) {
+    return mode == Evidence::all || defect_count(verdict) > 0;
 }
 
 /// What the judge says; of a view that leaves no evidence without any.
-Verdict judge_as_wanted(const Trial& trial, const RenderedFrame& candidate, const RenderedFrame& reference) {
-    const Docket& docket = trial.docket;
-    if (trial.desk.evidence == Evidence::defects) {
-        Verdict verdict = judge(docket.scene, docket.view, candidate, reference);
-        if (!leaves_evidence(verdict, trial.desk.evidence)) return verdict;
+Verdict judge_as_wanted(const ViewRun& view_run, const RenderedFrame& candidate,
+                        const RenderedFrame& reference) {
+    const ViewContext& context = view_run.context;
+    if (view_run.config.evidence == Evidence::defects) {
+        Verdict verdict = judge(context.scene, context.view, candidate, reference);
+        if (!leaves_evidence(verdict, view_run.config.evidence)) return verdict;
     }
-    return judge(docket.scene, docket.view, candidate, reference, all_evidence);
+    return judge(context.scene, context.view, candidate, reference, full_detail);
 }
 
 /// nullopt: interrupted between two stages.
-std::optional<ViewResult> run_view(const Trial& trial) {
-    const auto& [docket, court, desk, clock, is_last] = trial;
-    const auto& [source, scene, scene_sha256, view, parties] = docket;
+std::optional<ViewResult> run_view(const ViewRun& view_run) {
+    const auto& [context, opened, config, clock, is_last] = view_run;
+    const auto& [source, scene, scene_sha256, view, renderers] = context;
 
-    begin(trial, "trace", &StageTimes::reference);
-    const Frame reference = ask(court.reference, trial);
+    begin(view_run, "trace", &StageTimes::reference);
+    const Frame reference = ask(opened.reference, view_run);
     if (interrupted()) return std::nullopt;
 
-    begin(trial, "render", &StageTimes::render);
-    const Frame candidate = ask(court.candidate, trial);
+    begin(view_run, "render", &StageTimes::render);
+    const Frame candidate = ask(opened.candidate, view_run);
     if (interrupted()) return std::nullopt;
 
-    begin(trial, "judge", &StageTimes::judge);
-    const RenderedFrame ours{candidate, court.candidate.precision},
-        theirs{reference, court.reference.precision};
-    Verdict verdict = judge_as_wanted(trial, ours, theirs);
-    ViewResult result = to_view_result(docket, verdict, desk.gate);
+    begin(view_run, "judge", &StageTimes::judge);
+    const RenderedFrame ours{candidate, opened.candidate.precision},
+        theirs{reference, opened.reference.precision};
+    Verdict verdict = judge_as_wanted(view_run, ours, theirs);
+    ViewResult result = to_view_result(context, verdict, config.gate);
     result.diagnosis = diagnose(scene, view, ours, theirs, verdict);
 
-    if (leaves_evidence(verdict, desk.evidence)) {
-        begin(trial, "write", &StageTimes::write);
-        result.folder = "scenes/" + desk.names.next(source.name, view.name);
-        write_view_evidence(desk.run_folder / result.folder, candidate, reference, verdict);
+    if (leaves_evidence(verdict, config.evidence)) {
+        begin(view_run, "write", &StageTimes::write);
+        result.folder = "scenes/" + config.names.next(source.name, view.name);
+        write_view_evidence(config.run_folder / result.folder, candidate, reference, verdict);
     }
 
-    clock.begin(&StageTimes::witnesses);
-    const std::vector<Statement> statements = hear_witnesses(trial, {ours, theirs, verdict}, result);
+    clock.begin(&StageTimes::oracles);
+    const std::vector<OracleAnswer> answers = ask_oracles(view_run, {ours, theirs, verdict}, result);
 
     if (result.folder.empty()) return result;
-    begin(trial, "write", &StageTimes::write);
-    write_viewer_evidence(desk.run_folder / result.folder, {docket, ours, theirs, verdict, statements});
+    begin(view_run, "write", &StageTimes::write);
+    write_viewer_evidence(config.run_folder / result.folder, {context, ours, theirs, verdict, answers});
     return result;
 }
 
@@ -158,13 +160,14 @@ ViewResult unjudged(const SceneSource& source, const View& view, Outcome outcome
 }
 
 /// The same; a view about which candidate or reference gave no answer is a result, and the run goes on.
-std::optional<ViewResult> run_view_or_say_why_not(const Trial& trial) {
+std::optional<ViewResult> run_view_or_say_why_not(const ViewRun& view_run) {
     try {
-        return run_view(trial);
+        return run_view(view_run);
     } catch (const OracleError& e) {
-        ViewResult result = unjudged(trial.docket.source, trial.docket.view, Outcome::unreadable, e.what());
-        result.candidate = trial.court.candidate.name;
-        result.reference = trial.court.reference.name;
+        ViewResult result =
+            unjudged(view_run.context.source, view_run.context.view, Outcome::unreadable, e.what());
+        result.candidate = view_run.opened.candidate.name;
+        result.reference = view_run.opened.reference.name;
         return result;
     }
 }
@@ -190,10 +193,10 @@ constexpr const char* left_words = "interrupted before it was judged";
 /// The scene's results in the making: each is told as soon as it is there.
 class Record {
   public:
-    Record(const Desk& desk, std::vector<ViewResult>& results) : desk_(desk), results_(results) {}
+    Record(const RunConfig& config, std::vector<ViewResult>& results) : config_(config), results_(results) {}
 
     void add(ViewResult result) {
-        desk_.progress.tell(result);
+        config_.progress.tell(result);
         results_.push_back(std::move(result));
     }
 
@@ -203,69 +206,70 @@ class Record {
     }
 
   private:
-    const Desk& desk_;
+    const RunConfig& config_;
     std::vector<ViewResult>& results_;
 };
 
 /// A result per view, or one that says that there is nothing to see.
-Ending run_views(const SceneSource& source, const Desk& desk, StageClock& clock, Record& record) {
-    desk.progress.begin_stage("load");
-    const Loaded loaded = load(source, desk.resolution);
+Ending run_views(const SceneSource& source, const RunConfig& config, StageClock& clock, Record& record) {
+    config.progress.begin_stage("load");
+    const Loaded loaded = load(source, config.resolution);
     if (loaded.scene.triangles.empty()) {
         record.add(without_triangles(source, loaded.scene));
         return Ending::complete;
     }
-    const std::vector<View> views = wanted_views(loaded, desk.only_view);
-    desk.progress.expect_views(views.size());
+    const std::vector<View> views = wanted_views(loaded, config.only_view);
+    config.progress.expect_views(views.size());
     const auto leave = [&](std::size_t from) {
         record.leave(source, std::span{views}.subspan(from));
         return Ending::interrupted;
     };
     if (interrupted()) return leave(0);
 
-    desk.progress.begin_stage("build");
+    config.progress.begin_stage("build");
     clock.begin(&StageTimes::reference_build);
-    auto [court, scene_sha256] = open_session(desk.parties, loaded.scene);
+    auto [opened, scene_sha256] = open_scene(config.renderers, loaded.scene);
     for (std::size_t i = 0; i < views.size(); ++i) {
         if (interrupted()) return leave(i);
-        const Docket docket{source, loaded.scene, scene_sha256, views[i], desk.parties};
-        std::optional<ViewResult> result = run_view_or_say_why_not({.docket = docket,
-                                                                    .court = court,
-                                                                    .desk = desk,
+        const ViewContext context{source, loaded.scene, scene_sha256, views[i], config.renderers};
+        std::optional<ViewResult> result = run_view_or_say_why_not({.context = context,
+                                                                    .opened = opened,
+                                                                    .config = config,
                                                                     .clock = clock,
                                                                     .is_last = i + 1 == views.size()});
         if (!result) return leave(i);
         result->times = clock.take();
-        desk.progress.end_view();
+        config.progress.end_view();
         record.add(std::move(*result));
     }
     return Ending::complete;
 }
 
 /// Tells again of a view that was told proven, and is not for want of what the suite expects.
-void hold_to_expectations(const SceneSource& source, const Desk& desk, std::vector<ViewResult>& views) {
+void hold_to_expectations(const SceneSource& source, const RunConfig& config,
+                          std::vector<ViewResult>& views) {
     const Outcome told = views.back().outcome;
     hold_to_expectations(source, views);
-    if (views.back().outcome != told) desk.progress.tell(views.back());
+    if (views.back().outcome != told) config.progress.tell(views.back());
 }
 
 /// All views of a scene. One that cannot be read, or in which a renderer cannot begin, is a result.
-Ending run_views_or_say_why_not(const SceneSource& source, const Desk& desk,
+Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& config,
                                 std::vector<ViewResult>& results) {
-    Record record{desk, results};
+    Record record{config, results};
     StageClock clock;
     const auto refuse = [&](const std::exception& e) {
         ViewResult result = unjudged(source, Outcome::unreadable, e.what());
         result.times = clock.take();
-        desk.progress.finish_scene();
+        config.progress.finish_scene();
         record.add(std::move(result));
         return Ending::complete;
     };
     try {
-        const Ending ending = run_views(source, desk, clock, record);
-        if (ending == Ending::complete && desk.resolution == default_resolution &&
-            are_the_usual(desk.parties))
-            hold_to_expectations(source, desk, results);
+        const Ending ending = run_views(source, config, clock, record);
+        if (ending == Ending::complete && config.resolution == default_resolution &&
+            are_the_usual(config.renderers))
+            hold_to_expectations(source, config, results);
         return ending;
     } catch (const SceneError& e) {
         return refuse(e);
@@ -280,11 +284,11 @@ ViewResult left_by_interrupt(const SceneSource& source) {
     return unjudged(source, Outcome::not_judged, left_words);
 }
 
-SceneReport run_scene(const SceneSource& source, const Desk& desk) {
-    desk.progress.begin_scene(source.name);
+SceneReport run_scene(const SceneSource& source, const RunConfig& config) {
+    config.progress.begin_scene(source.name);
     SceneReport report;
-    report.ending = run_views_or_say_why_not(source, desk, report.views);
-    desk.progress.finish_scene();
+    report.ending = run_views_or_say_why_not(source, config, report.views);
+    config.progress.finish_scene();
     return report;
 }
 

@@ -17,14 +17,14 @@
 namespace zproof {
 
 /// What the scenes of one run share.
-struct Desk {
+struct RunConfig {
     Resolution resolution;
     std::filesystem::path run_folder;  ///< evidence goes below it, into scenes/
     FolderNames& names;
     Progress& progress;
-    const Parties& parties;
+    const ChosenRenderers& renderers;
     const Gate& gate;
-    PictureWish pictures;
+    PictureMode pictures;
     Evidence evidence;
     std::string only_view = "";  ///< empty: all views
 };
@@ -42,6 +42,6 @@ struct SceneReport {
 /// Judges the scene's views one by one and tells of each; frames are dropped after each. Uses the surrounding
 /// tbb::task_arena. Throws FrameError or ReportError where evidence cannot be written or a stored frame does
 /// not fit, UsageError where there is no such view.
-SceneReport run_scene(const SceneSource& source, const Desk& desk);
+SceneReport run_scene(const SceneSource& source, const RunConfig& config);
 
 }  // namespace zproof

@@ -11,26 +11,26 @@ namespace zproof {
 
 ExitCode execute(const SelftestArguments& arguments) {
     const std::vector<selftest::Fault> faults = selftest::catalogue();
-    const int trials = int(faults.size()) + selftest::filter_trial_count();
+    const int tests = int(faults.size()) + selftest::filter_test_count();
     note_interrupts();
     selftest::Score score;
     {
-        WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(trials)};
-        const selftest::Audience audience{
+        WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(tests)};
+        const selftest::ProgressSink progress_sink{
             .begins = [&](const std::string& name) { progress.begin(name); },
             .told = [&](const std::string& line) { progress.say(std::cout, line); },
             .wants_to_stop = interrupted};
         on_threads(arguments.threads, [&] {
-            score = try_all(faults, audience);
-            score += selftest::try_filters(audience);
+            score = try_all(faults, progress_sink);
+            score += selftest::try_filters(progress_sink);
         });
     }
     const std::string counts = std::to_string(score.caught) + " of " + std::to_string(score.faults) +
                                " faults caught, " + std::to_string(score.passed) + " of " +
                                std::to_string(score.controls) + " good frames passed\n";
-    if (score.trials() < trials) {
+    if (score.tests() < tests) {
         std::cout << "so far: " << counts << std::flush;
-        return say_interrupted({std::size_t(score.trials()), std::size_t(trials)}, "trial", "made");
+        return say_interrupted({std::size_t(score.tests()), std::size_t(tests)}, "test", "run");
     }
     std::cout << (score.gate_works() ? "the gate works: " : "THE GATE DOES NOT WORK: ") << counts;
     return score.gate_works() ? ExitCode::proven : ExitCode::defect;

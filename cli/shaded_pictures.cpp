@@ -18,29 +18,30 @@ Frame with_ids_that_exist(const Frame& frame, std::size_t triangle_count) {
     return sane;
 }
 
-void paint_witness(const Easel& easel, const Picture& ours, const SummonedWitness& witness,
-                   Statement& statement) {
+void paint_oracle(const PaintContext& paint_context, const Picture& ours, const OpenedOracle& oracle,
+                  OracleAnswer& answer) {
     try {
-        const Picture theirs = witness.renderer.paint(easel.docket.view, Light{});
-        statement.result.picture =
-            differences(ours, theirs, severer(easel.candidate_classes, statement.classes));
-        write_witness_picture(easel.folder, statement.result.name, ours, theirs);
+        const Picture theirs = oracle.renderer.paint(paint_context.context.view, Light{});
+        answer.result.picture =
+            differences(ours, theirs, severer(paint_context.candidate_classes, answer.classes));
+        write_oracle_picture(paint_context.folder, answer.result.name, ours, theirs);
     } catch (const OracleError& e) {
-        statement.result.no_picture = e.what();
+        answer.result.no_picture = e.what();
     }
 }
 
 }  // namespace
 
-void paint(const Easel& easel, const std::vector<SummonedWitness>& witnesses,
-           std::vector<Statement>& statements) {
-    const Scene& scene = easel.docket.scene;
-    const Picture ours = rasterizer::shade(
-        scene, easel.docket.view, with_ids_that_exist(easel.candidate, scene.triangles.size()), Light{});
-    write_colours(easel.folder, ours);
-    for (std::size_t i = 0; i < witnesses.size(); ++i)
-        if (statements[i].frame && witnesses[i].renderer.paint)
-            paint_witness(easel, ours, witnesses[i], statements[i]);
+void paint(const PaintContext& paint_context, const std::vector<OpenedOracle>& oracles,
+           std::vector<OracleAnswer>& answers) {
+    const Scene& scene = paint_context.context.scene;
+    const Picture ours =
+        rasterizer::shade(scene, paint_context.context.view,
+                          with_ids_that_exist(paint_context.candidate, scene.triangles.size()), Light{});
+    write_colours(paint_context.folder, ours);
+    for (std::size_t i = 0; i < oracles.size(); ++i)
+        if (answers[i].frame && oracles[i].renderer.paint)
+            paint_oracle(paint_context, ours, oracles[i], answers[i]);
 }
 
 }  // namespace zproof

@@ -1,25 +1,25 @@
-/// Colour pictures for a report: the candidate's frame shaded by zproof, and what witnesses paint themselves.
+/// Colour pictures for a report: the candidate's frame shaded by zproof, and what oracles paint themselves.
 #pragma once
 
 #include <filesystem>
 #include <vector>
 
-#include "cli/witness_hearing.h"
+#include "cli/oracle_answers.h"
 
 namespace zproof {
 
 /// A view whose frames are judged, ready to be painted.
-struct Easel {
-    const Docket& docket;
+struct PaintContext {
+    const ViewContext& context;
     const Frame& candidate;
     const Plane<PixelClass>& candidate_classes;
     std::filesystem::path folder;  ///< the view's evidence
 };
 
-/// Writes colour.exr and .png, and for every witness that was heard and can paint WITNESS-colour and
-/// WITNESS-difference; how far its picture lies from the candidate's goes into its result, by the severer of
-/// both renderers' classes. A witness that fails to paint keeps its statement; why stands in its result.
-void paint(const Easel& easel, const std::vector<SummonedWitness>& witnesses,
-           std::vector<Statement>& statements);
+/// Writes colour.exr and .png, and for every oracle that was compared and can paint ORACLE-colour and
+/// ORACLE-difference; how far its picture lies from the candidate's goes into its result, by the severer of
+/// both renderers' classes. An oracle that fails to paint keeps its answer; why stands in its result.
+void paint(const PaintContext& paint_context, const std::vector<OpenedOracle>& oracles,
+           std::vector<OracleAnswer>& answers);
 
 }  // namespace zproof

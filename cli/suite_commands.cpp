@@ -19,8 +19,8 @@ std::vector<std::string> names_of_suite() {
     return names;
 }
 
-void require_known(const std::vector<std::string>& wished, const std::vector<std::string>& suite) {
-    for (const std::string& name : wished)
+void require_known(const std::vector<std::string>& requested, const std::vector<std::string>& suite) {
+    for (const std::string& name : requested)
         if (std::ranges::find(suite, name) == suite.end())
             throw SceneError{name + ": no such scene in the suite" + did_you_mean(name, suite) +
                              " (zproof list shows it)"};

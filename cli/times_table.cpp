@@ -14,7 +14,7 @@ constexpr std::array stages{Stage{"load", &StageTimes::load},
                             Stage{"reference build", &StageTimes::reference_build},
                             Stage{"reference", &StageTimes::reference},
                             Stage{"judge", &StageTimes::judge},
-                            Stage{"witnesses", &StageTimes::witnesses},
+                            Stage{"oracles", &StageTimes::oracles},
                             Stage{"write", &StageTimes::write}};
 
 std::string padded_left(const std::string& text, std::size_t width) {

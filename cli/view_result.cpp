@@ -9,14 +9,14 @@
 namespace zproof {
 namespace {
 
-constexpr std::size_t most_reported_findings = 200, most_reported_of_witness = 20;
+constexpr std::size_t most_reported_findings = 200, most_reported_of_oracle = 20;
 
 /// A finding, and the waiver that lets it pass.
 struct Ranked {
     const Finding* finding;
     std::string waiver;  ///< its id; empty: none
 
-    /// Defects, then waived defects, then lawful differences.
+    /// Defects, then waived defects, then admissible differences.
     int grade() const { return passes(finding->verdict) ? 2 : waiver.empty() ? 0 : 1; }
     /// NaN last.
     double ratio() const { return std::isnan(finding->error_over_bound) ? -1 : finding->error_over_bound; }
@@ -37,23 +37,23 @@ std::vector<Ranked> worst_of(std::vector<Ranked> findings, std::size_t most) {
 }
 
 /// Each finding with its sentence and the command that tells more.
-std::vector<ReportedFinding> stories(const Docket& docket, const RendererChoice& candidate,
+std::vector<ReportedFinding> stories(const ViewContext& context, const RendererChoice& candidate,
                                      const std::vector<Ranked>& findings) {
     std::vector<ReportedFinding> told;
     for (const auto& [finding, waiver] : findings)
-        told.push_back({*finding, in_words(docket.scene, *finding),
-                        explain_command_for(docket, candidate, finding->x, finding->y), waiver});
+        told.push_back({*finding, in_words(context.scene, *finding),
+                        explain_command_for(context, candidate, finding->x, finding->y), waiver});
     return told;
 }
 
 /// Puts the findings to the waivers: counts, uses, and the findings as they rank.
-std::vector<Ranked> hold_to_waivers(const Docket& docket, std::span<const Finding> findings, const Gate& gate,
-                                    ViewResult& result) {
+std::vector<Ranked> hold_to_waivers(const ViewContext& context, std::span<const Finding> findings,
+                                    const Gate& gate, ViewResult& result) {
     WaiverCoverage coverage = cover(gate.waivers,
-                                    {.scene = docket.source.name,
-                                     .view = docket.view.name,
-                                     .scene_sha256 = docket.scene_sha256,
-                                     .size = {docket.view.width, docket.view.height}},
+                                    {.scene = context.source.name,
+                                     .view = context.view.name,
+                                     .scene_sha256 = context.scene_sha256,
+                                     .size = {context.view.width, context.view.height}},
                                     findings, gate.today);
     result.waivers = std::move(coverage.uses);
     std::vector<Ranked> ranked;
@@ -66,35 +66,35 @@ std::vector<Ranked> hold_to_waivers(const Docket& docket, std::span<const Findin
 }
 
 /// The options that name candidate and reference, where they are not the usual ones.
-std::string party_options(const Docket& docket, const RendererChoice& candidate) {
+std::string renderer_options(const ViewContext& context, const RendererChoice& candidate) {
     std::string options = options_for(candidate);
-    if (const auto* stored = std::get_if<StoredFrame>(&docket.parties.reference.who))
+    if (const auto* stored = std::get_if<StoredFrame>(&context.renderers.reference.who))
         options += " --reference " + shell_quoted(stored->file.string());
-    if (const std::string& word = docket.parties.reference.precision_word; !word.empty())
+    if (const std::string& word = context.renderers.reference.precision_word; !word.empty())
         options += " --reference-precision " + shell_quoted(word);
     return options;
 }
 
 }  // namespace
 
-std::string explain_command_for(const Docket& docket, const RendererChoice& candidate, int x, int y) {
-    std::string command = "zproof explain " + shell_quoted(word_for(docket.source)) + " " +
+std::string explain_command_for(const ViewContext& context, const RendererChoice& candidate, int x, int y) {
+    std::string command = "zproof explain " + shell_quoted(word_for(context.source)) + " " +
                           std::to_string(x) + " " + std::to_string(y) + " --view " +
-                          shell_quoted(docket.view.name) + party_options(docket, candidate);
-    const Resolution size{docket.view.width, docket.view.height};
-    if (docket.source.kind == SceneSource::Kind::view_file || size == default_resolution) return command;
+                          shell_quoted(context.view.name) + renderer_options(context, candidate);
+    const Resolution size{context.view.width, context.view.height};
+    if (context.source.kind == SceneSource::Kind::view_file || size == default_resolution) return command;
     return command + " --width " + std::to_string(size.width) + " --height " + std::to_string(size.height);
 }
 
-ViewResult to_view_result(const Docket& docket, const Verdict& verdict, const Gate& gate) {
-    ViewResult result = unjudged(docket.source, Outcome::proven, "");
-    result.scene_sha256 = docket.scene_sha256;
-    result.view = docket.view.name;
-    result.width = docket.view.width;
-    result.height = docket.view.height;
-    result.triangles = docket.scene.triangles.size();
-    result.candidate = name_of(docket.parties.candidate);
-    result.reference = name_of(docket.parties.reference);
+ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate) {
+    ViewResult result = unjudged(context.source, Outcome::proven, "");
+    result.scene_sha256 = context.scene_sha256;
+    result.view = context.view.name;
+    result.width = context.view.width;
+    result.height = context.view.height;
+    result.triangles = context.scene.triangles.size();
+    result.candidate = name_of(context.renderers.candidate);
+    result.reference = name_of(context.renderers.reference);
     result.counts = verdict.counts;
     result.candidate_depth = verdict.candidate_depth;
     result.reference_depth = verdict.reference_depth;
@@ -103,24 +103,25 @@ ViewResult to_view_result(const Docket& docket, const Verdict& verdict, const Ga
     result.reference_defects = verdict.reference_defects;
     result.adjudicated = verdict.adjudicated;
     result.exact = verdict.exact;
-    result.notes = docket.scene.notes;
+    result.notes = context.scene.notes;
     result.worst =
-        stories(docket, docket.parties.candidate,
-                worst_of(hold_to_waivers(docket, verdict.findings, gate, result), most_reported_findings));
+        stories(context, context.renderers.candidate,
+                worst_of(hold_to_waivers(context, verdict.findings, gate, result), most_reported_findings));
     if (unwaived_defects(result) > 0) result.outcome = Outcome::defective;
     return result;
 }
 
-WitnessResult to_witness_result(const Docket& docket, const RendererChoice& witness, const Verdict& verdict) {
+OracleResult to_oracle_result(const ViewContext& context, const RendererChoice& oracle,
+                              const Verdict& verdict) {
     std::vector<Ranked> defects;
     for (const Finding& finding : verdict.findings)
         if (!passes(finding.verdict)) defects.push_back({&finding, ""});
-    return {.name = name_of(witness),
+    return {.name = name_of(oracle),
             .absent = "",
             .counts = verdict.counts,
             .depth = verdict.candidate_depth,
             .edges = verdict.candidate_edges,
-            .worst = stories(docket, witness, worst_of(std::move(defects), most_reported_of_witness))};
+            .worst = stories(context, oracle, worst_of(std::move(defects), most_reported_of_oracle))};
 }
 
 ViewResult unjudged(const SceneSource& source, Outcome outcome, const std::string& message) {

@@ -15,22 +15,23 @@
 namespace zproof {
 
 /// Scene and view, told of the command that explains one of its pixels.
-struct Docket {
+struct ViewContext {
     const SceneSource& source;
     const Scene& scene;
     const std::string& scene_sha256;
     const View& view;
-    const Parties& parties;
+    const ChosenRenderers& renderers;
 };
 
 /// The command that explains what this candidate said at a pixel of this view, quoted for a shell.
-std::string explain_command_for(const Docket& docket, const RendererChoice& candidate, int x, int y);
+std::string explain_command_for(const ViewContext& context, const RendererChoice& candidate, int x, int y);
 
 /// Everything but times and folder. A view whose defects are all waived is proven.
-ViewResult to_view_result(const Docket& docket, const Verdict& verdict, const Gate& gate);
+ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate);
 
-/// What the judge said of a witness.
-WitnessResult to_witness_result(const Docket& docket, const RendererChoice& witness, const Verdict& verdict);
+/// What the judge said of an oracle.
+OracleResult to_oracle_result(const ViewContext& context, const RendererChoice& oracle,
+                              const Verdict& verdict);
 
 /// A scene of which nothing was judged: why stands in the message.
 ViewResult unjudged(const SceneSource& source, Outcome outcome, const std::string& message);

@@ -26,11 +26,11 @@ std::vector<planes::TriangleRange> ranges_of(const Scene& scene) {
 }
 
 std::vector<planes::Story> stories_of(const JudgedView& judged) {
-    const Scene& scene = judged.docket.scene;
-    const View& view = judged.docket.view;
-    const std::vector<PixelPlace> places = telling_pixels(
+    const Scene& scene = judged.context.scene;
+    const View& view = judged.context.view;
+    const std::vector<PixelCoord> places = telling_pixels(
         judged.verdict, defect_count(judged.verdict) > 0 ? most_stories_of_failed : most_stories_of_proven);
-    std::vector<IllustratedStory> told =
+    std::vector<IllustratedExplanation> told =
         illustrate(scene, view, judged.candidate, judged.reference, {places, drawn_around_px, most_images});
     std::vector<planes::Story> stories(told.size());
     tbb::parallel_for(std::size_t(0), told.size(), [&](std::size_t i) {
@@ -41,18 +41,18 @@ std::vector<planes::Story> stories_of(const JudgedView& judged) {
     return stories;
 }
 
-planes::ViewFacts facts_of(const Docket& docket) {
-    const Camera& camera = docket.view.camera;
+planes::ViewFacts facts_of(const ViewContext& context) {
+    const Camera& camera = context.view.camera;
     const bool perspective = camera.projection == Projection::perspective;
-    const auto nearness = [&](double depth) { return perspective ? 1 / depth : -depth; };
-    const std::string command = explain_command_for(docket, docket.parties.candidate, 0, 0);
-    const std::string scene = "zproof explain " + shell_quoted(word_for(docket.source));
-    return {.scene = docket.scene.name,
-            .view = docket.view.name,
+    const auto inverse_depth = [&](double depth) { return perspective ? 1 / depth : -depth; };
+    const std::string command = explain_command_for(context, context.renderers.candidate, 0, 0);
+    const std::string scene = "zproof explain " + shell_quoted(word_for(context.source));
+    return {.scene = context.scene.name,
+            .view = context.view.name,
             .explain_before = scene + " ",
             .explain_after = command.substr(scene.size() + std::string(" 0 0").size()),
-            .least_nearness = nearness(camera.far_depth),
-            .greatest_nearness = nearness(camera.near_depth),
+            .least_inverse_depth = inverse_depth(camera.far_depth),
+            .greatest_inverse_depth = inverse_depth(camera.near_depth),
             .perspective = perspective};
 }
 
@@ -108,7 +108,7 @@ Picture colours_in(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<PixelPlace> telling_pixels(const Verdict& verdict, std::size_t most) {
+std::vector<PixelCoord> telling_pixels(const Verdict& verdict, std::size_t most) {
     std::vector<const Finding*> told = worst_of_each_pair(verdict.findings);
     if (told.size() < most) {
         const std::vector<const Finding*> rest = worst_but(told, verdict.findings, most - told.size());
@@ -116,27 +116,27 @@ std::vector<PixelPlace> telling_pixels(const Verdict& verdict, std::size_t most)
     }
     told.resize(std::min(told.size(), most));
     std::ranges::sort(told, {}, [](const Finding* f) { return std::pair{f->y, f->x}; });
-    std::vector<PixelPlace> places;
+    std::vector<PixelCoord> places;
     for (const Finding* finding : told) places.push_back({finding->x, finding->y});
     return places;
 }
 
 void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView& judged) {
-    const auto& [docket, candidate, reference, verdict, statements] = judged;
-    planes::ViewPlanes shown{
-        .facts = facts_of(docket),
-        .candidate = {name_of(docket.parties.candidate), candidate.frame, colours_in(folder / "colour.exr")},
-        .reference = {name_of(docket.parties.reference), reference.frame, {}},
-        .witnesses = {},
-        .verdict = verdict,
-        .candidate_error = std::move(verdict.errors->candidate),
-        .reference_error = std::move(verdict.errors->reference),
-        .ranges = ranges_of(docket.scene),
-        .stories = stories_of(judged)};
-    for (const Statement& statement : statements)
-        if (statement.frame)
-            shown.witnesses.push_back({statement.result.name, *statement.frame,
-                                       colours_in(folder / (statement.result.name + "-colour.exr"))});
+    const auto& [context, candidate, reference, verdict, answers] = judged;
+    planes::ViewPlanes shown{.facts = facts_of(context),
+                             .candidate = {name_of(context.renderers.candidate), candidate.frame,
+                                           colours_in(folder / "colour.exr")},
+                             .reference = {name_of(context.renderers.reference), reference.frame, {}},
+                             .oracles = {},
+                             .verdict = verdict,
+                             .candidate_error = std::move(verdict.errors->candidate),
+                             .reference_error = std::move(verdict.errors->reference),
+                             .ranges = ranges_of(context.scene),
+                             .stories = stories_of(judged)};
+    for (const OracleAnswer& answer : answers)
+        if (answer.frame)
+            shown.oracles.push_back({answer.result.name, *answer.frame,
+                                     colours_in(folder / (answer.result.name + "-colour.exr"))});
     planes::write_view_planes(folder, shown);
 }
 

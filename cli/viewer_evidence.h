@@ -4,18 +4,18 @@
 #include <filesystem>
 #include <vector>
 
-#include "cli/witness_hearing.h"
+#include "cli/oracle_answers.h"
 #include "compare/explanation/explain.h"
 #include "compare/judge.h"
 
 namespace zproof {
 
-/// A view whose frames are judged and whose witnesses are heard.
+/// A view whose frames are judged and whose oracles are compared.
 struct JudgedView {
-    const Docket& docket;
+    const ViewContext& context;
     const RenderedFrame &candidate, &reference;
     Verdict& verdict;  ///< with all_evidence; its maps of errors are taken from it
-    const std::vector<Statement>& statements;
+    const std::vector<OracleAnswer>& answers;
 };
 
 /// Writes planes.zvp into the view's folder, with the stories of its most telling pixels; colours are read
@@ -24,6 +24,6 @@ void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView
 
 /// The pixels whose stories are told: of every pair of triangles that some class arises between the worst
 /// one, severest class first, then the worst of all, `most` in all; in raster order.
-std::vector<PixelPlace> telling_pixels(const Verdict& verdict, std::size_t most);
+std::vector<PixelCoord> telling_pixels(const Verdict& verdict, std::size_t most);
 
 }  // namespace zproof

@@ -32,14 +32,14 @@ bool is_terminal(int file_descriptor) {
     return isatty(file_descriptor) == 1 && term != nullptr && std::string{term} != "dumb";
 }
 
-ProgressStyle resolve(ProgressStyle wish) {
-    if (wish != ProgressStyle::automatic) return wish;
+ProgressStyle resolve(ProgressStyle mode) {
+    if (mode != ProgressStyle::automatic) return mode;
     return is_terminal(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
-ProgressStyle beside_lines(ProgressStyle wish) {
-    const ProgressStyle style = resolve(wish);
-    return style == ProgressStyle::lines && wish == ProgressStyle::automatic ? ProgressStyle::none : style;
+ProgressStyle beside_lines(ProgressStyle mode) {
+    const ProgressStyle style = resolve(mode);
+    return style == ProgressStyle::lines && mode == ProgressStyle::automatic ? ProgressStyle::none : style;
 }
 
 std::string time_left(double seconds) {

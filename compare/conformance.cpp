@@ -83,41 +83,41 @@ std::vector<FilterPixel> some_outside(const Conformance& found) {
     return some;
 }
 
-struct Question {
+struct RelaxationQuery {
     const Picture& picture;
-    const PixelLaw& law;
+    const PixelReference& reference;
     const FilterPrecision& declared;
     std::vector<FilterPixel> pixels;
 };
 
-RuleTrial ask(const Question& q, FilterRule rule, double bits) {
+RuleRelaxation ask(const RelaxationQuery& q, FilterRule rule, double bits) {
     const FilterPrecision precision = relaxed(q.declared, rule, bits);
     std::vector<double> width(q.pixels.size(), -1);
     tbb::parallel_for(std::size_t{0}, q.pixels.size(), [&](std::size_t i) {
         const auto [x, y] = q.pixels[i];
-        const PermittedColours permitted = q.law(x, y, precision);
+        const PermittedColours permitted = q.reference(x, y, precision);
         if (slack_of(q.picture.at(x, y), permitted) <= 1) width[i] = width_of(permitted);
     });
-    RuleTrial trial{.rule = rule, .bits = bits};
+    RuleRelaxation relaxation{.rule = rule, .bits = bits};
     double widths = 0, explained = 0;
     for (const double w : width)
         if (w >= 0) ++explained, widths += w;
-    trial.explained = explained / double(q.pixels.size());
-    trial.permissive = explained > 0 ? widths / explained : inf;
-    return trial;
+    relaxation.explained = explained / double(q.pixels.size());
+    relaxation.permissive = explained > 0 ? widths / explained : inf;
+    return relaxation;
 }
 
 /// The most bits that explain at least 99 in 100 of the pixels, or the fewest tried.
-RuleTrial least_relaxation(const Question& q, FilterRule rule) {
+RuleRelaxation least_relaxation(const RelaxationQuery& q, FilterRule rule) {
     constexpr int fewest = -2, most = 24;
-    RuleTrial best = ask(q, rule, fewest);
+    RuleRelaxation best = ask(q, rule, fewest);
     if (best.explained < nearly_all) return best;
     int enough = fewest, too_many = most;
     while (too_many - enough > 1) {
         const int bits = (enough + too_many) / 2;
-        const RuleTrial trial = ask(q, rule, bits);
-        (trial.explained >= nearly_all ? enough : too_many) = bits;
-        if (trial.explained >= nearly_all) best = trial;
+        const RuleRelaxation relaxation = ask(q, rule, bits);
+        (relaxation.explained >= nearly_all ? enough : too_many) = bits;
+        if (relaxation.explained >= nearly_all) best = relaxation;
     }
     return best;
 }
@@ -150,13 +150,14 @@ double slack_of(const LinearRgb& colour, const PermittedColours& permitted) {
     return least;
 }
 
-Conformance conformance(const Picture& picture, const PixelLaw& law, const FilterPrecision& precision) {
+Conformance conformance(const Picture& picture, const PixelReference& reference,
+                        const FilterPrecision& precision) {
     const Resolution size = picture.size();
     Conformance found{.judged = size.pixel_count(), .worst = {}, .where = {}, .slack = Plane<float>{size}};
     Plane<double> width{size};
     tbb::parallel_for(0, size.height, [&](int y) {
         for (int x = 0; x < size.width; ++x) {
-            const PermittedColours permitted = law(x, y, precision);
+            const PermittedColours permitted = reference(x, y, precision);
             const double slack = slack_of(picture.at(x, y), permitted);
             found.slack.at(x, y) = slack > 1 ? std::nextafter(float(slack), float(inf)) : float(slack);
             width.at(x, y) = width_of(permitted);
@@ -183,25 +184,26 @@ Conformance conformance(const Picture& picture, const PixelLaw& law, const Filte
     return found;
 }
 
-std::vector<RuleTrial> rules_at_fault(const Picture& picture, const Conformance& found, const PixelLaw& law,
-                                      const FilterPrecision& precision) {
-    const Question question{picture, law, precision, some_outside(found)};
-    if (question.pixels.empty()) return {};
-    std::vector<RuleTrial> trials;
+std::vector<RuleRelaxation> rules_at_fault(const Picture& picture, const Conformance& found,
+                                           const PixelReference& reference,
+                                           const FilterPrecision& precision) {
+    const RelaxationQuery query{picture, reference, precision, some_outside(found)};
+    if (query.pixels.empty()) return {};
+    std::vector<RuleRelaxation> relaxations;
     for (const FilterRule rule : {FilterRule::coordinates, FilterRule::footprint, FilterRule::lod,
                                   FilterRule::weights, FilterRule::taps, FilterRule::sums}) {
-        const RuleTrial trial = least_relaxation(question, rule);
-        if (trial.explained > 0) trials.push_back(trial);
+        const RuleRelaxation relaxation = least_relaxation(query, rule);
+        if (relaxation.explained > 0) relaxations.push_back(relaxation);
     }
-    const auto rank = [](const RuleTrial& trial) {
-        if (trial.explained < nearly_all) return 2;
-        return trial.rule == FilterRule::sums ? 1 : 0;
+    const auto rank = [](const RuleRelaxation& relaxation) {
+        if (relaxation.explained < nearly_all) return 2;
+        return relaxation.rule == FilterRule::sums ? 1 : 0;
     };
-    std::ranges::stable_sort(trials, [&](const RuleTrial& a, const RuleTrial& b) {
+    std::ranges::stable_sort(relaxations, [&](const RuleRelaxation& a, const RuleRelaxation& b) {
         if (rank(a) != rank(b)) return rank(a) < rank(b);
         return rank(a) < 2 ? a.permissive < b.permissive : a.explained > b.explained;
     });
-    return trials;
+    return relaxations;
 }
 
 }  // namespace zproof

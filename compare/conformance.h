@@ -1,6 +1,6 @@
-/// Does a filtered picture keep to its definition? Each pixel is held against the colours that the law
-/// permits there; what fails is put to the law again with one declared precision relaxed at a time, and the
-/// rule that has to give way least is named (docs/filter-conformance.md).
+/// Does a filtered picture keep to its definition? Each pixel is held against the colours that the filter
+/// reference permits there; what fails is put to the filter reference again with one declared precision
+/// relaxed at a time, and the rule that has to give way least is named (docs/filter-conformance.md).
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace zproof {
 
-/// The law, asked about one pixel.
-using PixelLaw = std::function<PermittedColours(int x, int y, const FilterPrecision&)>;
+/// The filter reference, asked about one pixel.
+using PixelReference = std::function<PermittedColours(int x, int y, const FilterPrecision&)>;
 
 /// The part of a definition that a wrong pixel points at.
 enum class FilterRule {
@@ -32,7 +32,7 @@ enum class FilterRule {
 std::string name_of(FilterRule rule);
 
 /// The least relaxation of one rule that explains nearly all wrong pixels asked about.
-struct RuleTrial {
+struct RuleRelaxation {
     FilterRule rule = FilterRule::other;
     double bits = 0;        ///< to which the rule would have to hold; below 0: errors of several units
     double explained = 0;   ///< share of the wrong pixels asked about
@@ -52,7 +52,7 @@ struct Extent {
 struct Conformance {
     std::uint64_t judged = 0;    ///< all pixels
     std::uint64_t outside = 0;   ///< those that no range permits
-    std::uint64_t anything = 0;  ///< those where the law permits everything
+    std::uint64_t anything = 0;  ///< those where the filter reference permits everything
     double worst_slack =
         0;                  ///< factor by which the widest-missing range would have to be widened; <= 1: none
     double mean_width = 0;  ///< of what is permitted, averaged over channels; how sharp the question was
@@ -65,12 +65,13 @@ struct Conformance {
 /// middle| / half-width, the largest over the channels. Infinite where the colour is not finite.
 double slack_of(const LinearRgb& colour, const PermittedColours& permitted);
 
-/// On the threads of the surrounding tbb::task_arena; the law is asked from all of them.
-Conformance conformance(const Picture& picture, const PixelLaw& law, const FilterPrecision& precision);
+/// On the threads of the surrounding tbb::task_arena; the filter reference is asked from all of them.
+Conformance conformance(const Picture& picture, const PixelReference& reference,
+                        const FilterPrecision& precision);
 
 /// Every rule that explains something, the cheapest explanation first; of up to 400 wrong pixels, evenly
 /// taken.
-std::vector<RuleTrial> rules_at_fault(const Picture& picture, const Conformance& found, const PixelLaw& law,
-                                      const FilterPrecision& precision);
+std::vector<RuleRelaxation> rules_at_fault(const Picture& picture, const Conformance& found,
+                                           const PixelReference& reference, const FilterPrecision& precision);
 
 }  // namespace zproof

@@ -31,7 +31,7 @@ struct Tally {
     }
 
   private:
-    void count_decisions(const Adjudicated& candidate, const Adjudicated& reference) {
+    void count_decisions(const QueryResult& candidate, const QueryResult& reference) {
         ++adjudicated;
         exact += candidate.decision.exact || reference.decision.exact;
         if (const auto& d = candidate.displacement_over_eps) zproof::count(candidate_edges, *d);
@@ -82,7 +82,7 @@ Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candida
     verdict.counts[std::size_t(PixelClass::agree)] = size.pixel_count() - agreement.undecided.size();
     tbb::enumerable_thread_specific<Tally> tallies;
     check_pixels(frames, agreement.undecided, [&](std::size_t i, const PixelCheck& pixel) {
-        const PixelPlace& place = agreement.undecided[i].place;
+        const PixelCoord& place = agreement.undecided[i].place;
         const PixelClass said = class_of(pixel);
         verdict.classes.at(place.x, place.y) = said;
         tallies.local().count(pixel, said);

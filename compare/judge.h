@@ -21,8 +21,8 @@ struct JudgeOptions {
 };
 
 /// All that there is: for pages that show it.
-inline constexpr JudgeOptions all_evidence{.findings = JudgeOptions::Findings::differences,
-                                           .errors = JudgeOptions::Errors::maps};
+inline constexpr JudgeOptions full_detail{.findings = JudgeOptions::Findings::differences,
+                                          .errors = JudgeOptions::Errors::maps};
 
 /// Judges every pixel on the threads of the surrounding tbb::task_arena; the result does not depend on their
 /// number. Both frames must have the view's size (std::invalid_argument otherwise).

@@ -139,7 +139,7 @@ def draw(frame, corners, primitive, depth_of):
 
 def render(triangles, camera):
     frame = Frame(camera.width, camera.height)
-    depth_of = (lambda nearness: 1.0 / nearness) if camera.perspective else (lambda depth: depth)
+    depth_of = (lambda inverse_depth: 1.0 / inverse_depth) if camera.perspective else (lambda depth: depth)
     for primitive, corners_world in enumerate(triangles):
         polygon = [transformed(camera.camera_from_world, p) for p in corners_world]
         polygon = clipped(polygon, lambda p: -p[2] - camera.near)

@@ -1,4 +1,4 @@
-/// Colours between two bounds, channel by channel: what a law permits at a pixel.
+/// Colours between two bounds, channel by channel: what a filter's definition permits at a pixel.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,7 +12,7 @@ struct ColourRange {
 };
 
 /// Where a decision is undecided (which texel is nearest), each outcome has a range of its own; a colour is
-/// lawful where one of them holds all its channels. Never empty.
+/// admissible where one of them holds all its channels. Never empty.
 using PermittedColours = std::vector<ColourRange>;
 
 }  // namespace zproof

@@ -161,15 +161,15 @@ std::string joined(const Parts& parts) {
 }
 
 Parts deflated_side_by_side(std::size_t count, const FillPiece& fill) {
-    struct Desk {
+    struct ThreadScratch {
         Deflater deflater;
         std::string room;
     };
-    tbb::enumerable_thread_specific<Desk> desks;
+    tbb::enumerable_thread_specific<ThreadScratch> scratches;
     std::vector<DeflatedPiece> pieces(count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-        Desk& desk = desks.local();
-        pieces[i] = desk.deflater.piece(fill(i, desk.room));
+        ThreadScratch& scratch = scratches.local();
+        pieces[i] = scratch.deflater.piece(fill(i, scratch.room));
     });
     return stream_of(std::move(pieces));
 }

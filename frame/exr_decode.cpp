@@ -19,7 +19,7 @@ const char* name_of(int type) {
     return names[type];
 }
 
-/// A library's complaints go where its caller's exceptions go, not to stderr.
+/// A library's error messages go where its caller's exceptions go, not to stderr.
 void keep_quiet(exr_const_context_t, exr_result_t, const char*) {}
 
 std::string reason_of(exr_result_t result) { return exr_get_default_error_message(result); }

@@ -1,4 +1,4 @@
-/// What a texture filter promises about its arithmetic: from these the law of filtering derives how far a
+/// What a texture filter promises about its arithmetic: from these the filter reference derives how far a
 /// faultless picture may stray from the definition (docs/filter-conformance.md).
 ///
 /// Bits are those behind the binary point: what is known to b bits may err by 2^-b of its unit. Infinite bits

@@ -27,7 +27,7 @@ inline Interval hull(const Interval& a, const Interval& b) {
     return {std::min(a.low(), b.low()), std::max(a.high(), b.high())};
 }
 /// All numbers within `by` >= 0 of it.
-inline Interval widened(const Interval& a, double by) {
+inline Interval widen(const Interval& a, double by) {
     return by == 0 ? a : Interval{a.low(), a.high()} + Interval{-by, by};
 }
 inline Interval larger(const Interval& a, const Interval& b) {

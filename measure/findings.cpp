@@ -95,21 +95,21 @@ std::string number(double value, int digits = 6) {
 }
 
 /// The measured is worse where even its better end is.
-Standing standing_of(bool is_worse) { return is_worse ? Standing::worse : Standing::as_declared; }
+Conformity conformity_of(bool is_worse) { return is_worse ? Conformity::worse : Conformity::as_declared; }
 
 std::string with_axis(const std::string& name, Axis axis, const char* separator) {
     return name + separator + (axis == Axis::x ? "x" : "y");
 }
 
-std::string ties_in_words(TieWay ties) {
+std::string ties_in_words(TieRounding ties) {
     switch (ties) {
-        case TieWay::to_even:
+        case TieRounding::to_even:
             return ", ties to even";
-        case TieWay::towards_smaller:
+        case TieRounding::towards_smaller:
             return ", ties towards the origin";
-        case TieWay::towards_greater:
+        case TieRounding::towards_greater:
             return ", ties away from the origin";
-        case TieWay::unclear:
+        case TieRounding::unclear:
             return ", ties unclear";
     }
     return "";
@@ -117,11 +117,11 @@ std::string ties_in_words(TieWay ties) {
 
 std::string snap_in_words(const SnapGrid& grid) {
     switch (grid.snap) {
-        case SnapWay::nearest:
+        case SnapRounding::nearest:
             return "nearest" + ties_in_words(grid.ties);
-        case SnapWay::towards_smaller:
+        case SnapRounding::towards_smaller:
             return "truncated";
-        case SnapWay::towards_greater:
+        case SnapRounding::towards_greater:
             return "rounded up";
     }
     return "";
@@ -139,7 +139,7 @@ class Findings {
         for (const DepthStep& step : m_.depth_steps) add_depth_step(step);
         for (const DepthLimit& limit : m_.depth_limits) add_limit(limit);
         for (const std::string& reason : m_.unmeasured)
-            list_.push_back({"unmeasured", "cannot be measured", {}, "", reason, "", Standing::worse});
+            list_.push_back({"unmeasured", "cannot be measured", {}, "", reason, "", Conformity::worse});
         return std::move(list_);
     }
 
@@ -148,7 +148,7 @@ class Findings {
         const auto& centre = m_.centre_px[std::size_t(axis)];
         if (!centre) return;
         list_.push_back({with_axis("pixel_centre", axis, "_"), with_axis("pixel centre", axis, ", "), centre,
-                         "px", "", "0.5", standing_of(centre->low > 0.5 || centre->high < 0.5)});
+                         "px", "", "0.5", conformity_of(centre->low > 0.5 || centre->high < 0.5)});
     }
 
     void add_displacement(Axis axis) {
@@ -166,14 +166,14 @@ class Findings {
                   "bits",
                   "",
                   "",
-                  Standing::undeclared};
+                  Conformity::undeclared};
         if (found.grid)
             f.value = Bracket{-std::log2(found.grid->step_px.high), -std::log2(found.grid->step_px.low)};
         else
             f.words = "no grid of " + number(-std::log2(found.finest_px)) + " bits or fewer";
         if (allowed_.subpixel_bits) {
             f.declared = number(*allowed_.subpixel_bits);
-            f.standing = standing_of(f.value && f.value->high < *allowed_.subpixel_bits);
+            f.conformity = conformity_of(f.value && f.value->high < *allowed_.subpixel_bits);
         }
         list_.push_back(f);
     }
@@ -187,11 +187,11 @@ class Findings {
                   "px",
                   "from " + number(low) + " to " + number(high),
                   "",
-                  Standing::undeclared};
+                  Conformity::undeclared};
         if (allowed_.subpixel_bits) {
             const double most = allowed_.snap_px() + allowed_.eps_px;
             f.declared = "<= " + number(most);
-            f.standing = standing_of(greatest > most);
+            f.conformity = conformity_of(greatest > most);
         }
         list_.push_back(f);
     }
@@ -199,10 +199,11 @@ class Findings {
     void add_snap(const SnapGrid& grid, Axis axis) {
         Finding f{
             with_axis("snap", axis, "_"), with_axis("snap", axis, ", "), {}, "", snap_in_words(grid), "",
-            Standing::undeclared};
+            Conformity::undeclared};
         if (allowed_.subpixel_bits) {
             f.declared = allowed_.snap == Snap::nearest ? "nearest" : "truncated";
-            f.standing = standing_of(allowed_.snap == Snap::nearest && grid.snap != SnapWay::nearest);
+            f.conformity =
+                conformity_of(allowed_.snap == Snap::nearest && grid.snap != SnapRounding::nearest);
         }
         list_.push_back(f);
     }
@@ -257,15 +258,15 @@ void Findings::add_fill(const FillSides& fill) {
                      "",
                      fill_in_words(fill) + (single ? "" : ": not one owner each"),
                      "one owner each",
-                     standing_of(!single)});
+                     conformity_of(!single)});
 }
 
 void Findings::add_watertightness(const Watertightness& w) {
     const auto count = [](std::uint64_t n) { return Bracket{double(n), double(n)}; };
     const std::string of = "of " + std::to_string(w.pixels) + " pixels of closed meshes";
-    list_.push_back({"holes", "holes", count(w.holes), "", of, "0", standing_of(w.holes > 0)});
+    list_.push_back({"holes", "holes", count(w.holes), "", of, "0", conformity_of(w.holes > 0)});
     list_.push_back(
-        {"double_hits", "double hits", count(w.double_hits), "", of, "0", standing_of(w.double_hits > 0)});
+        {"double_hits", "double hits", count(w.double_hits), "", of, "0", conformity_of(w.double_hits > 0)});
 }
 
 std::string in_projection(Projection projection) {
@@ -285,14 +286,14 @@ void Findings::add_depth_step(const DepthStep& step) {
                  "bits",
                  "told apart from " + number(step.step.middle(), 3),
                  "",
-                 Standing::undeclared};
-    Finding error{"depth_error_" + key, "depth error, " + where, Bracket{step.error, step.error}, "", "", "",
-                  Standing::undeclared};
+                 Conformity::undeclared};
+    Finding error{"depth_error_" + key,  "depth error, " + where, Bracket{step.error, step.error}, "", "", "",
+                  Conformity::undeclared};
     if (allowed_.subpixel_bits) {
         bits.declared = ">= " + number(bits_of(2 * most), 4);
-        bits.standing = standing_of(step.step.low > 2 * most);
+        bits.conformity = conformity_of(step.step.low > 2 * most);
         error.declared = "<= " + number(most, 3);
-        error.standing = standing_of(step.error > most);
+        error.conformity = conformity_of(step.error > most);
     }
     list_.push_back(bits);
     list_.push_back(error);
@@ -306,16 +307,16 @@ void Findings::add_limit(const DepthLimit& limit) {
               "",
               "",
               "cuts at " + number(limit.depth),
-              Standing::worse};
+              Conformity::worse};
     if (limit.offset) {
         const double slack = allowed_.limit_of(limit);
         f.words = std::string{"cuts; what lies in it is "} + (limit.keeps_plane ? "kept" : "dropped");
         f.value = limit.plane == LimitPlane::near
                       ? Bracket{limit.depth - limit.offset->high, limit.depth - limit.offset->low}
                       : Bracket{limit.depth + limit.offset->low, limit.depth + limit.offset->high};
-        f.standing = allowed_.subpixel_bits
-                         ? standing_of(limit.offset->low > slack || limit.offset->high < -slack)
-                         : Standing::undeclared;
+        f.conformity = allowed_.subpixel_bits
+                           ? conformity_of(limit.offset->low > slack || limit.offset->high < -slack)
+                           : Conformity::undeclared;
     } else {
         f.words = "does not cut";
     }
@@ -330,7 +331,7 @@ std::vector<Finding> findings(const Measurement& measurement, const Precision& d
 }
 
 bool is_worse(std::span<const Finding> findings) {
-    return std::ranges::count(findings, Standing::worse, &Finding::standing) > 0;
+    return std::ranges::count(findings, Conformity::worse, &Finding::conformity) > 0;
 }
 
 }  // namespace zproof::measure

@@ -6,20 +6,20 @@
 namespace zproof::measure {
 namespace {
 
-/// Thrown through an instrument that the audience does not want to see to its end.
+/// Thrown through an instrument that is stopped by the progress sink.
 struct Stopped {};
 
-/// Runs instruments one by one, before an audience.
-class Bench {
+/// Runs instruments one by one, and reports progress.
+class InstrumentRunner {
   public:
-    Bench(Measurement& measurement, const Audience& audience)
-        : measurement_(measurement), audience_(audience) {}
+    InstrumentRunner(Measurement& measurement, const ProgressSink& progress)
+        : measurement_(measurement), progress_(progress) {}
 
     /// What it cannot measure is written down.
     template <class Work>
     void attempt(const std::string& what, int pictures, Work work) {
-        if (audience_.wants_to_stop()) return;
-        audience_.begins(what, pictures);
+        if (progress_.wants_to_stop()) return;
+        progress_.begins(what, pictures);
         try {
             work();
         } catch (const Unmeasurable& e) {
@@ -27,20 +27,20 @@ class Bench {
         } catch (const Stopped&) {
             return;
         }
-        audience_.ends();
+        progress_.ends();
     }
 
   private:
     Measurement& measurement_;
-    const Audience& audience_;
+    const ProgressSink& progress_;
 };
 
-/// Draws for as long as the audience stays.
-Renderer watched(const Renderer& renderer, const Audience& audience) {
+/// Draws until the progress sink wants to stop.
+Renderer interruptible(const Renderer& renderer, const ProgressSink& progress) {
     return {.name = renderer.name,
             .render =
                 [&](const Scene& scene, const View& view) {
-                    if (audience.wants_to_stop()) throw Stopped{};
+                    if (progress.wants_to_stop()) throw Stopped{};
                     return renderer.render(scene, view);
                 },
             .declared = renderer.declared};
@@ -54,22 +54,22 @@ Sample sample_of(const Measurement& measurement) {
 
 }  // namespace
 
-Measurement measure(const Renderer& subject, const Audience& audience) {
+Measurement measure(const Renderer& subject, const ProgressSink& progress) {
     Measurement m;
-    Bench bench{m, audience};
-    const Renderer renderer = watched(subject, audience);
-    bench.attempt("pixel centre", 2, [&] {
+    InstrumentRunner runner{m, progress};
+    const Renderer renderer = interruptible(subject, progress);
+    runner.attempt("pixel centre", 2, [&] {
         const auto [x, y] = pixel_centre(renderer);
         m.centre_px = {x, y};
     });
     const Sample sample = sample_of(m);
     for (const Axis axis : both_axes)
-        bench.attempt(axis == Axis::x ? "sub-pixel grid, x" : "sub-pixel grid, y", 32,
-                      [&] { m.displacement[std::size_t(axis)] = displacement(renderer, sample, axis); });
-    bench.attempt("fill side", 1, [&] { m.fill = fill_sides(renderer, sample); });
-    bench.attempt("depth steps", 372, [&] { m.depth_steps = depth_steps(renderer); });
-    bench.attempt("near and far", 140, [&] { m.depth_limits = depth_limits(renderer); });
-    bench.attempt("watertightness", 42, [&] { m.watertightness = watertightness(renderer, sample); });
+        runner.attempt(axis == Axis::x ? "sub-pixel grid, x" : "sub-pixel grid, y", 32,
+                       [&] { m.displacement[std::size_t(axis)] = displacement(renderer, sample, axis); });
+    runner.attempt("fill side", 1, [&] { m.fill = fill_sides(renderer, sample); });
+    runner.attempt("depth steps", 372, [&] { m.depth_steps = depth_steps(renderer); });
+    runner.attempt("near and far", 140, [&] { m.depth_limits = depth_limits(renderer); });
+    runner.attempt("watertightness", 42, [&] { m.watertightness = watertightness(renderer, sample); });
     return m;
 }
 

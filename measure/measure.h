@@ -12,8 +12,8 @@
 
 namespace zproof::measure {
 
-/// Who follows a measurement.
-struct Audience {
+/// Receives the progress of a measurement, and may stop it.
+struct ProgressSink {
     /// An instrument begins: "fill side", and about how many pictures it takes.
     std::function<void(const std::string& what, int pictures)> begins = [](const std::string&, int) {};
     std::function<void()> ends = [] {};                          ///< it has read what it can
@@ -23,11 +23,11 @@ struct Audience {
 inline constexpr int instrument_count = 7, about_all_pictures = 621;  ///< of a whole measurement
 
 /// Draws the probe scenes, some 700 pictures of at most 16384 pixels, and reads them. What they do not tell
-/// stands in Measurement::unmeasured; what the renderer throws is passed on. Where the audience wants to
+/// stands in Measurement::unmeasured; what the renderer throws is passed on. Where the progress sink wants to
 /// stop, what the instruments before found is all that is found.
-Measurement measure(const Renderer& renderer, const Audience& audience = {});
+Measurement measure(const Renderer& renderer, const ProgressSink& progress = {});
 
-enum class Standing {
+enum class Conformity {
     as_declared,  ///< as good as declared, or better
     worse,        ///< for certain: the whole bracket lies outside of what is declared
     undeclared,   ///< nothing was promised
@@ -41,7 +41,7 @@ struct Finding {
     std::string unit;              ///< of the value; may be empty
     std::string words;             ///< what was measured, where a number does not say it all
     std::string declared;          ///< empty where nothing was promised
-    Standing standing = Standing::undeclared;
+    Conformity conformity = Conformity::undeclared;
 };
 
 /// Every measured thing in a fixed order, judged by docs/bounds.md. What could not be measured is worse than

@@ -24,14 +24,14 @@ enum class Axis { x, y };
 inline constexpr std::array both_axes{Axis::x, Axis::y};
 
 /// Where vertices between two grid lines go.
-enum class SnapWay {
+enum class SnapRounding {
     nearest,
     towards_smaller,  ///< truncated: left or up
     towards_greater,  ///< right or down
 };
 
 /// Where vertices half-way between two grid lines go, if snap is to the nearest.
-enum class TieWay {
+enum class TieRounding {
     to_even,
     towards_smaller,
     towards_greater,
@@ -41,8 +41,8 @@ enum class TieWay {
 /// A grid that vertices snap to.
 struct SnapGrid {
     Bracket step_px;
-    SnapWay snap = SnapWay::nearest;
-    TieWay ties = TieWay::unclear;
+    SnapRounding snap = SnapRounding::nearest;
+    TieRounding ties = TieRounding::unclear;
 };
 
 /// How vertices move before they are drawn, along one axis.

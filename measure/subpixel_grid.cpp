@@ -12,10 +12,10 @@ constexpr int cells_across = 4, cells_along = 16;
 constexpr int rise = 4;  ///< px; how far the moving corner goes
 constexpr int row = 1;   ///< of the cell: where the edge is watched
 
-/// One lever: an edge from the fixed corner of its cell to a moving corner `length` px across. It passes the
+/// An edge from the fixed corner of its cell to a moving corner `length` px across. It passes the
 /// sample of the watched pixel when the moving corner passes `threshold`, so that one corner's place is read
 /// at a place of our choice.
-struct Lever {
+struct ProbeEdge {
     int across = 0, along = 0;  ///< fixed corner
     int length = 0, pixel = 0;  ///< px from the fixed corner
     double threshold = 0;       ///< raster coordinate of the moving corner
@@ -27,36 +27,38 @@ bool is_on_a_grid(double threshold) {
     return steps == std::floor(steps);
 }
 
-/// Levers of every length that fits, watched at every pixel of their outer half: thresholds scattered over
-/// the pixel without order.
-std::vector<Lever> levers(double sample_along, double sample_across) {
-    std::vector<Lever> all;
+/// Probe edges of every length that fits, watched at every pixel of their outer half: thresholds scattered
+/// over the pixel without order.
+std::vector<ProbeEdge> probe_edges(double sample_along, double sample_across) {
+    std::vector<ProbeEdge> all;
     for (int length = 5; length < cell_length; ++length) {
         for (int pixel = (length + 1) / 2; pixel < length; ++pixel) {
             const auto i = int(all.size());
             if (i == cells_across * cells_along) return all;
-            Lever lever{cell_length * (i % cells_across), cell_height * (i / cells_across), length, pixel, 0};
-            lever.threshold = lever.along + (row + sample_along) * length / (pixel + sample_across);
-            if (!is_on_a_grid(lever.threshold)) all.push_back(lever);
+            ProbeEdge probe_edge{cell_length * (i % cells_across), cell_height * (i / cells_across), length,
+                                 pixel, 0};
+            probe_edge.threshold = probe_edge.along + (row + sample_along) * length / (pixel + sample_across);
+            if (!is_on_a_grid(probe_edge.threshold)) all.push_back(probe_edge);
         }
     }
     return all;
 }
 
-Probe probe_of(const Lever& lever, Axis axis) {
-    const double across = lever.across, along = lever.along;
+Probe probe_of(const ProbeEdge& probe_edge, Axis axis) {
+    const double across = probe_edge.across, along = probe_edge.along;
     return {.low = float(along),
             .high = float(along + rise),
             .draw =
                 [=](Scene& scene, float place) {
                     add_triangle(scene, axis,
                                  {{{along, across},
-                                   {place, across + lever.length},
-                                   {along + cell_height, across + lever.length}}});
+                                   {place, across + probe_edge.length},
+                                   {along + cell_height, across + probe_edge.length}}});
                 },
             .answer =
                 [=](const Frame& frame) {
-                    return is_covered(frame, axis, lever.along + row, lever.across + lever.pixel);
+                    return is_covered(frame, axis, probe_edge.along + row,
+                                      probe_edge.across + probe_edge.pixel);
                 }};
 }
 
@@ -104,17 +106,18 @@ Bracket refined(double step, const std::vector<Flip>& flips) {
 
 /// Flips fall half-way between grid lines where vertices go to the nearest, on the lines where they do not;
 /// beyond the threshold where they go to the smaller line, before it where they go to the greater.
-SnapWay snap_way(const std::vector<Flip>& flips, const std::vector<Lever>& levers, double step) {
+SnapRounding snap_rounding(const std::vector<Flip>& flips, const std::vector<ProbeEdge>& probe_edges,
+                           double step) {
     const Arc arc = arc_of(flips, step);
     const double phase = arc.middle(step);
-    if (std::abs(phase - step / 2) < step / 4) return SnapWay::nearest;
+    if (std::abs(phase - step / 2) < step / 4) return SnapRounding::nearest;
     double beyond = 0;
-    for (std::size_t i = 0; i < flips.size(); ++i) beyond += double(flips[i].high) - levers[i].threshold;
-    return beyond > 0 ? SnapWay::towards_smaller : SnapWay::towards_greater;
+    for (std::size_t i = 0; i < flips.size(); ++i) beyond += double(flips[i].high) - probe_edges[i].threshold;
+    return beyond > 0 ? SnapRounding::towards_smaller : SnapRounding::towards_greater;
 }
 
 /// A tie that still says yes (Flip::low) went to the smaller line, one that says no to the greater.
-TieWay tie_way(const std::vector<Flip>& flips, double step) {
+TieRounding tie_rounding(const std::vector<Flip>& flips, double step) {
     std::array<std::array<int, 2>, 2> count{};  // [is the smaller line odd][went to the greater line]
     for (const Flip& flip : flips) {
         for (const bool greater : {false, true}) {
@@ -123,18 +126,18 @@ TieWay tie_way(const std::vector<Flip>& flips, double step) {
         }
     }
     const auto [even, odd] = count;
-    if (even[0] && !even[1] && !odd[0] && odd[1]) return TieWay::to_even;
-    if (even[0] && !even[1] && odd[0] && !odd[1]) return TieWay::towards_smaller;
-    if (!even[0] && even[1] && !odd[0] && odd[1]) return TieWay::towards_greater;
-    return TieWay::unclear;
+    if (even[0] && !even[1] && !odd[0] && odd[1]) return TieRounding::to_even;
+    if (even[0] && !even[1] && odd[0] && !odd[1]) return TieRounding::towards_smaller;
+    if (!even[0] && even[1] && !odd[0] && odd[1]) return TieRounding::towards_greater;
+    return TieRounding::unclear;
 }
 
 /// Just before the flip the vertex was drawn at or before the threshold, just after it behind.
-Bracket shifts_seen(const std::vector<Flip>& flips, const std::vector<Lever>& levers) {
+Bracket shifts_seen(const std::vector<Flip>& flips, const std::vector<ProbeEdge>& probe_edges) {
     Bracket seen{0, 0};
     for (std::size_t i = 0; i < flips.size(); ++i) {
-        seen.low = std::min(seen.low, levers[i].threshold - double(flips[i].low));
-        seen.high = std::max(seen.high, levers[i].threshold - double(flips[i].high));
+        seen.low = std::min(seen.low, probe_edges[i].threshold - double(flips[i].low));
+        seen.high = std::max(seen.high, probe_edges[i].threshold - double(flips[i].high));
     }
     return seen;
 }
@@ -143,9 +146,9 @@ Bracket shifts_seen(const std::vector<Flip>& flips, const std::vector<Lever>& le
 
 Displacement displacement(const Renderer& renderer, const Sample& sample, Axis axis) {
     const bool along_x = axis == Axis::x;
-    const auto all = along_x ? levers(sample.x, sample.y) : levers(sample.y, sample.x);
+    const auto all = along_x ? probe_edges(sample.x, sample.y) : probe_edges(sample.y, sample.x);
     std::vector<Probe> probes;
-    for (const Lever& lever : all) probes.push_back(probe_of(lever, axis));
+    for (const ProbeEdge& probe_edge : all) probes.push_back(probe_of(probe_edge, axis));
     const int along = cell_height * cells_along, across = cell_length * cells_across;
     const auto flips =
         bisect(renderer, along_x ? raster_view(along, across) : raster_view(across, along), probes);
@@ -153,7 +156,8 @@ Displacement displacement(const Renderer& renderer, const Sample& sample, Axis a
     Displacement found{.grid = {}, .finest_px = 1, .at_least_px = shifts_seen(flips, all)};
     while (found.finest_px / 4 > widest(flips)) found.finest_px /= 2;
     if (const double step = coarsest_step(flips, found.finest_px); step > 0)
-        found.grid = SnapGrid{refined(step, flips), snap_way(flips, all, step), tie_way(flips, step)};
+        found.grid =
+            SnapGrid{refined(step, flips), snap_rounding(flips, all, step), tie_rounding(flips, step)};
     return found;
 }
 

@@ -7,7 +7,7 @@
 #include <bit>
 
 #include "oracle/block_rays.h"
-#include "oracle/embree_complaints.h"
+#include "oracle/embree_errors.h"
 #include "oracle/embree_geometry.h"
 #include "oracle/primary_ray.h"
 
@@ -76,7 +76,7 @@ void leave_out_what_is_beyond(Packet& packet, const Part& part) {
 }
 
 /// What a packet found, lane by lane.
-struct Found {
+struct ClosestHits {
     alignas(64) std::array<PrimitiveId, lane_count> primitive;
     alignas(64) std::array<float, lane_count> camera_depth;
 };
@@ -86,15 +86,15 @@ float camera_depth_at(float t, double origin_depth) {
     return origin_depth == 0 ? t + 0.0f : float(origin_depth + double{t});
 }
 
-Found found_by(const Packet& packet, double origin_depth) {
-    Found found;
+ClosestHits hits_of(const Packet& packet, double origin_depth) {
+    ClosestHits hits;
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
         const bool is_hit = packet.is_hit(int(lane));
         const float depth = camera_depth_at(packet.rays.ray.tfar[lane], origin_depth);
-        found.primitive[lane] = is_hit ? PrimitiveId{packet.rays.hit.primID[lane]} : PrimitiveId::none;
-        found.camera_depth[lane] = is_hit ? depth : background_depth;
+        hits.primitive[lane] = is_hit ? PrimitiveId{packet.rays.hit.primID[lane]} : PrimitiveId::none;
+        hits.camera_depth[lane] = is_hit ? depth : background_depth;
     }
-    return found;
+    return hits;
 }
 
 /// Of a whole block: a number of values that the compiler knows.
@@ -106,11 +106,11 @@ void store_row(const T* values, int columns, T* to) {
         std::copy_n(values, columns, to);
 }
 
-void store(const Found& found, const Block& block, const Part& part, Frame& frame) {
+void store(const ClosestHits& hits, const Block& block, const Part& part, Frame& frame) {
     for (int row = 0; row < part.rows; ++row) {
         const auto first = std::size_t(row * block_side);
-        store_row(&found.primitive[first], part.columns, &frame.primitive.at(block.x, block.y + row));
-        store_row(&found.camera_depth[first], part.columns, &frame.camera_depth.at(block.x, block.y + row));
+        store_row(&hits.primitive[first], part.columns, &frame.primitive.at(block.x, block.y + row));
+        store_row(&hits.camera_depth[first], part.columns, &frame.camera_depth.at(block.x, block.y + row));
     }
 }
 
@@ -128,7 +128,7 @@ void trace_block(RTCScene scene, const BlockRays& rays, const Block& block, Pack
     if (!part.is_whole()) leave_out_what_is_beyond(packet, part);
     rays.aim(block.x, block.y, packet.rays.ray);
     intersect(scene, packet);
-    store(found_by(packet, rays.origin_depth()), block, part, frame);
+    store(hits_of(packet, rays.origin_depth()), block, part, frame);
 }
 
 /// Of a Morton code: every second bit, from the lowest.
@@ -160,16 +160,16 @@ void trace_tile(RTCScene scene, const BlockRays& rays, const Block& tile, Frame&
 
 struct Embree::Device {
     explicit Device(const Scene& scene) : device(new_device()) {
-        complaints.listen_to(device.get());
+        errors.attach_to(device.get());
         triangles = share_triangles(device.get(), scene);
-        complaints.raise("took over the scene '" + scene.name + "'");
+        errors.raise("took over the scene '" + scene.name + "'");
         // For TBB it is rtcCommitScene that builds in the surrounding arena; rtcJoinCommitScene would use
         // Embree's own.
         rtcCommitScene(triangles.get());
-        complaints.raise("built the scene '" + scene.name + "'");
+        errors.raise("built the scene '" + scene.name + "'");
     }
 
-    EmbreeComplaints complaints;  ///< outlives the device, which reports to it
+    EmbreeErrors errors;  ///< outlives the device, which reports to it
     DeviceHandle device;
     SceneHandle triangles;
 };
@@ -189,12 +189,12 @@ Frame Embree::trace(const View& view) const {
         if (tile.x < view.width && tile.y < view.height)
             trace_tile(device_->triangles.get(), rays, tile, frame);
     });
-    device_->complaints.raise("traced the view '" + view.name + "'");
+    device_->errors.raise("traced the view '" + view.name + "'");
     return frame;
 }
 
 std::vector<PrimitiveId> Embree::met(const View& view, std::span<const glm::dvec2> p_raster) const {
-    std::vector<PrimitiveId> found(p_raster.size(), PrimitiveId::none);
+    std::vector<PrimitiveId> hits(p_raster.size(), PrimitiveId::none);
     for (std::size_t first = 0; first < p_raster.size(); first += lane_count) {
         Packet packet;
         for (int lane = 0; lane < lane_count; ++lane) {
@@ -203,9 +203,9 @@ std::vector<PrimitiveId> Embree::met(const View& view, std::span<const glm::dvec
         }
         intersect(device_->triangles.get(), packet);
         for (std::size_t lane = 0; lane < lane_count && first + lane < p_raster.size(); ++lane)
-            if (packet.is_hit(int(lane))) found[first + lane] = PrimitiveId{packet.rays.hit.primID[lane]};
+            if (packet.is_hit(int(lane))) hits[first + lane] = PrimitiveId{packet.rays.hit.primID[lane]};
     }
-    return found;
+    return hits;
 }
 
 Precision embree_precision() { return RayPrecision{Arithmetic::float32}; }

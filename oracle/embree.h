@@ -1,4 +1,4 @@
-/// Embree as the witness: one robust primary ray per pixel centre.
+/// Embree as the reference: one robust primary ray per pixel centre.
 #pragma once
 
 #include <memory>
@@ -27,7 +27,7 @@ class Embree {
     /// depth, so that the hit distance is the camera depth and tnear/tfar are the near and far planes.
     Frame trace(const View& view) const;
 
-    /// The triangle that the line of sight through each of these raster positions meets, on the calling
+    /// The triangle that the view ray through each of these raster positions meets, on the calling
     /// thread.
     std::vector<PrimitiveId> met(const View& view, std::span<const glm::dvec2> p_raster) const;
 

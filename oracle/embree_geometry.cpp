@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "oracle/embree_complaints.h"
+#include "oracle/embree_errors.h"
 #include "oracle/oracle_error.h"
 
 namespace zproof::oracle {

@@ -42,11 +42,11 @@ std::string filled_in(const std::string& command, const std::array<Meaning, Coun
 
 /// What the program said last, as the end of a sentence.
 std::string what_it_said(const Outcome& outcome) {
-    const std::string said = last_words(outcome);
+    const std::string said = last_output(outcome);
     return said.empty() ? "" : "; it said: " + said;
 }
 
-/// The complaint with the command's own word for the file that it is about.
+/// The error message with the command's own word for the file that it is about.
 std::string about_out(std::string complaint, const fs::path& out) {
     const std::string path = out.string();
     for (std::size_t at; (at = complaint.find(path)) != std::string::npos;)

@@ -1,10 +1,10 @@
-/// Texture filters of others, asked for the same picture that the law of filtering judges
+/// Texture filters of others, asked for the same picture that the filter reference judges
 /// (docs/filter-peers.md): base colour factor x filtered texture, linear, black where nothing is seen.
 #pragma once
 
 #include "frame/frame.h"
 #include "frame/picture.h"
-#include "oracle/filter_law/filter_law.h"
+#include "oracle/filter_reference/filter_reference.h"
 
 namespace zproof::oracle {
 

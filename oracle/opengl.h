@@ -1,4 +1,4 @@
-/// OpenGL as a renderer and a witness: whatever driver EGL finds without a window, Mesa's llvmpipe on a
+/// OpenGL as a renderer and a reference: whatever driver EGL finds without a window, Mesa's llvmpipe on a
 /// machine without a GPU.
 ///
 /// Triangle i of the scene is primitive i of one draw call; the fixed-function rasterizer, clipper and depth

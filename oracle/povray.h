@@ -1,4 +1,4 @@
-/// POV-Ray 3.7 as a witness: a ray tracer that shares no code with us and computes in double, run as a
+/// POV-Ray 3.7 as a reference: a ray tracer that shares no code with us and computes in double, run as a
 /// program of its own.
 ///
 /// Each triangle is written as a `triangle` of POV-Ray's, in double (its meshes hold float32), and each
@@ -12,7 +12,7 @@
 #include "frame/frame.h"
 #include "frame/picture.h"
 #include "frame/precision.h"
-#include "oracle/povray/gloss.h"
+#include "oracle/povray/phong_finish.h"
 #include "scenes/light.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
@@ -38,7 +38,7 @@ class PovRay {
 
     /// A lit, textured picture of the same view (oracle/povray/picture.h), linear, 16 bits a channel, cut to
     /// [0, 1]. Throws OracleError as render, and for what povray_picture refuses.
-    Picture picture(const View& view, const Light& light, const Gloss& gloss = {}) const;
+    Picture picture(const View& view, const Light& light, const PhongFinish& phong_finish = {}) const;
 
   private:
     const Scene& scene_;

@@ -18,10 +18,10 @@ struct PrimaryRay {
     double origin_depth;  ///< 0, unless the near plane lies behind the eye: then its (negative) depth
 };
 
-/// The line of sight through a raster position, within the image or not.
+/// The view ray through a raster position, within the image or not.
 PrimaryRay ray_through(const View& view, const glm::dvec2& p_raster);
 
-/// The line of sight through the centre (x + 0.5, y + 0.5) of a pixel. Pixels outside the image are allowed.
+/// The view ray through the centre (x + 0.5, y + 0.5) of a pixel. Pixels outside the image are allowed.
 PrimaryRay primary_ray(const View& view, int x, int y);
 
 }  // namespace zproof::oracle

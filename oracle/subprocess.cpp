@@ -55,12 +55,12 @@ void require(int result, const Command& command) {
 }
 
 /// One of the command's outputs: its end that we read, and what has come of it.
-struct Tap {
+struct OutputPipe {
     FileDescriptor ours, theirs;
     std::size_t kept_bytes;
     std::string text;
 
-    explicit Tap(const Command& command) : kept_bytes(command.kept_bytes) {
+    explicit OutputPipe(const Command& command) : kept_bytes(command.kept_bytes) {
         std::array<int, 2> ends{};
         require(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno, command);
         ours = FileDescriptor(ends[0]);
@@ -92,22 +92,22 @@ struct Tap {
 };
 
 /// What a program is started with.
-struct Start {
+struct SpawnArguments {
     std::vector<std::string> arguments;
     std::filesystem::path folder;
-    int input, output, complaints;  ///< files that it gets as 0, 1 and 2
-    pid_t group;                    ///< the process group that it joins; 0: it leads one of its own
+    int input, output, error_output;  ///< files that it gets as 0, 1 and 2
+    pid_t group;                      ///< the process group that it joins; 0: it leads one of its own
 };
 
 /// posix_spawn's two arguments that C must free.
 class SpawnPlan {
   public:
-    SpawnPlan(const Start& start, const Command& command) {
+    SpawnPlan(const SpawnArguments& start, const Command& command) {
         require(posix_spawn_file_actions_init(&actions_), command);
         require(posix_spawnattr_init(&attributes_), command);
         require(posix_spawn_file_actions_adddup2(&actions_, start.input, 0), command);
         require(posix_spawn_file_actions_adddup2(&actions_, start.output, 1), command);
-        require(posix_spawn_file_actions_adddup2(&actions_, start.complaints, 2), command);
+        require(posix_spawn_file_actions_adddup2(&actions_, start.error_output, 2), command);
         require(posix_spawn_file_actions_addchdir_np(&actions_, start.folder.c_str()), command);
         set_signals_and_group(start.group);
     }
@@ -146,7 +146,7 @@ class SpawnPlan {
     posix_spawnattr_t attributes_;
 };
 
-pid_t spawned(const Start& start, const Command& command) {
+pid_t spawned(const SpawnArguments& start, const Command& command) {
     return SpawnPlan(start, command).carry_out(start.arguments, command);
 }
 
@@ -158,9 +158,9 @@ void reap(pid_t id, int* status) {
 /// Leads a command's process group, and kills that group as soon as we are no more, whichever way we went: it
 /// waits for the end of a pipe whose other end nobody but this process holds. Not even SIGKILL, or a second
 /// Ctrl-C, leaves a command running.
-class Guardian {
+class GroupLeader {
   public:
-    Guardian(const Command& command, const FileDescriptor& nowhere) {
+    GroupLeader(const Command& command, const FileDescriptor& dev_null) {
         std::array<int, 2> ends{};
         require(pipe2(ends.data(), O_CLOEXEC) == 0 ? 0 : errno, command);
         const FileDescriptor theirs(ends[0]);
@@ -168,14 +168,14 @@ class Guardian {
         id_ = spawned({.arguments = {"/bin/sh", "-c", "read nothing; kill -9 0"},
                        .folder = "/",
                        .input = theirs.number(),
-                       .output = nowhere.number(),
-                       .complaints = nowhere.number(),
+                       .output = dev_null.number(),
+                       .error_output = dev_null.number(),
                        .group = 0},
                       command);
     }
-    ~Guardian() { end_group(); }
-    Guardian(const Guardian&) = delete;
-    Guardian& operator=(const Guardian&) = delete;
+    ~GroupLeader() { end_group(); }
+    GroupLeader(const GroupLeader&) = delete;
+    GroupLeader& operator=(const GroupLeader&) = delete;
 
     pid_t group() const { return id_; }
 
@@ -194,15 +194,15 @@ class Guardian {
 /// A started command. Nothing of its process group outlives this object.
 class Child {
   public:
-    Child(const Command& command, const Tap& output, const Tap& complaints)
-        : nowhere_(open("/dev/null", O_RDWR | O_CLOEXEC)),
-          guardian_(command, nowhere_),
+    Child(const Command& command, const OutputPipe& output, const OutputPipe& error_output)
+        : dev_null_(open("/dev/null", O_RDWR | O_CLOEXEC)),
+          group_leader_(command, dev_null_),
           id_(spawned({.arguments = command.arguments,
                        .folder = command.folder,
-                       .input = nowhere_.number(),
+                       .input = dev_null_.number(),
                        .output = output.theirs.number(),
-                       .complaints = complaints.theirs.number(),
-                       .group = guardian_.group()},
+                       .error_output = error_output.theirs.number(),
+                       .group = group_leader_.group()},
                       command)),
           watched_(pidfd_open(id_, 0)) {
         if (watched_.is_open()) return;
@@ -220,15 +220,15 @@ class Child {
     /// Kills the group, then reaps. The status as waitpid reports it; nothing the second time.
     std::optional<int> end() {
         if (id_ == 0) return std::nullopt;
-        guardian_.end_group();
+        group_leader_.end_group();
         int status = 0;
         reap(std::exchange(id_, 0), &status);
         return status;
     }
 
   private:
-    FileDescriptor nowhere_;
-    Guardian guardian_;
+    FileDescriptor dev_null_;
+    GroupLeader group_leader_;
     pid_t id_;
     FileDescriptor watched_;
 };
@@ -238,19 +238,20 @@ int milliseconds_until(Clock::time_point deadline) {
     return int(std::clamp<decltype(left)>(left, 0, 3'600'000));
 }
 
-enum class Waited { ended, timed_out };
+enum class WaitResult { ended, timed_out };
 
 /// Drains the outputs until the command has ended or its time is up.
-Waited wait_for(const Child& child, Tap& output, Tap& complaints, Clock::time_point deadline) {
+WaitResult wait_for(const Child& child, OutputPipe& output, OutputPipe& error_output,
+                    Clock::time_point deadline) {
     for (;;) {
         std::array<pollfd, 3> watched{{{child.watched(), POLLIN, 0},
                                        {output.ours.number(), POLLIN, 0},
-                                       {complaints.ours.number(), POLLIN, 0}}};
+                                       {error_output.ours.number(), POLLIN, 0}}};
         poll(watched.data(), watched.size(), milliseconds_until(deadline));
         output.drain();
-        complaints.drain();
-        if (watched[0].revents != 0) return Waited::ended;
-        if (Clock::now() >= deadline) return Waited::timed_out;
+        error_output.drain();
+        if (watched[0].revents != 0) return WaitResult::ended;
+        if (Clock::now() >= deadline) return WaitResult::timed_out;
     }
 }
 
@@ -265,23 +266,24 @@ std::vector<std::string> shell_line(std::string line) { return {"/bin/sh", "-c",
 
 Outcome run(const Command& command) {
     const Clock::time_point deadline = Clock::now() + command.time_limit;
-    Tap output(command), complaints(command);
-    Child child(command, output, complaints);
+    OutputPipe output(command), error_output(command);
+    Child child(command, output, error_output);
     output.theirs.close();
-    complaints.theirs.close();
-    const Waited waited = wait_for(child, output, complaints, deadline);
+    error_output.theirs.close();
+    const WaitResult wait_result = wait_for(child, output, error_output, deadline);
     const int status = child.end().value();
     output.drain();
-    complaints.drain();
-    Outcome outcome = waited == Waited::timed_out ? Outcome{.ending = Ending::timed_out} : outcome_of(status);
+    error_output.drain();
+    Outcome outcome =
+        wait_result == WaitResult::timed_out ? Outcome{.ending = Ending::timed_out} : outcome_of(status);
     outcome.output = std::move(output.text);
-    outcome.complaints = std::move(complaints.text);
+    outcome.error_output = std::move(error_output.text);
     return outcome;
 }
 
-std::string last_words(const Outcome& outcome) {
+std::string last_output(const Outcome& outcome) {
     constexpr std::size_t most = 1000;
-    const std::string& said = outcome.complaints.empty() ? outcome.output : outcome.complaints;
+    const std::string& said = outcome.error_output.empty() ? outcome.output : outcome.error_output;
     return said.size() <= most ? said : "... " + said.substr(said.size() - most);
 }
 

@@ -30,7 +30,7 @@ enum class Ending {
 struct Outcome {
     Ending ending = Ending::exited;
     int code = 0;
-    std::string output{}, complaints{};  ///< the end of standard output and of standard error
+    std::string output{}, error_output{};  ///< the end of standard output and of standard error
 
     bool succeeded() const { return ending == Ending::exited && code == 0; }
 };
@@ -41,8 +41,8 @@ struct Outcome {
 /// program and reason, where it cannot be started.
 Outcome run(const Command& command);
 
-/// The last thousand characters of what it complained of, or else of what it said; for a message.
-std::string last_words(const Outcome& outcome);
+/// The last thousand characters of its standard error, or else of its standard output; for a message.
+std::string last_output(const Outcome& outcome);
 
 /// "exit status 1", "killed by signal 11 (Segmentation fault)", "stopped at its time limit of 300 s".
 std::string in_words(const Outcome& outcome, std::chrono::milliseconds time_limit);

@@ -42,21 +42,21 @@ BinTally& BinTally::operator+=(const BinTally& other) {
 }
 
 void BinnedRun::fill(const Kernel& kernel, const Scene& scene, const ProjectedVertices& projected,
-                     const ViewSetup& setup, const Range& range) {
+                     const ViewSetup& setup, const IndexRange& range) {
     kernel_ = &kernel;
     setup_ = &setup;
     tiles_ = TileGrid(setup.size);
     length_ = std::uint32_t(scene.triangles.size());
     tally_ = {.triangles = range.end - range.begin};
     pieces_.clear();
-    stretches_.clear();
+    entry_runs_.clear();
     const SnappedVertex* const v = projected.snapped().data();
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
         const glm::uvec3 index = scene.triangles[i];
-        const Remains remains = remains_of(index, projected.outcode().data());
-        if (remains == Remains::whole)
+        const ClipOutcome outcome = clip_outcome(index, projected.outcode().data());
+        if (outcome == ClipOutcome::whole)
             add(v[index.x].p, v[index.y].p, v[index.z].p, i);
-        else if (remains == Remains::cut)
+        else if (outcome == ClipOutcome::cut)
             add_pieces(scene, i);
         else
             ++tally_.outside;
@@ -66,9 +66,9 @@ void BinnedRun::fill(const Kernel& kernel, const Scene& scene, const ProjectedVe
 }
 
 void BinnedRun::count_in_tiles() {
-    end_stretch();
+    end_entry_run();
     next_.assign(tiles_.count(), 0);
-    for (const auto& [tile, count] : stretches_) next_[tile] += count;
+    for (const auto& [tile, count] : entry_runs_) next_[tile] += count;
 }
 
 void BinnedRun::add_pieces(const Scene& scene, std::uint32_t triangle) {
@@ -114,8 +114,8 @@ void BinnedRun::place_queue() {
 
 void BinnedRun::add_queue_to_tile(std::uint32_t tile, const PlacedLanes& placed) {
     go_to(tile);
-    std::uint32_t* const places = places_.add(CornerLanes::count);
-    for (std::size_t i = 0; i < CornerLanes::count; ++i) places[i] = queue_.place[i] | placed.turn[i];
+    std::uint32_t* const entries = entries_.add(CornerLanes::count);
+    for (std::size_t i = 0; i < CornerLanes::count; ++i) entries[i] = queue_.place[i] | placed.turn[i];
     tally_.set_up += CornerLanes::count;
     queue_.count = 0;
 }
@@ -149,12 +149,12 @@ std::size_t BinnedRun::put_pieces_at(std::size_t first) {
     return pieces_.size();
 }
 
-void BinnedRun::write(std::span<const std::size_t> first, std::span<std::uint32_t> places,
+void BinnedRun::write(std::span<const std::size_t> first, std::span<std::uint32_t> entries,
                       std::span<SnappedPiece> pieces) {
     const std::uint32_t length = length_, first_piece = std::uint32_t(first_piece_);
-    const std::uint32_t* from = places_.data();
-    for (const auto& [tile, count] : stretches_) {
-        std::uint32_t* const to = places.data() + first[tile] + next_[tile];
+    const std::uint32_t* from = entries_.data();
+    for (const auto& [tile, count] : entry_runs_) {
+        std::uint32_t* const to = entries.data() + first[tile] + next_[tile];
         for (std::size_t i = 0; i < count; ++i) {
             const bool is_piece = (from[i] & ~turned) >= length;
             to[i] = is_piece ? from[i] + first_piece : from[i];

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "rasterizer/place_list.h"
+#include "rasterizer/bin_entries.h"
 #include "rasterizer/projected_vertices.h"
 #include "rasterizer/tile_grid.h"
 
@@ -29,28 +29,28 @@ struct BinTally {
 
 class BinnedRun {
   public:
-    /// Memory for places, from fill() to write(), as long as they are few enough.
-    void lend(std::span<std::uint32_t> memory) { places_.begin_in(memory); }
+    /// Memory for entries, from fill() to write(), as long as they are few enough.
+    void lend(std::span<std::uint32_t> memory) { entries_.begin_in(memory); }
     /// The triangles of a range of the scene; memory was lent before. Other memory is kept from the time
     /// before.
     void fill(const Kernel& kernel, const Scene& scene, const ProjectedVertices& projected,
-              const ViewSetup& setup, const Range& range);
+              const ViewSetup& setup, const IndexRange& range);
 
-    /// For each tile: after fill() how many of them are in it; for write() which of the tile's places is the
+    /// For each tile: after fill() how many of them are in it; for write() which of the tile's entries is the
     /// first of those.
     std::span<std::uint32_t> next() { return next_; }
     /// Where the first of the run's pieces goes, for write(). Returns how many there are.
     std::size_t put_pieces_at(std::size_t first);
-    /// Writes the run's part of both: places by tile, in order within a tile, and pieces. `first` has each
+    /// Writes the run's part of both: entries by tile, in order within a tile, and pieces. `first` has each
     /// tile's first place.
-    void write(std::span<const std::size_t> first, std::span<std::uint32_t> places,
+    void write(std::span<const std::size_t> first, std::span<std::uint32_t> entries,
                std::span<SnappedPiece> pieces);
 
     const BinTally& tally() const { return tally_; }
 
   private:
     /// Triangles one after the other in one tile.
-    struct Stretch {
+    struct EntryRun {
         std::uint32_t tile, count;
     };
     /// Triangles on their way, until there are enough to be placed together.
@@ -67,18 +67,19 @@ class BinnedRun {
     void add_to_tiles_reached(int lane, const PlacedLanes& placed, std::uint32_t place);
     void add_to_tile(int column, int row, std::uint32_t place) {
         go_to(tiles_.tile_at(column, row));
-        places_.push_back(place);
+        entries_.push_back(place);
     }
     void go_to(std::uint32_t tile) {
-        if (stretches_.empty() || stretches_.back().tile != tile) begin_stretch(tile);
+        if (entry_runs_.empty() || entry_runs_.back().tile != tile) begin_entry_run(tile);
     }
-    void begin_stretch(std::uint32_t tile) {
-        end_stretch();
-        stretches_.push_back({tile, 0});
-        stretch_begin_ = places_.size();
+    void begin_entry_run(std::uint32_t tile) {
+        end_entry_run();
+        entry_runs_.push_back({tile, 0});
+        entry_run_begin_ = entries_.size();
     }
-    void end_stretch() {
-        if (!stretches_.empty()) stretches_.back().count = std::uint32_t(places_.size() - stretch_begin_);
+    void end_entry_run() {
+        if (!entry_runs_.empty())
+            entry_runs_.back().count = std::uint32_t(entries_.size() - entry_run_begin_);
     }
     void count_in_tiles();
 
@@ -89,9 +90,9 @@ class BinnedRun {
         0;  ///< triangles of the scene; piece i of the run has the place length_ + i until write()
     Queue queue_;
     std::vector<SnappedPiece> pieces_;
-    PlaceList places_;                ///< in the order of drawing, once for each tile
-    std::vector<Stretch> stretches_;  ///< of places_
-    std::size_t stretch_begin_ = 0;   ///< of the last one
+    BinEntries entries_;                ///< in the order of drawing, once for each tile
+    std::vector<EntryRun> entry_runs_;  ///< of places_
+    std::size_t entry_run_begin_ = 0;   ///< of the last one
     std::vector<std::uint32_t> next_;
     std::size_t first_piece_ = 0;
     BinTally tally_;

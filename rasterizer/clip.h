@@ -1,7 +1,7 @@
 /// Clipping in clip space, before any division: near, far and guard band (Sutherland and Hodgman 1974).
 ///
-/// Lawful pictures need every vertex to be divided by w > 0, and the fixed-point edge functions need raster
-/// coordinates of limited size. Nothing is clipped against the image's own border: the scan does that
+/// Admissible pictures need every vertex to be divided by w > 0, and the fixed-point edge functions need
+/// raster coordinates of limited size. Nothing is clipped against the image's own border: the scan does that
 /// exactly.
 #pragma once
 

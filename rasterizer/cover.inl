@@ -43,7 +43,7 @@ struct Cover {
     void set_to_pixels_from(Square& square, int x, int y) const;
     /// Negative where a pixel is not covered.
     Ints inside(const Square& square, int block) const {
-        const auto edge = [&](int k) { return load(of_pixel[k]) + all(square.of_block[k][block]); };
+        const auto edge = [&](int k) { return load(of_pixel[k]) + splat(square.of_block[k][block]); };
         return edge(0) | edge(1) | edge(2);
     }
 
@@ -57,8 +57,8 @@ Cover::Cover(const Edges& edges, int i) {
         const Ints of_pixels = load(lane_column) * column + load(lane_row) * row;
         store(of_pixel[k], of_pixels);
         store(of_block[k], of_pixels * 4);
-        inwards[k] = 3 * (greater_of(column, 0) + greater_of(row, 0));
-        outwards[k] = 3 * (lesser(column, 0) + lesser(row, 0));
+        inwards[k] = 3 * (max(column, 0) + max(row, 0));
+        outwards[k] = 3 * (min(column, 0) + min(row, 0));
         f[k] = edges.f[k][i];
         to_column[k] = column;
         to_row[k] = row;
@@ -69,13 +69,13 @@ Cover::Cover(const Edges& edges, int i) {
 /// are five times three.
 Cells Cover::cells() const {
     Cells cells;
-    Ints greatest = all(0), least = all(0);
+    Ints greatest = splat(0), least = splat(0);
     for (int k = 0; k < 3; ++k) {
         const Doubles of_cell = load(cell_x) * to_column[k] + load(cell_y) * to_row[k];
-        const Ints first = clamped(all(f[k]) + of_cell, most_of_f);
+        const Ints first = clamped(splat(f[k]) + of_cell, most_of_f);
         store(cells.f[k], first);
-        greatest = greatest | (first + all(5 * inwards[k]));
-        least = least | (first + all(5 * outwards[k]));
+        greatest = greatest | (first + splat(5 * inwards[k]));
+        least = least | (first + splat(5 * outwards[k]));
     }
     cells.met = 0xFFFF & ~negative_lanes(greatest);
     cells.whole = 0xFFFF & ~negative_lanes(least);
@@ -83,11 +83,11 @@ Cells Cover::cells() const {
 }
 
 void Cover::find_blocks(Square& square) const {
-    Ints greatest = all(0);
+    Ints greatest = splat(0);
     for (int k = 0; k < 3; ++k) {
-        const Ints of_blocks = load(of_block[k]) + all(square.f[k]);
+        const Ints of_blocks = load(of_block[k]) + splat(square.f[k]);
         store(square.of_block[k], of_blocks);
-        greatest = greatest | (of_blocks + all(inwards[k]));
+        greatest = greatest | (of_blocks + splat(inwards[k]));
     }
     square.met = 0xFFFF & ~negative_lanes(greatest);
     square.is_whole = false;
@@ -107,7 +107,7 @@ void Cover::set_to_pixels_from(Square& square, int x, int y) const {
     square.y = y;
     for (int k = 0; k < 3; ++k) {
         const double exact = (f[k] + to_column[k] * x) + to_row[k] * y;
-        square.f[k] = std::int32_t(greater_of(lesser(exact, most_of_f), -most_of_f));
+        square.f[k] = std::int32_t(max(min(exact, most_of_f), -most_of_f));
     }
     find_blocks(square);
 }

@@ -7,8 +7,8 @@
 
 namespace zproof::rasterizer {
 
-/// "Nearness": 1 / depth for perspective, -depth for parallel projections. The z-buffer holds it as float32,
-/// rounded once; of two equal values the first to come stays.
+/// "Inverse depth": 1 / depth for perspective, -depth for parallel projections. The z-buffer holds it as
+/// float32, rounded once; of two equal values the first to come stays.
 ///
 /// The range is float32's: as 1 / depth it is relatively exact for depths of 2^-126 to 2^126 scene units.
 struct DepthFunctional {
@@ -22,9 +22,9 @@ struct DepthFunctional {
         return (is_reciprocal ? sign : linear) / (is_reciprocal ? depth : 1.0);  // no branch, for vectors
     }
     /// Camera depth of a stored value. The quotient of two float32, computed in float32, is rounded once.
-    [[gnu::always_inline]] constexpr float depth_of(float nearness) const {
+    [[gnu::always_inline]] constexpr float depth_of(float inverse_depth) const {
         const float s = static_cast<float>(sign);
-        return form == Form::reciprocal ? s / nearness : -s * nearness;
+        return form == Form::reciprocal ? s / inverse_depth : -s * inverse_depth;
     }
 };
 

@@ -16,7 +16,7 @@ constexpr std::uint32_t chunk_length = 1024;
 
 bool is_finite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-Chunk chunk_of(const Scene& scene, Range triangles) {
+Chunk chunk_of(const Scene& scene, IndexRange triangles) {
     const auto& p = scene.vertices.position_world;
     const std::uint32_t any = scene.triangles[triangles.begin].x;
     Chunk chunk{triangles, {any, any + 1}, p[any], p[any], is_finite(p[any])};
@@ -86,10 +86,10 @@ double nearest_depth(const Chunk& chunk, const glm::dvec4& depth) {
 }
 
 /// Rising, overlaps made one.
-std::vector<Range> united(std::vector<Range> ranges) {
-    std::ranges::sort(ranges, {}, &Range::begin);
-    std::vector<Range> whole;
-    for (const Range& range : ranges) {
+std::vector<IndexRange> united(std::vector<IndexRange> ranges) {
+    std::ranges::sort(ranges, {}, &IndexRange::begin);
+    std::vector<IndexRange> whole;
+    for (const IndexRange& range : ranges) {
         if (!whole.empty() && range.begin <= whole.back().end)
             whole.back().end = std::max(whole.back().end, range.end);
         else
@@ -111,17 +111,18 @@ std::vector<Chunk> chunks_of(const Scene& scene) {
     return chunks;
 }
 
-bool need_chunks(const Tricks& tricks) {
-    return tricks.frustum_culling == FrustumCulling::chunks || tricks.order == DrawOrder::front_to_back;
+bool need_chunks(const Optimizations& optimizations) {
+    return optimizations.frustum_culling == FrustumCulling::chunks ||
+           optimizations.order == DrawOrder::chunks_front_to_back;
 }
 
-DrawList draw_list(const std::vector<Chunk>& chunks, const View& view, const Tricks& tricks) {
+DrawList draw_list(const std::vector<Chunk>& chunks, const View& view, const Optimizations& optimizations) {
     std::vector<const Chunk*> kept;
     const std::vector<Outside> planes = planes_of(view.camera);
     for (const Chunk& chunk : chunks)
-        if (tricks.frustum_culling == FrustumCulling::triangles || !is_outside(chunk, planes))
+        if (optimizations.frustum_culling == FrustumCulling::triangles || !is_outside(chunk, planes))
             kept.push_back(&chunk);
-    if (tricks.order == DrawOrder::front_to_back) {
+    if (optimizations.order == DrawOrder::chunks_front_to_back) {
         const glm::dvec4 depth = -row_of(camera_from_world(view.camera), 2);
         std::vector<std::pair<double, const Chunk*>> by_depth;
         for (const Chunk* chunk : kept) by_depth.push_back({nearest_depth(*chunk, depth), chunk});

@@ -5,21 +5,21 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "rasterizer/tricks.h"
+#include "rasterizer/optimizations.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
 namespace zproof::rasterizer {
 
 /// Indices [begin, end).
-struct Range {
+struct IndexRange {
     std::uint32_t begin = 0, end = 0;
-    bool operator==(const Range&) const = default;
+    bool operator==(const IndexRange&) const = default;
 };
 
 /// A run of a part's triangles, the vertices that it uses, and the box around them.
 struct Chunk {
-    Range triangles, vertices;
+    IndexRange triangles, vertices;
     glm::vec3 low{0}, high{0};
     bool is_finite = true;  ///< false: the box means nothing
 };
@@ -29,16 +29,16 @@ std::vector<Chunk> chunks_of(const Scene& scene);
 
 /// What a view draws, and in which order.
 struct DrawList {
-    std::vector<Range> triangles;  ///< none twice
-    std::vector<Range> vertices;   ///< that those need; rising, none twice
-    std::size_t culled = 0;        ///< chunks left out
+    std::vector<IndexRange> triangles;  ///< none twice
+    std::vector<IndexRange> vertices;   ///< that those need; rising, none twice
+    std::size_t culled = 0;             ///< chunks left out
 };
 
-/// Do the tricks work by chunks?
-bool need_chunks(const Tricks& tricks);
+/// Do the optimizations work by chunks?
+bool need_chunks(const Optimizations& optimizations);
 
 /// A chunk is left out only where its box lies outside one of the planes by more than rounding could matter
 /// (docs/cost.md), so that no pixel's centre is missed.
-DrawList draw_list(const std::vector<Chunk>& chunks, const View& view, const Tricks& tricks);
+DrawList draw_list(const std::vector<Chunk>& chunks, const View& view, const Optimizations& optimizations);
 
 }  // namespace zproof::rasterizer

@@ -54,7 +54,8 @@ void Edges::set_up_edge(int k, const Batch& batch, const TileSamples& tile) {
 
 void Edges::set_up_nearest(const Batch& batch) {
     for (int i = 0; i < batch_size; ++i)
-        nearest[i] = nearest_pixel(batch.nearness[0][i], batch.nearness[1][i], batch.nearness[2][i]);
+        nearest[i] =
+            nearest_pixel(batch.inverse_depth[0][i], batch.inverse_depth[1][i], batch.inverse_depth[2][i]);
 }
 
 /// Of an empty box, any.

@@ -1,4 +1,4 @@
-/// The kernels: vertices, triangles' places, and triangles into one tile's z-buffer, by the widest vectors
+/// The kernels: vertices, bin entries, and triangles into one tile's z-buffer, by the widest vectors
 /// that the machine has.
 ///
 /// kernel_scalar.cpp, kernel_avx2.cpp and kernel_avx512.cpp are compiled for one instruction set each and
@@ -14,9 +14,9 @@
 
 #include "frame/frame.h"
 #include "rasterizer/depth_functional.h"
+#include "rasterizer/optimizations.h"
 #include "rasterizer/tile_pixels.h"
 #include "rasterizer/triangles.h"
-#include "rasterizer/tricks.h"
 
 namespace zproof::rasterizer {
 
@@ -37,12 +37,12 @@ enum class ShadingTime {
 };
 
 /// What becomes of a shaded fragment.
-enum class Fate { kept, discarded };
+enum class DepthTestResult { kept, discarded };
 
 /// Called for the fragments of pixel (x, y) of the image, in the order of drawing.
 struct FragmentShader {
-    void (*shade)(void* stage, PrimitiveId id, int x, int y, Fate fate) = nullptr;
-    void* stage = nullptr;
+    void (*shade)(void* context, PrimitiveId id, int x, int y, DepthTestResult result) = nullptr;
+    void* context = nullptr;
     ShadingTime time = ShadingTime::after_the_test;
 };
 
@@ -55,7 +55,7 @@ inline constexpr int batch_size = 16;
 /// Some triangles for one tile, in the order of drawing. They need an area and to be within the guard band.
 struct TileWork {
     const Triangles& triangles;
-    const std::uint32_t* places = nullptr;
+    const std::uint32_t* entries = nullptr;
     std::uint32_t count = 0;
     const TileSamples& samples;
     TilePixels& pixels;

@@ -38,7 +38,7 @@ Mask without_negative(const Mask& mask, const Ints& a) {
     return {_mm256_andnot_ps(negative.low, mask.low), _mm256_andnot_ps(negative.high, mask.high)};
 }
 
-Ints all(std::int32_t value) { return {_mm256_set1_epi32(value), _mm256_set1_epi32(value)}; }
+Ints splat(std::int32_t value) { return {_mm256_set1_epi32(value), _mm256_set1_epi32(value)}; }
 
 Ints load(const std::int32_t* values) {
     const auto* const at = reinterpret_cast<const __m256i*>(values);
@@ -73,12 +73,12 @@ Ints with_bit_where_not_negative(const Ints& set, std::int32_t bit, const Ints& 
     return {half(set.low, values.low), half(set.high, values.high)};
 }
 
-Doubles all(double value) {
+Doubles splat(double value) {
     const __m256d part = _mm256_set1_pd(value);
     return {{part, part, part, part}};
 }
 
-Floats all(float value) { return {_mm256_set1_ps(value), _mm256_set1_ps(value)}; }
+Floats splat(float value) { return {_mm256_set1_ps(value), _mm256_set1_ps(value)}; }
 
 Doubles load(const double* values) {
     return {{_mm256_load_pd(values), _mm256_load_pd(values + 4), _mm256_load_pd(values + 8),
@@ -171,7 +171,7 @@ Floats rounded(const Doubles& a) {
     return {pair(0), pair(2)};
 }
 
-Floats chosen(const Mask& where, const Floats& a, const Floats& b) {
+Floats select(const Mask& where, const Floats& a, const Floats& b) {
     return {_mm256_blendv_ps(b.low, a.low, where.low), _mm256_blendv_ps(b.high, a.high, where.high)};
 }
 
@@ -230,7 +230,7 @@ void publish() noexcept { _mm_sfence(); }
 /// Sixteen vertices of 16 bytes each, four at a time: x0 y0 N0, x1 y1 N1 ... into x0 x1 ..., y0 y1 ..., N0 N1
 /// ...
 void put_side_by_side(const SnappedVertex* const (&vertex)[16], std::int32_t* x, std::int32_t* y,
-                      double* nearness) {
+                      double* inverse_depth) {
     const auto load_one = [&](int i) { return _mm_loadu_pd(reinterpret_cast<const double*>(vertex[i])); };
     const __m256i even_then_odd = _mm256_setr_epi32(0, 2, 4, 6, 1, 3, 5, 7);
     for (int i = 0; i < 16; i += 4) {
@@ -240,7 +240,7 @@ void put_side_by_side(const SnappedVertex* const (&vertex)[16], std::int32_t* x,
         const __m256i x_then_y = _mm256_permutevar8x32_epi32(points, even_then_odd);
         _mm_store_si128(reinterpret_cast<__m128i*>(x + i), _mm256_castsi256_si128(x_then_y));
         _mm_store_si128(reinterpret_cast<__m128i*>(y + i), _mm256_extracti128_si256(x_then_y, 1));
-        _mm256_store_pd(nearness + i, _mm256_unpackhi_pd(even, odd));
+        _mm256_store_pd(inverse_depth + i, _mm256_unpackhi_pd(even, odd));
     }
 }
 

@@ -28,7 +28,7 @@ struct Ints {
 Mask negative(const Ints& a) { return {_mm512_movepi32_mask(a.lanes)}; }
 unsigned negative_lanes(const Ints& a) { return bits_of(negative(a)); }
 Mask without_negative(Mask mask, const Ints& a) { return {_kandn_mask16(negative(a).lanes, mask.lanes)}; }
-Ints all(std::int32_t value) { return {_mm512_set1_epi32(value)}; }
+Ints splat(std::int32_t value) { return {_mm512_set1_epi32(value)}; }
 Ints load(const std::int32_t* values) { return {_mm512_load_si512(values)}; }
 void store(std::int32_t* to, const Ints& values) { _mm512_store_si512(to, values.lanes); }
 Ints operator+(const Ints& a, const Ints& b) { return {_mm512_add_epi32(a.lanes, b.lanes)}; }
@@ -41,8 +41,8 @@ Ints with_bit_where_not_negative(const Ints& set, std::int32_t bit, const Ints& 
     return {_mm512_or_si512(set.lanes, bits)};
 }
 
-Doubles all(double value) { return {_mm512_set1_pd(value), _mm512_set1_pd(value)}; }
-Floats all(float value) { return {_mm512_set1_ps(value)}; }
+Doubles splat(double value) { return {_mm512_set1_pd(value), _mm512_set1_pd(value)}; }
+Floats splat(float value) { return {_mm512_set1_ps(value)}; }
 Doubles load(const double* values) { return {_mm512_load_pd(values), _mm512_load_pd(values + 8)}; }
 Floats load(const float* values) { return {_mm512_load_ps(values)}; }
 
@@ -102,7 +102,7 @@ Floats rounded(const Doubles& a) {
     return {_mm512_insertf32x8(low, _mm512_cvtpd_ps(a.high), 1)};
 }
 
-Floats chosen(Mask where, const Floats& a, const Floats& b) {
+Floats select(Mask where, const Floats& a, const Floats& b) {
     return {_mm512_mask_blend_ps(where.lanes, b.lanes, a.lanes)};
 }
 
@@ -150,7 +150,7 @@ void publish() noexcept { _mm_sfence(); }
 
 /// Sixteen vertices of 16 bytes each.
 void put_side_by_side(const SnappedVertex* const (&vertex)[16], std::int32_t* x, std::int32_t* y,
-                      double* nearness) {
+                      double* inverse_depth) {
     const auto four_from = [&](int i) {
         const auto part = [&](int k) {
             return _mm_loadu_si128(reinterpret_cast<const __m128i*>(vertex[i + k]));
@@ -165,8 +165,8 @@ void put_side_by_side(const SnappedVertex* const (&vertex)[16], std::int32_t* x,
                   last = _mm512_permutex2var_epi32(c, x_then_y, d);
     _mm512_store_si512(x, _mm512_shuffle_i64x2(first, last, 0x44));
     _mm512_store_si512(y, _mm512_shuffle_i64x2(first, last, 0xEE));
-    _mm512_store_si512(nearness, _mm512_permutex2var_epi64(a, odd, b));
-    _mm512_store_si512(nearness + 8, _mm512_permutex2var_epi64(c, odd, d));
+    _mm512_store_si512(inverse_depth, _mm512_permutex2var_epi64(a, odd, b));
+    _mm512_store_si512(inverse_depth + 8, _mm512_permutex2var_epi64(c, odd, d));
 }
 
 #include "rasterizer/corners_avx.inl"

@@ -31,10 +31,10 @@ unsigned negative_lanes(const Ints& a) {
 
 Mask without_negative(Mask mask, const Ints& a) { return {mask.lanes & ~negative_lanes(a)}; }
 
-Ints all(std::int32_t value) {
-    Ints all;
-    for (std::int32_t& lane : all.lane) lane = value;
-    return all;
+Ints splat(std::int32_t value) {
+    Ints splat;
+    for (std::int32_t& lane : splat.lane) lane = value;
+    return splat;
 }
 
 Ints load(const std::int32_t* values) {
@@ -72,13 +72,13 @@ Ints with_bit_where_not_negative(const Ints& set, std::int32_t bit, const Ints& 
     return more;
 }
 
-Doubles all(double value) {
+Doubles splat(double value) {
     Doubles d;
     for (double& lane : d.lane) lane = value;
     return d;
 }
 
-Floats all(float value) {
+Floats splat(float value) {
     Floats f;
     for (float& lane : f.lane) lane = value;
     return f;
@@ -174,7 +174,7 @@ Floats rounded(const Doubles& a) {
     return f;
 }
 
-Floats chosen(Mask where, const Floats& a, const Floats& b) {
+Floats select(Mask where, const Floats& a, const Floats& b) {
     Floats f;
     for (int i = 0; i < 16; ++i) f.lane[i] = where.lanes >> i & 1 ? a.lane[i] : b.lane[i];
     return f;
@@ -214,18 +214,18 @@ void publish() noexcept {}
 
 /// Sixteen vertices.
 void put_side_by_side(const SnappedVertex* const (&vertex)[16], std::int32_t* x, std::int32_t* y,
-                      double* nearness) {
+                      double* inverse_depth) {
     for (int i = 0; i < 16; ++i) {
         x[i] = vertex[i]->p.x;
         y[i] = vertex[i]->p.y;
-        nearness[i] = vertex[i]->nearness;
+        inverse_depth[i] = vertex[i]->inverse_depth;
     }
 }
 
 /// The other way.
-void put_one_by_one(const std::int32_t* x, const std::int32_t* y, const double* nearness,
+void put_one_by_one(const std::int32_t* x, const std::int32_t* y, const double* inverse_depth,
                     SnappedVertex* vertex) {
-    for (int i = 0; i < 16; ++i) vertex[i] = {{x[i], y[i]}, nearness[i]};
+    for (int i = 0; i < 16; ++i) vertex[i] = {{x[i], y[i]}, inverse_depth[i]};
 }
 
 #include "rasterizer/kernel.inl"

@@ -33,9 +33,9 @@ void Pipeline::for_each_tile(const Visit& visit) const {
 }
 
 ViewSetup Pipeline::prepare(const Scene& scene, const View& view, const std::vector<Chunk>& chunks) {
-    const ViewSetup setup(view, rules_, tricks_);
-    if (need_chunks(tricks_)) {
-        list_ = draw_list(chunks, view, tricks_);
+    const ViewSetup setup(view, rules_, optimizations_);
+    if (need_chunks(optimizations_)) {
+        list_ = draw_list(chunks, view, optimizations_);
         projected_.fill(scene.vertices, setup, list_.vertices);
         bins_.fill(scene, projected_, setup, list_.triangles);
     } else {
@@ -48,27 +48,27 @@ ViewSetup Pipeline::prepare(const Scene& scene, const View& view, const std::vec
 /// Is what was prepared to be drawn the nearest first?
 bool Pipeline::put_in_order(const ViewSetup& setup) {
     const bool is_wanted =
-        tricks_.order == DrawOrder::nearest_first ||
-        (tricks_.order == DrawOrder::nearest_first_where_deep && nearest_first_pays(bins_.tally()));
+        optimizations_.order == DrawOrder::front_to_back ||
+        (optimizations_.order == DrawOrder::front_to_back_where_deep && front_to_back_pays(bins_.tally()));
     if (!is_wanted || setup.hierarchical_z == HierarchicalZ::none) return false;
-    nearest_first_.fill(bins_);
+    front_to_back_.fill(bins_);
     return true;
 }
 
-TilePlaces Pipeline::places_in(std::size_t tile, bool nearest_first) {
-    const std::span<const std::uint32_t> places = bins_.places_in(tile);
-    return nearest_first ? nearest_first_.ordered(places) : TilePlaces{places};
+TileEntries Pipeline::entries_in(std::size_t tile, bool front_to_back) {
+    const std::span<const std::uint32_t> entries = bins_.entries_in(tile);
+    return front_to_back ? front_to_back_.ordered(entries) : TileEntries{entries};
 }
 
 const Frame& Pipeline::render(const Scene& scene, const View& view, const std::vector<Chunk>& chunks) {
     const ViewSetup setup = prepare(scene, view, chunks);
-    const bool nearest_first = put_in_order(setup);
+    const bool front_to_back = put_in_order(setup);
     if (frame_.size() != setup.size) frame_ = Frame::unwritten(setup.size);
     for_each_tile([&](std::size_t i) {
         const PixelRect pixels = bins_.tiles().pixels(i, setup.size);
-        if (bins_.places_in(i).empty()) return clear(frame_, pixels);
+        if (bins_.entries_in(i).empty()) return clear(frame_, pixels);
         Tile tile(kernel_, pixels, setup);
-        tile.draw(bins_.triangles(), places_in(i, nearest_first));
+        tile.draw(bins_.triangles(), entries_in(i, front_to_back));
         tile.resolve(frame_);
     });
     return frame_;
@@ -79,7 +79,7 @@ Plane<std::uint32_t> Pipeline::count_fragments(const Scene& scene, const View& v
     Plane<std::uint32_t> fragments(setup.size);
     for_each_tile([&](std::size_t i) {
         TileCount tile(kernel_, bins_.tiles().pixels(i, setup.size), setup);
-        tile.add(bins_.triangles(), bins_.places_in(i));
+        tile.add(bins_.triangles(), bins_.entries_in(i));
         tile.resolve(fragments);
     });
     return fragments;
@@ -87,21 +87,21 @@ Plane<std::uint32_t> Pipeline::count_fragments(const Scene& scene, const View& v
 
 Work Pipeline::count_work(const Scene& scene, const View& view, const std::vector<Chunk>& chunks) {
     const ViewSetup setup = prepare(scene, view, chunks);
-    const bool nearest_first = put_in_order(setup);
-    std::vector<Range> vertices{{0, std::uint32_t(scene.vertices.position_world.size())}};
+    const bool front_to_back = put_in_order(setup);
+    std::vector<IndexRange> vertices{{0, std::uint32_t(scene.vertices.position_world.size())}};
     Work work;
     work.bins = bins_.tally();
-    if (need_chunks(tricks_)) {
+    if (need_chunks(optimizations_)) {
         vertices = list_.vertices;
         work.chunks_culled = list_.culled;
     }
-    for (const Range& range : vertices) work.vertices += range.end - range.begin;
+    for (const IndexRange& range : vertices) work.vertices += range.end - range.begin;
     work.pixels = setup.size.pixel_count();
     Frame frame(setup.size);
     std::vector<Tally> tallies(bins_.tiles().count());
     for_each_tile([&](std::size_t i) {
         Tile tile(kernel_, bins_.tiles().pixels(i, setup.size), setup);
-        tile.draw_tallied(bins_.triangles(), places_in(i, nearest_first), tallies[i]);
+        tile.draw_tallied(bins_.triangles(), entries_in(i, front_to_back), tallies[i]);
         tile.resolve(frame);
     });
     for (std::size_t i = 0; i < tallies.size(); ++i) {
@@ -109,7 +109,7 @@ Work Pipeline::count_work(const Scene& scene, const View& view, const std::vecto
         work.tally.hidden_blocks += tallies[i].hidden_blocks;
         work.tally.fragments += tallies[i].fragments;
         work.tally.written += tallies[i].written;
-        work.places += bins_.places_in(i).size();
+        work.entries += bins_.entries_in(i).size();
     }
     for (const PrimitiveId id : frame.primitive.pixels()) work.seen += id != PrimitiveId::none ? 1 : 0;
     return work;
@@ -118,16 +118,16 @@ Work Pipeline::count_work(const Scene& scene, const View& view, const std::vecto
 namespace {
 
 /// Where the fragments of one tile are shaded.
-struct Stage {
+struct TileShading {
     const Shader& shader;
     Picture& picture;
     std::uint64_t shaded = 0;
 
-    static void shade(void* stage, PrimitiveId id, int x, int y, Fate fate) {
-        Stage& self = *static_cast<Stage*>(stage);
+    static void shade(void* context, PrimitiveId id, int x, int y, DepthTestResult result) {
+        TileShading& self = *static_cast<TileShading*>(context);
         const LinearRgb colour = self.shader.colour_at(x, y, id);
         ++self.shaded;
-        if (fate == Fate::kept) self.picture.at(x, y) = colour;
+        if (result == DepthTestResult::kept) self.picture.at(x, y) = colour;
     }
 };
 
@@ -141,10 +141,10 @@ ShadedFrame Pipeline::render_shaded(const Scene& scene, const View& view, const 
     ShadedFrame frame{Picture(setup.size), 0};
     std::vector<std::uint64_t> shaded(bins_.tiles().count());
     for_each_tile([&](std::size_t i) {
-        Stage stage{shader, frame.picture};
+        TileShading context{shader, frame.picture};
         Tile tile(kernel_, bins_.tiles().pixels(i, setup.size), setup);
-        tile.draw_shaded(bins_.triangles(), {bins_.places_in(i)}, {Stage::shade, &stage, time});
-        shaded[i] = stage.shaded;
+        tile.draw_shaded(bins_.triangles(), {bins_.entries_in(i)}, {TileShading::shade, &context, time});
+        shaded[i] = context.shaded;
     });
     for (const std::uint64_t count : shaded) frame.shaded += count;
     return frame;

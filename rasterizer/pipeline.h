@@ -8,7 +8,7 @@
 #include "frame/picture.h"
 #include "rasterizer/dispatch.h"
 #include "rasterizer/draw_list.h"
-#include "rasterizer/nearest_first.h"
+#include "rasterizer/front_to_back.h"
 #include "rasterizer/rules.h"
 #include "rasterizer/tile_bins.h"
 #include "rasterizer/view_setup.h"
@@ -22,7 +22,7 @@ namespace zproof::rasterizer {
 struct Work {
     std::uint64_t vertices = 0;  ///< transformed
     BinTally bins;
-    std::uint64_t places = 0;            ///< in tiles: a triangle counts in each tile that it may reach
+    std::uint64_t entries = 0;           ///< in tiles: a triangle counts in each tile that it may reach
     std::uint64_t chunks_culled = 0;     ///< left out by their boxes
     std::uint64_t pixels = 0, seen = 0;  ///< of the image; that show a triangle
     Tally tally;
@@ -42,8 +42,9 @@ struct ShadedFrame {
 /// frame.
 class Pipeline {
   public:
-    explicit Pipeline(const Rules& rules, const Kernel& kernel = widest_kernel(), const Tricks& tricks = {})
-        : rules_(rules), kernel_(kernel), tricks_(tricks), projected_(kernel), bins_(kernel) {}
+    explicit Pipeline(const Rules& rules, const Kernel& kernel = widest_kernel(),
+                      const Optimizations& optimizations = {})
+        : rules_(rules), kernel_(kernel), optimizations_(optimizations), projected_(kernel), bins_(kernel) {}
 
     /// Valid until the next call. `chunks` are chunks_of(scene): needed where need_chunks() says so, else
     /// unread.
@@ -66,15 +67,15 @@ class Pipeline {
     void for_each_tile(const Visit& visit) const;
     ViewSetup prepare(const Scene& scene, const View& view, const std::vector<Chunk>& chunks);
     bool put_in_order(const ViewSetup& setup);
-    TilePlaces places_in(std::size_t tile, bool nearest_first);
+    TileEntries entries_in(std::size_t tile, bool front_to_back);
 
     Rules rules_;
     Kernel kernel_;
-    Tricks tricks_;
-    DrawList list_;  ///< of the last prepare(), where tricks need chunks
+    Optimizations optimizations_;
+    DrawList list_;  ///< of the last prepare(), where the optimizations need chunks
     ProjectedVertices projected_;
     TileBins bins_;
-    NearestFirst nearest_first_;
+    FrontToBack front_to_back_;
     Frame frame_;
 };
 

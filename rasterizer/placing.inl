@@ -16,14 +16,14 @@ PlacedLanes place(const ViewSetup& setup, const CornerLanes& corners) noexcept {
     for (int i = 0; i < CornerLanes::count; ++i) {
         const double doubled_area = double(b[i].x - a[i].x) * double(c[i].y - a[i].y) -
                                     double(b[i].y - a[i].y) * double(c[i].x - a[i].x);
-        const std::int32_t left = lesser(lesser(a[i].x, b[i].x), c[i].x);
-        const std::int32_t right = greater_of(greater_of(a[i].x, b[i].x), c[i].x);
-        const std::int32_t top = lesser(lesser(a[i].y, b[i].y), c[i].y);
-        const std::int32_t bottom = greater_of(greater_of(a[i].y, b[i].y), c[i].y);
-        const std::int32_t x0 = greater_of(0, grid.first_pixel_from(left));
-        const std::int32_t y0 = greater_of(0, grid.first_pixel_from(top));
-        const std::int32_t x1 = lesser(width - 1, grid.last_pixel_until(right));
-        const std::int32_t y1 = lesser(height - 1, grid.last_pixel_until(bottom));
+        const std::int32_t left = min(min(a[i].x, b[i].x), c[i].x);
+        const std::int32_t right = max(max(a[i].x, b[i].x), c[i].x);
+        const std::int32_t top = min(min(a[i].y, b[i].y), c[i].y);
+        const std::int32_t bottom = max(max(a[i].y, b[i].y), c[i].y);
+        const std::int32_t x0 = max(0, grid.first_pixel_from(left));
+        const std::int32_t y0 = max(0, grid.first_pixel_from(top));
+        const std::int32_t x1 = min(width - 1, grid.last_pixel_until(right));
+        const std::int32_t y1 = min(height - 1, grid.last_pixel_until(bottom));
         const std::int32_t may_cover = (doubled_area != 0) & (x0 <= x1) & (y0 <= y1);
         const std::int32_t faces_away = may_cover & only_front & (doubled_area > 0);
         const bool is_drawn = may_cover & ~faces_away;
@@ -35,7 +35,7 @@ PlacedLanes place(const ViewSetup& setup, const CornerLanes& corners) noexcept {
         placed.faces_away[i] = faces_away;
         const std::int32_t box_px = is_drawn ? (x1 - x0 + 1) * (y1 - y0 + 1) : 0;  // at most 2^30
         const double area_px = px_per_doubled_area * (doubled_area < 0 ? -doubled_area : doubled_area);
-        cover_px[i] = std::int32_t(lesser(area_px, double(box_px)));
+        cover_px[i] = std::int32_t(min(area_px, double(box_px)));
     }
     for (int i = 0; i < CornerLanes::count; ++i)
         differ |= (placed.column0[i] ^ placed.column1[i]) | (placed.row0[i] ^ placed.row1[i]) |

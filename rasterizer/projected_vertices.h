@@ -23,7 +23,7 @@ class ProjectedVertices {
     void fill(const Vertices& vertices, const ViewSetup& setup);
 
     /// The same for some vertices; what is known of the others means nothing.
-    void fill(const Vertices& vertices, const ViewSetup& setup, std::span<const Range> ranges);
+    void fill(const Vertices& vertices, const ViewSetup& setup, std::span<const IndexRange> ranges);
 
     /// Meaningful where the outcode has no needs_clip and no not_finite bit.
     const Bulk<SnappedVertex>& snapped() const { return snapped_; }

@@ -51,7 +51,7 @@ glm::dmat4 perspective(const Camera& camera) {
     return clip;
 }
 
-/// A point of camera depth -z is seen at x_screen = x + shear.x z: the line of sight through it meets the
+/// A point of camera depth -z is seen at x_screen = x + shear.x z: the view ray through it meets the
 /// plane through the eye there.
 glm::dmat4 parallel(const Camera& camera) {
     const auto [l, r, b, t] = camera.window;

@@ -6,13 +6,13 @@ namespace zproof::rasterizer {
 
 Precision precision() {
     return RasterPrecision{.transform = Arithmetic::float64,
-                           .subpixel_bits = lawful_rules.subpixel_bits,
+                           .subpixel_bits = correct_rules.subpixel_bits,
                            .snap = Snap::nearest,
                            .interpolation = Arithmetic::float64,
                            .depth_roundings = 2};
 }
 
-Renderer::Renderer() : pipeline_(std::make_unique<Pipeline>(lawful_rules)) {}
+Renderer::Renderer() : pipeline_(std::make_unique<Pipeline>(correct_rules)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -21,6 +21,6 @@ const Frame& Renderer::render(const Scene& scene, const View& view) { return pip
 
 std::string instruction_set() { return widest_kernel().name; }
 
-Frame render(const Scene& scene, const View& view) { return render_by(lawful_rules, scene, view); }
+Frame render(const Scene& scene, const View& view) { return render_by(correct_rules, scene, view); }
 
 }  // namespace zproof::rasterizer

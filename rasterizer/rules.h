@@ -1,6 +1,6 @@
 /// The rules of rasterization, as data of the pipeline.
 ///
-/// The library draws by `lawful_rules` and by nothing else: render() of rasterizer.h takes no rules. Other
+/// The library draws by `correct_rules` and by nothing else: render() of rasterizer.h takes no rules. Other
 /// rules exist so that tests can plant a known defect (tests/support/planted_rules.h) through render_by() of
 /// pipeline.h and see the judge find it. A rule is read while a view, a vertex or an edge is set up, never
 /// per pixel.
@@ -47,6 +47,6 @@ struct Rules {
     RasterY raster_y = RasterY::down;
 };
 
-inline constexpr Rules lawful_rules{};
+inline constexpr Rules correct_rules{};
 
 }  // namespace zproof::rasterizer

@@ -58,7 +58,7 @@ glm::dvec3 shading_normal_world(const Point& point) {
 }
 
 /// Unit, turned to the viewer; zero where the triangle has no area.
-glm::dvec3 normal_to_viewer_world(const Point& point, const SightLine& line) {
+glm::dvec3 normal_to_viewer_world(const Point& point, const PixelRay& line) {
     const glm::dvec3 normal = shading_normal_world(point);
     const double length = glm::length(normal);
     if (length == 0) return glm::dvec3{0};
@@ -88,7 +88,7 @@ LinearRgb Shader::colour_at(int x, int y, PrimitiveId primitive) const {
     const auto from_eye = [&](std::uint32_t vertex) {
         return glm::dvec3{scene_.vertices.position_world[vertex]} - glm::dvec3{view_.camera.eye_world};
     };
-    const SightLine line = sight_line(view_, x + 0.5, y + 0.5);
+    const PixelRay line = pixel_ray(view_, x + 0.5, y + 0.5);
     const Point point{scene_, corners, material_of(scene_, id),
                       barycentrics(line, {from_eye(corners.x), from_eye(corners.y), from_eye(corners.z)})};
     const double facing = std::max(0.0, glm::dot(normal_to_viewer_world(point, line), toward_light_world_));

@@ -13,7 +13,7 @@ struct SmallEdges {
 struct SmallTriangles {
     static constexpr int pixels = small_side * small_side;
 
-    alignas(64) float seen[pixels][batch_size];          ///< nearness; means nothing where not covered
+    alignas(64) float seen[pixels][batch_size];          ///< inverse depth; means nothing where not covered
     alignas(64) std::int32_t place[pixels][batch_size];  ///< in the tile (place_in_tile); likewise
     std::uint8_t
         fragment[pixels * batch_size + 16];  ///< indices of what is covered, one triangle's after another's
@@ -65,11 +65,11 @@ void SmallTriangles::find_places(const Batch& batch) {
     }
 }
 
-/// The first columns and rows of all boxes; the same operations as in NearnessPlane (nearness.inl), on the
-/// same whole numbers.
+/// The first columns and rows of all boxes; the same operations as in InverseDepthPlane (inverse depth.inl),
+/// on the same whole numbers.
 void SmallTriangles::cover_pixels(const Batch& batch, int columns, int rows) {
     const Doubles weight[] = {load(batch.weight[0]), load(batch.weight[1]), load(batch.weight[2])};
-    Ints covered = all(0), of_row[] = {load(edges_[0].e), load(edges_[1].e), load(edges_[2].e)};
+    Ints covered = splat(0), of_row[] = {load(edges_[0].e), load(edges_[1].e), load(edges_[2].e)};
     for (int row = 0; row < rows; ++row) {
         Ints e[] = {of_row[0], of_row[1], of_row[2]};
         for (int column = 0; column < columns; ++column) {
@@ -102,8 +102,8 @@ void SmallTriangles::cover(const Batch& batch, const TileSamples& tile) {
     for (int i = 0; i < batch_size; ++i) {
         const std::int32_t last_column = (batch.column1[i] - batch.column0[i]) & batch.is_small[i];
         const std::int32_t last_row = (batch.row1[i] - batch.row0[i]) & batch.is_small[i];
-        columns = greater_of(columns, last_column);
-        rows = greater_of(rows, last_row);
+        columns = max(columns, last_column);
+        rows = max(rows, last_row);
         const std::int32_t in_rows = 0xFFFF >> (12 - 4 * (last_row & 3));
         const std::int32_t in_columns = (0xF >> (3 - (last_column & 3))) * 0x1111;
         const std::int32_t is_met = ((last_column >= 0) & (last_row >= 0)) ? ~0 : 0;

@@ -2,7 +2,7 @@
 
 namespace zproof::rasterizer {
 
-SightLine sight_line(const View& view, double x_raster, double y_raster) {
+PixelRay pixel_ray(const View& view, double x_raster, double y_raster) {
     const Camera& c = view.camera;
     const double u = c.window.left + (c.window.right - c.window.left) * x_raster / view.width;
     const double v = c.window.top - (c.window.top - c.window.bottom) * y_raster / view.height;
@@ -11,16 +11,16 @@ SightLine sight_line(const View& view, double x_raster, double y_raster) {
     return {.from = across, .to = c.shear.x * c.right + c.shear.y * c.up - c.back};
 }
 
-SightLines sight_lines(const View& view) {
+PixelRays pixel_rays(const View& view) {
     const Camera& c = view.camera;
     const glm::dvec3 per_x = (c.window.right - c.window.left) / view.width * c.right;
     const glm::dvec3 per_y = (c.window.bottom - c.window.top) / view.height * c.up;
-    const SightLine origin = sight_line(view, 0, 0);
+    const PixelRay origin = pixel_ray(view, 0, 0);
     if (c.projection == Projection::perspective) return {origin, {.to = per_x}, {.to = per_y}};
     return {origin, {.from = per_x}, {.from = per_y}};
 }
 
-Barycentrics barycentrics(const SightLine& line, const std::array<glm::dvec3, 3>& corners_from_eye) {
+Barycentrics barycentrics(const PixelRay& line, const std::array<glm::dvec3, 3>& corners_from_eye) {
     const auto& [a, b, c] = corners_from_eye;
     const auto weight = [&](const glm::dvec3& p, const glm::dvec3& q) {
         return glm::dot(glm::cross(p - line.from, q - line.from), line.to);

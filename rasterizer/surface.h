@@ -9,24 +9,24 @@
 
 namespace zproof::rasterizer {
 
-/// The line of sight through a raster position, relative to the eye, world axes: from + t to.
-struct SightLine {
+/// The view ray through a raster position, relative to the eye, world axes: from + t to.
+struct PixelRay {
     glm::dvec3 from{0}, to{0};
 };
 
-SightLine sight_line(const View& view, double x_raster, double y_raster);
+PixelRay pixel_ray(const View& view, double x_raster, double y_raster);
 
-/// Every line of sight of a view: both parts at raster (0, 0), and what a pixel's step adds to them.
-struct SightLines {
-    SightLine origin, per_x, per_y;
+/// Every view ray of a view: both parts at raster (0, 0), and what a pixel's step adds to them.
+struct PixelRays {
+    PixelRay origin, per_x, per_y;
 };
 
-SightLines sight_lines(const View& view);
+PixelRays pixel_rays(const View& view);
 
 /// Perspective-correct barycentrics of the point where the line meets the triangle's plane; they add up to 1.
 /// A third each where the triangle is seen edge-on.
 using Barycentrics = std::array<double, 3>;
-Barycentrics barycentrics(const SightLine& line, const std::array<glm::dvec3, 3>& corners_from_eye);
+Barycentrics barycentrics(const PixelRay& line, const std::array<glm::dvec3, 3>& corners_from_eye);
 
 /// Weighted by barycentrics.
 template <class Value>

@@ -35,7 +35,7 @@ std::optional<std::array<TexturedCorner, 3>> textured_corners(const Scene& scene
 
 /// The weight of the corner opposite to p and q, dot(cross(p - from, q - from), to), as a functional of the
 /// raster position. One of from and to is the same for all positions, so it is affine.
-Affine<double> opposite_weight(const SightLines& lines, Projection projection, const glm::dvec3& p,
+Affine<double> opposite_weight(const PixelRays& lines, Projection projection, const glm::dvec3& p,
                                const glm::dvec3& q) {
     if (projection == Projection::perspective) {
         const glm::dvec3 n = glm::cross(p, q);
@@ -124,7 +124,7 @@ std::optional<Homography<double>> texels_from_raster(const Scene& scene, const V
     const auto corners = textured_corners(scene, view, triangle);
     if (!corners) return {};
     const glm::dvec3 a = (*corners)[0].from_eye, b = (*corners)[1].from_eye, c = (*corners)[2].from_eye;
-    const SightLines lines = sight_lines(view);
+    const PixelRays lines = pixel_rays(view);
     const Projection projection = view.camera.projection;
     const Homography<double> map =
         weighted({opposite_weight(lines, projection, b, c), opposite_weight(lines, projection, c, a),

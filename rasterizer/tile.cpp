@@ -33,21 +33,21 @@ void Tile::close_beyond_image() noexcept {
     if (samples_.columns == tile_size && samples_.rows == tile_size) return;
     for (int y = 0; y < tile_size; ++y)
         for (int x = y < samples_.rows ? samples_.columns : 0; x < tile_size; ++x)
-            values_.nearness[place_in_tile(x, y)] = std::numeric_limits<float>::infinity();
-    std::ranges::fill(values_.farthest_in_cell, std::numeric_limits<float>::infinity());
+            values_.inverse_depth[place_in_tile(x, y)] = std::numeric_limits<float>::infinity();
+    std::ranges::fill(values_.hiz_of_cell, std::numeric_limits<float>::infinity());
     for (int block = 0; block < TilePixels::blocks; ++block) {
-        const float* const first = values_.nearness + std::ptrdiff_t{16} * block;
-        const float farthest = *std::min_element(first, first + 16);
+        const float* const first = values_.inverse_depth + std::ptrdiff_t{16} * block;
+        const float hiz = *std::min_element(first, first + 16);
         const int cell = block / blocks_in_row / 4 * 4 + block % blocks_in_row / 4;
-        values_.farthest[block] = farthest;
-        values_.farthest_in_cell[cell] = std::min(values_.farthest_in_cell[cell], farthest);
+        values_.hiz[block] = hiz;
+        values_.hiz_of_cell[cell] = std::min(values_.hiz_of_cell[cell], hiz);
     }
 }
 
-TileWork Tile::work(const Triangles& triangles, const TilePlaces& drawn) noexcept {
+TileWork Tile::work(const Triangles& triangles, const TileEntries& drawn) noexcept {
     return {.triangles = triangles,
-            .places = drawn.places.data(),
-            .count = std::uint32_t(drawn.places.size()),
+            .entries = drawn.entries.data(),
+            .count = std::uint32_t(drawn.entries.size()),
             .samples = samples_,
             .pixels = values_,
             .hierarchical_z = hierarchical_z_,
@@ -55,19 +55,19 @@ TileWork Tile::work(const Triangles& triangles, const TilePlaces& drawn) noexcep
             .nearest_left = drawn.nearest_left};
 }
 
-void Tile::draw(const Triangles& triangles, const TilePlaces& drawn) noexcept {
+void Tile::draw(const Triangles& triangles, const TileEntries& drawn) noexcept {
     if (drawn.nearest_left != nullptr) close_beyond_image();
     const auto draw = hierarchical_z_ == HierarchicalZ::blocks ? kernel_.draw : kernel_.draw_every_block;
     draw(work(triangles, drawn));
 }
 
-void Tile::draw_tallied(const Triangles& triangles, const TilePlaces& drawn, Tally& tally) noexcept {
+void Tile::draw_tallied(const Triangles& triangles, const TileEntries& drawn, Tally& tally) noexcept {
     TileWork counted = work(triangles, drawn);
     counted.tally = &tally;
     kernel_.draw_tallied(counted);
 }
 
-void Tile::draw_shaded(const Triangles& triangles, const TilePlaces& drawn, const FragmentShader& shader) {
+void Tile::draw_shaded(const Triangles& triangles, const TileEntries& drawn, const FragmentShader& shader) {
     TileWork shaded = work(triangles, drawn);
     shaded.shader = &shader;
     kernel_.draw_shaded(shaded);
@@ -89,8 +89,8 @@ TileCount::TileCount(const Kernel& kernel, const PixelRect& pixels, const ViewSe
     kernel_.clear(values_, 0);
 }
 
-void TileCount::add(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept {
-    kernel_.count({triangles, places.data(), std::uint32_t(places.size()), samples_, values_});
+void TileCount::add(const Triangles& triangles, std::span<const std::uint32_t> entries) noexcept {
+    kernel_.count({triangles, entries.data(), std::uint32_t(entries.size()), samples_, values_});
 }
 
 void TileCount::resolve(Plane<std::uint32_t>& fragments) const noexcept {

@@ -13,8 +13,8 @@
 namespace zproof::rasterizer {
 
 /// Triangles that may cover samples of a tile, in the order of drawing.
-struct TilePlaces {
-    std::span<const std::uint32_t> places{};
+struct TileEntries {
+    std::span<const std::uint32_t> entries{};
     Ties ties = Ties::first_to_come;
     /// Where it is known: of the i-th `batch_size` and of all that follow, no pixel is nearer than the i-th.
     const float* nearest_left = nullptr;
@@ -26,11 +26,11 @@ class Tile {
     /// pixels: at most tile_size wide and high.
     Tile(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup) noexcept;
 
-    void draw(const Triangles& triangles, const TilePlaces& drawn) noexcept;
+    void draw(const Triangles& triangles, const TileEntries& drawn) noexcept;
     /// The same, and adds to the tally.
-    void draw_tallied(const Triangles& triangles, const TilePlaces& drawn, Tally& tally) noexcept;
+    void draw_tallied(const Triangles& triangles, const TileEntries& drawn, Tally& tally) noexcept;
     /// The same, and hands every fragment to the shader.
-    void draw_shaded(const Triangles& triangles, const TilePlaces& drawn, const FragmentShader& shader);
+    void draw_shaded(const Triangles& triangles, const TileEntries& drawn, const FragmentShader& shader);
 
     /// Writes ids and camera depths of this tile's pixels. Another thread may look when the kernel has
     /// published them.
@@ -40,7 +40,7 @@ class Tile {
     const Kernel& kernel_;
     PixelRect pixels_;
     DepthFunctional depth_;
-    TileWork work(const Triangles& triangles, const TilePlaces& drawn) noexcept;
+    TileWork work(const Triangles& triangles, const TileEntries& drawn) noexcept;
     void close_beyond_image() noexcept;
 
     TileSamples samples_;
@@ -53,7 +53,7 @@ class TileCount {
   public:
     TileCount(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup) noexcept;
 
-    void add(const Triangles& triangles, std::span<const std::uint32_t> places) noexcept;
+    void add(const Triangles& triangles, std::span<const std::uint32_t> entries) noexcept;
     void resolve(Plane<std::uint32_t>& fragments) const noexcept;
 
   private:

@@ -13,8 +13,8 @@ namespace {
 /// small beside the image itself.
 std::size_t run_length(std::size_t triangles) { return std::max<std::size_t>(2048, (triangles + 63) / 64); }
 
-/// Places of most ranges: small triangles lie in one tile, but for some.
-std::size_t room_for(const Range& range) {
+/// Entries of most ranges: small triangles lie in one tile, but for some.
+std::size_t room_for(const IndexRange& range) {
     const std::size_t triangles = range.end - range.begin;
     return triangles + triangles / 3;
 }
@@ -33,7 +33,7 @@ void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, cons
 }
 
 void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup,
-                    std::span<const Range> ranges) {
+                    std::span<const IndexRange> ranges) {
     size_ = setup.size;
     tiles_ = TileGrid(size_);
     used_ = ranges.size();
@@ -47,13 +47,13 @@ void TileBins::fill(const Scene& scene, const ProjectedVertices& projected, cons
     triangles_ = {projected.snapped().data(), scene.triangles.data(), pieces_.data(),
                   std::uint32_t(scene.triangles.size())};
     tbb::parallel_for(std::size_t{0}, used_,
-                      [&](std::size_t r) { runs_[r].write(first_, places_, pieces_); });
+                      [&](std::size_t r) { runs_[r].write(first_, entries_, pieces_); });
 }
 
 /// All of it in one array, which stands in huge pages where it is large.
-void TileBins::lend_to_runs(std::span<const Range> ranges) {
+void TileBins::lend_to_runs(std::span<const IndexRange> ranges) {
     std::size_t room = 0;
-    for (const Range& range : ranges) room += room_for(range);
+    for (const IndexRange& range : ranges) room += room_for(range);
     lent_.resize(room);
     std::span<std::uint32_t> left = lent_;
     for (std::size_t r = 0; r < ranges.size(); ++r) {
@@ -65,17 +65,17 @@ void TileBins::lend_to_runs(std::span<const Range> ranges) {
 
 /// By tile, and within a tile by run.
 void TileBins::lay_out() {
-    std::size_t places = 0, pieces = 0;
+    std::size_t entries = 0, pieces = 0;
     first_.resize(tiles_.count() + 1);
     for (std::size_t tile = 0; tile < tiles_.count(); ++tile) {
-        first_[tile] = places;
+        first_[tile] = entries;
         std::uint32_t in_tile = 0;
         for (std::size_t r = 0; r < used_; ++r) in_tile += std::exchange(runs_[r].next()[tile], in_tile);
-        places += in_tile;
+        entries += in_tile;
     }
-    first_.back() = places;
+    first_.back() = entries;
     for (std::size_t r = 0; r < used_; ++r) pieces += runs_[r].put_pieces_at(pieces);
-    places_.resize(places);
+    entries_.resize(entries);
     pieces_.resize(pieces);
 }
 
@@ -83,7 +83,7 @@ BinTally TileBins::tally() const {
     BinTally sum;
     for (std::size_t r = 0; r < used_; ++r) sum += runs_[r].tally();
     for (std::size_t tile = 0; tile < tiles_.count(); ++tile)
-        if (!places_in(tile).empty()) sum.reached_px += tiles_.pixels(tile, size_).count();
+        if (!entries_in(tile).empty()) sum.reached_px += tiles_.pixels(tile, size_).count();
     return sum;
 }
 

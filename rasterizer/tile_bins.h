@@ -27,32 +27,32 @@ class TileBins {
 
     /// The same for some triangles, drawn in the order of the ranges.
     void fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup,
-              std::span<const Range> ranges);
+              std::span<const IndexRange> ranges);
 
     /// Valid while what the bins were filled from is.
     const Triangles& triangles() const { return triangles_; }
     /// Of the triangles that may cover samples of a tile, in the order of drawing.
-    std::span<const std::uint32_t> places_in(std::size_t tile) const {
-        return std::span(places_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
+    std::span<const std::uint32_t> entries_in(std::size_t tile) const {
+        return std::span(entries_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
     }
     std::span<const SnappedPiece> pieces() const { return pieces_; }
     const TileGrid& tiles() const { return tiles_; }
     BinTally tally() const;
 
   private:
-    void lend_to_runs(std::span<const Range> ranges);
+    void lend_to_runs(std::span<const IndexRange> ranges);
     void lay_out();
 
     Kernel kernel_;
     Resolution size_;
     TileGrid tiles_;
     Triangles triangles_;
-    std::vector<Range> ranges_;
+    std::vector<IndexRange> ranges_;
     std::vector<BinnedRun> runs_;  ///< those in use first
     std::size_t used_ = 0;
     Bulk<std::uint32_t> lent_;  ///< to runs
     std::vector<SnappedPiece> pieces_;
-    Bulk<std::uint32_t> places_;
+    Bulk<std::uint32_t> entries_;
     std::vector<std::size_t> first_;  ///< of places_: each tile's, and their end
 };
 

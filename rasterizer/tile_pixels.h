@@ -10,16 +10,16 @@ inline constexpr int tile_size = 64;  ///< pixels; a tile's depths and ids are 3
 
 inline constexpr int blocks_in_row = tile_size / 4;
 
-/// The nearness of a pixel that nothing was drawn into.
+/// The inverse depth of a pixel that nothing was drawn into.
 inline constexpr float nothing_seen = -std::numeric_limits<float>::infinity();
 
 /// One tile's pixels in blocks of 4 x 4, a cache line each, row by row; and in cells of 4 x 4 blocks. A
 /// block, or cell, none of whose pixels holds less than `farthest` is not drawn by what cannot pass.
 struct TilePixels {
     static constexpr int cells = 16, blocks = tile_size * tile_size / 16;
-    alignas(64) float nearness[blocks * 16];
+    alignas(64) float inverse_depth[blocks * 16];
     alignas(64) std::uint32_t primitive[blocks * 16];  ///< ids; of a count, how many fragments
-    alignas(64) float farthest[blocks], farthest_in_cell[cells];
+    alignas(64) float hiz[blocks], hiz_of_cell[cells];
 };
 
 /// Where pixel (x, y) of the tile is.

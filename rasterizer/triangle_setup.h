@@ -18,14 +18,14 @@ using Corners = std::array<SnappedPoint, 3>;
 std::array<EdgeFunction, 3> edges_of(const Corners& corners, FillRule rule) noexcept;
 
 /// What is left of a triangle, by the outcodes of its vertices (clip.h).
-enum class Remains { nothing, whole, cut };
+enum class ClipOutcome { nothing, whole, cut };
 
 /// Nothing, too, of a triangle with a vertex that is not finite.
-inline Remains remains_of(const glm::uvec3& corners, const std::uint8_t* outcodes) noexcept {
+inline ClipOutcome clip_outcome(const glm::uvec3& corners, const std::uint8_t* outcodes) noexcept {
     const int a = outcodes[corners.x], b = outcodes[corners.y], c = outcodes[corners.z];
-    if ((a | b | c) == 0) return Remains::whole;
-    if ((a | b | c) & outcode::not_finite || (a & b & c & outcode::invisible)) return Remains::nothing;
-    return (a | b | c) & outcode::needs_clip ? Remains::cut : Remains::whole;
+    if ((a | b | c) == 0) return ClipOutcome::whole;
+    if ((a | b | c) & outcode::not_finite || (a & b & c & outcode::invisible)) return ClipOutcome::nothing;
+    return (a | b | c) & outcode::needs_clip ? ClipOutcome::cut : ClipOutcome::whole;
 }
 
 /// Appends the fan of what clipping leaves of one triangle of the scene. All pieces carry the triangle's id.

@@ -12,7 +12,7 @@ namespace zproof::rasterizer {
 /// A vertex after divide, viewport and snap.
 struct SnappedVertex {
     SnappedPoint p;
-    double nearness = 0;  ///< of the vertex before it was snapped (DepthFunctional)
+    double inverse_depth = 0;  ///< of the vertex before it was snapped (DepthFunctional)
 };
 
 /// What clipping left of a triangle, or a part of that.
@@ -21,8 +21,8 @@ struct SnappedPiece {
     PrimitiveId id = PrimitiveId::none;
 };
 
-/// The triangles of a frame by place: triangle `place` of the scene where place < length, else piece
-/// place - length.
+/// The triangles of a frame by entry: triangle `place` of the scene where entry < length, else piece
+/// entry - length.
 struct Triangles {
     const SnappedVertex* vertices = nullptr;
     const glm::uvec3* corners = nullptr;
@@ -30,7 +30,7 @@ struct Triangles {
     std::uint32_t length = 0;
 };
 
-/// Set in a place: the triangle is counter-clockwise on the screen (y down), so its last two vertices change
+/// Set in an entry: the triangle is counter-clockwise on the screen (y down), so its last two vertices change
 /// places.
 inline constexpr std::uint32_t turned = 0x8000'0000;
 

@@ -7,7 +7,7 @@ struct VertexLanes {
     alignas(64) double x_clip[vertex_lanes], y_clip[vertex_lanes], w[vertex_lanes], depth[vertex_lanes];
     alignas(64) std::int32_t code[vertex_lanes], in_guard_band[vertex_lanes];
     alignas(64) std::int32_t x[vertex_lanes], y[vertex_lanes];
-    alignas(64) double nearness[vertex_lanes];
+    alignas(64) double inverse_depth[vertex_lanes];
 
     void load(const glm::vec3* position_world);
     void transform(const ClipTransform& clip_from_world);
@@ -45,16 +45,16 @@ void VertexLanes::find_outcodes(const ClipVolume& of_view) {
 void VertexLanes::land(const ViewSetup& of_view) {
     const ViewSetup setup = of_view;
     for (int i = 0; i < vertex_lanes; ++i) {
-        const ViewSetup::Landed landed = setup.land(clip_vertex(i));
-        in_guard_band[i] = landed.in_guard_band;
-        x[i] = landed.vertex.p.x;
-        y[i] = landed.vertex.p.y;
-        nearness[i] = landed.vertex.nearness;
+        const ViewSetup::GuardedVertex guarded = setup.land(clip_vertex(i));
+        in_guard_band[i] = guarded.in_guard_band;
+        x[i] = guarded.vertex.p.x;
+        y[i] = guarded.vertex.p.y;
+        inverse_depth[i] = guarded.vertex.inverse_depth;
     }
 }
 
 void VertexLanes::store(SnappedVertex* snapped, std::uint8_t* to_outcode) const {
-    put_one_by_one(x, y, nearness, snapped);
+    put_one_by_one(x, y, inverse_depth, snapped);
     for (int i = 0; i < vertex_lanes; ++i) {
         const bool is_lost = ((code[i] & outcode::needs_clip) == 0) & (in_guard_band[i] == 0);
         to_outcode[i] = std::uint8_t(is_lost ? outcode::not_finite : code[i]);

@@ -37,7 +37,7 @@ SubpixelGrid grid_of(const Rules& rules) {
 
 }  // namespace
 
-ViewSetup::ViewSetup(const View& view, const Rules& rules, const Tricks& tricks)
+ViewSetup::ViewSetup(const View& view, const Rules& rules, const Optimizations& optimizations)
     : size{view.width, view.height},
       clip_from_world(view.camera),
       guard_px(guard_band_px(rules.subpixel_bits)),
@@ -46,12 +46,12 @@ ViewSetup::ViewSetup(const View& view, const Rules& rules, const Tricks& tricks)
       depth(depth_functional(view.camera.projection, rules)),
       fill(rules.fill),
       raster_y(rules.raster_y),
-      facing(tricks.facing),
-      hierarchical_z(tricks.hierarchical_z) {}
+      facing(optimizations.facing),
+      hierarchical_z(optimizations.hierarchical_z) {}
 
 std::optional<SnappedVertex> ViewSetup::snap(const ClipVertex& v) const noexcept {
-    const Landed landed = land(v);
-    return landed.in_guard_band ? std::optional{landed.vertex} : std::nullopt;
+    const GuardedVertex guarded = land(v);
+    return guarded.in_guard_band ? std::optional{guarded.vertex} : std::nullopt;
 }
 
 }  // namespace zproof::rasterizer

@@ -7,11 +7,11 @@
 #include "frame/plane.h"
 #include "rasterizer/clip.h"
 #include "rasterizer/depth_functional.h"
+#include "rasterizer/optimizations.h"
 #include "rasterizer/projection.h"
 #include "rasterizer/rules.h"
 #include "rasterizer/snap.h"
 #include "rasterizer/triangles.h"
-#include "rasterizer/tricks.h"
 #include "scenes/view.h"
 
 namespace zproof::rasterizer {
@@ -28,18 +28,18 @@ struct ViewSetup {
     Facing facing = Facing::both;
     HierarchicalZ hierarchical_z = HierarchicalZ::blocks;
 
-    ViewSetup(const View& view, const Rules& rules, const Tricks& tricks = {});
+    ViewSetup(const View& view, const Rules& rules, const Optimizations& optimizations = {});
 
     /// Divide by w > 0, viewport, snap. Nothing where the result leaves the guard band, which takes rounding
     /// gone astray (subnormal depths), or NaN: no such number is ever converted to an integer.
     std::optional<SnappedVertex> snap(const ClipVertex& v) const noexcept;
 
-    struct Landed {
+    struct GuardedVertex {
         SnappedVertex vertex;            ///< meaningful in the guard band
         std::int32_t in_guard_band = 0;  ///< 1 or 0
     };
     /// The same for kernels. Rounding may put a vertex of the guard band's border a hair outside.
-    [[gnu::always_inline]] Landed land(const ClipVertex& v) const noexcept {
+    [[gnu::always_inline]] GuardedVertex land(const ClipVertex& v) const noexcept {
         const double x_ndc = v.x / v.w;
         const double y_ndc = v.y / v.w;
         const double x_raster = (x_ndc + 1) * (0.5 * size.width);

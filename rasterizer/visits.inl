@@ -24,10 +24,10 @@ struct Fragment {
 /// Depth test of one pixel.
 template <Ties ties>
 bool draw_pixel(TilePixels& pixels, int place, float seen, std::uint32_t id) {
-    const float before = pixels.nearness[place];
+    const float before = pixels.inverse_depth[place];
     const bool wins_tie = ties == Ties::least_id && seen == before && id < pixels.primitive[place];
     if (!(seen > before) && !wins_tie) return false;
-    pixels.nearness[place] = seen;
+    pixels.inverse_depth[place] = seen;
     pixels.primitive[place] = id;
     return true;
 }
@@ -55,7 +55,7 @@ struct Draw {
     void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& covered) const {
         draw_block<ties>(pixels, block, seen, covered);
     }
-    void drawn(TilePixels& pixels, int place, unsigned blocks) const { note_farthest(pixels, place, blocks); }
+    void drawn(TilePixels& pixels, int place, unsigned blocks) const { update_hiz(pixels, place, blocks); }
     void small_triangles(const Batch& batch, const SmallTriangles& small, int from, int to,
                          TilePixels& pixels) const {
         draw_small<ties>(batch, small, from, to, pixels);
@@ -107,14 +107,14 @@ struct DrawTallied {
     }
     template <class Covered>
     void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& is_covered) const {
-        const Won won = draw_block<ties>(pixels, block, seen, is_covered);
+        const PassedPixels won = draw_block<ties>(pixels, block, seen, is_covered);
         const unsigned image = within_image(tile, block);
         tally.blocks += 1;
         tally.fragments += count_of(won.covered & image);
         tally.written += count_of(won.nearer & image);
     }
     void drawn(TilePixels& pixels, int place, unsigned blocks) const {
-        if (hierarchical_z == HierarchicalZ::blocks) note_farthest(pixels, place, blocks);
+        if (hierarchical_z == HierarchicalZ::blocks) update_hiz(pixels, place, blocks);
     }
     void small_triangles(const Batch& batch, const SmallTriangles& small, int from, int to,
                          TilePixels& pixels) const {
@@ -145,21 +145,21 @@ struct DrawShaded {
         : shader(*work.shader), hierarchical_z(work.hierarchical_z), tile(work.samples) {}
     void leave_out(unsigned) const {}
     bool is_late() const { return shader.time == ShadingTime::before_the_test; }
-    void shade(std::uint32_t id, int column, int row, Fate fate) const {
-        shader.shade(shader.stage, PrimitiveId{id}, tile.x0 + column, tile.y0 + row, fate);
+    void shade(std::uint32_t id, int column, int row, DepthTestResult result) const {
+        shader.shade(shader.context, PrimitiveId{id}, tile.x0 + column, tile.y0 + row, result);
     }
     template <class Covered>
     void block(TilePixels& pixels, const Block& block, const Floats& seen, const Covered& is_covered) const {
-        const Won won = draw_block<ties>(pixels, block, seen, is_covered);
+        const PassedPixels won = draw_block<ties>(pixels, block, seen, is_covered);
         const unsigned shaded = (is_late() ? won.covered : won.nearer) & within_image(tile, block);
         for (unsigned left = shaded; left != 0; left &= left - 1) {
             const int i = __builtin_ctz(left);
             shade(block.id, block.x + i % 4, block.y + i / 4,
-                  won.nearer >> i & 1 ? Fate::kept : Fate::discarded);
+                  won.nearer >> i & 1 ? DepthTestResult::kept : DepthTestResult::discarded);
         }
     }
     void drawn(TilePixels& pixels, int place, unsigned blocks) const {
-        if (hierarchical_z == HierarchicalZ::blocks) note_farthest(pixels, place, blocks);
+        if (hierarchical_z == HierarchicalZ::blocks) update_hiz(pixels, place, blocks);
     }
     void small_triangles(const Batch& batch, const SmallTriangles& small, int from, int to,
                          TilePixels& pixels) const {
@@ -167,7 +167,8 @@ struct DrawShaded {
             const bool is_nearer = draw_fragment<ties>(batch, small, index, pixels);
             const Fragment fragment(batch, index);
             if ((is_late() || is_nearer) && is_in_image(tile, fragment.column, fragment.row))
-                shade(fragment.id, fragment.column, fragment.row, is_nearer ? Fate::kept : Fate::discarded);
+                shade(fragment.id, fragment.column, fragment.row,
+                      is_nearer ? DepthTestResult::kept : DepthTestResult::discarded);
         });
     }
 };

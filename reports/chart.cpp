@@ -29,7 +29,7 @@ double scaled(const ChartAxis& axis, double value) {
     return axis.scale == Scale::logarithmic ? std::log10(value) : value;
 }
 
-struct Range {
+struct AxisRange {
     double low = std::numeric_limits<double>::infinity(), high = -low;
 
     void reach(double value) { low = std::min(low, value), high = std::max(high, value); }
@@ -37,7 +37,7 @@ struct Range {
 };
 
 /// With room at the ends; a single value stands in the middle.
-Range widened(Range range) {
+AxisRange widen(AxisRange range) {
     if (!(range.low <= range.high)) return {0, 1};
     const double room = range.low == range.high ? 0.5 : 0.05 * (range.high - range.low);
     return {range.low - room, range.high + room};
@@ -46,7 +46,7 @@ Range widened(Range range) {
 /// Where a chart's values come to stand on paper.
 struct Frame2D {
     const Chart& chart;
-    Range x, y;
+    AxisRange x, y;
     double bottom;
 
     double across(double value) const { return left + (right - left) * x.share(scaled(chart.x, value)); }
@@ -59,14 +59,14 @@ struct Frame2D {
 Frame2D framed(const Chart& chart) {
     const auto named = std::ranges::count_if(
         chart.series, [](const Series& series) { return series.style != SeriesStyle::quiet; });
-    Range x, y;
+    AxisRange x, y;
     for (const Series& series : chart.series)
         for (const auto& p : series.points) {
             if (!is_shown(chart.x, p.first) || !is_shown(chart.y, p.second)) continue;
             x.reach(scaled(chart.x, p.first));
             y.reach(scaled(chart.y, p.second));
         }
-    return {chart, widened(x), widened(y), top + std::max(330.0, name_height * double(named))};
+    return {chart, widen(x), widen(y), top + std::max(330.0, name_height * double(named))};
 }
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& colour) {
@@ -83,7 +83,7 @@ constexpr const char* at_middle = " text-anchor=\"middle\"";
 constexpr const char* at_end = " text-anchor=\"end\"";
 
 /// Round numbers within a scaled range: 1, 2, 5 per decade where a logarithmic axis is short, else decades.
-std::vector<double> ticks(const ChartAxis& axis, const Range& range) {
+std::vector<double> ticks(const ChartAxis& axis, const AxisRange& range) {
     std::vector<double> found;
     const auto add = [&](double value) {
         const double at = scaled(axis, value);

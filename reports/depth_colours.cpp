@@ -97,7 +97,7 @@ Rgb8 DepthColours::by_formula(float depth) const {
     return viridis(share_of(std::bit_cast<std::uint32_t>(depth)));
 }
 
-auto DepthColours::place_of(std::uint32_t bits) const -> Place {
+auto DepthColours::place_of(std::uint32_t bits) const -> RasterPosition {
     const double share = share_of(bits);
     return {bits, viridis(share), viridis_piece(share)};
 }
@@ -106,13 +106,13 @@ auto DepthColours::place_of(std::uint32_t bits) const -> Place {
 /// neighbouring floats lie 2^-24 apart, relatively, and the logarithms of what is between them far more than
 /// its error of 2^-52 times its value. So is each channel within one piece of viridis, and where both ends of
 /// an interval have one colour in one piece, so has all between.
-void DepthColours::find_steps(const Place& low, const Place& high) {
+void DepthColours::find_steps(const RasterPosition& low, const RasterPosition& high) {
     if (low.colour == high.colour && low.piece == high.piece) return;
     if (high.bits - low.bits == 1) {
         if (!(low.colour == high.colour)) steps_.push_back({high.bits, high.colour});
         return;
     }
-    const Place middle = place_of(low.bits + (high.bits - low.bits) / 2);
+    const RasterPosition middle = place_of(low.bits + (high.bits - low.bits) / 2);
     find_steps(low, middle);
     find_steps(middle, high);
 }

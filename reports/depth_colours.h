@@ -39,7 +39,7 @@ class DepthColours {
         Rgb8 colour;
     };
     /// A depth, its colour, and in which piece of viridis that lies.
-    struct Place {
+    struct RasterPosition {
         std::uint32_t bits;
         Rgb8 colour;
         std::size_t piece;
@@ -59,8 +59,8 @@ class DepthColours {
     std::uint32_t look_up(std::span<const float> depths, std::uint32_t* words) const;
     const Step& step_of(std::uint32_t bits) const;
     double share_of(std::uint32_t bits) const;
-    Place place_of(std::uint32_t bits) const;
-    void find_steps(const Place& low, const Place& high);
+    RasterPosition place_of(std::uint32_t bits) const;
+    void find_steps(const RasterPosition& low, const RasterPosition& high);
 
     DepthRange range_;
     double log_near_ = 0, log_far_ = 0;

@@ -88,8 +88,8 @@ void write_view_evidence(const fs::path& folder, const Frame& candidate, const F
                          [&] { write_findings_file(folder / "findings.csv", verdict); });
 }
 
-void write_witness_frame(const fs::path& folder, const std::string& witness, const Frame& frame) {
-    write_exr(folder / (witness + ".exr"), frame);
+void write_oracle_frame(const fs::path& folder, const std::string& oracle, const Frame& frame) {
+    write_exr(folder / (oracle + ".exr"), frame);
 }
 
 void write_colours(const fs::path& folder, const Picture& picture) {
@@ -97,11 +97,11 @@ void write_colours(const fs::path& folder, const Picture& picture) {
     write_pictures(folder, "colour", picture_of_light(picture));
 }
 
-void write_witness_picture(const fs::path& folder, const std::string& witness, const Picture& candidate,
-                           const Picture& picture) {
-    write_exr(folder / (witness + "-colour.exr"), picture);
-    write_pictures(folder, witness + "-colour", picture_of_light(picture));
-    write_pictures(folder, witness + "-difference", picture_of_difference(candidate, picture));
+void write_oracle_picture(const fs::path& folder, const std::string& oracle, const Picture& candidate,
+                          const Picture& picture) {
+    write_exr(folder / (oracle + "-colour.exr"), picture);
+    write_pictures(folder, oracle + "-colour", picture_of_light(picture));
+    write_pictures(folder, oracle + "-difference", picture_of_difference(candidate, picture));
 }
 
 }  // namespace zproof

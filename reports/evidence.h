@@ -21,15 +21,15 @@ namespace zproof {
 void write_view_evidence(const std::filesystem::path& folder, const Frame& candidate, const Frame& reference,
                          const Verdict& verdict);
 
-/// WITNESS.exr beside them; the name is one that zproof knows, so a file can have it.
-void write_witness_frame(const std::filesystem::path& folder, const std::string& witness, const Frame& frame);
+/// ORACLE.exr beside them; the name is one that zproof knows, so a file can have it.
+void write_oracle_frame(const std::filesystem::path& folder, const std::string& oracle, const Frame& frame);
 
 /// The candidate's colours: colour.exr (linear), colour.png.
 void write_colours(const std::filesystem::path& folder, const Picture& picture);
 
-/// WITNESS-colour.exr and .png, and WITNESS-difference.png from the candidate's colours.
-void write_witness_picture(const std::filesystem::path& folder, const std::string& witness,
-                           const Picture& candidate, const Picture& picture);
+/// ORACLE-colour.exr and .png, and ORACLE-difference.png from the candidate's colours.
+void write_oracle_picture(const std::filesystem::path& folder, const std::string& oracle,
+                          const Picture& candidate, const Picture& picture);
 
 /// The findings as CSV with a heading, in raster order. Numbers read back to the same bits; ids of background
 /// are `none`; non-finite numbers are nan, inf, -inf.

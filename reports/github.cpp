@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "reports/diagnosis_words.h"
-#include "reports/waiver_standing.h"
+#include "reports/waiver_status.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -69,23 +69,23 @@ Annotation annotation_of(const ViewResult& v) {
             .message = message_of(v)};
 }
 
-Annotation annotation_of(const WaiverStanding& standing, Strictness strictness) {
-    const std::string& origin = standing.waiver->origin;
+Annotation annotation_of(const WaiverStatus& status, Strictness strictness) {
+    const std::string& origin = status.waiver->origin;
     const std::size_t colon = origin.rfind(':');
     const std::string line = colon == std::string::npos ? "" : origin.substr(colon + 1);
     const bool is_number =
         !line.empty() && line.size() < 9 && line.find_first_not_of("0123456789") == std::string::npos;
-    return {.kind = fails(standing, strictness) ? "error" : "warning",
+    return {.kind = fails(status, strictness) ? "error" : "warning",
             .file = origin.substr(0, colon),
             .line = is_number ? std::stoi(line) : 1,
-            .title = "zproof: waiver " + standing.waiver->id + " " + std::string(name_of(standing.state)),
-            .message = advice_for(standing)};
+            .title = "zproof: waiver " + status.waiver->id + " " + std::string(name_of(status.state)),
+            .message = advice_for(status)};
 }
 
 std::vector<Annotation> annotations_of(const Results& results) {
     std::vector<Annotation> all;
-    for (const WaiverStanding& standing : waiver_standings(results))
-        if (!advice_for(standing).empty()) all.push_back(annotation_of(standing, results.strictness));
+    for (const WaiverStatus& status : waiver_statuses(results))
+        if (!advice_for(status).empty()) all.push_back(annotation_of(status, results.strictness));
     std::vector<const ViewResult*> failing;
     for (const ViewResult* view : failed_first(results))
         if (view->outcome != Outcome::proven) failing.push_back(view);

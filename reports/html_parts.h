@@ -49,8 +49,8 @@ std::string html_view(const PageView& page);
 /// The matrix of renderers; empty where nothing was judged.
 std::string html_renderers(const Results& results);
 
-/// What the witnesses said of one view, and who agrees with whom; empty where none was asked.
-std::string html_witnesses(const ViewResult& view);
+/// What the oracles said of one view, and who agrees with whom; empty where none was asked.
+std::string html_oracles(const ViewResult& view);
 
 /// A coloured square with the class's glyph, then its name.
 std::string class_badge(PixelClass c);

@@ -12,14 +12,14 @@ struct Kind {
     std::string name, caption;
 };
 
-/// Those of every view, then what a painting witness adds.
+/// Those of every view, then what a painting oracle adds.
 std::vector<Kind> kinds_of(const ViewResult& view) {
     std::vector<Kind> kinds{{"class", "Verdict per pixel. Dark: both agree."},
                             {"id", "Candidate: a colour per triangle."},
                             {"reference-id", "Reference: a colour per triangle."},
                             {"depth", "Candidate: depth, near is bright. Magenta: no depth."},
                             {"colour", "Candidate: shaded by zproof, one light."}};
-    for (const WitnessResult& w : view.witnesses)
+    for (const OracleResult& w : view.oracles)
         if (w.picture) {
             kinds.push_back(
                 {w.name + "-colour", escaped(one_line(w.name)) + ": the same scene, camera and light."});

@@ -15,10 +15,10 @@ using nlohmann::json;
 constexpr int tiers = 5;
 
 /// In which round a block asks for room in the page: what finds a defect, who was seen there, how deep, what
-/// witnesses say, colours.
+/// oracles say, colours.
 int tier_of(const std::string& block) {
     if (block.ends_with(".colour")) return 4;
-    if (block.starts_with("witness.")) return 3;
+    if (block.starts_with("oracle.")) return 3;
     if (block.ends_with(".depth") || block == "reference.error") return 2;
     return block.find('.') == std::string::npos ? 0 : 1;
 }

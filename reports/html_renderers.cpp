@@ -8,9 +8,9 @@ namespace {
 
 std::string number_cell(const std::string& text) { return "<td class=\"n\">" + text + "</td>"; }
 
-/// In words, "11 of 44" where it was not heard about all.
-std::string heard(const RendererRecord& r) {
-    return grouped(r.views) + (r.unheard > 0 ? " of " + grouped(r.views + r.unheard) : "");
+/// In words, "11 of 44" where it was not compared in all.
+std::string compared(const RendererRecord& r) {
+    return grouped(r.views) + (r.not_compared > 0 ? " of " + grouped(r.views + r.not_compared) : "");
 }
 
 /// JSON with a blank after every comma, so that a narrow column can break it.
@@ -30,41 +30,41 @@ std::string facts_of(const Results& results, const RendererRecord& r) {
 
 std::string record_row(const Results& results, const RendererRecord& r) {
     const std::string absent =
-        r.absent.empty() ? "" : "<p class=\"fine\">not heard: " + escaped(one_line(r.absent)) + "</p>";
+        r.absent.empty() ? "" : "<p class=\"fine\">not compared: " + escaped(one_line(r.absent)) + "</p>";
     return "<tr><td><strong>" + escaped(one_line(r.name)) + "</strong><br>" + r.role + "</td>" +
-           number_cell(heard(r)) + number_cell(grouped(r.pixels)) + "<td class=\"n defects" +
+           number_cell(compared(r)) + number_cell(grouped(r.pixels)) + "<td class=\"n defects" +
            (r.defects == 0 ? " zero" : "") + "\">" + grouped(r.defects) + "</td>" +
            number_cell(rounded(r.depth_error_over_bound)) + number_cell(rounded(r.edge_error_over_bound)) +
            number_cell(grouped(r.pixels - r.same_as_candidate)) + "<td class=\"words\">" +
            facts_of(results, r) + absent + "</td></tr>\n";
 }
 
-std::string accord_row(const std::vector<std::string>& names, const ViewResult& v, std::size_t i) {
+std::string id_agreement_row(const std::vector<std::string>& names, const ViewResult& v, std::size_t i) {
     std::string cells = "<th>" + escaped(one_line(names[i])) + "</th>";
     const std::uint64_t pixels = std::uint64_t(v.width) * std::uint64_t(v.height);
     for (std::size_t j = 0; j < names.size(); ++j)
-        cells += number_cell(i == j ? "–" : grouped(pixels - v.accord.same[i][j]));
+        cells += number_cell(i == j ? "–" : grouped(pixels - v.id_agreement.same[i][j]));
     return "<tr>" + cells + "</tr>\n";
 }
 
-/// Those whose frames the accord counts, in its order.
-std::vector<std::string> heard_names(const ViewResult& v) {
+/// Those whose frames the id agreement counts, in its order.
+std::vector<std::string> compared_names(const ViewResult& v) {
     std::vector<std::string> names{v.candidate, v.reference};
-    for (const WitnessResult& w : v.witnesses)
+    for (const OracleResult& w : v.oracles)
         if (w.absent.empty()) names.push_back(w.name);
     return names;
 }
 
-std::string accord_table(const ViewResult& v) {
-    const std::vector<std::string> names = heard_names(v);
+std::string id_agreement_table(const ViewResult& v) {
+    const std::vector<std::string> names = compared_names(v);
     std::string head = "<th></th>", rows;
     for (std::size_t i = 0; i < names.size(); ++i) {
         head += "<th class=\"n\">" + escaped(one_line(names[i])) + "</th>";
-        rows += accord_row(names, v, i);
+        rows += id_agreement_row(names, v, i);
     }
     return "<div><h3>Pixels that name different triangles</h3><table class=\"counts\"><tr>" + head +
            "</tr>\n" + rows + "</table><p class=\"fine\">All of them name the same triangle at " +
-           counted(v.accord.unanimous, "pixel") + ".</p></div>\n";
+           counted(v.id_agreement.unanimous, "pixel") + ".</p></div>\n";
 }
 
 std::string tally(const ClassCounts& counts) {
@@ -86,7 +86,7 @@ std::string picture_words(const PictureDifferences& differences) {
     return text;
 }
 
-std::string statement(const WitnessResult& w) {
+std::string oracle_item(const OracleResult& w) {
     const std::string name = "<strong>" + escaped(w.name) + "</strong>: ";
     if (!w.absent.empty()) return "<li>" + name + escaped(one_line(w.absent)) + "</li>\n";
     std::string text = "<li>" + name + counted(defect_count(w.counts), "defect") + " (" + tally(w.counts) +
@@ -116,15 +116,15 @@ std::string html_renderers(const Results& results) {
     return "<section>\n<h2>Renderers</h2>\n<div class=\"wide\"><table class=\"summary\"><thead><tr>" + heads +
            "<th>who it says it is, what it declares</th></tr></thead><tbody>\n" + rows +
            "</tbody></table></div>\n<p class=\"fine\">Each is judged by what it declares, against the "
-           "reference. All that were heard name the same triangle at " +
+           "reference. All that were compared name the same triangle at " +
            grouped(all.unanimous) + " of " + grouped(all.pixels) + " pixels.</p>\n</section>\n";
 }
 
-std::string html_witnesses(const ViewResult& v) {
-    if (v.witnesses.empty()) return "";
+std::string html_oracles(const ViewResult& v) {
+    if (v.oracles.empty()) return "";
     std::string items;
-    for (const WitnessResult& w : v.witnesses) items += statement(w);
-    return "<div><h3>Witnesses</h3><ul>" + items + "</ul></div>\n" + accord_table(v);
+    for (const OracleResult& w : v.oracles) items += oracle_item(w);
+    return "<div><h3>Oracles</h3><ul>" + items + "</ul></div>\n" + id_agreement_table(v);
 }
 
 }  // namespace zproof

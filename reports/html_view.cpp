@@ -56,7 +56,7 @@ std::string figures(const PageView& page, std::size_t first, std::size_t last) {
 }
 
 std::string count_row(PixelClass c, std::uint64_t count, std::uint64_t waived) {
-    const std::string word = passes(c)         ? "lawful"
+    const std::string word = passes(c)         ? "admissible"
                              : waived == 0     ? "<strong>defect</strong>"
                              : waived == count ? "defect, waived"
                                                : "<strong>defect</strong>, " + grouped(waived) + " waived";
@@ -171,7 +171,7 @@ std::string stage(std::string_view name, double time) {
 std::string stages(const StageTimes& t) {
     return "<p class=\"fine stages\">" + stage("load", t.load) + stage("render", t.render) +
            stage("reference build", t.reference_build) + stage("reference", t.reference) +
-           stage("judge", t.judge) + stage("witnesses", t.witnesses) + stage("write", t.write) +
+           stage("judge", t.judge) + stage("oracles", t.oracles) + stage("write", t.write) +
            stage("in all", seconds(t)) + "</p>\n";
 }
 
@@ -191,7 +191,7 @@ std::string judgement(const PageView& page) {
     return row("diagnosis", diagnosis(v)) + without_evidence(v) +
            row("map", figures(page, 0, 1) + class_table(v)) +
            row("figures", figures(page, 1, page.pictures.size())) + row("panels", histograms(v)) +
-           row("panels", html_witnesses(v)) + worst_table(v);
+           row("panels", html_oracles(v)) + worst_table(v);
 }
 
 }  // namespace

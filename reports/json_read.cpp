@@ -102,7 +102,7 @@ StageTimes stage_times(const Json& json) {
             .reference_build = number(json.at("reference_build")),
             .reference = number(json.at("reference")),
             .judge = number(json.at("judge")),
-            .witnesses = json.contains("witnesses") ? number(json.at("witnesses")) : 0,  // since 1.2
+            .oracles = json.contains("oracles") ? number(json.at("oracles")) : 0,  // since 1.2
             .write = number(json.at("write"))};
 }
 
@@ -135,8 +135,8 @@ PictureDifferences picture(const Json& json) {
     return differences;
 }
 
-WitnessResult witness(const Json& json) {
-    WitnessResult w{.name = json.at("name"), .absent = json.at("absent"), .worst = {}};
+OracleResult oracle_result(const Json& json) {
+    OracleResult w{.name = json.at("name"), .absent = json.at("absent"), .worst = {}};
     if (!w.absent.empty()) return w;
     w.counts = counts_by_name(json.at("counts"));
     w.depth = bound_record(json.at("depth"));
@@ -159,10 +159,11 @@ void read_gate(const Json& json, ViewResult& v) {
 }
 
 /// Since 1.2; absent: none was asked.
-void read_witnesses(const Json& json, ViewResult& v) {
-    if (!json.contains("witnesses")) return;
-    for (const Json& one : json.at("witnesses")) v.witnesses.push_back(witness(one));
-    v.accord = {.same = json.at("accord").at("same"), .unanimous = count(json.at("accord").at("unanimous"))};
+void read_oracles(const Json& json, ViewResult& v) {
+    if (!json.contains("oracles")) return;
+    for (const Json& one : json.at("oracles")) v.oracles.push_back(oracle_result(one));
+    v.id_agreement = {.same = json.at("id_agreement").at("same"),
+                      .unanimous = count(json.at("id_agreement").at("unanimous"))};
 }
 
 ViewResult view(const Json& json) {
@@ -186,14 +187,14 @@ ViewResult view(const Json& json) {
                  .adjudicated = count(json.at("adjudicated")),
                  .exact = count(json.at("exact")),
                  .diagnosis = diagnosis(json),
-                 .witnesses = {},
-                 .accord = {},
+                 .oracles = {},
+                 .id_agreement = {},
                  .worst = {},
                  .notes = json.at("notes"),
                  .times = stage_times(json.at("times")),
                  .folder = json.at("folder")};
     for (const Json& finding : json.at("worst")) v.worst.push_back(reported(finding));
-    read_witnesses(json, v);
+    read_oracles(json, v);
     read_gate(json, v);
     return v;
 }

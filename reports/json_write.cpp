@@ -5,7 +5,7 @@
 
 #include "reports/json.h"
 #include "reports/waiver_json.h"
-#include "reports/waiver_standing.h"
+#include "reports/waiver_status.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -79,7 +79,7 @@ Json stage_times(const StageTimes& t) {
             {"reference_build", number(t.reference_build)},
             {"reference", number(t.reference)},
             {"judge", number(t.judge)},
-            {"witnesses", number(t.witnesses)},
+            {"oracles", number(t.oracles)},
             {"write", number(t.write)}};
 }
 
@@ -109,7 +109,7 @@ Json picture(const PictureDifferences& differences) {
     return object;
 }
 
-Json witness(const WitnessResult& w) {
+Json oracle_result(const OracleResult& w) {
     Json object = {{"name", w.name}, {"absent", w.absent}};
     if (!w.absent.empty()) return object;
     object.update({{"defects", defect_count(w.counts)},
@@ -122,9 +122,9 @@ Json witness(const WitnessResult& w) {
     return object;
 }
 
-Json witnesses(const std::vector<WitnessResult>& heard) {
+Json oracles(const std::vector<OracleResult>& compared) {
     Json list = Json::array();
-    for (const WitnessResult& w : heard) list.push_back(witness(w));
+    for (const OracleResult& w : compared) list.push_back(oracle_result(w));
     return list;
 }
 
@@ -166,8 +166,8 @@ Json view_object(const ViewResult& v) {
             {"adjudicated", v.adjudicated},
             {"exact", v.exact},
             {"diagnosis", diagnosis(v.diagnosis)},
-            {"witnesses", witnesses(v.witnesses)},
-            {"accord", {{"same", v.accord.same}, {"unanimous", v.accord.unanimous}}},
+            {"oracles", oracles(v.oracles)},
+            {"id_agreement", {{"same", v.id_agreement.same}, {"unanimous", v.id_agreement.unanimous}}},
             {"worst", reported(v.worst)},
             {"notes", v.notes},
             {"folder", v.folder},
@@ -198,9 +198,9 @@ Json run_object(const Results& r) {
 
 Json waivers(const Results& r) {
     Json list = Json::array();
-    for (const WaiverStanding& standing : waiver_standings(r)) {
-        Json object = waiver_object(*standing.waiver);
-        object["state"] = name_of(standing.state);
+    for (const WaiverStatus& status : waiver_statuses(r)) {
+        Json object = waiver_object(*status.waiver);
+        object["state"] = name_of(status.state);
         list.push_back(std::move(object));
     }
     return {{"strict", r.strictness == Strictness::strict}, {"list", list}};

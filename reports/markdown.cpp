@@ -5,7 +5,7 @@
 
 #include "reports/diagnosis_words.h"
 #include "reports/extent.h"
-#include "reports/waiver_standing.h"
+#include "reports/waiver_status.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -85,19 +85,19 @@ std::string story(const ViewResult& v) {
     return text;
 }
 
-std::string waiver_row(const WaiverStanding& s) {
+std::string waiver_row(const WaiverStatus& s) {
     return "| " + plain(s.waiver->id) + " | " + plain(std::string(name_of(s.state))) + " | " +
            plain(s.waiver->scene) + " | " + grouped(s.waived) + " | " + in_words(s.waiver->expires) + " | " +
            plain(s.waiver->reason) + " | " + plain(s.waiver->link) + " |\n";
 }
 
 std::vector<std::string> waivers(const Results& results) {
-    const std::vector<WaiverStanding> standings = waiver_standings(results);
-    if (standings.empty()) return {};
+    const std::vector<WaiverStatus> statuses = waiver_statuses(results);
+    if (statuses.empty()) return {};
     std::vector<std::string> parts{
         "\n### Waivers\n\n| waiver | state | scene | pixels let pass | until | reason | link |\n"
         "|---|---|---|---:|---|---|---|\n"};
-    for (const WaiverStanding& standing : standings) parts.push_back(waiver_row(standing));
+    for (const WaiverStatus& status : statuses) parts.push_back(waiver_row(status));
     return parts;
 }
 

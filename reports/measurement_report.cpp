@@ -11,8 +11,8 @@ namespace zproof {
 namespace {
 
 using measure::Bracket;
+using measure::Conformity;
 using measure::Finding;
-using measure::Standing;
 
 std::string with_digits(double value, int digits) {
     std::array<char, 64> buffer{};
@@ -36,25 +36,25 @@ std::string measured(const Finding& finding) {
     return finding.words.empty() ? number : number + " (" + finding.words + ")";
 }
 
-std::string_view in_words(Standing standing) {
-    switch (standing) {
-        case Standing::as_declared:
+std::string_view in_words(Conformity conformity) {
+    switch (conformity) {
+        case Conformity::as_declared:
             return "as declared";
-        case Standing::worse:
+        case Conformity::worse:
             return "WORSE";
-        case Standing::undeclared:
+        case Conformity::undeclared:
             return "-";
     }
     return "-";
 }
 
-std::string_view key_of(Standing standing) {
-    switch (standing) {
-        case Standing::as_declared:
+std::string_view key_of(Conformity conformity) {
+    switch (conformity) {
+        case Conformity::as_declared:
             return "as_declared";
-        case Standing::worse:
+        case Conformity::worse:
             return "worse";
-        case Standing::undeclared:
+        case Conformity::undeclared:
             return "undeclared";
     }
     return "undeclared";
@@ -77,7 +77,7 @@ std::string table_of(const std::vector<Row>& rows) {
 }
 
 std::string verdict(const std::string& renderer, std::span<const Finding> findings) {
-    const auto worse = std::ranges::count(findings, Standing::worse, &Finding::standing);
+    const auto worse = std::ranges::count(findings, Conformity::worse, &Finding::conformity);
     if (worse == 0) return renderer + ": as declared\n";
     return renderer + ": worse than declared in " + std::to_string(worse) + " of " +
            std::to_string(findings.size()) + "\n";
@@ -86,9 +86,9 @@ std::string verdict(const std::string& renderer, std::span<const Finding> findin
 }  // namespace
 
 std::string measurement_table(const std::string& renderer, std::span<const Finding> findings) {
-    std::vector<Row> rows{{"finding", "measured", "declared", "standing"}};
+    std::vector<Row> rows{{"finding", "measured", "declared", "conformity"}};
     for (const Finding& f : findings)
-        rows.push_back({f.title, one_line(measured(f)), f.declared, std::string{in_words(f.standing)}});
+        rows.push_back({f.title, one_line(measured(f)), f.declared, std::string{in_words(f.conformity)}});
     return table_of(rows) + "\n" + verdict(renderer, findings);
 }
 
@@ -100,7 +100,7 @@ std::string measurement_json(const std::string& renderer, std::span<const Findin
         if (!f.unit.empty()) one["unit"] = f.unit;
         if (!f.words.empty()) one["words"] = f.words;
         if (!f.declared.empty()) one["declared"] = f.declared;
-        one["standing"] = key_of(f.standing);
+        one["conformity"] = key_of(f.conformity);
         all.push_back(std::move(one));
     }
     const nlohmann::ordered_json whole{

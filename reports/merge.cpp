@@ -36,7 +36,7 @@ const std::vector<Common>& common_things() {
         {"zproof's version", [](const Results& r) { return r.version; }, "run all shards with one zproof"},
         {"the compiler", [](const Results& r) { return r.compiler; }, "run all shards with one zproof"},
         {"Embree's version", [](const Results& r) { return r.embree; }, "run all shards with one Embree"},
-        {"the renderers or what they declare", renderers_of, "judge one renderer, with the same witnesses"},
+        {"the renderers or what they declare", renderers_of, "judge one renderer, with the same oracles"},
         {"the selection of scenes or the resolution", [](const Results& r) { return r.selection.sha256; },
          "give all shards the same scenes, --width and --height"},
         {"the number of shards", [](const Results& r) { return std::to_string(r.shard.count); },

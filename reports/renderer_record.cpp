@@ -8,8 +8,8 @@ namespace {
 
 std::uint64_t pixels_of(const ViewResult& v) { return std::uint64_t(v.width) * std::uint64_t(v.height); }
 
-/// Judged on its own merits? A view whose required witness is missing was, too: its counts are there.
-bool has_accord(const ViewResult& v) { return !v.accord.same.empty(); }
+/// Judged on its own merits? A view whose required oracle is missing was, too: its counts are there.
+bool has_id_agreement(const ViewResult& v) { return !v.id_agreement.same.empty(); }
 
 class Records {
   public:
@@ -42,21 +42,21 @@ void add(RendererRecord& record, const ViewResult& v, const Share& share) {
     record.same_as_candidate += share.same_as_candidate;
 }
 
-void add_unheard(RendererRecord& record, const std::string& why) {
-    ++record.unheard;
+void add_not_compared(RendererRecord& record, const std::string& why) {
+    ++record.not_compared;
     if (record.absent.empty()) record.absent = why;
 }
 
-void add_witnesses(Records& records, const ViewResult& v) {
-    std::size_t place = 2;  // in the accord, after candidate and reference
-    for (const WitnessResult& w : v.witnesses) {
-        RendererRecord& record = records.of(w.name, "witness");
+void add_oracles(Records& records, const ViewResult& v) {
+    std::size_t place = 2;  // in the id agreement, after candidate and reference
+    for (const OracleResult& w : v.oracles) {
+        RendererRecord& record = records.of(w.name, "oracle");
         if (!w.absent.empty())
-            add_unheard(record, w.absent);
+            add_not_compared(record, w.absent);
         else
             add(record, v,
                 {defect_count(w.counts), w.depth.max_error_over_bound, w.edges.max_error_over_bound,
-                 v.accord.same[0][place++]});
+                 v.id_agreement.same[0][place++]});
     }
 }
 
@@ -65,14 +65,14 @@ void add_witnesses(Records& records, const ViewResult& v) {
 std::vector<RendererRecord> renderer_records(const Results& results) {
     Records records;
     for (const ViewResult& v : results.views) {
-        if (!has_accord(v)) continue;
+        if (!has_id_agreement(v)) continue;
         add(records.of(v.candidate, "candidate"), v,
             {defect_count(v), v.candidate_depth.max_error_over_bound, v.candidate_edges.max_error_over_bound,
              pixels_of(v)});
         add(records.of(v.reference, "reference"), v,
             {v.reference_defects, v.reference_depth.max_error_over_bound,
-             v.reference_edges.max_error_over_bound, v.accord.same[0][1]});
-        add_witnesses(records, v);
+             v.reference_edges.max_error_over_bound, v.id_agreement.same[0][1]});
+        add_oracles(records, v);
     }
     return records.take();
 }
@@ -80,7 +80,7 @@ std::vector<RendererRecord> renderer_records(const Results& results) {
 Unanimity unanimity(const Results& results) {
     Unanimity sum;
     for (const ViewResult& v : results.views)
-        if (has_accord(v)) sum = {sum.pixels + pixels_of(v), sum.unanimous + v.accord.unanimous};
+        if (has_id_agreement(v)) sum = {sum.pixels + pixels_of(v), sum.unanimous + v.id_agreement.unanimous};
     return sum;
 }
 

@@ -68,7 +68,7 @@ std::uint64_t waived_count(const ViewResult& view) { return defect_count(view.wa
 std::uint64_t unwaived_defects(const ViewResult& view) { return defect_count(view) - waived_count(view); }
 
 double seconds(const StageTimes& t) {
-    return t.load + t.render + t.reference_build + t.reference + t.judge + t.witnesses + t.write;
+    return t.load + t.render + t.reference_build + t.reference + t.judge + t.oracles + t.write;
 }
 
 std::vector<const ViewResult*> failed_first(const Results& results) {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/accord.h"
 #include "compare/diagnosis/diagnosis.h"
+#include "compare/id_agreement.h"
 #include "compare/metrics/picture_difference.h"
 #include "compare/verdict.h"
 #include "compare/waivers/coverage.h"
@@ -17,7 +17,7 @@ namespace zproof {
 
 /// Where a scene's time went, seconds of wall clock.
 struct StageTimes {
-    double load = 0, render = 0, reference_build = 0, reference = 0, judge = 0, witnesses = 0, write = 0;
+    double load = 0, render = 0, reference_build = 0, reference = 0, judge = 0, oracles = 0, write = 0;
 };
 
 /// A finding with its sentence and the command that tells more.
@@ -49,9 +49,9 @@ struct RendererFacts {
 std::string title_of(const RendererFacts& renderer);
 
 /// One more renderer, judged against the same reference. Its defects are its own: they do not fail the view.
-struct WitnessResult {
+struct OracleResult {
     std::string name;
-    std::string absent;  ///< why it was not heard; empty: it was
+    std::string absent;  ///< why it was not compared; empty: it was
     ClassCounts counts{};
     BoundRecord depth{}, edges{};          ///< depth error / bound; displacement / eps
     std::vector<ReportedFinding> worst{};  ///< its defects, at most 20
@@ -78,8 +78,8 @@ struct ViewResult {
     BoundRecord candidate_edges, reference_edges;  ///< displacement over eps
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
     std::optional<Diagnosis> diagnosis;  ///< of the defects; nothing where there are none
-    std::vector<WitnessResult> witnesses;
-    Accord accord;  ///< of candidate, reference and the witnesses that were heard, in this order
+    std::vector<OracleResult> oracles;
+    IdAgreement id_agreement;  ///< of candidate, reference and the oracles that were compared, in this order
     std::vector<ReportedFinding> worst;  ///< defects first, then by error/bound; at most 200
     std::vector<std::string> notes;      ///< of the scene
     StageTimes times;
@@ -135,7 +135,7 @@ struct Results {
     std::string today{};  ///< the day that waivers are held against, "2026-04-10"; empty where there are none
     Strictness strictness = Strictness::lenient;
     std::vector<Waiver> waivers{};
-    std::vector<RendererFacts> renderers;  ///< candidate, reference, and the witnesses that are there
+    std::vector<RendererFacts> renderers;  ///< candidate, reference, and the oracles that are there
     std::vector<ViewResult> views;
 };
 

@@ -188,17 +188,17 @@ std::string totals(const Results& results) {
            counted(reference_defects, "reference defect") + "   " + fixed(time, 1) + " s";
 }
 
-/// A line for each witness; candidate and reference have theirs in the table.
-std::string witness_lines(const Results& results) {
+/// A line for each oracle; candidate and reference have theirs in the table.
+std::string oracle_lines(const Results& results) {
     std::string text;
     for (const RendererRecord& r : renderer_records(results)) {
-        if (r.role != "witness") continue;
+        if (r.role != "oracle") continue;
         text += one_line(r.name) + ": ";
         if (r.views > 0)
             text += counted(r.views, "view") + ", " + counted(r.defects, "defect") + ", err/bound " +
-                    rounded(r.depth_error_over_bound) + (r.unheard > 0 ? "; " : "");
-        if (r.unheard > 0)
-            text += "not heard about " + counted(r.unheard, "view") + ": " + one_line(r.absent);
+                    rounded(r.depth_error_over_bound) + (r.not_compared > 0 ? "; " : "");
+        if (r.not_compared > 0)
+            text += "not compared in " + counted(r.not_compared, "view") + ": " + one_line(r.absent);
         text += "\n";
     }
     return text;
@@ -223,7 +223,7 @@ std::string summary_table(const Results& results, Colour colour) {
     std::string text = results.views.empty() ? "" : table(results, colour);
     for (const ViewResult* v : failed_first(results))
         if (v->outcome != Outcome::proven) text += "\n" + story(*v, colour);
-    return text + "\n" + witness_lines(results) + outcomes(results, colour) + "\n" + totals(results) + "\n";
+    return text + "\n" + oracle_lines(results) + outcomes(results, colour) + "\n" + totals(results) + "\n";
 }
 
 }  // namespace zproof

@@ -14,7 +14,7 @@ void Batch::add(std::size_t count, Work work) {
 
 void Batch::run() {
     tbb::parallel_for(std::size_t{0}, ranges_.size(), [&](std::size_t i) {
-        const Range& range = ranges_[i];
+        const WorkRange& range = ranges_[i];
         works_[range.work](range.from, range.to);
     });
     works_.clear();

@@ -24,11 +24,11 @@ class Batch {
     void run();
 
   private:
-    struct Range {
+    struct WorkRange {
         std::size_t work, from, to;
     };
     std::vector<Work> works_;
-    std::vector<Range> ranges_;
+    std::vector<WorkRange> ranges_;
 };
 
 }  // namespace zproof

@@ -3,7 +3,7 @@
 /// Camera space is right-handed, y up, looking down -z. For the raster position (x, y) of a W x H image let
 ///     u = window.left + (window.right - window.left) x / W,
 ///     v = window.top - (window.top - window.bottom) y / H.
-/// Then the pixel's line of sight, parametrised by camera depth t = -z_camera, is
+/// Then the pixel's view ray, parametrised by camera depth t = -z_camera, is
 ///     perspective:  p_camera(t) = t (u, v, -1)
 ///     parallel:     p_camera(t) = (u, v, 0) + t (shear.x, shear.y, -1)
 /// and p_world = eye_world + p_camera.x right + p_camera.y up + p_camera.z back.

@@ -58,7 +58,7 @@ std::uint32_t largest_coordinate(std::span<const glm::vec3> positions) {
 static_assert(Batch::range_elements <= VectorBlock::capacity);
 
 /// The triangles and vertices that one primitive at one node became.
-struct Placement {
+struct BakedPrimitive {
     int node = 0;
     std::size_t first_vertex = 0, first_triangle = 0, vertex_count = 0;
     Corners corners;
@@ -148,17 +148,17 @@ class Baker {
         tally_.tails += primitive.mode == TINYGLTF_MODE_TRIANGLES && corner_count(primitive) % 3 != 0;
         if (!position || triangles == 0) return;
         const Elements& positions = accessors_.elements(*position);
-        Placement& placement = placements_.emplace_back();
-        placement.node = placed.node;
-        placement.corners = unroller_.unroll(primitive, static_cast<std::uint32_t>(positions.count));
-        const std::vector<std::uint32_t>& used = placement.corners.used();
-        placement.vertex_count = used.empty() ? positions.count : used.size();
-        append_part(placed, index, primitive, placement.corners);
-        append_positions(placed, positions, placement);
-        append_triangles(placement);
-        append_normals(placed, primitive, placement);
-        append_uv(primitive, placement);
-        append_color(primitive, placement);
+        BakedPrimitive& baked_primitive = baked_primitives_.emplace_back();
+        baked_primitive.node = placed.node;
+        baked_primitive.corners = unroller_.unroll(primitive, static_cast<std::uint32_t>(positions.count));
+        const std::vector<std::uint32_t>& used = baked_primitive.corners.used();
+        baked_primitive.vertex_count = used.empty() ? positions.count : used.size();
+        append_part(placed, index, primitive, baked_primitive.corners);
+        append_positions(placed, positions, baked_primitive);
+        append_triangles(baked_primitive);
+        append_normals(placed, primitive, baked_primitive);
+        append_uv(primitive, baked_primitive);
+        append_color(primitive, baked_primitive);
     }
 
     void append_part(const PlacedNode& placed, int index, const tinygltf::Primitive& primitive,
@@ -175,44 +175,47 @@ class Baker {
     /// Makes room for the vertices of the placement. Vertices before it that lack the attribute get
     /// `otherwise`.
     template <typename T>
-    void make_room(Bulk<T>& attribute, const Placement& placement, const T& otherwise) const {
+    void make_room(Bulk<T>& attribute, const BakedPrimitive& baked_primitive, const T& otherwise) const {
         attribute.reserve(scene_.vertices.position_world.capacity());
-        attribute.resize(placement.first_vertex, otherwise);
-        attribute.resize(placement.first_vertex + placement.vertex_count);
+        attribute.resize(baked_primitive.first_vertex, otherwise);
+        attribute.resize(baked_primitive.first_vertex + baked_primitive.vertex_count);
     }
 
     /// Makes room, and has bake(element) written there for each vertex later.
     template <typename T, typename Bake>
-    void append(Bulk<T>& attribute, const Placement& placement, const T& otherwise, const Bake& bake) {
-        make_room(attribute, placement, otherwise);
-        of_vertices_.add(placement.vertex_count,
-                         [&attribute, &placement, bake](std::size_t i, std::size_t end) {
-                             for (T* to = &attribute[placement.first_vertex]; i < end; ++i)
-                                 to[i] = bake(placement.element(i));
+    void append(Bulk<T>& attribute, const BakedPrimitive& baked_primitive, const T& otherwise,
+                const Bake& bake) {
+        make_room(attribute, baked_primitive, otherwise);
+        of_vertices_.add(baked_primitive.vertex_count,
+                         [&attribute, &baked_primitive, bake](std::size_t i, std::size_t end) {
+                             for (T* to = &attribute[baked_primitive.first_vertex]; i < end; ++i)
+                                 to[i] = bake(baked_primitive.element(i));
                          });
     }
 
     /// The vectors of a range of the placement's vertices.
-    static VectorBlock block_of(const Elements& elements, const Placement& placement, std::size_t from,
-                                std::size_t end) {
+    static VectorBlock block_of(const Elements& elements, const BakedPrimitive& baked_primitive,
+                                std::size_t from, std::size_t end) {
         VectorBlock block(end - from);
         if (elements.component_type == component_type_float && elements.stride == sizeof(glm::vec3) &&
-            placement.corners.used().empty()) {
+            baked_primitive.corners.used().empty()) {
             block.read(elements.first + from * sizeof(glm::vec3));
             return block;
         }
-        for (std::size_t i = from; i < end; ++i) block.set(i - from, vec3_at(elements, placement.element(i)));
+        for (std::size_t i = from; i < end; ++i)
+            block.set(i - from, vec3_at(elements, baked_primitive.element(i)));
         return block;
     }
 
-    void append_positions(const PlacedNode& placed, const Elements& positions, Placement& placement) {
-        placement.first_vertex = scene_.vertices.position_world.size();
-        scene_.vertices.position_world.resize(placement.first_vertex + placement.vertex_count);
-        of_vertices_.add(placement.vertex_count, [&, world_from_node = placed.world_from_node](
-                                                     std::size_t from, std::size_t end) {
-            const std::span baked =
-                std::span(scene_.vertices.position_world).subspan(placement.first_vertex + from, end - from);
-            VectorBlock block = block_of(positions, placement, from, end);
+    void append_positions(const PlacedNode& placed, const Elements& positions,
+                          BakedPrimitive& baked_primitive) {
+        baked_primitive.first_vertex = scene_.vertices.position_world.size();
+        scene_.vertices.position_world.resize(baked_primitive.first_vertex + baked_primitive.vertex_count);
+        of_vertices_.add(baked_primitive.vertex_count, [&, world_from_node = placed.world_from_node](
+                                                           std::size_t from, std::size_t end) {
+            const std::span baked = std::span(scene_.vertices.position_world)
+                                        .subspan(baked_primitive.first_vertex + from, end - from);
+            VectorBlock block = block_of(positions, baked_primitive, from, end);
             block.multiply(glm::dmat3(world_from_node));
             block.add(glm::dvec3(world_from_node[3]));
             block.write(baked);
@@ -230,61 +233,62 @@ class Baker {
     void refuse_unbounded() const {
         const Positions& baked = scene_.vertices.position_world;
         const auto bad = static_cast<std::size_t>(std::ranges::find_if(baked, is_unbounded) - baked.begin());
-        const auto placement = std::ranges::find_if(
-            placements_, [&](const Placement& p) { return bad < p.first_vertex + p.vertex_count; });
-        refuse(model_.file, "/nodes/" + std::to_string(placement->node),
-               "vertex " + std::to_string(placement->element(bad - placement->first_vertex)) +
+        const auto baked_primitive = std::ranges::find_if(baked_primitives_, [&](const BakedPrimitive& p) {
+            return bad < p.first_vertex + p.vertex_count;
+        });
+        refuse(model_.file, "/nodes/" + std::to_string(baked_primitive->node),
+               "vertex " + std::to_string(baked_primitive->element(bad - baked_primitive->first_vertex)) +
                    " overflows float32 in world space; scale the scene down");
     }
 
     /// Triangles without area stay, since ids count them.
-    void append_triangles(Placement& placement) {
-        placement.first_triangle = scene_.triangles.size();
-        scene_.triangles.resize(placement.first_triangle + placement.corners.triangle_count());
-        of_triangles_.add(
-            placement.corners.triangle_count(), [&placement, this](std::size_t from, std::size_t end) {
-                const std::span baked =
-                    std::span(scene_.triangles).subspan(placement.first_triangle + from, end - from);
-                placement.corners.read(static_cast<std::uint32_t>(from), baked);
-                for (glm::uvec3& triangle : baked)
-                    triangle += static_cast<std::uint32_t>(placement.first_vertex);
-                tally_.flat += flat_among(baked, scene_.vertices.position_world);
-            });
+    void append_triangles(BakedPrimitive& baked_primitive) {
+        baked_primitive.first_triangle = scene_.triangles.size();
+        scene_.triangles.resize(baked_primitive.first_triangle + baked_primitive.corners.triangle_count());
+        of_triangles_.add(baked_primitive.corners.triangle_count(), [&baked_primitive, this](
+                                                                        std::size_t from, std::size_t end) {
+            const std::span baked =
+                std::span(scene_.triangles).subspan(baked_primitive.first_triangle + from, end - from);
+            baked_primitive.corners.read(static_cast<std::uint32_t>(from), baked);
+            for (glm::uvec3& triangle : baked)
+                triangle += static_cast<std::uint32_t>(baked_primitive.first_vertex);
+            tally_.flat += flat_among(baked, scene_.vertices.position_world);
+        });
     }
 
     void append_normals(const PlacedNode& placed, const tinygltf::Primitive& primitive,
-                        const Placement& placement) {
+                        const BakedPrimitive& baked_primitive) {
         const std::optional<int> accessor = attribute(primitive, "NORMAL");
         if (!accessor) return;
         const glm::dmat3 world_from_normal = normal_matrix(glm::dmat3(placed.world_from_node));
         const Elements& elements = accessors_.elements(*accessor);
-        make_room(scene_.vertices.normal_world, placement, glm::vec3(0));
-        of_vertices_.add(placement.vertex_count, [=, this, &elements, &placement](std::size_t from,
-                                                                                  std::size_t end) {
-            VectorBlock block = block_of(elements, placement, from, end);
-            block.multiply(world_from_normal);
-            block.normalize();
-            block.write(
-                std::span(scene_.vertices.normal_world).subspan(placement.first_vertex + from, end - from));
-        });
+        make_room(scene_.vertices.normal_world, baked_primitive, glm::vec3(0));
+        of_vertices_.add(baked_primitive.vertex_count,
+                         [=, this, &elements, &baked_primitive](std::size_t from, std::size_t end) {
+                             VectorBlock block = block_of(elements, baked_primitive, from, end);
+                             block.multiply(world_from_normal);
+                             block.normalize();
+                             block.write(std::span(scene_.vertices.normal_world)
+                                             .subspan(baked_primitive.first_vertex + from, end - from));
+                         });
     }
 
-    void append_uv(const tinygltf::Primitive& primitive, const Placement& placement) {
+    void append_uv(const tinygltf::Primitive& primitive, const BakedPrimitive& baked_primitive) {
         for (std::size_t set = 0; set < limits::uv_sets; ++set) {
             const std::optional<int> accessor = attribute(primitive, "TEXCOORD_" + std::to_string(set));
             if (!accessor) continue;
             if (scene_.vertices.uv.size() <= set) scene_.vertices.uv.resize(set + 1);
-            append(scene_.vertices.uv[set], placement, glm::vec2(0),
+            append(scene_.vertices.uv[set], baked_primitive, glm::vec2(0),
                    [&elements = accessors_.elements(*accessor)](std::size_t i) {
                        return glm::vec2(vec2_at(elements, i));
                    });
         }
     }
 
-    void append_color(const tinygltf::Primitive& primitive, const Placement& placement) {
+    void append_color(const tinygltf::Primitive& primitive, const BakedPrimitive& baked_primitive) {
         const std::optional<int> accessor = attribute(primitive, "COLOR_0");
         if (!accessor) return;
-        append(scene_.vertices.color, placement, glm::vec4(1),
+        append(scene_.vertices.color, baked_primitive, glm::vec4(1),
                [&elements = accessors_.elements(*accessor)](std::size_t i) {
                    const double alpha = elements.components == 4 ? component(elements, i, 3) : 1;
                    return glm::vec4(glm::dvec4(vec3_at(elements, i), alpha));
@@ -314,8 +318,8 @@ class Baker {
     Scene& scene_;
     Accessors accessors_;
     Unroller unroller_;
-    std::deque<Placement> placements_;  ///< in the order of their vertices and triangles
-    Batch of_vertices_, of_triangles_;  ///< triangles are measured by the vertices
+    std::deque<BakedPrimitive> baked_primitives_;  ///< in the order of their vertices and triangles
+    Batch of_vertices_, of_triangles_;             ///< triangles are measured by the vertices
     Tally tally_;
 };
 

@@ -35,12 +35,12 @@ class CameraBaker {
     void bake(const PlacedNode& placed) {
         const tinygltf::Node& node = model_.gltf.nodes[static_cast<std::size_t>(placed.node)];
         if (node.camera < 0) return;
-        const tinygltf::Camera& lens = model_.gltf.cameras[static_cast<std::size_t>(node.camera)];
-        name_ = unique_name(view_name(node.name.empty() ? lens.name : node.name), names_);
+        const tinygltf::Camera& intrinsics = model_.gltf.cameras[static_cast<std::size_t>(node.camera)];
+        name_ = unique_name(view_name(node.name.empty() ? intrinsics.name : node.name), names_);
         Camera camera;
         place(placed, camera);
-        lens.type == "perspective" ? set_perspective(lens.perspective, camera)
-                                   : set_orthographic(lens.orthographic, camera);
+        intrinsics.type == "perspective" ? set_perspective(intrinsics.perspective, camera)
+                                         : set_orthographic(intrinsics.orthographic, camera);
         validate(camera);
         names_.insert(name_);
         loaded_.views.push_back({name_, camera, size_.x, size_.y});
@@ -90,21 +90,21 @@ class CameraBaker {
                  std::to_string(aspect()));
     }
 
-    void set_perspective(const tinygltf::PerspectiveCamera& lens, Camera& camera) {
+    void set_perspective(const tinygltf::PerspectiveCamera& intrinsics, Camera& camera) {
         camera.projection = Projection::perspective;
-        camera.window = symmetric_window(lens.yfov, aspect());
-        camera.near_depth = lens.znear;
-        camera.far_depth = lens.zfar > 0 ? lens.zfar : std::numeric_limits<double>::infinity();
-        if (lens.aspectRatio > 0) note_aspect(lens.aspectRatio);
+        camera.window = symmetric_window(intrinsics.yfov, aspect());
+        camera.near_depth = intrinsics.znear;
+        camera.far_depth = intrinsics.zfar > 0 ? intrinsics.zfar : std::numeric_limits<double>::infinity();
+        if (intrinsics.aspectRatio > 0) note_aspect(intrinsics.aspectRatio);
     }
 
-    void set_orthographic(const tinygltf::OrthographicCamera& lens, Camera& camera) {
+    void set_orthographic(const tinygltf::OrthographicCamera& intrinsics, Camera& camera) {
         camera.projection = Projection::parallel;
-        const double half_width = lens.ymag * aspect();
-        camera.window = {-half_width, half_width, -lens.ymag, lens.ymag};
-        camera.near_depth = lens.znear;
-        camera.far_depth = lens.zfar;
-        note_aspect(lens.xmag / lens.ymag);
+        const double half_width = intrinsics.ymag * aspect();
+        camera.window = {-half_width, half_width, -intrinsics.ymag, intrinsics.ymag};
+        camera.near_depth = intrinsics.znear;
+        camera.far_depth = intrinsics.zfar;
+        note_aspect(intrinsics.xmag / intrinsics.ymag);
     }
 
     const GltfModel& model_;

@@ -32,21 +32,21 @@ std::string pointer(const char* list, std::size_t index, const char* member = ""
     return std::string("/") + list + "/" + std::to_string(index) + member;
 }
 
-void check_perspective(const Path& file, const std::string& place, const json& lens) {
-    const double yfov = lens["yfov"], near = lens["znear"];
+void check_perspective(const Path& file, const std::string& place, const json& intrinsics) {
+    const double yfov = intrinsics["yfov"], near = intrinsics["znear"];
     if (!(yfov > 0 && yfov < std::numbers::pi))
         refuse(file, place + "/yfov", "expected an angle between 0 and pi");
     if (!(near > 0)) refuse(file, place + "/znear", "expected a distance above 0");
-    if (lens.contains("zfar") && !(lens["zfar"].get<double>() > near))
+    if (intrinsics.contains("zfar") && !(intrinsics["zfar"].get<double>() > near))
         refuse(file, place + "/zfar", "expected a distance above znear");
-    if (lens.contains("aspectRatio") && !(lens["aspectRatio"].get<double>() > 0))
+    if (intrinsics.contains("aspectRatio") && !(intrinsics["aspectRatio"].get<double>() > 0))
         refuse(file, place + "/aspectRatio", "expected a ratio above 0");
 }
 
-void check_orthographic(const Path& file, const std::string& place, const json& lens) {
-    const double near = lens["znear"], far = lens["zfar"];
+void check_orthographic(const Path& file, const std::string& place, const json& intrinsics) {
+    const double near = intrinsics["znear"], far = intrinsics["zfar"];
     for (const char* side : {"/xmag", "/ymag"})
-        if (!(lens[json::json_pointer(side)].get<double>() > 0))
+        if (!(intrinsics[json::json_pointer(side)].get<double>() > 0))
             refuse(file, place + side, "expected a magnification above 0");
     if (!(near >= 0)) refuse(file, place + "/znear", "expected a distance of 0 or more");
     if (!(far > near)) refuse(file, place + "/zfar", "expected a distance above znear");

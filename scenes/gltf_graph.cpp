@@ -28,37 +28,37 @@ std::vector<std::size_t> parent_counts(const json& nodes) {
 
 /// A node's place in the graph: the longest way down to it, and how many ways lead there (how often it is
 /// drawn).
-struct Reach {
+struct PathCount {
     std::size_t depth = 1;
     std::uint64_t ways = 1;
 };
 
 /// Visits every node after all its parents (Kahn 1962); the number of ways is summed up, never enumerated.
-class Descent {
+class GraphTraversal {
   public:
-    Descent(const Path& file, const json& nodes)
-        : file_(file), nodes_(nodes), waiting_for_(parent_counts(nodes)), reach_(nodes.size()) {}
+    GraphTraversal(const Path& file, const json& nodes)
+        : file_(file), nodes_(nodes), waiting_for_(parent_counts(nodes)), path_counts_(nodes.size()) {}
 
     void run() {
         for (std::size_t node = 0; node < nodes_.size(); ++node)
             if (waiting_for_[node] == 0) open_.push_back(node);
-        for (const std::size_t root : open_) placed_ += reach_[root].ways;
+        for (const std::size_t root : open_) placed_ += path_counts_[root].ways;
         while (!open_.empty()) {
             const std::size_t node = open_.back();
             open_.pop_back();
-            for (const std::size_t child : children_of(nodes_[node])) reach_child(node, child);
+            for (const std::size_t child : children_of(nodes_[node])) add_paths(node, child);
         }
         for (std::size_t node = 0; node < nodes_.size(); ++node)
             if (waiting_for_[node] != 0) refuse(file_, node_at(node), "is its own ancestor; expected a tree");
     }
 
   private:
-    void reach_child(std::size_t node, std::size_t child) {
-        Reach& reach = reach_[child];
-        const std::uint64_t ways_so_far = is_reached(child) ? reach.ways : 0;
-        reach = {std::max(reach.depth, reach_[node].depth + 1), ways_so_far + reach_[node].ways};
-        placed_ += reach_[node].ways;
-        if (reach.depth > limits::node_depth)
+    void add_paths(std::size_t node, std::size_t child) {
+        PathCount& paths = path_counts_[child];
+        const std::uint64_t ways_so_far = is_reached(child) ? paths.ways : 0;
+        paths = {std::max(paths.depth, path_counts_[node].depth + 1), ways_so_far + path_counts_[node].ways};
+        placed_ += path_counts_[node].ways;
+        if (paths.depth > limits::node_depth)
             refuse(file_, node_at(child),
                    "nested too deep: at most " + std::to_string(limits::node_depth) + " nodes");
         if (placed_ > limits::placed_nodes)
@@ -68,12 +68,12 @@ class Descent {
         if (--waiting_for_[child] == 0) open_.push_back(child);
     }
 
-    bool is_reached(std::size_t node) const { return reach_[node].depth > 1; }
+    bool is_reached(std::size_t node) const { return path_counts_[node].depth > 1; }
 
     const Path& file_;
     const json& nodes_;
     std::vector<std::size_t> waiting_for_;  ///< parents that were not visited yet
-    std::vector<Reach> reach_;
+    std::vector<PathCount> path_counts_;
     std::vector<std::size_t> open_;
     std::uint64_t placed_ = 0;
 };
@@ -96,7 +96,7 @@ void check_scene_roots(const Path& file, const json& gltf, const std::vector<std
 
 std::vector<std::string> check_nodes(const Path& file, const json& gltf) {
     const json& nodes = list_of(gltf, "nodes");
-    Descent(file, nodes).run();
+    GraphTraversal(file, nodes).run();
     const std::vector<std::size_t> parents = parent_counts(nodes);
     check_scene_roots(file, gltf, parents);
     const auto shared = std::ranges::count_if(parents, [](std::size_t count) { return count > 1; });

@@ -173,17 +173,17 @@ tinygltf::Camera camera(const json& from) {
     tinygltf::Camera camera;
     camera.type = from["type"];
     camera.name = member(from, "name", std::string());
-    const json& lens = from[camera.type];
+    const json& intrinsics = from[camera.type];
     if (camera.type == "perspective") {
-        camera.perspective.aspectRatio = member(lens, "aspectRatio", 0.0);
-        camera.perspective.yfov = lens["yfov"];
-        camera.perspective.zfar = member(lens, "zfar", 0.0);
-        camera.perspective.znear = lens["znear"];
+        camera.perspective.aspectRatio = member(intrinsics, "aspectRatio", 0.0);
+        camera.perspective.yfov = intrinsics["yfov"];
+        camera.perspective.zfar = member(intrinsics, "zfar", 0.0);
+        camera.perspective.znear = intrinsics["znear"];
     } else {
-        camera.orthographic.xmag = lens["xmag"];
-        camera.orthographic.ymag = lens["ymag"];
-        camera.orthographic.zfar = lens["zfar"];
-        camera.orthographic.znear = lens["znear"];
+        camera.orthographic.xmag = intrinsics["xmag"];
+        camera.orthographic.ymag = intrinsics["ymag"];
+        camera.orthographic.zfar = intrinsics["zfar"];
+        camera.orthographic.znear = intrinsics["znear"];
     }
     return camera;
 }

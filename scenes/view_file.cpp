@@ -28,10 +28,10 @@ constexpr std::uint64_t largest_file = std::uint64_t{1} << 24;
 constexpr std::size_t most_views = 1000;
 constexpr int largest_side = 16384;
 
-/// A value with the place where it stands, so that every complaint can name it.
-class Place {
+/// A value with the place where it stands, so that every error can name it.
+class LocatedValue {
   public:
-    Place(const Path& file, const json& value, std::string pointer)
+    LocatedValue(const Path& file, const json& value, std::string pointer)
         : file_(file), value_(value), pointer_(std::move(pointer)) {}
 
     [[noreturn]] void fail(const std::string& text) const {
@@ -42,12 +42,12 @@ class Place {
     bool has(const char* key) const { return value_.contains(key); }
 
     /// The member, which must be there.
-    Place at(const char* key) const {
+    LocatedValue at(const char* key) const {
         if (!has(key)) fail(std::string("\"") + key + "\" is missing");
         return {file_, value_.at(key), pointer_ + "/" + key};
     }
 
-    Place at(std::size_t index) const {
+    LocatedValue at(std::size_t index) const {
         return {file_, value_.at(index), pointer_ + "/" + std::to_string(index)};
     }
 
@@ -92,7 +92,7 @@ class Place {
 };
 
 template <typename T>
-T choice(const Place& place, std::initializer_list<std::pair<std::string_view, T>> choices) {
+T choice(const LocatedValue& place, std::initializer_list<std::pair<std::string_view, T>> choices) {
     std::string list;
     for (const auto& [name, value] : choices) {
         if (place.value().is_string() && place.text() == name) return value;
@@ -103,14 +103,14 @@ T choice(const Place& place, std::initializer_list<std::pair<std::string_view, T
 
 enum class Kind { perspective, orthographic, oblique, parallel };
 
-Kind kind_of(const Place& view) {
+Kind kind_of(const LocatedValue& view) {
     return choice<Kind>(view.at("projection"), {{"perspective", Kind::perspective},
                                                 {"orthographic", Kind::orthographic},
                                                 {"oblique", Kind::oblique},
                                                 {"parallel", Kind::parallel}});
 }
 
-Window window_at(const Place& place) {
+Window window_at(const LocatedValue& place) {
     place.allow({"left", "right", "bottom", "top"});
     const Window window{place.at("left").number(), place.at("right").number(), place.at("bottom").number(),
                         place.at("top").number()};
@@ -119,30 +119,30 @@ Window window_at(const Place& place) {
     return window;
 }
 
-double positive(const Place& place) {
+double positive(const LocatedValue& place) {
     if (!(place.number() > 0)) place.fail("expected a number above 0");
     return place.number();
 }
 
-Window window_of_field(const Place& view, double aspect) {
-    const Place yfov = view.at("yfov_degrees");
+Window window_of_field(const LocatedValue& view, double aspect) {
+    const LocatedValue yfov = view.at("yfov_degrees");
     if (!(yfov.number() > 0 && yfov.number() < 180)) yfov.fail("expected an angle between 0 and 180 degrees");
     return symmetric_window(yfov.number() * std::numbers::pi / 180, aspect);
 }
 
 /// The window on the plane at depth 1 is the one on the near plane, scaled by 1 / near.
-Window window_at_near(const Place& view) {
+Window window_at_near(const LocatedValue& view) {
     const Window w = window_at(view.at("near_window"));
     const double near = positive(view.at("near"));
     return {w.left / near, w.right / near, w.bottom / near, w.top / near};
 }
 
-Window window_of_magnification(const Place& view) {
+Window window_of_magnification(const LocatedValue& view) {
     const double x = positive(view.at("xmag")), y = positive(view.at("ymag"));
     return {-x, x, -y, y};
 }
 
-Window window_of(const Place& view, Kind kind, double aspect) {
+Window window_of(const LocatedValue& view, Kind kind, double aspect) {
     const int forms = view.has("yfov_degrees") + view.has("near_window") + view.has("exact_window") +
                       (view.has("xmag") || view.has("ymag"));
     const bool is_perspective = kind == Kind::perspective;
@@ -155,7 +155,7 @@ Window window_of(const Place& view, Kind kind, double aspect) {
                   : "expected either \"xmag\" and \"ymag\" or \"exact_window\"");
 }
 
-glm::dvec2 shear_of(const Place& view, Kind kind) {
+glm::dvec2 shear_of(const LocatedValue& view, Kind kind) {
     if (kind == Kind::oblique || (kind == Kind::parallel && view.has("shear"))) {
         const json& shear = view.at("shear").numbers(2);
         return {shear[0].get<double>(), shear[1].get<double>()};
@@ -165,7 +165,7 @@ glm::dvec2 shear_of(const Place& view, Kind kind) {
     return glm::dvec2(0);
 }
 
-void set_pose(const Place& view, Camera& camera) {
+void set_pose(const LocatedValue& view, Camera& camera) {
     const bool has_target = view.has("target"), has_axes = view.has("right") || view.has("back");
     const glm::dvec3 eye = view.at("eye").vector(), up = view.at("up").vector();
     if (has_target == has_axes)
@@ -180,14 +180,14 @@ void set_pose(const Place& view, Camera& camera) {
     camera.back = view.at("back").vector();
 }
 
-double far_of(const Place& view) {
-    const Place far = view.at("far");
+double far_of(const LocatedValue& view) {
+    const LocatedValue far = view.at("far");
     if (far.value() == "infinity") return std::numeric_limits<double>::infinity();
     if (!far.value().is_number()) far.fail("expected a number or \"infinity\"");
     return far.number();
 }
 
-Camera camera_of(const Place& view, double aspect) {
+Camera camera_of(const LocatedValue& view, double aspect) {
     const Kind kind = kind_of(view);
     Camera camera;
     set_pose(view, camera);
@@ -205,15 +205,15 @@ Camera camera_of(const Place& view, double aspect) {
     return camera;
 }
 
-int side_of(const Place& view, const char* key, int otherwise) {
+int side_of(const LocatedValue& view, const char* key, int otherwise) {
     if (!view.has(key)) return otherwise;
-    const Place side = view.at(key);
+    const LocatedValue side = view.at(key);
     if (!side.value().is_number_unsigned() || side.value() < 1 || side.value() > largest_side)
         side.fail("expected an integer from 1 to " + std::to_string(largest_side));
     return side.value().get<int>();
 }
 
-View view_at(const Place& place) {
+View view_at(const LocatedValue& place) {
     place.allow({"back", "exact_window", "eye", "far", "height", "name", "ndc_depth", "near", "near_window",
                  "projection", "right", "shear", "target", "up", "width", "xmag", "yfov_degrees", "ymag"});
     View view;
@@ -232,7 +232,7 @@ View view_at(const Place& place) {
     return view;
 }
 
-std::vector<View> views_at(const Place& list) {
+std::vector<View> views_at(const LocatedValue& list) {
     const std::size_t size = list.value().is_array() ? list.value().size() : 0;
     if (size < 1 || size > most_views)
         list.fail("expected an array of 1 to " + std::to_string(most_views) + " views");
@@ -251,7 +251,7 @@ std::vector<View> views_at(const Place& list) {
 Loaded load_view_file(const std::filesystem::path& file) {
     const Bytes bytes = read_file(file, largest_file);
     const json content = parse_json(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    const Place root(file, content, "");
+    const LocatedValue root(file, content, "");
     root.allow({"scene", "views"});
     std::vector<View> views = views_at(root.at("views"));
     return {load_gltf_scene(beneath_folder_of(file, "/scene", root.at("scene").text())), std::move(views)};

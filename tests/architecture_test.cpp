@@ -275,7 +275,7 @@ TEST(HousePlan, FilesAndLinesKeepTheirLimits) {
     EXPECT_TRUE(faults.empty()) << joined(faults);
 }
 
-TEST(HousePlan, APlantedIntruderIsNamed) {
+TEST(HousePlan, APlantedIncludeIsNamed) {
     const SourceFile file{
         "rasterizer/a.cpp", "rasterizer", {"// first line", "#include \"compare/judge.h\""}};
     ASSERT_EQ(include_faults(file).size(), 1u);
@@ -285,7 +285,7 @@ TEST(HousePlan, APlantedIntruderIsNamed) {
     EXPECT_TRUE(include_faults({"oracle/a.cpp", "oracle", {"#include <embree3/rtcore.h>"}}).empty());
 }
 
-TEST(HousePlan, APlantedIntruderInTheJudgesRoomsIsNamed) {
+TEST(HousePlan, APlantedIncludeInTheJudgesRoomsIsNamed) {
     const auto faults = [](const std::string& path, const std::string& header) {
         return include_faults({path, "compare", {"#include \"" + header + "\""}}).size();
     };
@@ -302,7 +302,7 @@ TEST(HousePlan, APlantedIntruderInTheJudgesRoomsIsNamed) {
     EXPECT_EQ(faults("compare/verdict.h", "compare/bounds/depth_bound.h"), 0u);
     EXPECT_EQ(faults("compare/verdict.h", adjudicator), 1u);
     EXPECT_EQ(faults("compare/conformance.cpp", "compare/bounds/bounds.h"), 1u);
-    EXPECT_EQ(faults("compare/conformance.cpp", "compare/accord.h"), 0u);
+    EXPECT_EQ(faults("compare/conformance.cpp", "compare/id_agreement.h"), 0u);
 }
 
 TEST(HousePlan, UnitsOfTheJudgeStandInNoCycle) {

@@ -50,7 +50,7 @@ struct Unwrap {
 };
 
 /// Where along an unwrapped axis weights stand: the texels from the first to the last that has one.
-struct Range {
+struct TexelRange {
     int first = 0, last = -1;
 
     void include(int texel) {
@@ -67,16 +67,16 @@ struct Weight {
 };
 
 /// Those that count.
-std::vector<Weight> weights_of(Canvas& canvas, const Ground& ground, const glm::dvec2& centre) {
+std::vector<Weight> weights_of(Canvas& canvas, const BaseLevel& base_level, const glm::dvec2& centre) {
     double largest = 0;
-    for (int row = 0; row < ground.height; ++row)
-        for (int column = 0; column < ground.width; ++column)
+    for (int row = 0; row < base_level.height; ++row)
+        for (int column = 0; column < base_level.width; ++column)
             largest = std::max(largest, std::abs(canvas.at(column, row)));
-    const Unwrap column_of{ground.addressing.u, ground.width, centre.x},
-        row_of{ground.addressing.v, ground.height, centre.y};
+    const Unwrap column_of{base_level.addressing.u, base_level.width, centre.x},
+        row_of{base_level.addressing.v, base_level.height, centre.y};
     std::vector<Weight> weights;
-    for (int row = 0; row < ground.height; ++row)
-        for (int column = 0; column < ground.width; ++column)
+    for (int row = 0; row < base_level.height; ++row)
+        for (int column = 0; column < base_level.width; ++column)
             if (const double weight = canvas.at(column, row); std::abs(weight) > 0x1p-40 * largest)
                 weights.push_back({column_of(column), row_of(row), weight});
     return weights;
@@ -84,14 +84,14 @@ std::vector<Weight> weights_of(Canvas& canvas, const Ground& ground, const glm::
 
 }  // namespace
 
-Kernel record(const Sampler& sampler, const Footprint& footprint, const Ground& ground) {
-    Canvas canvas(ground.width, ground.height);
+Kernel record(const Sampler& sampler, const Footprint& footprint, const BaseLevel& base_level) {
+    Canvas canvas(base_level.width, base_level.height);
     for (const Tap& tap : sampler.taps(footprint))
         for (const Share& share : sampler.stored[std::size_t(tap.image)].made_of(tap.column, tap.row))
             canvas.add(share, tap.weight * share.weight);
     canvas.add_up();
-    const std::vector<Weight> weights = weights_of(canvas, ground, footprint.centre);
-    Range columns, rows;
+    const std::vector<Weight> weights = weights_of(canvas, base_level, footprint.centre);
+    TexelRange columns, rows;
     for (const Weight& weight : weights) columns.include(weight.column), rows.include(weight.row);
     Kernel kernel{columns.first, rows.first, columns.size(), rows.size(), {}};
     kernel.weights.resize(std::size_t(kernel.width) * std::size_t(kernel.height));

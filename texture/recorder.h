@@ -7,7 +7,7 @@
 namespace zproof::texture {
 
 /// Level 0 as the method reads it.
-struct Ground {
+struct BaseLevel {
     int width = 0, height = 0;  ///< texels
     Addressing addressing{};
 };
@@ -28,7 +28,7 @@ struct Kernel {
 
 /// From the taps and what the stored values that they read are made of. Weights below 2^-40 of the largest
 /// are 0: sums of a summed-area table cancel up to some 2^-50 of it.
-Kernel record(const Sampler& sampler, const Footprint& footprint, const Ground& ground);
+Kernel record(const Sampler& sampler, const Footprint& footprint, const BaseLevel& base_level);
 
 /// A kernel as a distribution of weight over texels' centres.
 struct KernelShape {

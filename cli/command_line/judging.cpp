@@ -10,7 +10,7 @@ constexpr const char* compare_remark = R"(
 The frames' own resolution is taken. Exit status as for run.)";
 
 /// SCENE, or a second frame where --scene names the scene.
-void add_frames(CLI::App& app, CompareArguments& compare, PartyWords& words) {
+void add_frames(CLI::App& app, CompareArguments& compare, RendererWords& words) {
     app.add_option("CANDIDATE", words.candidate, "frame to be judged (.exr with id and Z)")->required();
     auto* other =
         app.add_option("SCENE", compare.scene, std::string{scene_words} + "; with --scene: a frame");
@@ -30,8 +30,8 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("run", "render, ask the reference, judge, write the reports");
     app.add_option("SCENE", words.run.scenes,
                    std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
-    add_renderer_options(app, words.parties);
-    add_witness_options(app, words.parties);
+    add_renderer_options(app, words.renderers);
+    add_oracle_options(app, words.renderers);
     add_render_settings(app, words.run.settings);
     add_report(app, words.run.report);
     add_evidence(app, words.run.report);
@@ -42,18 +42,18 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     add_settings_choice(app, words.settings);
     return {&app, [&words] {
                 words.run.report = understood(words.run.report);
-                words.run.parties = parties_of(words.parties);
+                words.run.renderers = chosen_renderers(words.renderers);
                 return words.run;
             }};
 }
 
 Branch add_compare(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("compare", "judge frames that were rendered elsewhere");
-    add_frames(app, words.compare, words.parties);
+    add_frames(app, words.compare, words.renderers);
     app.add_option("--view", words.compare.view, "name of the view; needed where the scene has several");
-    add_precision_options(app, words.parties);
-    add_reference_precision(app, words.parties);
-    add_witness_options(app, words.parties);
+    add_precision_options(app, words.renderers);
+    add_reference_precision(app, words.renderers);
+    add_oracle_options(app, words.renderers);
     add_threads(app, words.compare.threads);
     add_report(app, words.compare.report);
     add_evidence(app, words.compare.report);
@@ -62,7 +62,7 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     app.footer(compare_remark);
     return {&app, [&words] {
                 words.compare.report = understood(words.compare.report);
-                words.compare.parties = parties_of(words.parties);
+                words.compare.renderers = chosen_renderers(words.renderers);
                 return words.compare;
             }};
 }
@@ -74,11 +74,11 @@ Branch add_explain(CLI::App& parent, CommandWords& words) {
     app.add_option("X", explain.x, "pixel column, 0 = left")->required()->check(CLI::Range(0, 32767));
     app.add_option("Y", explain.y, "pixel row, 0 = top")->required()->check(CLI::Range(0, 32767));
     app.add_option("--view", explain.view, "name of the view; default: the scene's first");
-    add_renderer_options(app, words.parties);
-    add_stored_frame_options(app, words.parties);
+    add_renderer_options(app, words.renderers);
+    add_stored_frame_options(app, words.renderers);
     add_render_settings(app, explain.settings);
     return {&app, [&words] {
-                words.explain.parties = parties_of(words.parties);
+                words.explain.renderers = chosen_renderers(words.renderers);
                 return words.explain;
             }};
 }

@@ -5,8 +5,8 @@
 namespace zproof {
 namespace {
 
-const std::map<std::string, ColourWish> colour_wishes{
-    {"auto", ColourWish::automatic}, {"always", ColourWish::always}, {"never", ColourWish::never}};
+const std::map<std::string, ColourMode> colour_modes{
+    {"auto", ColourMode::automatic}, {"always", ColourMode::always}, {"never", ColourMode::never}};
 const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyle::automatic},
                                                            {"bar", ProgressStyle::bar},
                                                            {"lines", ProgressStyle::lines},
@@ -51,7 +51,7 @@ void add_report(CLI::App& app, ReportArguments& report) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->default_str("html,json,junit");
-    add_choice(app, "--color", report.colour, colour_wishes)
+    add_choice(app, "--color", report.colour, colour_modes)
         ->description("of the table on the terminal; auto: unless NO_COLOR is set");
     add_choice(app, "--progress", report.progress, progress_styles)
         ->description("how it is told on stderr; auto: a bar on a terminal, else a line per view");
@@ -65,8 +65,8 @@ void add_evidence(CLI::App& app, ReportArguments& report) {
             "frames, pictures, findings and the viewer's planes: of all views, or of those with defects "
             "only");
     app.add_flag_callback(
-        "--pictures", [&report] { report.pictures = PictureWish::shaded; },
-        "shaded colour pictures, beside those of witnesses that can paint");
+        "--pictures", [&report] { report.pictures = PictureMode::shaded; },
+        "shaded colour pictures, beside those of oracles that can paint");
 }
 
 void add_waiver_file(CLI::App& app, GateArguments& gate) {

@@ -20,14 +20,15 @@ Branch add_render(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("render", "write a renderer's frames as EXR and PNG, not judged");
     app.add_option("SCENE", words.render.scene, scene_words)->required();
     app.add_option("-o,--out", words.render.out, "folder for the frames")->capture_default_str();
-    add_renderer_options(app, words.parties);
-    app.add_option("--filter", words.parties.filter,
+    add_renderer_options(app, words.renderers);
+    app.add_option("--filter", words.renderers.filter,
                    "also write textures as this method reads them: NAME[:key=value]...");
     add_render_settings(app, words.render.settings);
     app.footer("\nSettings of a filter, NAME:key=value:key=value:\n" + filter_settings_help());
     return {&app, [&words] {
-                words.render.renderer = candidate_of(words.parties);
-                if (!words.parties.filter.empty()) words.render.filter = filter_choice(words.parties.filter);
+                words.render.renderer = candidate_of(words.renderers);
+                if (!words.renderers.filter.empty())
+                    words.render.filter = filter_choice(words.renderers.filter);
                 return words.render;
             }};
 }
@@ -35,16 +36,16 @@ Branch add_render(CLI::App& parent, CommandWords& words) {
 Branch add_measure(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand(
         "measure", "what a renderer really does: sub-pixel grid, fill side, depth steps, watertightness");
-    app.add_option("RENDERER", words.parties.renderer,
+    app.add_option("RENDERER", words.renderers.renderer,
                    "a name, or 'CMD {scene} {camera} {width} {height} {out}'")
         ->required();
-    add_precision_options(app, words.parties);
+    add_precision_options(app, words.renderers);
     app.add_flag_callback(
         "--json", [&words] { words.measure.format = MeasurementFormat::json; },
         "print JSON instead of a table");
     app.footer(measure_remark);
     return {&app, [&words] {
-                words.measure.renderer = candidate_of(words.parties);
+                words.measure.renderer = candidate_of(words.renderers);
                 return words.measure;
             }};
 }
@@ -52,14 +53,14 @@ Branch add_measure(CLI::App& parent, CommandWords& words) {
 Branch add_contract_check(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand(
         "contract-check", "does a program keep the renderer contract? three small scenes, answers in words");
-    app.add_option("COMMAND", words.parties.renderer,
+    app.add_option("COMMAND", words.renderers.renderer,
                    "with {scene}, {camera}, {width}, {height} and {out} in it")
         ->required();
-    add_precision_options(app, words.parties);
+    add_precision_options(app, words.renderers);
     add_threads(app, words.contract_check.threads);
     app.footer(contract_remark);
     return {&app, [&words] {
-                words.contract_check.renderer = candidate_of(words.parties);
+                words.contract_check.renderer = candidate_of(words.renderers);
                 return words.contract_check;
             }};
 }

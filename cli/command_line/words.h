@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/arguments.h"
-#include "cli/party_words.h"
+#include "cli/renderer_words.h"
 
 namespace CLI {
 class App;
@@ -15,7 +15,7 @@ namespace zproof {
 
 /// Every command's arguments with their defaults; an option writes into them as it is read.
 struct CommandWords {
-    PartyWords parties;
+    RendererWords renderers;
     RunArguments run;
     CompareArguments compare;
     ExplainArguments explain;

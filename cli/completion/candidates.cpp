@@ -4,7 +4,7 @@
 #include <array>
 #include <iterator>
 
-#include "cli/renderers/roster.h"
+#include "cli/renderers/registry.h"
 #include "cli/report_files.h"
 #include "compare/pixel_class.h"
 #include "scenes/filter_scenes.h"

@@ -15,25 +15,25 @@
 namespace zproof {
 namespace {
 
+using selftest::ConformanceResult;
 using selftest::FilterClaim;
-using selftest::FilterStage;
-using selftest::FilterTrial;
+using selftest::FilterFixture;
 
 FilterClaim claim_of(const FilterChoice& choice, const FiltersCheckArguments& arguments) {
     const rasterizer::Texturing& texturing = choice.texturing;
     if (oracle::find_filter_definition(texturing.method.name) == nullptr)
-        throw UsageError{"filter '" + texturing.method.name + "': it has no law to be held against"};
+        throw UsageError{"filter '" + texturing.method.name + "': it has no reference to be held against"};
     return {texturing.method.name, texturing.options, texturing.derivatives,
             arguments.precision.value_or(selftest::filter_precision(texturing.options))};
 }
 
 /// "0 of 262144 pixels outside, slack 0.93"
-std::string found_in_words(const FilterTrial& trial) {
-    if (trial.is_caught()) return selftest::in_words(trial);
+std::string found_in_words(const ConformanceResult& result) {
+    if (result.is_caught()) return selftest::in_words(result);
     std::ostringstream text;
-    text << "no pixel of " << trial.found.judged << " outside, slack " << std::setprecision(3)
-         << trial.found.worst_slack;
-    if (trial.found.anything > 0) text << "; " << trial.found.anything << " undecided";
+    text << "no pixel of " << result.found.judged << " outside, slack " << std::setprecision(3)
+         << result.found.worst_slack;
+    if (result.found.anything > 0) text << "; " << result.found.anything << " undecided";
     return text.str();
 }
 
@@ -46,10 +46,12 @@ std::string where_in_words(const Conformance& found) {
     return text.str();
 }
 
-Picture picture_of(const FilterStage& stage, const FilterChoice& choice, const std::filesystem::path& own) {
-    if (own.empty()) return rasterizer::filtered(stage.scene, stage.view, stage.frame, choice.texturing);
+Picture picture_of(const FilterFixture& fixture, const FilterChoice& choice,
+                   const std::filesystem::path& own) {
+    if (own.empty())
+        return rasterizer::filtered(fixture.scene, fixture.view, fixture.frame, choice.texturing);
     Picture picture = read_picture_exr(own);
-    const Resolution expected{stage.view.width, stage.view.height};
+    const Resolution expected{fixture.view.width, fixture.view.height};
     if (picture.size() != expected)
         throw UsageError{own.string() + ": " + std::to_string(picture.size().width) + " x " +
                          std::to_string(picture.size().height) + " pixels; the view has " +
@@ -59,9 +61,9 @@ Picture picture_of(const FilterStage& stage, const FilterChoice& choice, const s
 }
 
 /// Judges every method on one view; how many of them keep to their definition.
-class Bench {
+class FilterChecker {
   public:
-    Bench(const FiltersCheckArguments& arguments, std::size_t scenes)
+    FilterChecker(const FiltersCheckArguments& arguments, std::size_t scenes)
         : arguments_(arguments),
           scenes_left_(scenes),
           progress_(std::cerr, beside_lines(ProgressStyle::automatic),
@@ -74,24 +76,26 @@ class Bench {
         progress_.expect_more(double((views - 1) * arguments_.methods.size()));
     }
 
-    void judge(const FilterStage& stage) {
+    void judge(const FilterFixture& fixture) {
         for (const FilterChoice& choice : arguments_.methods) {
             if (interrupted()) return;
-            const std::string name = stage.scene.name + " / " + stage.view.name + ": " + choice.typed + ": ";
+            const std::string name =
+                fixture.scene.name + " / " + fixture.view.name + ": " + choice.typed + ": ";
             progress_.begin(name);
-            const Picture picture = picture_of(stage, choice, arguments_.picture);
-            const FilterTrial trial = selftest::conformance_of(picture, stage, claim_of(choice, arguments_));
-            progress_.say(std::cout, (trial.is_caught() ? "FAILED  " : "passed  ") + name +
-                                         found_in_words(trial) + where_in_words(trial.found) + "\n");
+            const Picture picture = picture_of(fixture, choice, arguments_.picture);
+            const ConformanceResult result =
+                selftest::conformance_of(picture, fixture, claim_of(choice, arguments_));
+            progress_.say(std::cout, (result.is_caught() ? "FAILED  " : "passed  ") + name +
+                                         found_in_words(result) + where_in_words(result.found) + "\n");
             ++judged_;
-            failed_ += trial.is_caught();
+            failed_ += result.is_caught();
         }
     }
 
     ExitCode outcome() {
         std::ostringstream line;
         line << judged_ << (judged_ == 1 ? " picture: " : " pictures: ") << judged_ - failed_
-             << " within the law of their method, " << failed_ << " not\n";
+             << " within the reference of their method, " << failed_ << " not\n";
         progress_.say(std::cout, line.str());
         if (std::size_t(judged_) < expected_ || scenes_left_ > 0)
             return say_interrupted({std::size_t(judged_), expected_, scenes_left_}, "picture", "judged");
@@ -113,7 +117,7 @@ ExitCode execute(const FiltersCheckArguments& arguments) {
     for (const FilterChoice& choice : arguments.methods) claim_of(choice, arguments);
     const std::vector<StudyScene> sources = study_scenes(arguments.scenes);
     note_interrupts();
-    Bench bench{arguments, sources.size()};
+    FilterChecker checker{arguments, sources.size()};
     std::size_t views_judged = 0;
     for (const StudyScene& source : sources) {
         if (interrupted()) break;
@@ -121,16 +125,16 @@ ExitCode execute(const FiltersCheckArguments& arguments) {
         const Loaded loaded = load(
             source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
         const std::vector<View> views = chosen_views(loaded, arguments.views);
-        bench.begin_scene(views.size());
+        checker.begin_scene(views.size());
         views_judged += views.size();
         if (!arguments.picture.empty() && views_judged > 1)
             throw UsageError{"--picture: one view is expected; name it (--view)"};
         for (const View& view : views)
             on_threads(arguments.threads, [&] {
-                bench.judge({loaded.scene, view, rasterizer::render(loaded.scene, view)});
+                checker.judge({loaded.scene, view, rasterizer::render(loaded.scene, view)});
             });
     }
-    return bench.outcome();
+    return checker.outcome();
 }
 
 }  // namespace zproof

@@ -17,12 +17,12 @@ namespace {
 
 /// Point sampled, mip mapped, summed-area table: Crow's own three.
 study::Plan crow_plan(int height) {
-    study::Plan plan{.contestants = {},
+    study::Plan plan{.methods = {},
                      .truth = oracle::Reconstruction::nearest,
                      .flicker_steps = 0,
                      .first_row = natural_first_row({.word = "worked", .reason = {}}, height)};
     for (const char* name : {"nearest", "trilinear-gl", "sat-affine"})
-        plan.contestants.push_back({name, filter_choice(name).texturing});
+        plan.methods.push_back({name, filter_choice(name).texturing});
     return plan;
 }
 
@@ -38,15 +38,15 @@ ExitCode execute(const FiltersCrowArguments& arguments) {
     std::vector<CrowPicture> pictures;
     note_interrupts();
     WorkProgress progress{std::cerr, resolve(ProgressStyle::automatic), 1.0 + study::units_of(plan)};
-    const study::Audience audience{.begins = [&](const std::string& what) { progress.begin(what); },
-                                   .is_shown =
-                                       [&](const std::string& name, const Picture& picture) {
-                                           pictures.push_back({name, picture});
-                                       },
-                                   .wants_to_stop = interrupted};
+    const study::ProgressSink progress_sink{.begins = [&](const std::string& what) { progress.begin(what); },
+                                            .is_shown =
+                                                [&](const std::string& name, const Picture& picture) {
+                                                    pictures.push_back({name, picture});
+                                                },
+                                            .wants_to_stop = interrupted};
     study::CrowAnswers answers;
     on_threads(arguments.settings.threads, [&] {
-        results.views.push_back(study::study_view(loaded.scene, loaded.views.at(0), plan, audience));
+        results.views.push_back(study::study_view(loaded.scene, loaded.views.at(0), plan, progress_sink));
         if (interrupted()) return;
         progress.begin("answers");
         answers = study::crow_answers();

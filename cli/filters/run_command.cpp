@@ -24,20 +24,21 @@ namespace {
 namespace fs = std::filesystem;
 
 study::Plan plan_of(const FiltersRunArguments& arguments) {
-    study::Plan plan{.contestants = {}, .truth = arguments.truth, .flicker_steps = arguments.flicker_steps};
+    study::Plan plan{.methods = {}, .truth = arguments.truth, .flicker_steps = arguments.flicker_steps};
     for (const FilterChoice& choice : arguments.methods)
-        plan.contestants.push_back({choice.typed, choice.texturing});
+        plan.methods.push_back({choice.typed, choice.texturing});
     return plan;
 }
 
 /// The study in the making, and the folder that its pictures go to.
-class Workshop {
+class FilterStudyRun {
   public:
-    Workshop(study::Plan plan, const fs::path& folder, WorkProgress& progress, study::StudyResults& results)
+    FilterStudyRun(study::Plan plan, const fs::path& folder, WorkProgress& progress,
+                   study::StudyResults& results)
         : plan_(std::move(plan)), folder_(folder), progress_(progress), results_(results) {}
 
     /// Methods on views, as far as the views are known.
-    Share share() const { return {scored_, views_ * plan_.contestants.size(), scenes_left_}; }
+    Share share() const { return {scored_, views_ * plan_.methods.size(), scenes_left_}; }
 
     void leave(const StudyScene&) { ++scenes_left_; }  ///< interrupted: not even loaded
 
@@ -63,14 +64,14 @@ class Workshop {
     study::ViewStudy study_one(const Scene& scene, const View& view) {
         const std::string home = "pictures/" + names_.next(scene.name, view.name) + "/";
         fs::create_directories(folder_ / home);
-        const study::Audience audience{.begins = [&](const std::string& what) { progress_.begin(what); },
-                                       .is_shown =
-                                           [&](const std::string& name, const Picture& picture) {
-                                               write_exr(folder_ / home / (file_stem(name) + ".exr"),
-                                                         picture);
-                                           },
-                                       .wants_to_stop = interrupted};
-        study::ViewStudy one = study::study_view(scene, view, plan_, audience);
+        const study::ProgressSink progress_sink{
+            .begins = [&](const std::string& what) { progress_.begin(what); },
+            .is_shown =
+                [&](const std::string& name, const Picture& picture) {
+                    write_exr(folder_ / home / (file_stem(name) + ".exr"), picture);
+                },
+            .wants_to_stop = interrupted};
+        study::ViewStudy one = study::study_view(scene, view, plan_, progress_sink);
         one.truth_file = home + "truth.exr";
         for (study::MethodScore& method : one.methods) method.file = home + file_stem(method.label) + ".exr";
         return one;
@@ -117,12 +118,12 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     {
         WorkProgress progress{std::cerr, resolve(arguments.progress),
                               double(scenes.size()) * study::units_of(plan)};
-        Workshop workshop{plan, out.working(), progress, results};
+        FilterStudyRun study_run{plan, out.working(), progress, results};
         on_threads(arguments.threads, [&] {
             for (const StudyScene& scene : scenes)
-                interrupted() ? workshop.leave(scene) : workshop.study_scene(scene, arguments);
+                interrupted() ? study_run.leave(scene) : study_run.study_scene(scene, arguments);
         });
-        share = workshop.share();
+        share = study_run.share();
     }
     results.is_complete = share.done == share.all && share.scenes_left == 0;
     results.seconds = watch.lap();

@@ -73,11 +73,11 @@ int natural_first_row(const StudyScene& scene, int height) {
     return scene.word == worked ? worked_first_row * height / worked_side : 0;
 }
 
-std::vector<View> chosen_views(const Loaded& loaded, const std::vector<std::string>& wished) {
-    if (wished.empty()) return loaded.views;
+std::vector<View> chosen_views(const Loaded& loaded, const std::vector<std::string>& requested) {
+    if (requested.empty()) return loaded.views;
     std::vector<View> chosen;
     for (const View& view : loaded.views)
-        if (std::ranges::find(wished, view.name) != wished.end()) chosen.push_back(view);
+        if (std::ranges::find(requested, view.name) != requested.end()) chosen.push_back(view);
     if (chosen.empty())
         throw UsageError{"--view: scene '" + loaded.scene.name + "' has no such view; it has " +
                          names_of(loaded.views)};

@@ -24,7 +24,7 @@ Loaded load(const StudyScene& scene, Resolution resolution);
 
 /// Those of its views that were asked for, all where none is named. Throws UsageError where it has none of
 /// them.
-std::vector<View> chosen_views(const Loaded& loaded, const std::vector<std::string>& wished);
+std::vector<View> chosen_views(const Loaded& loaded, const std::vector<std::string>& requested);
 
 /// The size at which a scene is studied where nobody says: 512 x 512; of the worked set-up its own, 256 x
 /// 256.

@@ -4,7 +4,7 @@
 
 #include "cli/arguments.h"
 #include "cli/nearest_word.h"
-#include "cli/renderers/roster.h"
+#include "cli/renderers/registry.h"
 #include "cli/usage_error.h"
 
 namespace zproof {
@@ -37,12 +37,12 @@ RendererChoice renderer_from_word(const std::string& word) {
                      did_you_mean(word, renderer_names())};
 }
 
-bool are_the_usual(const Parties& parties) {
-    const Parties usual{.witnesses = {}};
+bool are_the_usual(const ChosenRenderers& renderers) {
+    const ChosenRenderers usual{.oracles = {}};
     const auto same = [](const RendererChoice& a, const RendererChoice& b) {
         return name_of(a) == name_of(b) && a.precision_word == b.precision_word;
     };
-    return same(parties.candidate, usual.candidate) && same(parties.reference, usual.reference);
+    return same(renderers.candidate, usual.candidate) && same(renderers.reference, usual.reference);
 }
 
 std::string name_of(const RendererChoice& choice) {

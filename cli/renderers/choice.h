@@ -34,8 +34,8 @@ struct RendererChoice {
     std::chrono::seconds time_limit{600};  ///< for one picture, of those that run as programs
 };
 
-/// Who is heard besides candidate and reference.
-struct WitnessChoice {
+/// Who is compared besides candidate and reference.
+struct OracleChoice {
     enum class Need {
         welcome,   ///< where it is absent, the report says so
         required,  ///< where it is absent, nothing is proven
@@ -48,10 +48,10 @@ struct WitnessChoice {
 };
 
 /// Everybody who has a say in a run.
-struct Parties {
+struct ChosenRenderers {
     RendererChoice candidate{.who = BuiltIn{"zproof"}, .precision_word = {}};
     RendererChoice reference{.who = BuiltIn{"embree"}, .precision_word = {}};
-    std::vector<WitnessChoice> witnesses;  ///< no two of one name, none named like candidate or reference
+    std::vector<OracleChoice> oracles;  ///< no two of one name, none named like candidate or reference
 };
 
 /// A word after --renderer: a name that zproof knows, or a command with {out} in it. Throws UsageError.
@@ -59,7 +59,7 @@ RendererChoice renderer_from_word(const std::string& word);
 
 /// zproof's own rasterizer against Embree, both as they declare themselves? Only of these does the suite's
 /// manifest know which classes must occur.
-bool are_the_usual(const Parties& parties);
+bool are_the_usual(const ChosenRenderers& renderers);
 
 /// The same in words: "povray", the command, the file.
 std::string name_of(const RendererChoice& choice);

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "cli/selftest/catalogue.h"
-#include "cli/selftest/spot.h"
+#include "cli/selftest/fault_pixel.h"
 
 namespace zproof::selftest {
 namespace {
@@ -13,19 +13,19 @@ const Expected reference_is_wrong_once{
     .answer = Expected::Answer::pass, .classes = {PixelClass::reference_wrong}, .count = 1};
 
 /// The largest float within the bound.
-Frame at_the_bound(const Stage& stage) {
-    Frame frame = stage.good;
-    const Pixel p = amid_a_triangle(stage);
-    const double high = lawful_depths(stage, p).high;
+Frame at_the_bound(const Fixture& fixture) {
+    Frame frame = fixture.good;
+    const Pixel p = amid_a_triangle(fixture);
+    const double high = admissible_depths(fixture, p).high;
     float depth = float(high);
     if (depth > high) depth = std::nextafter(depth, 0.0f);
     frame.camera_depth.at(p.x, p.y) = depth;
     return frame;
 }
 
-Frame reference_with_a_hole(const Stage& stage) {
-    Frame frame = stage.reference;
-    const Pixel p = amid_a_triangle(stage);
+Frame reference_with_a_hole(const Fixture& fixture) {
+    Frame frame = fixture.reference;
+    const Pixel p = amid_a_triangle(fixture);
     frame.primitive.at(p.x, p.y) = PrimitiveId::none;
     frame.camera_depth.at(p.x, p.y) = background_depth;
     return frame;
@@ -34,22 +34,22 @@ Frame reference_with_a_hole(const Stage& stage) {
 }  // namespace
 
 std::vector<Fault> clean_frames() {
-    const auto good = [](const Stage& stage) { return stage.good; };
-    const auto reference = [](const Stage& stage) { return stage.reference; };
+    const auto good = [](const Fixture& fixture) { return fixture.good; };
+    const auto reference = [](const Fixture& fixture) { return fixture.reference; };
     return {
         {.name = "untouched",
          .sentence = "the renderer's own frame, two million pixels",
          .expected = pass,
          .inject = good,
-         .stage_size = StageSize::large},
+         .fixture_size = FixtureSize::large},
         {.name = "untouched_small", .sentence = "the renderer's own frame", .expected = pass, .inject = good},
         {.name = "equal_to_reference",
          .sentence =
              "the reference's frame, bit by bit, from a renderer that promises what the reference does",
          .expected = pass,
          .inject = reference,
-         .stage_size = StageSize::large,
-         .promise = Promise::of_reference},
+         .fixture_size = FixtureSize::large,
+         .precision_source = PrecisionSource::of_reference},
         {.name = "depth_at_its_bound",
          .sentence = "one depth is the last float32 within its bound",
          .expected = pass,

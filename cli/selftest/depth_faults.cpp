@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "cli/selftest/catalogue.h"
-#include "cli/selftest/spot.h"
+#include "cli/selftest/fault_pixel.h"
 
 namespace zproof::selftest {
 namespace {
 
-/// The line of sight through a pixel's centre is (u, v, -1) per unit of depth (scenes/camera.h).
+/// The view ray through a pixel's centre is (u, v, -1) per unit of depth (scenes/camera.h).
 glm::dvec2 tangents(const View& view, int x, int y) {
     const Window& w = view.camera.window;
     return {w.left + (w.right - w.left) * (x + 0.5) / view.width,
@@ -15,29 +15,29 @@ glm::dvec2 tangents(const View& view, int x, int y) {
 }
 
 struct Seen {
-    const Stage& stage;
+    const Fixture& fixture;
     int x, y;
     PrimitiveId id;
     double depth;
 };
 
 /// Every depth that is not background becomes another; ids stay.
-std::function<Frame(const Stage&)> each_depth(const std::function<double(const Seen&)>& changed) {
-    return [=](const Stage& stage) {
-        Frame frame = stage.good;
-        for (int y = 0; y < stage.view.height; ++y)
-            for (int x = 0; x < stage.view.width; ++x) {
-                const PrimitiveId id = stage.good.primitive.at(x, y);
+std::function<Frame(const Fixture&)> each_depth(const std::function<double(const Seen&)>& changed) {
+    return [=](const Fixture& fixture) {
+        Frame frame = fixture.good;
+        for (int y = 0; y < fixture.view.height; ++y)
+            for (int x = 0; x < fixture.view.width; ++x) {
+                const PrimitiveId id = fixture.good.primitive.at(x, y);
                 if (id == PrimitiveId::none) continue;
                 float& depth = frame.camera_depth.at(x, y);
-                depth = float(changed({stage, x, y, id, double(depth)}));
+                depth = float(changed({fixture, x, y, id, double(depth)}));
             }
         return frame;
     };
 }
 
 double ray_length(const Seen& seen) {
-    const glm::dvec2 t = tangents(seen.stage.view, seen.x, seen.y);
+    const glm::dvec2 t = tangents(seen.fixture.view, seen.x, seen.y);
     return seen.depth * std::sqrt(1 + t.x * t.x + t.y * t.y);
 }
 
@@ -49,12 +49,12 @@ double ndc(const Camera& camera, double depth, double at_near, double at_far) {
 }
 
 std::function<double(const Seen&)> as_ndc(double at_near, double at_far) {
-    return [=](const Seen& seen) { return ndc(seen.stage.view.camera, seen.depth, at_near, at_far); };
+    return [=](const Seen& seen) { return ndc(seen.fixture.view.camera, seen.depth, at_near, at_far); };
 }
 
 /// Through a depth buffer that holds [0, 1] in whole steps.
 double quantized(const Seen& seen, int bits) {
-    const Camera& camera = seen.stage.view.camera;
+    const Camera& camera = seen.fixture.view.camera;
     const double steps = std::ldexp(1.0, bits) - 1;
     const double share = std::nearbyint(ndc(camera, seen.depth, 0, 1) * steps) / steps;
     return 1 / (1 / camera.near_depth + share * (1 / camera.far_depth - 1 / camera.near_depth));
@@ -79,11 +79,11 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y 
 
 /// Depth itself interpolated over the triangle's image, as if the picture were parallel.
 double affine(const Seen& seen) {
-    const Scene& scene = seen.stage.scene;
+    const Scene& scene = seen.fixture.scene;
     const glm::uvec3 corner = scene.triangles[std::size_t(seen.id)];
     std::array<Projected, 3> v;
     for (int k = 0; k < 3; ++k)
-        v[std::size_t(k)] = project(seen.stage.view, scene.vertices.position_world[corner[k]]);
+        v[std::size_t(k)] = project(seen.fixture.view, scene.vertices.position_world[corner[k]]);
     const glm::dvec2 p{seen.x + 0.5, seen.y + 0.5};
     const glm::dvec2 e1 = v[1].p_raster - v[0].p_raster, e2 = v[2].p_raster - v[0].p_raster;
     const glm::dvec2 r = p - v[0].p_raster;
@@ -93,8 +93,8 @@ double affine(const Seen& seen) {
 
 /// Every depth is its left neighbour's, where that is the same triangle.
 double of_the_left(const Seen& seen) {
-    const bool same = seen.x > 0 && seen.stage.good.primitive.at(seen.x - 1, seen.y) == seen.id;
-    return same ? double(seen.stage.good.camera_depth.at(seen.x - 1, seen.y)) : seen.depth;
+    const bool same = seen.x > 0 && seen.fixture.good.primitive.at(seen.x - 1, seen.y) == seen.id;
+    return same ? double(seen.fixture.good.camera_depth.at(seen.x - 1, seen.y)) : seen.depth;
 }
 
 }  // namespace
@@ -113,15 +113,15 @@ std::vector<Fault> faults_of_depth() {
         {"depth_of_16_bits", "depth went through a 16-bit buffer", wrong,
          each_depth([](const Seen& seen) { return quantized(seen, 16); })},
         {"depth_of_24_bits", "depth went through a 24-bit buffer", wrong,
-         each_depth([](const Seen& seen) { return quantized(seen, 24); }), StageSize::large},
+         each_depth([](const Seen& seen) { return quantized(seen, 24); }), FixtureSize::large},
         {"depth_from_near", "depth is counted from the near plane", wrong,
-         each_depth([](const Seen& seen) { return seen.depth - seen.stage.view.camera.near_depth; })},
+         each_depth([](const Seen& seen) { return seen.depth - seen.fixture.view.camera.near_depth; })},
         {"depth_in_other_units", "depth is in thousandths of a unit", wrong,
          each_depth([](const Seen& seen) { return 1000 * seen.depth; })},
         {"depth_of_the_pixel_to_the_left", "depth is taken one pixel to the left", wrong,
          each_depth(of_the_left)},
         {"depth_a_millionth_too_far", "depth is too large by one millionth", wrong,
-         each_depth([](const Seen& seen) { return seen.depth * (1 + 1e-6); }), StageSize::large},
+         each_depth([](const Seen& seen) { return seen.depth * (1 + 1e-6); }), FixtureSize::large},
         {"depths_negative", "depth is z_camera, which is negative", invalid,
          each_depth([](const Seen& seen) { return -seen.depth; })},
     };

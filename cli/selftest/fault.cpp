@@ -32,15 +32,16 @@ bool meets(const Expected& expected, const Verdict& verdict) {
            count_is_met(expected, verdict);
 }
 
-std::optional<Verdict> verdict_on(const Fault& fault, const Stage& stage) {
-    const Frame faulty = fault.inject(stage);
+std::optional<Verdict> verdict_on(const Fault& fault, const Fixture& fixture) {
+    const Frame faulty = fault.inject(fixture);
     const bool instead_of_reference = fault.target == Target::reference;
-    const Frame& candidate = instead_of_reference ? stage.good : faulty;
-    const Frame& reference = instead_of_reference ? faulty : stage.reference;
-    const bool renderers = fault.promise == Promise::of_renderer;
-    const Precision& precision = renderers ? stage.precision : stage.reference_precision;
+    const Frame& candidate = instead_of_reference ? fixture.good : faulty;
+    const Frame& reference = instead_of_reference ? faulty : fixture.reference;
+    const bool renderers = fault.precision_source == PrecisionSource::of_renderer;
+    const Precision& precision = renderers ? fixture.precision : fixture.reference_precision;
     try {
-        return judge(stage.scene, stage.view, {candidate, precision}, {reference, stage.reference_precision});
+        return judge(fixture.scene, fixture.view, {candidate, precision},
+                     {reference, fixture.reference_precision});
     } catch (const std::invalid_argument&) {  // what the judge says of frames that are none of this view's
         return std::nullopt;
     }
@@ -56,18 +57,18 @@ std::vector<Fault> catalogue() {
     return all;
 }
 
-Trial try_fault(const Fault& fault, const Stage& stage) {
-    Trial trial{.verdict = verdict_on(fault, stage)};
-    trial.as_expected = trial.verdict ? meets(fault.expected, *trial.verdict)
-                                      : fault.expected.answer == Expected::Answer::refuse;
-    return trial;
+FaultResult try_fault(const Fault& fault, const Fixture& fixture) {
+    FaultResult result{.verdict = verdict_on(fault, fixture)};
+    result.as_expected = result.verdict ? meets(fault.expected, *result.verdict)
+                                        : fault.expected.answer == Expected::Answer::refuse;
+    return result;
 }
 
-std::string in_words(const Trial& trial) {
-    if (!trial.verdict) return "refused";
+std::string in_words(const FaultResult& result) {
+    if (!result.verdict) return "refused";
     std::string words;
     for (int c = int(PixelClass::reference_wrong); c < pixel_class_count; ++c) {
-        const std::uint64_t count = pixels_of(*trial.verdict, PixelClass(c));
+        const std::uint64_t count = pixels_of(*result.verdict, PixelClass(c));
         if (count == 0) continue;
         words +=
             (words.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(name_of(PixelClass(c)));

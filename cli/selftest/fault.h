@@ -13,7 +13,7 @@ namespace zproof::selftest {
 
 /// Where faults are injected: a view, and two frames of it that the gate lets pass. Whoever makes it keeps
 /// everything alive.
-struct Stage {
+struct Fixture {
     const Scene& scene;
     const View& view;
     const Frame& good;  ///< the renderer's
@@ -33,31 +33,31 @@ struct Expected {
     std::optional<std::uint64_t> count;  ///< so many pixels have one of the classes, and no other pixel fails
 };
 
-/// How large a stage the fault is for. Judging two million pixels takes a moment, and longer where many are
+/// How large a fixture the fault is for. Judging two million pixels takes a moment, and longer where many are
 /// wrong.
-enum class StageSize { small, large };
+enum class FixtureSize { small, large };
 
 /// Whose frame the faulty one takes the place of.
 enum class Target { candidate, reference };
 
 /// By whose declared precision the candidate is judged.
-enum class Promise { of_renderer, of_reference };
+enum class PrecisionSource { of_renderer, of_reference };
 
 struct Fault {
     std::string name;      ///< letters, digits and '_'
     std::string sentence;  ///< what is wrong, for people
     Expected expected;
-    std::function<Frame(const Stage&)> inject;  ///< the faulty frame
-    StageSize stage_size = StageSize::small;
+    std::function<Frame(const Fixture&)> inject;  ///< the faulty frame
+    FixtureSize fixture_size = FixtureSize::small;
     Target target = Target::candidate;
-    Promise promise = Promise::of_renderer;
+    PrecisionSource precision_source = PrecisionSource::of_renderer;
 };
 
 /// Every fault, in the order in which they are told.
 std::vector<Fault> catalogue();
 
 /// What the gate said of a fault.
-struct Trial {
+struct FaultResult {
     bool as_expected = false;
     std::optional<Verdict> verdict;  ///< none: the gate refused to judge
 };
@@ -65,10 +65,10 @@ struct Trial {
 /// Is it a control, a frame that the gate has to let pass?
 inline bool is_control(const Fault& fault) { return fault.expected.answer == Expected::Answer::pass; }
 
-/// Injects the fault into the stage and asks the gate.
-Trial try_fault(const Fault& fault, const Stage& stage);
+/// Injects the fault into the fixture and asks the gate.
+FaultResult try_fault(const Fault& fault, const Fixture& fixture);
 
 /// "1 outside", "120 hidden, 31 outside", "no defect", "refused".
-std::string in_words(const Trial& trial);
+std::string in_words(const FaultResult& result);
 
 }  // namespace zproof::selftest

@@ -9,8 +9,8 @@
 
 namespace zproof::selftest {
 
-oracle::FilterSettings law_settings(const texture::FilterOptions& o) {
-    using oracle::filter_law::ChainKernel;
+oracle::FilterSettings reference_settings(const texture::FilterOptions& o) {
+    using oracle::filter_reference::ChainKernel;
     const auto kernel = o.mip_kernel == texture::MipKernel::box         ? ChainKernel::box
                         : o.mip_kernel == texture::MipKernel::polyphase ? ChainKernel::polyphase
                                                                         : ChainKernel::lanczos3;
@@ -33,39 +33,41 @@ StepRule step_rule(texture::Derivatives derivatives) {
     return derivatives == texture::Derivatives::analytic ? StepRule::analytic : StepRule::quad_differences;
 }
 
-FilterTrial conformance_of(const Picture& picture, const FilterStage& stage, const FilterClaim& claim) {
+ConformanceResult conformance_of(const Picture& picture, const FilterFixture& fixture,
+                                 const FilterClaim& claim) {
     const auto* definition = oracle::find_filter_definition(claim.method);
-    if (definition == nullptr) throw std::logic_error("no law for the method '" + claim.method + "'");
-    const oracle::FilterLaw law{stage.scene, stage.view, *definition, law_settings(claim.options),
-                                step_rule(claim.derivatives)};
-    const PixelLaw of_pixel = [&](int x, int y, const FilterPrecision& precision) {
-        return law.at(x, y, stage.frame.primitive.at(x, y), precision);
+    if (definition == nullptr) throw std::logic_error("no reference for the method '" + claim.method + "'");
+    const oracle::FilterReference reference{fixture.scene, fixture.view, *definition,
+                                            reference_settings(claim.options), step_rule(claim.derivatives)};
+    const PixelReference of_pixel = [&](int x, int y, const FilterPrecision& precision) {
+        return reference.at(x, y, fixture.frame.primitive.at(x, y), precision);
     };
-    FilterTrial trial{conformance(picture, of_pixel, claim.precision), {}};
-    trial.rules = rules_at_fault(picture, trial.found, of_pixel, claim.precision);
-    return trial;
+    ConformanceResult result{conformance(picture, of_pixel, claim.precision), {}};
+    result.rules = rules_at_fault(picture, result.found, of_pixel, claim.precision);
+    return result;
 }
 
-FilterTrial conformance_of(const Picture& picture, const FilterStage& stage, const std::string& method,
-                           const texture::FilterOptions& options, texture::Derivatives derivatives) {
-    return conformance_of(picture, stage, {method, options, derivatives, filter_precision(options)});
+ConformanceResult conformance_of(const Picture& picture, const FilterFixture& fixture,
+                                 const std::string& method, const texture::FilterOptions& options,
+                                 texture::Derivatives derivatives) {
+    return conformance_of(picture, fixture, {method, options, derivatives, filter_precision(options)});
 }
 
-FilterTrial try_filter_fault(const FilterFault& fault, const FilterStage& stage) {
+ConformanceResult try_filter_fault(const FilterFault& fault, const FilterFixture& fixture) {
     const texture::Method* method = texture::find_method(fault.method);
     if (method == nullptr) throw std::logic_error("no method '" + fault.method + "'");
-    const Picture picture = fault.inject(stage, {.method = *method, .options = fault.options});
-    return conformance_of(picture, stage, fault.method, fault.options);
+    const Picture picture = fault.inject(fixture, {.method = *method, .options = fault.options});
+    return conformance_of(picture, fixture, fault.method, fault.options);
 }
 
-std::string in_words(const FilterTrial& trial) {
-    if (!trial.is_caught()) return "no pixel outside";
+std::string in_words(const ConformanceResult& result) {
+    if (!result.is_caught()) return "no pixel outside";
     std::ostringstream text;
-    text << trial.found.outside << " of " << trial.found.judged << " pixels outside, slack "
-         << std::setprecision(2) << trial.found.worst_slack;
-    if (!trial.rules.empty() && trial.rules.front().explained >= 0.99)
-        text << "; likeliest: " << name_of(trial.rules.front().rule) << ", to " << std::setprecision(3)
-             << trial.rules.front().bits << " bits";
+    text << result.found.outside << " of " << result.found.judged << " pixels outside, slack "
+         << std::setprecision(2) << result.found.worst_slack;
+    if (!result.rules.empty() && result.rules.front().explained >= 0.99)
+        text << "; likeliest: " << name_of(result.rules.front().rule) << ", to " << std::setprecision(3)
+             << result.rules.front().bits << " bits";
     else
         text << "; no rule alone explains it";
     return text.str();
@@ -73,63 +75,63 @@ std::string in_words(const FilterTrial& trial) {
 
 namespace {
 
-/// Runs trials one by one, on stages that are made when first needed.
+/// Runs tests one by one, on fixtures that are made when first needed.
 class Round {
   public:
-    explicit Round(const Audience& audience) : audience_(audience) {}
+    explicit Round(const ProgressSink& progress_sink) : progress_sink_(progress_sink) {}
 
     void control(const texture::Method& method) {
         if (!begins("filter " + method.name)) return;
-        const FilterStage& stage = stage_of(Ground::noise);
+        const FilterFixture& fixture = fixture_of(Ground::noise);
         const Picture picture =
-            rasterizer::filtered(stage.scene, stage.view, stage.frame, {.method = method});
-        const FilterTrial trial = conformance_of(picture, stage, method.name, {});
-        tell(trial.is_caught() ? "FAILED" : "passed", "filter " + method.name, in_words(trial));
+            rasterizer::filtered(fixture.scene, fixture.view, fixture.frame, {.method = method});
+        const ConformanceResult result = conformance_of(picture, fixture, method.name, {});
+        tell(result.is_caught() ? "FAILED" : "passed", "filter " + method.name, in_words(result));
         ++score_.controls;
-        score_.passed += !trial.is_caught();
+        score_.passed += !result.is_caught();
     }
 
     void fault(const FilterFault& fault) {
         if (!begins(fault.name)) return;
-        const FilterTrial trial = try_filter_fault(fault, stage_of(fault.ground));
-        tell(trial.is_caught() ? "caught" : "MISSED", fault.name,
-             in_words(trial) + " (" + fault.sentence + ")");
+        const ConformanceResult result = try_filter_fault(fault, fixture_of(fault.ground));
+        tell(result.is_caught() ? "caught" : "MISSED", fault.name,
+             in_words(result) + " (" + fault.sentence + ")");
         ++score_.faults;
-        score_.caught += trial.is_caught();
+        score_.caught += result.is_caught();
     }
 
     const Score& score() const { return score_; }
 
   private:
     bool begins(const std::string& name) {
-        if (audience_.wants_to_stop()) return false;
-        audience_.begins(name);
+        if (progress_sink_.wants_to_stop()) return false;
+        progress_sink_.begins(name);
         return true;
     }
 
     void tell(const char* mark, const std::string& name, const std::string& words) {
         std::ostringstream line;
         line << mark << "  " << std::left << std::setw(32) << name << words << "\n";
-        audience_.told(line.str());
+        progress_sink_.told(line.str());
     }
 
-    const FilterStage& stage_of(Ground ground) {
+    const FilterFixture& fixture_of(Ground ground) {
         const auto found = stages_.find(ground);
         return found != stages_.end() ? found->second
-                                      : stages_.emplace(ground, filter_stage(ground)).first->second;
+                                      : stages_.emplace(ground, filter_fixture(ground)).first->second;
     }
 
-    const Audience& audience_;
-    std::map<Ground, FilterStage> stages_;
+    const ProgressSink& progress_sink_;
+    std::map<Ground, FilterFixture> stages_;
     Score score_;
 };
 
 }  // namespace
 
-int filter_trial_count() { return int(texture::methods().size() + filter_faults().size()); }
+int filter_test_count() { return int(texture::methods().size() + filter_faults().size()); }
 
-Score try_filters(const Audience& audience) {
-    Round round{audience};
+Score try_filters(const ProgressSink& progress_sink) {
+    Round round{progress_sink};
     for (const texture::Method& method : texture::methods()) round.control(method);
     for (const FilterFault& fault : filter_faults()) round.fault(fault);
     return round.score();

@@ -1,24 +1,24 @@
-/// A filter fault: one way in which a filtered picture can be wrong, and the trial that must find it.
+/// A filter fault: one way in which a filtered picture can be wrong, and the test that must find it.
 #pragma once
 
-#include "cli/selftest/filter_stage.h"
+#include "cli/selftest/filter_fixture.h"
 #include "cli/selftest/score.h"
 #include "compare/conformance.h"
-#include "oracle/filter_law/filter_law.h"
+#include "oracle/filter_reference/filter_reference.h"
 #include "rasterizer/texturing.h"
 
 namespace zproof::selftest {
 
-/// The options of a method, as its law knows them, and what they promise.
-oracle::FilterSettings law_settings(const texture::FilterOptions& options);
+/// The options of a method, as its filter reference knows them, and what they promise.
+oracle::FilterSettings reference_settings(const texture::FilterOptions& options);
 FilterPrecision filter_precision(const texture::FilterOptions& options);
 StepRule step_rule(texture::Derivatives derivatives);
 
 struct FilterFault {
     std::string name;      ///< letters, digits and '_'
     std::string sentence;  ///< what is wrong, for people
-    std::string method;    ///< by whose law the picture is judged
-    std::function<Picture(const FilterStage&, const rasterizer::Texturing& right)> inject;
+    std::string method;    ///< by whose filter reference the picture is judged
+    std::function<Picture(const FilterFixture&, const rasterizer::Texturing& right)> inject;
     texture::FilterOptions options{};
     Ground ground = Ground::noise;
 };
@@ -26,9 +26,9 @@ struct FilterFault {
 /// Every filter fault, in the order in which they are told: places, levels, weights, taps, textures.
 std::vector<FilterFault> filter_faults();
 
-struct FilterTrial {
+struct ConformanceResult {
     Conformance found;
-    std::vector<RuleTrial> rules;  ///< the likeliest first
+    std::vector<RuleRelaxation> rules;  ///< the likeliest first
 
     bool is_caught() const { return found.outside > 0; }
 };
@@ -41,24 +41,26 @@ struct FilterClaim {
     FilterPrecision precision{};
 };
 
-/// What the law of a method says of a picture of a stage. The method must have a law.
-FilterTrial conformance_of(const Picture& picture, const FilterStage& stage, const FilterClaim& claim);
+/// What the filter reference of a method says of a picture of a fixture. The method must have a filter
+/// reference.
+ConformanceResult conformance_of(const Picture& picture, const FilterFixture& fixture,
+                                 const FilterClaim& claim);
 
 /// The same, with what zproof's own filters promise.
-FilterTrial conformance_of(const Picture& picture, const FilterStage& stage, const std::string& method,
-                           const texture::FilterOptions& options,
-                           texture::Derivatives derivatives = texture::Derivatives::analytic);
+ConformanceResult conformance_of(const Picture& picture, const FilterFixture& fixture,
+                                 const std::string& method, const texture::FilterOptions& options,
+                                 texture::Derivatives derivatives = texture::Derivatives::analytic);
 
-/// Injects the fault into the stage and asks the law.
-FilterTrial try_filter_fault(const FilterFault& fault, const FilterStage& stage);
+/// Injects the fault into the fixture and asks the filter reference.
+ConformanceResult try_filter_fault(const FilterFault& fault, const FilterFixture& fixture);
 
 /// "7310 of 11520 pixels outside, slack 1.2e+06; likeliest: LOD, to 0 bits"
-std::string in_words(const FilterTrial& trial);
+std::string in_words(const ConformanceResult& result);
 
 /// Tries each method of the catalogue as a control, and every filter fault, and tells a line of each.
-Score try_filters(const Audience& audience);
+Score try_filters(const ProgressSink& progress_sink);
 
-/// How many trials that are.
-int filter_trial_count();
+/// How many tests that are.
+int filter_test_count();
 
 }  // namespace zproof::selftest

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "cli/selftest/filter_fault.h"
-#include "cli/selftest/filter_tampering.h"
+#include "cli/selftest/filter_variants.h"
 #include "texture/catalogue.h"
 #include "texture/lod.h"
 
@@ -11,41 +11,41 @@ namespace {
 
 using rasterizer::Texturing;
 using texture::FilterOptions;
-using Inject = std::function<Picture(const FilterStage&, const Texturing&)>;
+using Inject = std::function<Picture(const FilterFixture&, const Texturing&)>;
 
-Picture drawn(const FilterStage& stage, const Texturing& texturing) {
-    return rasterizer::filtered(stage.scene, stage.view, stage.frame, texturing);
+Picture drawn(const FilterFixture& fixture, const Texturing& texturing) {
+    return rasterizer::filtered(fixture.scene, fixture.view, fixture.frame, texturing);
 }
 
 /// The right method, told something wrong of the pixel.
 Inject told(const Distortion& distortion) {
-    return [distortion](const FilterStage& stage, const Texturing& right) {
+    return [distortion](const FilterFixture& fixture, const Texturing& right) {
         const texture::Method wrong = distorted(right.method, distortion);
-        return drawn(stage, {.method = wrong, .options = right.options});
+        return drawn(fixture, {.method = wrong, .options = right.options});
     };
 }
 
 /// Another method, the same options.
 Inject by(const texture::Method& wrong) {
-    return [wrong](const FilterStage& stage, const Texturing& right) {
-        return drawn(stage, {.method = wrong, .options = right.options});
+    return [wrong](const FilterFixture& fixture, const Texturing& right) {
+        return drawn(fixture, {.method = wrong, .options = right.options});
     };
 }
 Inject by(const char* name) { return by(*texture::find_method(name)); }
 
 /// The right method, other options.
 Inject set(const std::function<void(FilterOptions&)>& change) {
-    return [change](const FilterStage& stage, const Texturing& right) {
+    return [change](const FilterFixture& fixture, const Texturing& right) {
         Texturing wrong = right;
         change(wrong.options);
-        return drawn(stage, wrong);
+        return drawn(fixture, wrong);
     };
 }
 
 /// The right method of another scene.
 Inject of(const std::function<void(Scene&)>& change) {
-    return [change](const FilterStage& stage, const Texturing& right) {
-        FilterStage wrong = stage;
+    return [change](const FilterFixture& fixture, const Texturing& right) {
+        FilterFixture wrong = fixture;
         change(wrong.scene);
         return drawn(wrong, right);
     };
@@ -53,8 +53,8 @@ Inject of(const std::function<void(Scene&)>& change) {
 
 /// The right picture, spoiled.
 Inject afterwards(const std::function<LinearRgb(const LinearRgb&)>& change) {
-    return [change](const FilterStage& stage, const Texturing& right) {
-        Picture picture = drawn(stage, right);
+    return [change](const FilterFixture& fixture, const Texturing& right) {
+        Picture picture = drawn(fixture, right);
         for (LinearRgb& pixel : picture.pixels()) pixel = change(pixel);
         return picture;
     };
@@ -126,10 +126,10 @@ std::vector<FilterFault> faults_of_places() {
              return f;
          })},
         {"affine_uv", "texture coordinates are interpolated without regard to perspective", "trilinear-gl",
-         [](const FilterStage& stage, const Texturing& right) {
-             return drawn(stage, {.method = right.method,
-                                  .options = right.options,
-                                  .uv = rasterizer::UvInterpolation::affine});
+         [](const FilterFixture& fixture, const Texturing& right) {
+             return drawn(fixture, {.method = right.method,
+                                    .options = right.options,
+                                    .uv = rasterizer::UvInterpolation::affine});
          }},
         {"clamp_for_repeat", "the texture is clamped where it should repeat", "trilinear-gl",
          of([](Scene& s) { s.materials[0].base_color.sampler.wrap_u = Wrap::clamp_to_edge; })},
@@ -180,10 +180,10 @@ std::vector<FilterFault> faults_of_steps() {
          Ground::odd_sizes},
         {"differences_for_derivatives",
          "steps are differences within 2 x 2 pixels, although exact ones are promised", "trilinear-gl",
-         [](const FilterStage& stage, const Texturing& right) {
-             return drawn(stage, {.method = right.method,
-                                  .options = right.options,
-                                  .derivatives = texture::Derivatives::quad_differences});
+         [](const FilterFixture& fixture, const Texturing& right) {
+             return drawn(fixture, {.method = right.method,
+                                    .options = right.options,
+                                    .derivatives = texture::Derivatives::quad_differences});
          }}};
 }
 

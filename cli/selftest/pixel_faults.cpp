@@ -2,23 +2,23 @@
 #include <limits>
 
 #include "cli/selftest/catalogue.h"
-#include "cli/selftest/spot.h"
+#include "cli/selftest/fault_pixel.h"
 
 namespace zproof::selftest {
 namespace {
 
 Expected one(PixelClass c) { return {.classes = {c}, .count = 1}; }
 
-using Change = std::function<void(const Stage&, Pixel, PrimitiveId&, float&)>;
+using Change = std::function<void(const Fixture&, Pixel, PrimitiveId&, float&)>;
 
 enum class Where { triangle, background };
 
 /// A frame whose one pixel is changed.
-std::function<Frame(const Stage&)> at_one_pixel(Where where, const Change& change) {
-    return [=](const Stage& stage) {
-        Frame frame = stage.good;
-        const Pixel p = where == Where::triangle ? amid_a_triangle(stage) : amid_background(stage);
-        change(stage, p, frame.primitive.at(p.x, p.y), frame.camera_depth.at(p.x, p.y));
+std::function<Frame(const Fixture&)> at_one_pixel(Where where, const Change& change) {
+    return [=](const Fixture& fixture) {
+        Frame frame = fixture.good;
+        const Pixel p = where == Where::triangle ? amid_a_triangle(fixture) : amid_background(fixture);
+        change(fixture, p, frame.primitive.at(p.x, p.y), frame.camera_depth.at(p.x, p.y));
         return frame;
     };
 }
@@ -29,8 +29,8 @@ Fault of_id(const std::string& name, const std::string& sentence, PixelClass c, 
 
 Fault of_depth(const std::string& name, const std::string& sentence, PixelClass c,
                const std::function<float(const DepthBound&)>& depth_of) {
-    const Change change = [=](const Stage& stage, Pixel p, PrimitiveId&, float& depth) {
-        depth = depth_of(lawful_depths(stage, p));
+    const Change change = [=](const Fixture& fixture, Pixel p, PrimitiveId&, float& depth) {
+        depth = depth_of(admissible_depths(fixture, p));
     };
     return {name, sentence, one(c), at_one_pixel(Where::triangle, change)};
 }
@@ -51,25 +51,25 @@ std::vector<Fault> faults_of_one_id() {
     return {
         of_id("one_wrong_id", "one pixel of two million names another triangle, its depth stays right",
               PixelClass::outside,
-              [](const Stage& stage, Pixel p, PrimitiveId& id, float&) {
-                  const Pixel other = amid_another_triangle(stage, stage.good.primitive.at(p.x, p.y));
-                  id = stage.good.primitive.at(other.x, other.y);
+              [](const Fixture& fixture, Pixel p, PrimitiveId& id, float&) {
+                  const Pixel other = amid_another_triangle(fixture, fixture.good.primitive.at(p.x, p.y));
+                  id = fixture.good.primitive.at(other.x, other.y);
               }),
         of_id("one_hole", "one pixel is background", PixelClass::hole,
-              [](const Stage&, Pixel, PrimitiveId& id, float& depth) {
+              [](const Fixture&, Pixel, PrimitiveId& id, float& depth) {
                   id = PrimitiveId::none;
                   depth = background_depth;
               }),
         of_id("id_out_of_range", "one id is the number of triangles, one more than the last",
               PixelClass::invalid,
-              [](const Stage& stage, Pixel, PrimitiveId& id, float&) {
-                  id = PrimitiveId{std::uint32_t(stage.scene.triangles.size())};
+              [](const Fixture& fixture, Pixel, PrimitiveId& id, float&) {
+                  id = PrimitiveId{std::uint32_t(fixture.scene.triangles.size())};
               }),
         of_id("id_almost_background", "one id is 0xFFFFFFFE", PixelClass::invalid,
-              [](const Stage&, Pixel, PrimitiveId& id, float&) { id = PrimitiveId{0xFFFF'FFFE}; }),
+              [](const Fixture&, Pixel, PrimitiveId& id, float&) { id = PrimitiveId{0xFFFF'FFFE}; }),
         of_id("background_with_a_depth", "one id is background, the surface's depth is still there",
               PixelClass::invalid,
-              [](const Stage&, Pixel, PrimitiveId& id, float&) { id = PrimitiveId::none; }),
+              [](const Fixture&, Pixel, PrimitiveId& id, float&) { id = PrimitiveId::none; }),
     };
 }
 
@@ -105,28 +105,28 @@ std::vector<Fault> faults_of_one_depth() {
 }
 
 std::vector<Fault> faults_of_background() {
-    const auto borrow = [](const Stage& stage) {
-        const Pixel p = amid_a_triangle(stage);
-        return Answer{stage.good.primitive.at(p.x, p.y), stage.good.camera_depth.at(p.x, p.y)};
+    const auto borrow = [](const Fixture& fixture) {
+        const Pixel p = amid_a_triangle(fixture);
+        return Answer{fixture.good.primitive.at(p.x, p.y), fixture.good.camera_depth.at(p.x, p.y)};
     };
     return {
         of_background("filled_background", "one background pixel holds a triangle with its depth",
                       PixelClass::outside,
-                      [=](const Stage& stage, Pixel, PrimitiveId& id, float& depth) {
-                          id = borrow(stage).primitive;
-                          depth = borrow(stage).camera_depth;
+                      [=](const Fixture& fixture, Pixel, PrimitiveId& id, float& depth) {
+                          id = borrow(fixture).primitive;
+                          depth = borrow(fixture).camera_depth;
                       }),
         of_background("background_at_the_far_plane", "one background pixel has the far plane's depth",
                       PixelClass::invalid,
-                      [](const Stage& stage, Pixel, PrimitiveId&, float& depth) {
-                          depth = float(stage.view.camera.far_depth);
+                      [](const Fixture& fixture, Pixel, PrimitiveId&, float& depth) {
+                          depth = float(fixture.view.camera.far_depth);
                       }),
         of_background("background_nan", "one background pixel has the depth NaN", PixelClass::invalid,
-                      [](const Stage&, Pixel, PrimitiveId&, float& depth) {
+                      [](const Fixture&, Pixel, PrimitiveId&, float& depth) {
                           depth = std::numeric_limits<float>::quiet_NaN();
                       }),
         of_background("background_zero", "one background pixel has the depth 0", PixelClass::invalid,
-                      [](const Stage&, Pixel, PrimitiveId&, float& depth) { depth = 0; }),
+                      [](const Fixture&, Pixel, PrimitiveId&, float& depth) { depth = 0; }),
     };
 }
 
@@ -134,7 +134,7 @@ std::vector<Fault> faults_of_background() {
 
 std::vector<Fault> faults_of_a_pixel() {
     std::vector<Fault> all = faults_of_one_id();
-    all.front().stage_size = StageSize::large;
+    all.front().fixture_size = FixtureSize::large;
     for (auto& part : {faults_of_one_depth(), faults_of_background()})
         all.insert(all.end(), part.begin(), part.end());
     return all;

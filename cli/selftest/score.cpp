@@ -4,41 +4,42 @@
 #include <map>
 #include <sstream>
 
-#include "cli/selftest/theatre.h"
+#include "cli/selftest/test_scene.h"
 
 namespace zproof::selftest {
 namespace {
 
 /// What the line of a fault begins with.
-const char* mark_of(const Fault& fault, const Trial& trial) {
-    if (is_control(fault)) return trial.as_expected ? "passed" : "FAILED";
-    return trial.as_expected ? "caught" : "MISSED";
+const char* mark_of(const Fault& fault, const FaultResult& result) {
+    if (is_control(fault)) return result.as_expected ? "passed" : "FAILED";
+    return result.as_expected ? "caught" : "MISSED";
 }
 
-std::string line_of(const Fault& fault, const Trial& trial) {
+std::string line_of(const Fault& fault, const FaultResult& result) {
     std::ostringstream line;
-    line << mark_of(fault, trial) << "  " << std::left << std::setw(32) << fault.name << in_words(trial)
+    line << mark_of(fault, result) << "  " << std::left << std::setw(32) << fault.name << in_words(result)
          << " (" << fault.sentence << ")\n";
     return line.str();
 }
 
-void count(Score& score, const Fault& fault, const Trial& trial) {
+void count(Score& score, const Fault& fault, const FaultResult& result) {
     (is_control(fault) ? score.controls : score.faults) += 1;
-    (is_control(fault) ? score.passed : score.caught) += trial.as_expected;
+    (is_control(fault) ? score.passed : score.caught) += result.as_expected;
 }
 
 }  // namespace
 
-Score try_all(const std::vector<Fault>& faults, const Audience& audience) {
-    std::map<StageSize, Theatre> theatres;  // made when first needed
+Score try_all(const std::vector<Fault>& faults, const ProgressSink& progress_sink) {
+    std::map<FixtureSize, TestScene> test_scenes;  // made when first needed
     Score score;
     for (const Fault& fault : faults) {
-        if (audience.wants_to_stop()) break;
-        audience.begins(fault.name);
-        const Theatre& theatre = theatres.try_emplace(fault.stage_size, fault.stage_size).first->second;
-        const Trial trial = try_fault(fault, theatre.stage());
-        audience.told(line_of(fault, trial));
-        count(score, fault, trial);
+        if (progress_sink.wants_to_stop()) break;
+        progress_sink.begins(fault.name);
+        const TestScene& test_scene =
+            test_scenes.try_emplace(fault.fixture_size, fault.fixture_size).first->second;
+        const FaultResult result = try_fault(fault, test_scene.fixture());
+        progress_sink.told(line_of(fault, result));
+        count(score, fault, result);
     }
     return score;
 }

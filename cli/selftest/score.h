@@ -18,21 +18,21 @@ struct Score {
         controls += other.controls, passed += other.passed;
         return *this;
     }
-    int trials() const { return faults + controls; }
+    int tests() const { return faults + controls; }
 
     /// Everything is caught, nothing good is called bad, and there was something to catch.
     bool gate_works() const { return faults > 0 && caught == faults && passed == controls; }
 };
 
-/// Who follows the trials.
-struct Audience {
+/// Follows the tests.
+struct ProgressSink {
     std::function<void(const std::string& name)> begins = [](const std::string&) {};
-    std::function<void(const std::string& line)> told;           ///< what came of a trial; ends in a newline
-    std::function<bool()> wants_to_stop = [] { return false; };  ///< asked before every trial
+    std::function<void(const std::string& line)> told;           ///< what came of a test; ends in a newline
+    std::function<bool()> wants_to_stop = [] { return false; };  ///< asked before every test
 };
 
-/// Tries every fault on a stage of its size and tells a line of each, until the audience wants to stop. Uses
-/// the surrounding tbb::task_arena.
-Score try_all(const std::vector<Fault>& faults, const Audience& audience);
+/// Tries every fault on a fixture of its size and tells a line of each, until the progress sink wants to
+/// stop. Uses the surrounding tbb::task_arena.
+Score try_all(const std::vector<Fault>& faults, const ProgressSink& progress_sink);
 
 }  // namespace zproof::selftest

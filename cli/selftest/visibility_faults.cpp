@@ -7,10 +7,10 @@
 namespace zproof::selftest {
 namespace {
 
-/// A triangle where a line of sight meets it. Greater nearness is nearer.
+/// A triangle where a view ray meets it. Greater inverse depth is nearer.
 struct Hit {
     PrimitiveId id = PrimitiveId::none;
-    double nearness = 0;
+    double inverse_depth = 0;
     bool back = false;  ///< its corners run clockwise in the image
 };
 
@@ -40,20 +40,20 @@ bool faces_away(const View& view, const CornersWorld& p) {
 
 /// Every triangle at every pixel, by the judge's own geometry: no clipping, no snapping, no tiles. For
 /// perspective.
-Plane<Hit> hits_by(const Stage& stage, const Choice& replaces) {
-    const View& view = stage.view;
+Plane<Hit> hits_by(const Fixture& fixture, const Choice& replaces) {
+    const View& view = fixture.view;
     const double nearest = 1 / view.camera.near_depth, farthest = 1 / view.camera.far_depth;
     Plane<Hit> held({view.width, view.height});
-    for (std::uint32_t t = 0; t < stage.scene.triangles.size(); ++t) {
-        const CornersWorld p_world = corners_of(stage.scene, t);
-        const auto image = image_of(Sight<double>(view, 0, 0), corners<double>(p_world));
+    for (std::uint32_t t = 0; t < fixture.scene.triangles.size(); ++t) {
+        const CornersWorld p_world = corners_of(fixture.scene, t);
+        const auto image = image_of(ViewRay<double>(view, 0, 0), corners<double>(p_world));
         if (!image) continue;
         const bool back = faces_away(view, p_world);
         for (int y = 0; y < view.height; ++y) {
             const Columns columns = inside(*image, y, view.width);
             for (int x = columns.first; x < columns.end; ++x) {
-                const Hit hit{PrimitiveId{t}, image->nearness.at(x, y), back};
-                if (hit.nearness > nearest || hit.nearness < farthest) continue;
+                const Hit hit{PrimitiveId{t}, image->inverse_depth.at(x, y), back};
+                if (hit.inverse_depth > nearest || hit.inverse_depth < farthest) continue;
                 if (replaces(held.at(x, y), hit)) held.at(x, y) = hit;
             }
         }
@@ -61,21 +61,23 @@ Plane<Hit> hits_by(const Stage& stage, const Choice& replaces) {
     return held;
 }
 
-std::function<Frame(const Stage&)> drawn_by(const Choice& replaces) {
-    return [=](const Stage& stage) {
-        Frame frame({stage.view.width, stage.view.height});
-        const Plane<Hit> hits = hits_by(stage, replaces);
+std::function<Frame(const Fixture&)> drawn_by(const Choice& replaces) {
+    return [=](const Fixture& fixture) {
+        Frame frame({fixture.view.width, fixture.view.height});
+        const Plane<Hit> hits = hits_by(fixture, replaces);
         for (std::size_t i = 0; i < hits.pixels().size(); ++i) {
             const Hit& hit = hits.pixels()[i];
             frame.primitive.pixels()[i] = hit.id;
-            if (hit.id != PrimitiveId::none) frame.camera_depth.pixels()[i] = float(1 / hit.nearness);
+            if (hit.id != PrimitiveId::none) frame.camera_depth.pixels()[i] = float(1 / hit.inverse_depth);
         }
         return frame;
     };
 }
 
 bool is_first_or(bool condition, const Hit& held) { return held.id == PrimitiveId::none || condition; }
-bool nearer(const Hit& held, const Hit& hit) { return is_first_or(hit.nearness > held.nearness, held); }
+bool nearer(const Hit& held, const Hit& hit) {
+    return is_first_or(hit.inverse_depth > held.inverse_depth, held);
+}
 
 }  // namespace
 
@@ -85,7 +87,7 @@ std::vector<Fault> faults_of_visibility() {
     return {
         {"farthest_seen", "the depth test is turned round: the farthest surface is seen", hidden,
          drawn_by([](const Hit& held, const Hit& hit) {
-             return is_first_or(hit.nearness < held.nearness, held);
+             return is_first_or(hit.inverse_depth < held.inverse_depth, held);
          })},
         {"last_drawn_seen", "there is no depth test: the triangle drawn last is seen", hidden,
          drawn_by([](const Hit&, const Hit&) { return true; })},

@@ -21,23 +21,23 @@ bool concerns(const CLI::App& app, const std::string& setting) {
     return bears_on_all(app) && (setting != "scenes" || app.get_name() == "run");
 }
 
-void give_to(CLI::Option& option, const SettingValue& assignment) {
+void give_to(CLI::Option& option, const SettingValue& request) {
     try {
-        for (const std::string& word : assignment.words) option.add_result(word);
+        for (const std::string& word : request.words) option.add_result(word);
         option.run_callback();
     } catch (const CLI::Error& e) {
-        throw UsageError{assignment.origin + ": " + e.what()};
+        throw UsageError{request.origin + ": " + e.what()};
     } catch (const UsageError& e) {
-        throw UsageError{assignment.origin + ": " + e.what()};
+        throw UsageError{request.origin + ": " + e.what()};
     }
 }
 
 }  // namespace
 
 void give(const SettingValues& assignments, CLI::App& app) {
-    for (const SettingValue& assignment : assignments) {
-        CLI::Option* option = app.get_option_no_throw(option_name(assignment.name));
-        if (option != nullptr && option->count() == 0) give_to(*option, assignment);
+    for (const SettingValue& request : assignments) {
+        CLI::Option* option = app.get_option_no_throw(option_name(request.name));
+        if (option != nullptr && option->count() == 0) give_to(*option, request);
     }
 }
 

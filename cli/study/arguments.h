@@ -15,27 +15,27 @@ class App;
 namespace zproof {
 
 /// Whose pictures a study asks for beside our own.
-enum class StudyWitnesses {
+enum class StudyOracles {
     all,     ///< POV-Ray too, where it is installed
     embree,  ///< what is always there
 };
 
-struct ProjectionWishes {
+struct ProjectionOptions {
     int vertices = 4096;  ///< at most so many of a view are studied
-    StudyWitnesses witnesses = StudyWitnesses::all;
+    StudyOracles oracles = StudyOracles::all;
 };
 
 /// The depth study's own. None: the first view's planes, and no gap.
-struct DepthWishes {
+struct DepthOptions {
     std::optional<double> near, far, gap;  ///< scene units
 };
 
 /// The cost study's own.
-struct CostWishes {
+struct CostOptions {
     int repeats = 9;  ///< measured runs for each time
 };
 
-/// What every study is asked with. A study's own wishes get a member of their own here.
+/// What every study is asked with. A study's own options get a member of their own here.
 struct StudyArguments {
     std::string study;                 ///< Study::name
     std::vector<std::string> scenes;   ///< empty: the study's own
@@ -45,9 +45,9 @@ struct StudyArguments {
     std::filesystem::path out = "zproof-study";
     ProgressStyle progress = ProgressStyle::automatic;
     std::string typed;  ///< the command line, quoted for a shell
-    ProjectionWishes projection;
-    DepthWishes depth;
-    CostWishes cost;
+    ProjectionOptions projection;
+    DepthOptions depth;
+    CostOptions cost;
 };
 
 }  // namespace zproof

@@ -14,15 +14,16 @@ document::Document perform(const StudyTask& task) {
         study::cost::fitted_model(repeats, [&](const std::string& what) { task.progress.begin(what); });
     document::Document document = cost_document(model);
     std::vector<study::cost::Prediction> predictions;
-    std::vector<document::Section> tricks;
+    std::vector<document::Section> optimizations;
     each_view(task, [&](const StudiedView& one) {
         task.progress.begin("prediction");
         predictions.push_back(study::cost::predict(model, one.scene, one.view, repeats));
-        task.progress.begin("tricks");
-        tricks.push_back(trick_section(study::cost::study_tricks(one.scene, one.view, repeats), one.stem));
+        task.progress.begin("optimizations");
+        optimizations.push_back(
+            optimization_section(study::cost::study_optimizations(one.scene, one.view, repeats), one.stem));
     });
     std::ranges::move(prediction_sections(predictions), std::back_inserter(document.sections));
-    std::ranges::move(tricks, std::back_inserter(document.sections));
+    std::ranges::move(optimizations, std::back_inserter(document.sections));
     return document;
 }
 
@@ -36,7 +37,7 @@ void add_options(CLI::App& app, StudyArguments& arguments) {
 
 Study cost_study() {
     return {.name = "cost",
-            .purpose = "what a z-buffer's time is made of, and what the visibility tricks save",
+            .purpose = "what a z-buffer's time is made of, and what the visibility optimizations save",
             .subjects = {"closed_surfaces", "room", "deep_overdraw"},
             .resolution = {960, 540},
             .units_per_view = 2,

@@ -11,10 +11,10 @@ namespace {
 
 /// The planes that were asked about; those of the first view where none were.
 DepthQuestion question_of(const StudyTask& task) {
-    const DepthWishes& wishes = task.arguments.depth;
+    const DepthOptions& options = task.arguments.depth;
     const Camera& camera = task.subjects.front().views.front().camera;
-    DepthQuestion question{{wishes.near.value_or(camera.near_depth), wishes.far.value_or(camera.far_depth)},
-                           wishes.gap.value_or(0)};
+    DepthQuestion question{{options.near.value_or(camera.near_depth), options.far.value_or(camera.far_depth)},
+                           options.gap.value_or(0)};
     if (!(question.planes.near > 0 && question.planes.near < question.planes.far))
         throw UsageError{"study depth: --near " + std::to_string(question.planes.near) + " and --far " +
                          std::to_string(question.planes.far) + "; expected 0 < near < far"};

@@ -66,14 +66,14 @@ ProjectedView projected(const StudiedView& one, const StudyTask& task, const ora
     found.accuracy = accuracy_of(one.scene, one.view, std::size_t(task.arguments.projection.vertices));
     task.progress.begin("wireframe");
     const Frame frame = rasterizer::render(one.scene, one.view);
-    found.wireframe = told_apart(wireframe_of(one.scene, one.view), frame.primitive);
+    found.wireframe = split_by_visibility(wireframe_of(one.scene, one.view), frame.primitive);
     found.ids = picture_of_ids(frame.primitive);
     compare(one, "zproof", frame, rasterizer::precision(), found);
     found.pictures.push_back(
         {"zproof", picture_of_light(rasterizer::shade(one.scene, one.view, frame, Light{}))});
     task.progress.begin("Embree, POV-Ray");
     compare(one, "Embree", embree.trace(one.view), oracle::embree_precision(), found);
-    if (task.arguments.projection.witnesses == StudyWitnesses::all) ask_povray(one, found);
+    if (task.arguments.projection.oracles == StudyOracles::all) ask_povray(one, found);
     return found;
 }
 
@@ -105,7 +105,7 @@ void add_options(CLI::App& app, StudyArguments& arguments) {
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     app.add_flag_callback(
-        "--without-povray", [&arguments] { arguments.projection.witnesses = StudyWitnesses::embree; },
+        "--without-povray", [&arguments] { arguments.projection.oracles = StudyOracles::embree; },
         "compare with Embree only");
 }
 

@@ -134,7 +134,7 @@ Waiver drafted(const WaiveAddArguments& arguments, const ViewResult& view,
                   .origin = ""};
     for (const Finding& seed : seeds) add_once(waiver.classes, seed.verdict);
     const auto count =
-        std::ranges::count_if(findings, [&](const Finding& f) { return speaks_of(waiver, f); });
+        std::ranges::count_if(findings, [&](const Finding& f) { return applies_to(waiver, f); });
     waiver.least = waiver.most = std::uint64_t(count);
     return waiver;
 }

@@ -9,7 +9,7 @@
 #include "cli/report_files.h"
 #include "cli/usage_error.h"
 #include "cli/waivers/waiver_file.h"
-#include "reports/waiver_standing.h"
+#include "reports/waiver_status.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -69,9 +69,9 @@ ExitCode execute(const WaiveCheckArguments& arguments) {
     require_file(arguments.gate);
     const Gate gate = open_gate(arguments.gate);
     const Results seen = standing_on(gate, arguments.results);
-    for (const WaiverStanding& standing : waiver_standings(seen))
-        if (const std::string advice = advice_for(standing); !advice.empty())
-            std::cout << (fails(standing, gate.strictness) ? "error: " : "warning: ") << one_line(advice)
+    for (const WaiverStatus& status : waiver_statuses(seen))
+        if (const std::string advice = advice_for(status); !advice.empty())
+            std::cout << (fails(status, gate.strictness) ? "error: " : "warning: ") << one_line(advice)
                       << "\n";
     std::cout << counted(gate.waivers.size(), "waiver") << ", well formed\n";
     return waivers_fail(seen) ? ExitCode::defect : ExitCode::proven;
@@ -82,11 +82,11 @@ ExitCode execute(const WaivePruneArguments& arguments) {
     const Gate gate = open_gate(arguments.gate);
     const Results seen = standing_on(gate, arguments.results);
     std::vector<std::string> ids;
-    for (const WaiverStanding& standing : waiver_standings(seen)) {
-        using enum WaiverStanding::State;
-        if (standing.state != expired && standing.state != unused) continue;
-        ids.push_back(standing.waiver->id);
-        std::cout << "removed " << one_line(standing.waiver->id) << ": " << name_of(standing.state) << "\n";
+    for (const WaiverStatus& status : waiver_statuses(seen)) {
+        using enum WaiverStatus::State;
+        if (status.state != expired && status.state != unused) continue;
+        ids.push_back(status.waiver->id);
+        std::cout << "removed " << one_line(status.waiver->id) << ": " << name_of(status.state) << "\n";
     }
     if (!ids.empty())
         write_text(arguments.gate.waivers, without_waivers(text_of(arguments.gate.waivers), ids));

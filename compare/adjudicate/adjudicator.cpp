@@ -25,7 +25,7 @@ struct TileRange {
 };
 
 /// Orders them by tile, and otherwise leaves them as they are.
-std::vector<TileRange> sort_by_tile(std::vector<Pending>& pending, std::span<const PixelPlace> pixels,
+std::vector<TileRange> sort_by_tile(std::vector<Pending>& pending, std::span<const PixelCoord> pixels,
                                     const Tiles& tiles) {
     const auto tile_of = [&](const Pending& p) { return tiles.of(pixels[p.pixel].x, pixels[p.pixel].y); };
     std::vector<std::size_t> next(tiles.count() + 1);  // by tile: where its next one goes
@@ -41,7 +41,7 @@ std::vector<TileRange> sort_by_tile(std::vector<Pending>& pending, std::span<con
     return ranges;
 }
 
-std::vector<Box> asked_boxes(std::span<const Pending> pending, std::span<const PixelPlace> pixels,
+std::vector<Box> asked_boxes(std::span<const Pending> pending, std::span<const PixelCoord> pixels,
                              const Tiles& tiles) {
     std::vector<Box> asked(tiles.count());
     for (const auto& [i, reach_px] : pending) {
@@ -54,10 +54,10 @@ std::vector<Box> asked_boxes(std::span<const Pending> pending, std::span<const P
 }  // namespace
 
 /// What needs to look farther than was searched is asked once more.
-void Adjudicator::for_each_pixel(std::span<const PixelPlace> pixels, const DoAtPixel& act) const {
+void Adjudicator::for_each_pixel(std::span<const PixelCoord> pixels, const DoAtPixel& act) const {
     if (pixels.empty()) return;
     const Tiles tiles(view_);
-    const Sights<double> rays(view_);
+    const ViewRays<double> rays(view_);
     const TriangleSearch search(scene_, view_);
     const TileWork::Setting setting{scene_, view_, rays, search, asked_, override_};
     std::vector<Pending> pending;
@@ -75,10 +75,10 @@ void Adjudicator::for_each_pixel(std::span<const PixelPlace> pixels, const DoAtP
     }
 }
 
-std::vector<Adjudicated> Adjudicator::decide(std::span<const PixelQuery> queries) const {
-    std::vector<PixelPlace> pixels;
+std::vector<QueryResult> Adjudicator::decide(std::span<const PixelQuery> queries) const {
+    std::vector<PixelCoord> pixels;
     for (const PixelQuery& query : queries) pixels.push_back({query.x, query.y});
-    std::vector<Adjudicated> adjudicated(queries.size());
+    std::vector<QueryResult> adjudicated(queries.size());
     for_each_pixel(pixels, [&](TileWork& work, std::size_t i, double searched_px) {
         return work.decide(queries[i], searched_px, adjudicated[i]);
     });

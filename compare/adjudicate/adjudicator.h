@@ -22,18 +22,18 @@ using DoAtPixel = std::function<double(TileWork& work, std::size_t pixel, double
 class Adjudicator {
   public:
     /// All must outlive it.
-    Adjudicator(const Scene& scene, const View& view, Asked asked, RuleOverride override = nullptr)
+    Adjudicator(const Scene& scene, const View& view, QueryDetail asked, RuleOverride override = nullptr)
         : scene_(scene), view_(view), asked_(asked), override_(std::move(override)) {}
 
     /// On all threads; pixels of one tile follow each other on one.
-    void for_each_pixel(std::span<const PixelPlace> pixels, const DoAtPixel& act) const;
+    void for_each_pixel(std::span<const PixelCoord> pixels, const DoAtPixel& act) const;
     /// All queries, in their order.
-    std::vector<Adjudicated> decide(std::span<const PixelQuery> queries) const;
+    std::vector<QueryResult> decide(std::span<const PixelQuery> queries) const;
 
   private:
     const Scene& scene_;
     const View& view_;
-    Asked asked_;
+    QueryDetail asked_;
     RuleOverride override_;
 };
 

@@ -15,7 +15,7 @@ class CornerHull {
     explicit CornerHull(const std::array<Box, 3>& corners) {
         for (std::size_t i = 0; i < 3; ++i) {
             const Box &from = corners[i], &to = corners[(i + 1) % 3];
-            Side& side = sides_[i];  // any direction would do, so that its own rounding is harmless
+            SeparatingAxis& side = axes_[i];  // any direction would do, so that its own rounding is harmless
             side.x = (from.top + from.bottom) - (to.top + to.bottom);
             side.y = (to.left + to.right) - (from.left + from.right);
             for (const Box& corner : corners) side.corners.add(across(side, corner));
@@ -24,24 +24,24 @@ class CornerHull {
 
     /// Does a line along one of the sides part the box from all three corners, certainly?
     bool is_beside(const Box& box) const {
-        return std::ranges::any_of(sides_, [&](const Side& side) {
-            const Range asked = across(side, box);
+        return std::ranges::any_of(axes_, [&](const SeparatingAxis& side) {
+            const AxisRange asked = across(side, box);
             return side.corners.least > asked.most || side.corners.most < asked.least;
         });
     }
 
   private:
     /// From the least to the greatest scalar product with a direction.
-    struct Range {
+    struct AxisRange {
         double least = HUGE_VAL, most = -HUGE_VAL;
-        void add(const Range& o) { least = std::min(least, o.least), most = std::max(most, o.most); }
+        void add(const AxisRange& o) { least = std::min(least, o.least), most = std::max(most, o.most); }
     };
-    struct Side {
+    struct SeparatingAxis {
         double x = 0, y = 0;
-        Range corners{};
+        AxisRange corners{};
     };
     /// Widened by what its 3 roundings may amount to.
-    static Range across(const Side& side, const Box& box) {
+    static AxisRange across(const SeparatingAxis& side, const Box& box) {
         constexpr double rounding = gamma(4, unit_roundoff_float64);
         const double left = side.x * box.left, right = side.x * box.right, top = side.y * box.top,
                      bottom = side.y * box.bottom;
@@ -51,7 +51,7 @@ class CornerHull {
                 std::max(left, right) + std::max(top, bottom) + unsure};
     }
 
-    std::array<Side, 3> sides_;
+    std::array<SeparatingAxis, 3> axes_;
 };
 
 }  // namespace zproof

@@ -40,7 +40,7 @@ std::optional<Box> BoxProjection::operator()(const CornersWorld& p_world) const 
             add(box, p + (least_depth_ - p.z) / (q.z - p.z) * (q - p));
     }
     if (!(box.left <= box.right)) return std::nullopt;
-    return widened(box, size);
+    return widen(box, size);
 }
 
 std::optional<Box> BoxProjection::operator()(const glm::vec3& p_world) const {
@@ -49,7 +49,7 @@ std::optional<Box> BoxProjection::operator()(const glm::vec3& p_world) const {
     if (!(p_camera.z >= least_depth_)) return std::nullopt;
     Box box;
     add(box, p_camera);
-    return box.is_empty() ? std::nullopt : std::optional(widened(box, size_of(v)));
+    return box.is_empty() ? std::nullopt : std::optional(widen(box, size_of(v)));
 }
 
 glm::dvec3 BoxProjection::to_camera(const glm::dvec3& v) const {
@@ -63,7 +63,7 @@ void BoxProjection::add(Box& box, const glm::dvec3& p) const {
 }
 
 /// Scaling and the window's offset add a few ulps of the result.
-Box BoxProjection::widened(Box box, double size) const {
+Box BoxProjection::widen(Box box, double size) const {
     const double reach =
         std::max({std::abs(box.left), std::abs(box.right), std::abs(box.top), std::abs(box.bottom), 65536.0});
     box.widen(px_of_rounding_ * size + 16 * unit_roundoff_float64 * reach);

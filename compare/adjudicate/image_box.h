@@ -49,7 +49,7 @@ class BoxProjection {
   private:
     glm::dvec3 to_camera(const glm::dvec3& from_eye) const;
     void add(Box& box, const glm::dvec3& p_camera) const;
-    Box widened(Box box, double size) const;
+    Box widen(Box box, double size) const;
 
     Camera camera_;
     bool perspective_;

@@ -17,18 +17,18 @@ constexpr DepthCheck nothing_to_check{
 
 /// Of an answer that is valid.
 DepthCheck check_depth_of(const FramePair& frames, const BoundedFrame& frame, const Answer& answer,
-                          const PixelPlace& place) {
+                          const PixelCoord& place) {
     if (answer.primitive == PrimitiveId::none) return nothing_to_check;
     const CornersWorld p_world = corners_of(frames.scene, std::uint32_t(answer.primitive));
     const TriangleDepth depth(TriangleInView(frames.view, frame.bounds, p_world), frame.bounds);
     return check_depth(frames.view, frame.bounds, p_world, depth, place, answer.camera_depth);
 }
 
-Answer answer_at(const Frame& frame, const PixelPlace& place) {
+Answer answer_at(const Frame& frame, const PixelCoord& place) {
     return {frame.primitive.at(place.x, place.y), frame.camera_depth.at(place.x, place.y)};
 }
 
-AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, const PixelPlace& place) {
+AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, const PixelCoord& place) {
     const Answer answer = answer_at(frame.frame, place);
     if (is_invalid(answer, frames.scene.triangles.size())) return {.answer = answer, .is_invalid = true};
     const DepthCheck depth = check_depth_of(frames, frame, answer, place);
@@ -45,8 +45,8 @@ PixelCheck answers_at(const FramePair& frames, const UndecidedPixel& pixel) {
 }
 
 /// Decides an answer, if it is one; the reach that this needs, or 0.
-double decide(TileWork& work, const BoundedFrame& frame, const AnswerCheck& check, const PixelPlace& place,
-              double searched_px, Adjudicated& decision) {
+double decide(TileWork& work, const BoundedFrame& frame, const AnswerCheck& check, const PixelCoord& place,
+              double searched_px, QueryResult& decision) {
     if (check.is_invalid) return 0;
     return work.decide({&frame.bounds, check.answer.primitive, place.x, place.y}, searched_px, decision);
 }
@@ -61,10 +61,10 @@ bool is_invalid(const Answer& answer, std::size_t triangle_count) {
 
 void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixels,
                   const std::function<void(std::size_t, const PixelCheck&)>& tell) {
-    std::vector<PixelPlace> places;
+    std::vector<PixelCoord> places;
     for (const UndecidedPixel& pixel : pixels) places.push_back(pixel.place);
     const auto check_pixel = [&](TileWork& work, std::size_t i, double searched_px) {
-        const PixelPlace& place = pixels[i].place;
+        const PixelCoord& place = pixels[i].place;
         PixelCheck pixel = answers_at(frames, pixels[i]);
         if (pixel.ids_differ()) {
             const double needed_px = std::max(
@@ -76,7 +76,7 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
         tell(i, pixel);
         return 0.0;
     };
-    Adjudicator(frames.scene, frames.view, Asked::displacement).for_each_pixel(places, check_pixel);
+    Adjudicator(frames.scene, frames.view, QueryDetail::displacement).for_each_pixel(places, check_pixel);
 }
 
 PixelClass class_of(const PixelCheck& pixel) {
@@ -94,7 +94,7 @@ bool is_reference_wrong(const PixelCheck& pixel) {
            !is_admissible(pixel.reference_decision.decision.admissibility);
 }
 
-Finding finding_of(const FramePair& frames, const PixelCheck& pixel, const PixelPlace& place) {
+Finding finding_of(const FramePair& frames, const PixelCheck& pixel, const PixelCoord& place) {
     const Answer& candidate = pixel.candidate.answer;
     const DepthCheck depth = pixel.candidate.is_invalid
                                  ? nothing_to_check

@@ -25,7 +25,7 @@ struct AnswerCheck {
 /// What is known of a pixel, answer by answer; decisions only where ids differ and the answer is one.
 struct PixelCheck {
     AnswerCheck candidate, reference;
-    Adjudicated candidate_decision{}, reference_decision{};
+    QueryResult candidate_decision{}, reference_decision{};
 
     bool ids_differ() const { return candidate.answer.primitive != reference.answer.primitive; }
 };
@@ -41,6 +41,6 @@ PixelClass class_of(const PixelCheck& pixel);
 /// Is the reference's own answer inadmissible?
 bool is_reference_wrong(const PixelCheck& pixel);
 /// The evidence.
-Finding finding_of(const FramePair& frames, const PixelCheck& pixel, const PixelPlace& place);
+Finding finding_of(const FramePair& frames, const PixelCheck& pixel, const PixelCoord& place);
 
 }  // namespace zproof

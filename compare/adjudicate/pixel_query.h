@@ -16,7 +16,7 @@ struct PixelQuery {
 };
 
 /// What became of a query.
-struct Adjudicated {
+struct QueryResult {
     Decision decision;
     /// Of an answer that is admissible by its place (Admissibility::visible); see admissible/displacement.h.
     std::optional<double> displacement_over_eps;
@@ -26,7 +26,7 @@ struct Adjudicated {
 using RuleOverride = std::function<void(Neighbourhood& around, PrimitiveId answer)>;
 
 /// What is asked beside admissibility.
-enum class Asked {
+enum class QueryDetail {
     admissibility,
     displacement,  ///< Adjudicated::displacement_over_eps as well
 };

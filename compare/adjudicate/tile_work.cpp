@@ -15,7 +15,7 @@ constexpr double first_reach = 2;
 constexpr std::size_t coplanar_pairs = 256;
 
 /// Half the side of the least square around the pixel's centre that meets the box.
-double distance_px_from(const Box& box, const PixelPlace& pixel) {
+double distance_px_from(const Box& box, const PixelCoord& pixel) {
     const double px = pixel.x + 0.5, py = pixel.y + 0.5;
     return std::max({box.left - px, px - box.right, box.top - py, py - box.bottom, 0.0});
 }
@@ -30,7 +30,7 @@ TileWork::TileWork(const Setting& setting, std::span<const std::uint32_t> near)
 
 /// At what comes within that reach of the pixel's centre, by the renderer's bounds.
 void TileWork::look_at(const PixelQuery& query, double reach_px) {
-    const PixelPlace pixel{query.x, query.y};
+    const PixelCoord pixel{query.x, query.y};
     const Projection projection = setting_.view.camera.projection;
     if (pixel == pixel_ && reach_px == seen_px_) {
         for (auto& [place, distance_px, n] : seen_)
@@ -40,7 +40,7 @@ void TileWork::look_at(const PixelQuery& query, double reach_px) {
     pixel_ = pixel;
     seen_px_ = reach_px;
     seen_.clear();
-    const Sight<double> ray = setting_.rays.at(pixel.x, pixel.y);
+    const ViewRay<double> ray = setting_.rays.at(pixel.x, pixel.y);
     for (std::size_t place = 0; place < triangles_.count(); ++place) {
         const double distance_px = distance_px_from(triangles_.box(place), pixel);
         if (distance_px > reach_px) continue;
@@ -51,7 +51,9 @@ void TileWork::look_at(const PixelQuery& query, double reach_px) {
 
 /// Of an answer that is among what is seen, or not.
 double TileWork::own_eps_px(const PixelQuery& query) const {
-    const auto is_answer = [&](const Seen& s) { return PrimitiveId(s.neighbour.triangle) == query.answer; };
+    const auto is_answer = [&](const NearTriangle& s) {
+        return PrimitiveId(s.neighbour.triangle) == query.answer;
+    };
     const auto found = std::ranges::find_if(seen_, is_answer);
     return found != seen_.end()
                ? found->neighbour.bounds.eps_px
@@ -76,7 +78,7 @@ void TileWork::gather(double reach_px) {
         if (distance_px <= reach_px) around_.neighbours.push_back(neighbour);
 }
 
-double TileWork::decide(const PixelQuery& query, double searched_px, Adjudicated& adjudicated) {
+double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated) {
     look_at(query, searched_px);
     const double own_eps = own_eps_px(query), least_reach_px = first_reach * own_eps;
     around_.eps_px = eps_px_within(least_reach_px, own_eps);
@@ -86,7 +88,8 @@ double TileWork::decide(const PixelQuery& query, double searched_px, Adjudicated
     gather(reach_px);
     if (setting_.override) setting_.override(around_, query.answer);
     adjudicated = {zproof::decide(around_, query.answer, coplanar_), std::nullopt};
-    if (setting_.asked == Asked::displacement && adjudicated.decision.admissibility == Admissibility::visible)
+    if (setting_.asked == QueryDetail::displacement &&
+        adjudicated.decision.admissibility == Admissibility::visible)
         adjudicated.displacement_over_eps = displacement_over_eps(around_, query.answer, coplanar_);
     return 0;
 }

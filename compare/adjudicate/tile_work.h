@@ -6,7 +6,7 @@
 
 #include "compare/adjudicate/pixel_query.h"
 #include "compare/adjudicate/triangle_cache.h"
-#include "compare/bounds/sight.h"
+#include "compare/bounds/view_ray.h"
 
 namespace zproof {
 
@@ -15,9 +15,9 @@ class TileWork {
     struct Setting {
         const Scene& scene;
         const View& view;
-        const Sights<double>& rays;
+        const ViewRays<double>& rays;
         const TriangleSearch& search;
-        Asked asked;
+        QueryDetail asked;
         const RuleOverride& override;
     };
     /// `near`: all triangles within the reach that will be asked for of any pixel that is.
@@ -25,11 +25,11 @@ class TileWork {
 
     /// Decides the query, where no triangle farther than searched_px from its centre can matter, and says 0.
     /// Otherwise the reach that it needs. Queries about one pixel should follow each other.
-    double decide(const PixelQuery& query, double searched_px, Adjudicated& adjudicated);
+    double decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated);
 
   private:
     /// A triangle near the pixel at hand.
-    struct Seen {
+    struct NearTriangle {
         std::size_t place;   ///< in the cache
         double distance_px;  ///< of its image's box from the centre
         Neighbour neighbour;
@@ -41,10 +41,10 @@ class TileWork {
 
     const Setting& setting_;
     TriangleCache triangles_;
-    CoplanarMemory coplanar_;
-    PixelPlace pixel_{-1, -1};
+    CoplanarCache coplanar_;
+    PixelCoord pixel_{-1, -1};
     double seen_px_ = 0;  ///< so far
-    std::vector<Seen> seen_;
+    std::vector<NearTriangle> seen_;
     Neighbourhood around_;  ///< of the query at hand
 };
 

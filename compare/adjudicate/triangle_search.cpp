@@ -99,7 +99,7 @@ void TriangleSearch::for_each_tile_met(std::uint32_t triangle, std::span<const B
 TrianglesByTile TriangleSearch::find(std::span<const Box> asked) const {
     const double reach_px = reach_of(tiles_, asked);
     const std::size_t count = scene_.triangles.size(), length = chunk_triangles(count);
-    std::vector<Bulk<Meeting>> chunks((count + length - 1) / length);
+    std::vector<Bulk<TileTriangle>> chunks((count + length - 1) / length);
     tbb::parallel_for(std::size_t(0), chunks.size(), [&](std::size_t chunk) {
         const std::size_t end = std::min(count, (chunk + 1) * length);
         for (std::size_t t = chunk * length; t < end; ++t)
@@ -110,28 +110,29 @@ TrianglesByTile TriangleSearch::find(std::span<const Box> asked) const {
     // counted two places ahead, so that filling leaves each tile's end where the next one's first belongs
     TrianglesByTile found{std::vector<std::size_t>(tiles_.count() + 2), {}};
     for (const auto& chunk : chunks)
-        for (const Meeting& m : chunk) ++found.first[m.tile + 2];
+        for (const TileTriangle& m : chunk) ++found.first[m.tile + 2];
     for (std::size_t t = 2; t < found.first.size(); ++t) found.first[t] += found.first[t - 1];
     found.triangles.resize(found.first.back());
     for (const auto& chunk : chunks)
-        for (const Meeting& m : chunk) found.triangles[found.first[m.tile + 1]++] = m.triangle;
+        for (const TileTriangle& m : chunk) found.triangles[found.first[m.tile + 1]++] = m.triangle;
     found.first.pop_back();
     return found;
 }
 
-void find_nearby_triangles(const Scene& scene, const View& view, std::span<Site> sites) {
+void find_nearby_triangles(const Scene& scene, const View& view, std::span<SearchPixel> search_pixels) {
     const TriangleSearch search(scene, view);
     const Tiles tiles(view);
     std::vector<Box> asked(tiles.count());
-    for (const Site& site : sites)
-        asked[tiles.of(site.x, site.y)].add(square_around(site.x, site.y, site.reach_px));
+    for (const SearchPixel& search_pixel : search_pixels)
+        asked[tiles.of(search_pixel.x, search_pixel.y)].add(
+            square_around(search_pixel.x, search_pixel.y, search_pixel.reach_px));
     const TrianglesByTile near = search.find(asked);
-    tbb::parallel_for(std::size_t(0), sites.size(), [&](std::size_t i) {
-        Site& site = sites[i];
-        site.triangles.clear();
-        const Box square = square_around(site.x, site.y, site.reach_px);
-        for (const std::uint32_t t : near.of(tiles.of(site.x, site.y)))
-            if (search.box_of(t).meets(square)) site.triangles.push_back(t);
+    tbb::parallel_for(std::size_t(0), search_pixels.size(), [&](std::size_t i) {
+        SearchPixel& search_pixel = search_pixels[i];
+        search_pixel.triangles.clear();
+        const Box square = square_around(search_pixel.x, search_pixel.y, search_pixel.reach_px);
+        for (const std::uint32_t t : near.of(tiles.of(search_pixel.x, search_pixel.y)))
+            if (search.box_of(t).meets(square)) search_pixel.triangles.push_back(t);
     });
 }
 

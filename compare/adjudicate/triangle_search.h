@@ -41,7 +41,7 @@ class TriangleSearch {
     struct VertexBox {
         float left, top, right, bottom;
     };
-    struct Meeting {
+    struct TileTriangle {
         std::uint32_t tile, triangle;
     };
     Box box_of_vertex(std::uint32_t vertex) const;
@@ -57,6 +57,6 @@ class TriangleSearch {
 };
 
 /// Fills site.triangles of all sites, in any order: see TriangleSearch::find().
-void find_nearby_triangles(const Scene& scene, const View& view, std::span<Site> sites);
+void find_nearby_triangles(const Scene& scene, const View& view, std::span<SearchPixel> search_pixels);
 
 }  // namespace zproof

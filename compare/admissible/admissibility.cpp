@@ -38,7 +38,7 @@ Admissibility of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count
 }
 
 template <class Number>
-Admissibility admissibility_in(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& memory) {
+Admissibility admissibility_in(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& memory) {
     AdmissibleSet<Number> set(around, memory);
     const size_t count = around.neighbours.size();
     if (answer == PrimitiveId::none) return of_background(set, count);
@@ -48,7 +48,7 @@ Admissibility admissibility_in(const Neighbourhood& around, PrimitiveId answer, 
 
 }  // namespace
 
-Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar) {
+Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
     const double eps_px = around.eps_px;
     switch (ConservativeTest(around, answer, coplanar).finding()) {
         case ConservativeTest::Finding::visible:

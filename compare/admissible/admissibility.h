@@ -29,7 +29,7 @@ struct Decision {
 
 /// Decides one answer: a triangle's id, which must be among the neighbours if it is to be admissible, or
 /// none. In double, then by intervals, then by rationals.
-Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar);
+Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar);
 
 /// The class of a pixel at which the two renderers gave different, each by itself judged, answers.
 PixelClass class_of(Admissibility candidate, Admissibility reference);

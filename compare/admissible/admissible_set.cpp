@@ -26,12 +26,12 @@ constexpr bool takes_nothing_for_granted = std::is_same_v<Number, Rational>;
 
 /// In double the evidence has it.
 template <class Number>
-std::optional<TriangleImage<Number>> image_of_neighbour(const Sight<Number>& sight,
+std::optional<TriangleImage<Number>> image_of_neighbour(const ViewRay<Number>& ray,
                                                         const Neighbour& neighbour) {
     if constexpr (std::is_same_v<Number, double>)
         return neighbour.image;
     else
-        return image_of(sight, corners<Number>(neighbour.p_world));
+        return image_of(ray, corners<Number>(neighbour.p_world));
 }
 
 /// May the near or far plane cut the triangle? Corners are clamped to both planes.
@@ -42,18 +42,18 @@ bool may_be_clipped(const Camera& camera, const Neighbour& n) {
 }  // namespace
 
 template <class Number>
-AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around, CoplanarMemory& coplanar)
+AdmissibleSet<Number>::AdmissibleSet(const Neighbourhood& around, CoplanarCache& coplanar)
     : around_(around),
-      sight_(around.view, around.x, around.y),
+      ray_(around.view, around.x, around.y),
       drawn_(around.neighbours.size()),
       pieces_(around.neighbours.size()),
-      nearest_first_(around.neighbours.size()),
+      front_to_back_(around.neighbours.size()),
       coplanar_(coplanar) {
     corners_by_hash_.fill(-1);
     set_half_side(around.eps_px);
-    std::iota(nearest_first_.begin(), nearest_first_.end(), size_t(0));
-    std::ranges::stable_sort(nearest_first_, std::greater<>{},
-                             [&](size_t i) { return around_.neighbours[i].least_nearness; });
+    std::iota(front_to_back_.begin(), front_to_back_.end(), size_t(0));
+    std::ranges::stable_sort(front_to_back_, std::greater<>{},
+                             [&](size_t i) { return around_.neighbours[i].least_inverse_depth; });
 }
 
 template <class Number>
@@ -123,8 +123,8 @@ int AdmissibleSet<Number>::locus_of(const std::array<int, 2>& ends) {
 }
 
 template <class Number>
-auto AdmissibleSet<Number>::draw(const Neighbour& neighbour) -> Drawn {
-    Drawn drawn{image_of_neighbour(sight_, neighbour)};
+auto AdmissibleSet<Number>::draw(const Neighbour& neighbour) -> NeighbourImage {
+    NeighbourImage drawn{image_of_neighbour(ray_, neighbour)};
     if (drawn.image)
         for (size_t i = 0; i < 3; ++i) drawn.edge[i] = edge_line(drawn.image->edge[i], neighbour.p_world, i);
     return drawn;
@@ -135,14 +135,14 @@ Region<Number> AdmissibleSet<Number>::square() {
     return Region<Number>::square(sides_, Number(half_side_px_));
 }
 
-/// The half-plane on the lawful side of the near or far plane. `admit` moves the plane outwards by its slack,
-/// `require` inwards. None where the plane cannot cut; no point at all where the slack leaves no depth
+/// The half-plane on the admissible side of the near or far plane. `admit` moves the plane outwards by its
+/// slack, `require` inwards. None where the plane cannot cut; no point at all where the slack leaves no depth
 /// required.
 template <class Number>
-auto AdmissibleSet<Number>::plane(Side side, const Affine<Number>& nearness, const Neighbour& n, Slack slack)
-    -> std::optional<LinePointer> {
+auto AdmissibleSet<Number>::plane(ClipSide side, const Affine<Number>& inverse_depth, const Neighbour& n,
+                                  Slack slack) -> std::optional<LinePointer> {
     const Camera& c = around_.view.camera;
-    const bool near = side == Side::near;
+    const bool near = side == ClipSide::near;
     const double outwards = (slack == Slack::admit ? 1 : -1) * (near ? -n.near_slack : n.far_slack);
     const double depth = (near ? c.near_depth : c.far_depth) + outwards;
     const bool perspective = c.projection == Projection::perspective;
@@ -150,17 +150,17 @@ auto AdmissibleSet<Number>::plane(Side side, const Affine<Number>& nearness, con
     if (slack == Slack::require && is_beyond) return new_line(constant<Number>(-1));
     if (std::isinf(depth) || (perspective && depth <= 0)) return std::nullopt;
     const Affine<Number> limit = constant<Number>(perspective ? 1 / depth : -depth);
-    return new_line(near ? limit - nearness : nearness - limit);
+    return new_line(near ? limit - inverse_depth : inverse_depth - limit);
 }
 
 template <class Number>
 void AdmissibleSet<Number>::push_clipped(std::vector<Piece>& pieces, std::optional<Region<Number>> region,
-                                         const Affine<Number>& nearness, size_t index) {
-    for (const Side side : {Side::near, Side::far}) {
-        const auto line = plane(side, nearness, around_.neighbours[index], Slack::admit);
+                                         const Affine<Number>& inverse_depth, size_t index) {
+    for (const ClipSide side : {ClipSide::near, ClipSide::far}) {
+        const auto line = plane(side, inverse_depth, around_.neighbours[index], Slack::admit);
         if (region && line) region = region->inside(**line);
     }
-    if (region) pieces.push_back({std::move(*region), nearness, index});
+    if (region) pieces.push_back({std::move(*region), inverse_depth, index});
 }
 
 template <class Number>
@@ -176,7 +176,7 @@ auto AdmissibleSet<Number>::pieces_inside(size_t index) -> std::vector<Piece> {
     for (const LinePointer edge : drawn(index).edge)
         if (region) region = region->inside(*edge);
     std::vector<Piece> pieces;
-    push_clipped(pieces, std::move(region), drawn(index).image->nearness, index);
+    push_clipped(pieces, std::move(region), drawn(index).image->inverse_depth, index);
     return pieces;
 }
 
@@ -185,7 +185,7 @@ auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
     const Corners<Number> p_world = corners<Number>(around_.neighbours[index].p_world);
     std::vector<Piece> pieces;
     for (size_t i = 0; i < 3; ++i) {
-        const auto segment = segment_image(sight_, p_world[i], p_world[(i + 1) % 3]);
+        const auto segment = segment_image(ray_, p_world[i], p_world[(i + 1) % 3]);
         if (!segment) continue;
         std::optional<Region<Number>> region = square();
         const LinePointer line = new_line(segment->line);
@@ -194,13 +194,13 @@ auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
         for (const LinePointer side :
              {line, other_side, new_line(segment->after_start), new_line(segment->before_end)})
             if (region) region = region->inside(*side);
-        push_clipped(pieces, std::move(region), segment->nearness, index);
+        push_clipped(pieces, std::move(region), segment->inverse_depth, index);
     }
     return pieces;
 }
 
 template <class Number>
-auto AdmissibleSet<Number>::drawn(size_t index) -> const Drawn& {
+auto AdmissibleSet<Number>::drawn(size_t index) -> const NeighbourImage& {
     if (!drawn_[index]) drawn_[index] = draw(around_.neighbours[index]);
     return *drawn_[index];
 }
@@ -233,25 +233,25 @@ auto AdmissibleSet<Number>::moved_inwards(LinePointer edge) -> LinePointer {
     return new_line(moved);
 }
 
-/// At the pixel: is the occluder's least nearness above the greatest of what is seen (bounded), or is its
-/// true nearness not below (strict)?
+/// At the pixel: is the occluder's least inverse depth above the greatest of what is seen (bounded), or is
+/// its true inverse depth not below (strict)?
 template <class Number>
 bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule rule) {
     const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen];
-    if (front.least_nearness > back.greatest_nearness) return true;
-    if (rule == DepthRule::bounded || front.greatest_nearness < back.least_nearness) return false;
+    if (front.least_inverse_depth > back.greatest_inverse_depth) return true;
+    if (rule == DepthRule::bounded || front.greatest_inverse_depth < back.least_inverse_depth) return false;
     if (!drawn(seen).image || !drawn(occluder).image) return false;
     if (stands_apart(occluder, seen)) return false;  // and so hides none of it: their depths may be equal
     if (meet_at_the_centre(occluder, seen) || are_coplanar(occluder, seen)) return true;
-    return sign(drawn(occluder).image->nearness.c - drawn(seen).image->nearness.c) >= 0;
+    return sign(drawn(occluder).image->inverse_depth.c - drawn(seen).image->inverse_depth.c) >= 0;
 }
 
 template <class Number>
 void AdmissibleSet<Number>::push_planes(HalfPlanes<Number>& half_planes, size_t occluder) {
     const Neighbour& n = around_.neighbours[occluder];
     if (!may_be_clipped(around_.view.camera, n)) return;
-    for (const Side side : {Side::near, Side::far})
-        if (auto line = plane(side, drawn(occluder).image->nearness, n, Slack::require))
+    for (const ClipSide side : {ClipSide::near, ClipSide::far})
+        if (auto line = plane(side, drawn(occluder).image->inverse_depth, n, Slack::require))
             half_planes.push_back(*line);
 }
 
@@ -310,7 +310,7 @@ std::optional<std::vector<size_t>> AdmissibleSet<Number>::covered_by(std::option
                                                                      const Stays& stays) {
     std::vector<Region<Number>> left{square()};
     std::vector<size_t> occluders;
-    for (const size_t o : nearest_first_) {
+    for (const size_t o : front_to_back_) {
         if (!occludes(o) || (seen && stands_apart(o, *seen))) continue;
         left = without(left, cover(o, seen, stays));
         occluders.push_back(o);
@@ -340,7 +340,7 @@ bool AdmissibleSet<Number>::leaves_bare_by(EdgeRule rule, std::optional<size_t> 
     // covered with every edge moved inwards: then all the more where some of them stay
     if (covered_by(seen, occludes, [](LinePointer) { return false; })) return false;
     std::vector<size_t> occluders;
-    std::ranges::copy_if(nearest_first_, std::back_inserter(occluders), occludes);
+    std::ranges::copy_if(front_to_back_, std::back_inserter(occluders), occludes);
     return !covered_by(seen, occludes, [&](LinePointer edge) { return continues(edge, occluders); });
 }
 
@@ -360,7 +360,7 @@ bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
 /// that both triangles share: what parts them in the image is that edge.
 template <class Number>
 auto AdmissibleSet<Number>::nearer_side(size_t occluder, const Piece& seen) -> LinePointer {
-    const Affine<Number> ahead = drawn(occluder).image->nearness - seen.nearness;
+    const Affine<Number> ahead = drawn(occluder).image->inverse_depth - seen.inverse_depth;
     if constexpr (takes_nothing_for_granted<Number>) return new_line(ahead);
     for (const LinePointer edge : drawn(occluder).edge) {
         if (!edge_of(seen.index, edge->id)) continue;
@@ -376,10 +376,10 @@ template <class Number>
 std::optional<HalfPlanes<Number>> AdmissibleSet<Number>::true_cover(size_t occluder, const Piece& seen) {
     const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen.index];
     const double slope = half_side_px_ * (front.gradient + back.gradient);  // what the ranges may lack
-    if (front.greatest_nearness + slope < back.least_nearness) return std::nullopt;
+    if (front.greatest_inverse_depth + slope < back.least_inverse_depth) return std::nullopt;
     HalfPlanes<Number> half_planes(drawn(occluder).edge.begin(), drawn(occluder).edge.end());
     push_planes(half_planes, occluder);
-    const bool certain = front.least_nearness - slope > back.greatest_nearness;
+    const bool certain = front.least_inverse_depth - slope > back.greatest_inverse_depth;
     if (!certain && !are_coplanar(occluder, seen.index)) half_planes.push_back(nearer_side(occluder, seen));
     return half_planes;
 }
@@ -388,7 +388,7 @@ template <class Number>
 std::vector<Region<Number>> AdmissibleSet<Number>::visible_parts(size_t index) {
     for (const Piece& piece : seen_pieces(index)) {
         std::vector<Region<Number>> left{piece.region};
-        for (const size_t o : nearest_first_) {
+        for (const size_t o : front_to_back_) {
             if (o == index || left.empty() || !drawn(o).image) continue;
             if (const auto hiding = true_cover(o, piece)) left = without(left, *hiding);
         }
@@ -407,8 +407,8 @@ bool AdmissibleSet<Number>::is_clipped(size_t index) {
     for (const LinePointer edge : drawn(index).edge)
         if (region) region = region->inside(*edge);
     if (!region) return false;
-    for (const Side side : {Side::near, Side::far})
-        if (auto line = plane(side, drawn(index).image->nearness, n, Slack::require))
+    for (const ClipSide side : {ClipSide::near, ClipSide::far})
+        if (auto line = plane(side, drawn(index).image->inverse_depth, n, Slack::require))
             if (region->outside(**line)) return true;
     return false;
 }

@@ -29,7 +29,7 @@ template <class Number>
 class AdmissibleSet {
   public:
     /// Both must outlive it.
-    AdmissibleSet(const Neighbourhood& neighbourhood, CoplanarMemory& coplanar);
+    AdmissibleSet(const Neighbourhood& neighbourhood, CoplanarCache& coplanar);
 
     /// Another half-side than the neighbourhood's eps_px, from here on.
     void set_half_side(double half_side_px);
@@ -56,18 +56,18 @@ class AdmissibleSet {
 
   private:
     using LinePointer = const Line<Number>*;
-    /// A convex part of a candidate as it appears in the square, with the nearness that holds on it.
+    /// A convex part of a candidate as it appears in the square, with the inverse depth that holds on it.
     struct Piece {
         Region<Number> region;
-        Affine<Number> nearness;
+        Affine<Number> inverse_depth;
         size_t index;
     };
     /// A triangle's image; no image where it is seen edge-on.
-    struct Drawn {
+    struct NeighbourImage {
         std::optional<TriangleImage<Number>> image;
         std::array<LinePointer, 3> edge{};
     };
-    enum class Side { near, far };
+    enum class ClipSide { near, far };
     enum class Slack { admit, require };
 
     LinePointer new_line(const Affine<Number>& f);
@@ -77,19 +77,19 @@ class AdmissibleSet {
     int corner_id(const glm::vec3& p_world);
     int edge_id(int low, int high);
     int locus_of(const std::array<int, 2>& ends);
-    Drawn draw(const Neighbour& neighbour);
+    NeighbourImage draw(const Neighbour& neighbour);
     Region<Number> square();
 
-    std::optional<LinePointer> plane(Side side, const Affine<Number>& nearness, const Neighbour& n,
+    std::optional<LinePointer> plane(ClipSide side, const Affine<Number>& inverse_depth, const Neighbour& n,
                                      Slack slack);
     void push_clipped(std::vector<Piece>& pieces, std::optional<Region<Number>> region,
-                      const Affine<Number>& nearness, size_t index);
+                      const Affine<Number>& inverse_depth, size_t index);
     /// Made when first asked for.
     const std::vector<Piece>& seen_pieces(size_t index);
     std::vector<Piece> pieces_inside(size_t index);
     std::vector<Piece> edge_on_pieces(size_t index);
     /// Drawn when first asked for: most occluders are never reached.
-    const Drawn& drawn(size_t index);
+    const NeighbourImage& drawn(size_t index);
     LinePointer edge_of(size_t index, int edge_id);
     std::optional<bool> are_on_one_side(LinePointer edge, size_t other);
     bool continues(LinePointer edge, const std::vector<size_t>& occluders);
@@ -114,7 +114,7 @@ class AdmissibleSet {
 
     const Neighbourhood& around_;
     double half_side_px_;
-    Sight<Number> sight_;
+    ViewRay<Number> ray_;
     std::deque<Line<Number>> lines_;  ///< regions point at lines: all live as long as the set
     std::array<LinePointer, 4> sides_{};
     struct CornerOfMesh {
@@ -130,10 +130,10 @@ class AdmissibleSet {
         int next_of_end;  ///< id of another with the same first end, or -1
     };
     std::vector<MeshEdge> edges_;  ///< by id
-    std::vector<std::optional<Drawn>> drawn_;
+    std::vector<std::optional<NeighbourImage>> drawn_;
     std::vector<std::optional<std::vector<Piece>>> pieces_;  ///< in this square
-    std::vector<size_t> nearest_first_;
-    CoplanarMemory& coplanar_;
+    std::vector<size_t> front_to_back_;
+    CoplanarCache& coplanar_;
     /// Occluders that cover this square, all edges staying: of what is seen there, once they were found.
     struct Covering {
         std::optional<size_t> seen;

@@ -13,19 +13,19 @@ double reach(const Affine<double>& f, double half_side_px) {
 
 double value_at(const Affine<double>& f, const PixelOffset& at) { return f.at(at.x, at.y); }
 
-/// The nearness of the near or far plane moved inwards by its slack, as AdmissibleSet has it; what no
+/// The inverse depth of the near or far plane moved inwards by its slack, as AdmissibleSet has it; what no
 /// triangle keeps to where nothing is left between them.
 struct PlaneLimits {
     double near, far;
 };
 PlaneLimits limits_of(const Camera& c, const Neighbour& n) {
     const bool perspective = c.projection == Projection::perspective;
-    const auto nearness = [&](double depth) { return perspective ? 1 / depth : -depth; };
+    const auto inverse_depth = [&](double depth) { return perspective ? 1 / depth : -depth; };
     const double near = c.near_depth + n.near_slack, far = c.far_depth - n.far_slack;
     const bool is_none_left = far <= (perspective ? 0 : -unlimited);
-    return {std::isinf(near) ? -unlimited : nearness(near), is_none_left      ? unlimited
-                                                            : std::isinf(far) ? -unlimited
-                                                                              : nearness(far)};
+    return {std::isinf(near) ? -unlimited : inverse_depth(near), is_none_left      ? unlimited
+                                                                 : std::isinf(far) ? -unlimited
+                                                                                   : inverse_depth(far)};
 }
 
 PixelOffset between(const PixelOffset& p, const PixelOffset& q, double t) {
@@ -34,7 +34,7 @@ PixelOffset between(const PixelOffset& p, const PixelOffset& q, double t) {
 
 }  // namespace
 
-ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar)
+ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar)
     : around_(around),
       coplanar_(coplanar),
       error_scale_(2 * std::max(1.0, around.eps_px)),
@@ -77,8 +77,8 @@ bool ConservativeTest::is_outside(const Neighbour& n, const PixelOffset& at) con
 }
 
 bool ConservativeTest::is_behind_answer(const Neighbour& n, const PixelOffset& at) const {
-    return n.image && value_at(answer_->image->nearness - n.image->nearness, at) >
-                          nearness_error(n) + nearness_error(*answer_);
+    return n.image && value_at(answer_->image->inverse_depth - n.image->inverse_depth, at) >
+                          inverse_depth_error(n) + inverse_depth_error(*answer_);
 }
 
 /// Does no plane cut it in the square?
@@ -90,10 +90,10 @@ bool ConservativeTest::is_clear_of_planes(const Neighbour& n) const {
 
 /// Does it keep between near and far, each moved inwards by its slack, all over the square?
 bool ConservativeTest::keeps_between_planes(const Neighbour& n, double half_side_px) const {
-    const Affine<double>& nearness = n.image->nearness;
+    const Affine<double>& inverse_depth = n.image->inverse_depth;
     const PlaneLimits limits = limits_of(around_.view.camera, n);
-    const double unsure = reach(nearness, half_side_px) + nearness_error(n);
-    return nearness.c + unsure < limits.near && nearness.c - unsure > limits.far;
+    const double unsure = reach(inverse_depth, half_side_px) + inverse_depth_error(n);
+    return inverse_depth.c + unsure < limits.near && inverse_depth.c - unsure > limits.far;
 }
 
 /// Nothing hides it there, whatever the rule: what is outside or behind is in no set that hides.
@@ -107,7 +107,7 @@ bool ConservativeTest::is_seen_at(const PixelOffset& at) const {
 /// Nothing hides it there by the bounded rule.
 bool ConservativeTest::is_held_at(const PixelOffset& at) const {
     return is_inside(*answer_, at) && std::ranges::all_of(others_, [&](const Neighbour* n) {
-               return is_outside(*n, at) || n->least_nearness <= answer_->greatest_nearness;
+               return is_outside(*n, at) || n->least_inverse_depth <= answer_->greatest_inverse_depth;
            });
 }
 
@@ -159,10 +159,10 @@ bool ConservativeTest::shares_edge(const Neighbour& n, std::size_t edge) const {
 }
 
 bool ConservativeTest::hides_in(const Neighbour& n, double half_side_px) const {
-    if (n.greatest_nearness < answer_->least_nearness) return false;
-    const Affine<double> ahead = n.image->nearness - answer_->image->nearness;
+    if (n.greatest_inverse_depth < answer_->least_inverse_depth) return false;
+    const Affine<double> ahead = n.image->inverse_depth - answer_->image->inverse_depth;
     const bool is_in_front =
-        ahead.c - reach(ahead, half_side_px) > nearness_error(n) + nearness_error(*answer_);
+        ahead.c - reach(ahead, half_side_px) > inverse_depth_error(n) + inverse_depth_error(*answer_);
     return is_in_front || coplanar_(n.of_scene(), answer_->of_scene());
 }
 
@@ -178,11 +178,11 @@ auto ConservativeTest::finding() const -> Finding {
     return is_seen_around(least_px(eps_px)) || is_seen_around(eps_px) ? Finding::visible : Finding::undecided;
 }
 
-auto ConservativeTest::seen_within(double half_side_px) const -> Seen {
-    if (!is_asked_) return Seen::undecided;
-    if (is_seen_at({0, 0}) || is_seen_around(half_side_px)) return Seen::yes;
-    if ((answer_ && misses(*answer_, half_side_px)) || is_hidden_in(half_side_px)) return Seen::no;
-    return Seen::undecided;
+auto ConservativeTest::seen_within(double half_side_px) const -> Visibility {
+    if (!is_asked_) return Visibility::undecided;
+    if (is_seen_at({0, 0}) || is_seen_around(half_side_px)) return Visibility::yes;
+    if ((answer_ && misses(*answer_, half_side_px)) || is_hidden_in(half_side_px)) return Visibility::no;
+    return Visibility::undecided;
 }
 
 double ConservativeTest::likely_displacement_px() const {
@@ -192,7 +192,8 @@ double ConservativeTest::likely_displacement_px() const {
         for (const Affine<double>& e : answer_->image->edge) likely_px = std::max(likely_px, -beyond(e));
     for (const Neighbour* n : others_) {
         if (!n->image) continue;
-        if (answer_ && answer_->image && n->image->nearness.c < answer_->image->nearness.c) continue;
+        if (answer_ && answer_->image && n->image->inverse_depth.c < answer_->image->inverse_depth.c)
+            continue;
         const auto& edge = n->image->edge;
         likely_px = std::max(likely_px, std::min({beyond(edge[0]), beyond(edge[1]), beyond(edge[2])}));
     }

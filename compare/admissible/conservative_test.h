@@ -19,16 +19,16 @@ constexpr double least_px(double eps_px) { return eps_px / displacement_steps; }
 class ConservativeTest {
   public:
     /// Of an answer: a triangle, or none. The neighbourhood must outlive it.
-    ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar);
+    ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar);
 
     enum class Finding { visible, tied, undecided };
     /// Visible, and no plane cuts anything in the square; or tied (admissibility.h).
     Finding finding() const;
 
-    enum class Seen { yes, no, undecided };
+    enum class Visibility { yes, no, undecided };
     /// Is it seen in the square of that half-side, at most eps: what AdmissibleSet::is_seen() and, for
     /// background, holds_background() say?
-    Seen seen_within(double half_side_px) const;
+    Visibility seen_within(double half_side_px) const;
 
     /// The half-side at which a corner of the square reaches the answer's triangle, and no triangle that
     /// holds the centre in front of it. An estimate.
@@ -46,7 +46,7 @@ class ConservativeTest {
     /// What values in the square may be off by: Neighbour has it for places within a pixel of the centre,
     /// twice pays for the evaluation.
     double edge_error(const Neighbour& n) const { return error_scale_ * n.edge_error; }
-    double nearness_error(const Neighbour& n) const { return error_scale_ * n.plane_error; }
+    double inverse_depth_error(const Neighbour& n) const { return error_scale_ * n.plane_error; }
     bool misses(const Neighbour& n, double half_side_px) const;
     bool is_inside_all_over(const Neighbour& n, std::size_t edge, double half_side_px) const;
     bool is_inside(const Neighbour& n, const PixelOffset& at) const;
@@ -66,7 +66,7 @@ class ConservativeTest {
     Part part_in(double half_side_px) const;
 
     const Neighbourhood& around_;
-    CoplanarMemory& coplanar_;
+    CoplanarCache& coplanar_;
     double error_scale_;
     const Neighbour* answer_ = nullptr;     ///< none for background
     std::vector<const Neighbour*> others_;  ///< that do not miss the square for certain, without the answer's

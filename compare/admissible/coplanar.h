@@ -15,7 +15,7 @@ bool coplanar(const CornersWorld& a, const CornersWorld& b);
 bool collinear(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
 /// Remembers answers to coplanar(); what it answers never depends on what it remembers. One thread at a time.
-class CoplanarMemory {
+class CoplanarCache {
   public:
     /// A triangle, and the id that tells it from all others.
     struct Triangle {
@@ -24,7 +24,7 @@ class CoplanarMemory {
     };
 
     /// Of that many pairs; a power of two.
-    explicit CoplanarMemory(std::size_t pairs) : pairs_(pairs), shift_(64 - int(std::bit_width(pairs - 1))) {}
+    explicit CoplanarCache(std::size_t pairs) : pairs_(pairs), shift_(64 - int(std::bit_width(pairs - 1))) {}
 
     bool operator()(const Triangle& a, const Triangle& b) {
         const std::uint64_t pair = std::uint64_t{a.id} << 32 | b.id;

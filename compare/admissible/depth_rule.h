@@ -16,6 +16,6 @@ struct DepthCheck {
 /// `triangle` must be the depth of the triangle with these corners, by these bounds. In double; by exact
 /// arithmetic where that does not suffice.
 DepthCheck check_depth(const View& view, const ViewBounds& bounds, const CornersWorld& p_world,
-                       const TriangleDepth& triangle, const PixelPlace& place, float depth);
+                       const TriangleDepth& triangle, const PixelCoord& place, float depth);
 
 }  // namespace zproof

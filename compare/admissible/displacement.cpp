@@ -12,15 +12,15 @@ namespace zproof {
 namespace {
 
 /// Is the answer seen in squares around the pixel? By the conservative test; polygons in double say the rest.
-class SeenWithin {
+class VisibleWithin {
   public:
-    SeenWithin(const Neighbourhood& around, PrimitiveId answer, CoplanarMemory& coplanar)
+    VisibleWithin(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar)
         : around_(around), answer_(answer), coplanar_(coplanar), test_(around, answer, coplanar) {}
 
     bool operator()(double half_side_px) {
-        const ConservativeTest::Seen seen = test_.seen_within(half_side_px);
-        return seen == ConservativeTest::Seen::undecided ? is_estimated(half_side_px)
-                                                         : seen == ConservativeTest::Seen::yes;
+        const ConservativeTest::Visibility seen = test_.seen_within(half_side_px);
+        return seen == ConservativeTest::Visibility::undecided ? is_estimated(half_side_px)
+                                                               : seen == ConservativeTest::Visibility::yes;
     }
     double likely_px() const { return test_.likely_displacement_px(); }
 
@@ -35,7 +35,7 @@ class SeenWithin {
 
     const Neighbourhood& around_;
     PrimitiveId answer_;
-    CoplanarMemory& coplanar_;
+    CoplanarCache& coplanar_;
     ConservativeTest test_;
     std::optional<AdmissibleSet<double>> set_;
 };
@@ -45,8 +45,8 @@ class SeenWithin {
 /// What is seen in a square is seen in every larger one: by ever larger strides from the likely half-side,
 /// and then by bisection.
 std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer,
-                                            CoplanarMemory& coplanar) {
-    SeenWithin seen_within(around, answer, coplanar);
+                                            CoplanarCache& coplanar) {
+    VisibleWithin seen_within(around, answer, coplanar);
     const auto is_seen = [&](int step) { return seen_within(around.eps_px * step / displacement_steps); };
     if (is_seen(1)) return std::nullopt;
     int too_small = 1, enough = displacement_steps, stride = 1;

@@ -1,4 +1,4 @@
-/// How much of its bound a lawful answer needs: the tightness of eps, seen where edges decide.
+/// How much of its bound an admissible answer needs: the tightness of eps, seen where edges decide.
 #pragma once
 
 #include <optional>
@@ -15,6 +15,6 @@ namespace zproof {
 /// For a triangle that misses the centre this is how far its corners must have moved; for one that others
 /// hide there, or for background, how far those others must have moved aside.
 std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer,
-                                            CoplanarMemory& coplanar);
+                                            CoplanarCache& coplanar);
 
 }  // namespace zproof

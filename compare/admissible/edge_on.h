@@ -1,5 +1,5 @@
 /// Triangles seen exactly edge-on. They cover no area, but a renderer that moves their corners by eps may
-/// draw them: each edge then stands as a segment of the image with the nearness that holds along it.
+/// draw them: each edge then stands as a segment of the image with the inverse depth that holds along it.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace zproof {
 template <class Number>
 struct SegmentImage {
     Affine<Number> line, after_start, before_end;  ///< the last two are >= 0 on the segment
-    Affine<Number> nearness;                       ///< right on the segment, arbitrary elsewhere
+    Affine<Number> inverse_depth;                  ///< right on the segment, arbitrary elsewhere
 };
 
 namespace detail {
@@ -33,42 +33,42 @@ bool is_zero(const Vector3<Number>& v) {
 }
 
 template <class Number>
-SegmentImage<Number> perspective_segment(const Sight<Number>& sight, const Vector3<Number>& a,
+SegmentImage<Number> perspective_segment(const ViewRay<Number>& ray, const Vector3<Number>& a,
                                          const Vector3<Number>& b, const Vector3<Number>& moment) {
     const Vector3<Number> plane = cross(b - a, axis_off(moment));
-    return {perspective_functional(sight, moment), perspective_functional(sight, cross(moment, a)),
-            perspective_functional(sight, cross(b, moment)),
-            (Number(1) / dot(a, plane)) * perspective_functional(sight, plane)};
+    return {perspective_functional(ray, moment), perspective_functional(ray, cross(moment, a)),
+            perspective_functional(ray, cross(b, moment)),
+            (Number(1) / dot(a, plane)) * perspective_functional(ray, plane)};
 }
 
-/// The functional e -> (e - p) . normal of a plane that holds the direction of sight.
+/// The functional e -> (e - p) . normal of a plane that holds the direction of the view ray.
 template <class Number>
-Affine<Number> beyond(const Sight<Number>& sight, const Vector3<Number>& p, const Vector3<Number>& normal) {
-    return {dot(normal, sight.step_x), dot(normal, sight.step_y), -dot(normal, p)};
+Affine<Number> beyond(const ViewRay<Number>& ray, const Vector3<Number>& p, const Vector3<Number>& normal) {
+    return {dot(normal, ray.step_x), dot(normal, ray.step_y), -dot(normal, p)};
 }
 
 template <class Number>
-SegmentImage<Number> parallel_segment(const Sight<Number>& sight, const Vector3<Number>& a,
+SegmentImage<Number> parallel_segment(const ViewRay<Number>& ray, const Vector3<Number>& a,
                                       const Vector3<Number>& b, const Vector3<Number>& side) {
-    const Vector3<Number> along = cross(sight.direction, side);
+    const Vector3<Number> along = cross(ray.direction, side);
     const Vector3<Number> plane = cross(b - a, side);
-    return {parallel_edge(sight, a, b), beyond(sight, a, along), -beyond(sight, b, along),
-            (Number(-1) / dot(plane, sight.direction)) *
-                Affine<Number>{-dot(plane, sight.step_x), -dot(plane, sight.step_y), dot(plane, a)}};
+    return {parallel_edge(ray, a, b), beyond(ray, a, along), -beyond(ray, b, along),
+            (Number(-1) / dot(plane, ray.direction)) *
+                Affine<Number>{-dot(plane, ray.step_x), -dot(plane, ray.step_y), dot(plane, a)}};
 }
 
 }  // namespace detail
 
 /// The image of the segment from a to b (world space), or nothing where it is seen end-on.
 template <class Number>
-std::optional<SegmentImage<Number>> segment_image(const Sight<Number>& sight, const Vector3<Number>& a_world,
+std::optional<SegmentImage<Number>> segment_image(const ViewRay<Number>& ray, const Vector3<Number>& a_world,
                                                   const Vector3<Number>& b_world) {
-    const Vector3<Number> a = a_world - sight.origin, b = b_world - sight.origin;
-    const bool perspective = sight.projection == Projection::perspective;
-    const Vector3<Number> moment = perspective ? cross(a, b) : cross(b - a, sight.direction);
+    const Vector3<Number> a = a_world - ray.origin, b = b_world - ray.origin;
+    const bool perspective = ray.projection == Projection::perspective;
+    const Vector3<Number> moment = perspective ? cross(a, b) : cross(b - a, ray.direction);
     if (detail::is_zero(moment)) return std::nullopt;
-    return perspective ? detail::perspective_segment(sight, a, b, moment)
-                       : detail::parallel_segment(sight, a, b, moment);
+    return perspective ? detail::perspective_segment(ray, a, b, moment)
+                       : detail::parallel_segment(ray, a, b, moment);
 }
 
 }  // namespace zproof

@@ -15,18 +15,19 @@ bool is_known(const std::optional<PlaneHere>& plane) { return plane && std::isfi
 
 LocalBounds bounds_at(const BoundedTriangle& triangle, const std::optional<PlaneHere>& plane) {
     const double nearest = triangle.bounds.nearest, highest = nearest > 0 ? 1 / nearest : 0;
-    return triangle.bounds.at(plane ? plane->nearness : highest, plane ? plane->gradient : 0);
+    return triangle.bounds.at(plane ? plane->inverse_depth : highest, plane ? plane->gradient : 0);
 }
 
-NearnessRange nearness_range(const BoundedTriangle& triangle, const std::optional<PlaneHere>& plane,
-                             const LocalBounds& bounds, Projection projection) {
+InverseDepthRange inverse_depth_range(const BoundedTriangle& triangle, const std::optional<PlaneHere>& plane,
+                                      const LocalBounds& bounds, Projection projection) {
     const bool perspective = projection == Projection::perspective, keeps = triangle.keeps_to_corners;
     const double farthest = triangle.bounds.farthest, nearest = triangle.bounds.nearest;
-    const NearnessRange corners{perspective ? 1 / farthest : -farthest, perspective ? 1 / nearest : -nearest};
+    const InverseDepthRange corners{perspective ? 1 / farthest : -farthest,
+                                    perspective ? 1 / nearest : -nearest};
     const bool is_bounded =
-        std::isfinite(bounds.depth_relative + bounds.depth_absolute + bounds.nearness_error) &&
+        std::isfinite(bounds.depth_relative + bounds.depth_absolute + bounds.inverse_depth_error) &&
         (is_known(plane) || keeps);
-    if (!is_bounded) return any_nearness;
+    if (!is_bounded) return any_inverse_depth;
     return rounded(plane ? on_plane(*plane, bounds, corners, keeps) : corners, bounds, perspective);
 }
 
@@ -39,24 +40,24 @@ struct ProductErrors {
     double orientation;  ///< of what the sign of all edges is taken from
 };
 
-ProductErrors product_errors(const Sight<double>& sight, const Corners<double>& p_world,
+ProductErrors product_errors(const ViewRay<double>& ray, const Corners<double>& p_world,
                              const ViewBounds::RaySize& ray_size) {
     constexpr double share = gamma(16, unit_roundoff_float64) * 4;
-    const double steps = size_of(sight.step_x) + size_of(sight.step_y);
-    const bool is_parallel = sight.projection == Projection::parallel;
+    const double steps = size_of(ray.step_x) + size_of(ray.step_y);
+    const bool is_parallel = ray.projection == Projection::parallel;
     const double of_origin = is_parallel ? ray_size.origin : 0, moved = is_parallel ? steps : 0;
     double from_eye = 0;
     for (const Vector3<double>& p : p_world)
-        from_eye = std::max(from_eye, size_of(p - sight.origin) + share * of_origin + moved);
+        from_eye = std::max(from_eye, size_of(p - ray.origin) + share * of_origin + moved);
     const double square = share * from_eye * (from_eye + of_origin);
     return {square * (ray_size.direction + steps), square * (is_parallel ? ray_size.direction : from_eye)};
 }
 
 /// What image_of() takes the orientation from.
-double orientation_of(const Sight<double>& sight, const Corners<double>& p) {
-    const Vector3<double> v0 = p[0] - sight.origin, v1 = p[1] - sight.origin, v2 = p[2] - sight.origin;
+double orientation_of(const ViewRay<double>& ray, const Corners<double>& p) {
+    const Vector3<double> v0 = p[0] - ray.origin, v1 = p[1] - ray.origin, v2 = p[2] - ray.origin;
     const Vector3<double> normal = cross(v1 - v0, v2 - v0);
-    return sight.projection == Projection::perspective ? dot(v0, normal) : dot(normal, sight.direction);
+    return ray.projection == Projection::perspective ? dot(v0, normal) : dot(normal, ray.direction);
 }
 
 }  // namespace
@@ -72,49 +73,48 @@ std::optional<std::size_t> Neighbourhood::index_of(PrimitiveId triangle) const {
     return std::size_t(found - neighbours.begin());
 }
 
-Neighbour seen_at(const Sight<double>& sight, const BoundedTriangle& triangle) {
+Neighbour seen_at(const ViewRay<double>& ray, const BoundedTriangle& triangle) {
     Neighbour n;
     n.p_world = triangle.p_world;
     const Corners<double> p_world = corners<double>(n.p_world);
-    n.image = image_of(sight, p_world);
-    n.edges = n.image ? n.image->edge : edges_of(sight, p_world);
-    const ProductErrors errors = product_errors(sight, p_world, triangle.ray_size);
+    n.image = image_of(ray, p_world);
+    n.edges = n.image ? n.image->edge : edges_of(ray, p_world);
+    const ProductErrors errors = product_errors(ray, p_world, triangle.ray_size);
     n.edge_error = errors.edge;
     if (!n.image) return n;
-    n.gradient = steepness(n.image->nearness);
-    n.plane_error = triangle.plane_error.at(std::abs(n.image->nearness.c) + n.gradient);
+    n.gradient = steepness(n.image->inverse_depth);
+    n.plane_error = triangle.plane_error.at(std::abs(n.image->inverse_depth.c) + n.gradient);
     n.is_plane_known = std::isfinite(n.plane_error);
-    n.is_trusted = n.is_plane_known && std::abs(orientation_of(sight, p_world)) > errors.orientation;
+    n.is_trusted = n.is_plane_known && std::abs(orientation_of(ray, p_world)) > errors.orientation;
     return n;
 }
 
 void set_bounds(Neighbour& n, const BoundedTriangle& triangle, Projection projection) {
     const TriangleBounds& of_triangle = triangle.bounds;
     std::optional<PlaneHere> plane;
-    if (n.image) plane = PlaneHere{n.image->nearness.c, n.gradient, n.plane_error};
+    if (n.image) plane = PlaneHere{n.image->inverse_depth.c, n.gradient, n.plane_error};
     n.bounds = bounds_at(triangle, plane);
     n.near_slack = of_triangle.near_slack;
     n.far_slack = of_triangle.far_slack;
     n.nearest = of_triangle.nearest;
     n.farthest = of_triangle.farthest;
-    const NearnessRange range = nearness_range(triangle, plane, n.bounds, projection);
-    n.least_nearness = range.least;
-    n.greatest_nearness = range.greatest;
+    const InverseDepthRange range = inverse_depth_range(triangle, plane, n.bounds, projection);
+    n.least_inverse_depth = range.least;
+    n.greatest_inverse_depth = range.greatest;
 }
 
-Neighbour neighbour_of(const Sight<double>& sight, const BoundedTriangle& triangle) {
-    Neighbour n = seen_at(sight, triangle);
-    set_bounds(n, triangle, sight.projection);
+Neighbour neighbour_of(const ViewRay<double>& ray, const BoundedTriangle& triangle) {
+    Neighbour n = seen_at(ray, triangle);
+    set_bounds(n, triangle, ray.projection);
     return n;
 }
 
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
-                               const Site& site, double own_eps_px) {
-    const Sight<double> sight(view, site.x, site.y);
-    Neighbourhood around{view, site.x, site.y, own_eps_px, {}};
-    for (const std::uint32_t triangle : site.triangles) {
-        Neighbour& n =
-            around.neighbours.emplace_back(neighbour_of(sight, bounds, corners_of(scene, triangle)));
+                               const SearchPixel& search_pixel, double own_eps_px) {
+    const ViewRay<double> ray(view, search_pixel.x, search_pixel.y);
+    Neighbourhood around{view, search_pixel.x, search_pixel.y, own_eps_px, {}};
+    for (const std::uint32_t triangle : search_pixel.triangles) {
+        Neighbour& n = around.neighbours.emplace_back(neighbour_of(ray, bounds, corners_of(scene, triangle)));
         n.triangle = triangle;
         if (n.image && comes_within(*n.image, own_eps_px))
             around.eps_px = std::max(around.eps_px, n.bounds.eps_px);
@@ -122,11 +122,11 @@ Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewB
     return around;
 }
 
-double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, const PixelPlace& place,
+double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, const PixelCoord& place,
                   PrimitiveId answer) {
     if (answer == PrimitiveId::none) return bounds.background_eps_px();
-    const Sight<double> sight(view, place.x, place.y);
-    return neighbour_of(sight, bounds, corners_of(scene, std::uint32_t(answer))).bounds.eps_px;
+    const ViewRay<double> ray(view, place.x, place.y);
+    return neighbour_of(ray, bounds, corners_of(scene, std::uint32_t(answer))).bounds.eps_px;
 }
 
 }  // namespace zproof

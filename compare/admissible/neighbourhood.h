@@ -7,15 +7,15 @@
 
 #include "compare/admissible/coplanar.h"
 #include "compare/bounds/bounds.h"
-#include "compare/bounds/nearness_range.h"
-#include "compare/bounds/pixel_place.h"
+#include "compare/bounds/inverse_depth_range.h"
+#include "compare/bounds/pixel_coord.h"
 #include "compare/bounds/triangle_image.h"
 #include "frame/frame.h"
 
 namespace zproof {
 
 /// A pixel to be looked into, with every triangle whose image may come within reach_px of its centre.
-struct Site {
+struct SearchPixel {
     int x = 0, y = 0;
     double reach_px = 0;
     std::vector<std::uint32_t> triangles;  ///< ascending
@@ -27,18 +27,18 @@ struct Neighbour {
     LocalBounds bounds;
     double near_slack = 0, far_slack = 0;  ///< see TriangleBounds
     double nearest = 0, farthest = 0;      ///< see TriangleBounds
-    double gradient = 0;                   ///< |d/dx| + |d/dy| of nearness, per px; 0 for an edge-on triangle
-    bool is_plane_known = false;           ///< or does double precision not tell it from edge-on?
-    bool is_trusted = false;               ///< the same, and is the sign of its image's edges certain?
+    double gradient = 0;          ///< |d/dx| + |d/dy| of inverse depth, per px; 0 for an edge-on triangle
+    bool is_plane_known = false;  ///< or does double precision not tell it from edge-on?
+    bool is_trusted = false;      ///< the same, and is the sign of its image's edges certain?
     /// Of p_world: whoever changes one changes both. In double; nothing for an edge-on triangle. Off by at
-    /// most `edge_error` and `plane_error` (of nearness) anywhere within a pixel of the centre.
+    /// most `edge_error` and `plane_error` (of inverse depth) anywhere within a pixel of the centre.
     std::optional<TriangleImage<double>> image;
     std::array<Affine<double>, 3> edges{};  ///< the image's; without an image, of no orientation
     double edge_error = 0, plane_error = 0;
-    /// What a faultless renderer may hold for its nearness at the pixel, all bounds included.
-    double least_nearness = 0, greatest_nearness = 0;
+    /// What a faultless renderer may hold for its inverse depth at the pixel, all bounds included.
+    double least_inverse_depth = 0, greatest_inverse_depth = 0;
 
-    CoplanarMemory::Triangle of_scene() const { return {triangle, p_world}; }
+    CoplanarCache::Triangle of_scene() const { return {triangle, p_world}; }
 };
 
 struct Neighbourhood {
@@ -75,24 +75,24 @@ struct BoundedTriangle {
 bool comes_within(const TriangleImage<double>& image, double eps_px);
 
 /// What one triangle is at a pixel, whoever draws it: its image, with its errors. `triangle` is left 0.
-Neighbour seen_at(const Sight<double>& sight, const BoundedTriangle& triangle);
+Neighbour seen_at(const ViewRay<double>& ray, const BoundedTriangle& triangle);
 /// Sets what depends on the renderer.
 void set_bounds(Neighbour& seen, const BoundedTriangle& triangle, Projection projection);
 /// Both.
-Neighbour neighbour_of(const Sight<double>& sight, const BoundedTriangle& triangle);
-inline Neighbour neighbour_of(const Sight<double>& sight, const ViewBounds& bounds,
+Neighbour neighbour_of(const ViewRay<double>& ray, const BoundedTriangle& triangle);
+inline Neighbour neighbour_of(const ViewRay<double>& ray, const ViewBounds& bounds,
                               const CornersWorld& p_world) {
-    return neighbour_of(sight, BoundedTriangle(bounds, p_world));
+    return neighbour_of(ray, BoundedTriangle(bounds, p_world));
 }
 
 /// eps of an answer by itself, before its surroundings are looked at.
-double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, const PixelPlace& place,
+double own_eps_px(const Scene& scene, const View& view, const ViewBounds& bounds, const PixelCoord& place,
                   PrimitiveId answer);
 
 /// Gathers the evidence for an answer whose own eps is own_eps_px <= site.reach_px. Where the result's eps_px
 /// exceeds site.reach_px, triangles may be missing: look again with that reach; the result's eps_px will be
 /// the same.
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
-                               const Site& site, double own_eps_px);
+                               const SearchPixel& search_pixel, double own_eps_px);
 
 }  // namespace zproof

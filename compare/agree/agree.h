@@ -4,14 +4,14 @@
 
 #include <vector>
 
-#include "compare/bounds/pixel_place.h"
+#include "compare/bounds/pixel_coord.h"
 #include "compare/rendered_frame.h"
 #include "compare/verdict.h"
 
 namespace zproof {
 
 struct UndecidedPixel {
-    PixelPlace place;
+    PixelCoord place;
     /// Do ids differ, and is either answer a triangle whose depth is admissible for certain, or background?
     bool differs_in_id_alone = false;
 };

@@ -37,7 +37,7 @@ class BoundTable {
 
     static constexpr std::size_t least_slots = 1024;
     const FramePair& frames_;
-    Sight<double> first_pixel_;
+    ViewRay<double> first_pixel_;
     std::vector<PrimitiveId> triangles_;  ///< by place
     std::vector<Slot> slots_;             ///< open addressing; a power of two
     std::vector<Depths> depths_;          ///< by place

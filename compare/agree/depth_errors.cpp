@@ -18,10 +18,10 @@ template <Projection projection>
 [[gnu::always_inline]] inline void find_errors(const TriangleDepth& of, int x, int y, int count,
                                                const float* depths, double* errors) {
     using enum TriangleDepth::Relative;
-    if (of.relative() == everywhere)
-        find_errors<projection, everywhere>(of, x, y, count, depths, errors);
+    if (of.relative() == constant)
+        find_errors<projection, constant>(of, x, y, count, depths, errors);
     else
-        find_errors<projection, by_nearness>(of, x, y, count, depths, errors);
+        find_errors<projection, by_inverse_depth>(of, x, y, count, depths, errors);
 }
 
 // Compiled once per instruction set, with everything that it calls. No bit depends on which runs: contraction

@@ -63,10 +63,10 @@ double sum_abs(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std
 TriangleBounds bounds_of(const DepthTerms& terms) {
     TriangleBounds bounds;
     bounds.depth_eps_base_px = terms.eps_base_px;
-    bounds.depth_eps_per_nearness = terms.eps_per_nearness;
+    bounds.depth_eps_per_inverse_depth = terms.eps_per_inverse_depth;
     bounds.depth_factor = terms.factor;
     bounds.depth_absolute = terms.absolute;
-    bounds.nearness_error = terms.nearness_error;
+    bounds.inverse_depth_error = terms.inverse_depth_error;
     bounds.plane_offset = terms.plane_offset;
     return bounds;
 }
@@ -214,7 +214,7 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RasterP
     const double viewport = gammas_of(u)[8] * (is_coarse ? reach_px(extent, limit) : limit);
     TriangleBounds bounds = bounds_of(raster_terms(precision, transform, viewport).of(extent.size));
     bounds.eps_base_px = bounds.depth_eps_base_px;
-    bounds.eps_per_nearness = bounds.depth_eps_per_nearness;
+    bounds.eps_per_inverse_depth = bounds.depth_eps_per_inverse_depth;
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gammas_of(u)[8] * extent.largest_depth();
     switch (precision.depth_buffer) {
         case DepthBuffer::camera_depth:
@@ -241,18 +241,18 @@ void ViewBounds::set_reversed_z(TriangleBounds& bounds, const TriangleExtent& ex
     const Camera& c = view_.camera;
     const double snap = background_eps_px_;
     const std::vector<WindowCorner> polygon = window_polygon(view_, extent);
-    double highest = 0;  // nearness; only perspectives ask for it
-    for (const WindowCorner& corner : polygon) highest = std::max(highest, corner.z / z_per_nearness(c));
-    const double drift_base = bounds.eps_base_px - snap, drift_per = bounds.eps_per_nearness;
+    double highest = 0;  // inverse depth; only perspectives ask for it
+    for (const WindowCorner& corner : polygon) highest = std::max(highest, corner.z / z_per_inverse_depth(c));
+    const double drift_base = bounds.eps_base_px - snap, drift_per = bounds.eps_per_inverse_depth;
     const CornerShift shift{.snap_px = snap, .drift_px = drift_base + drift_per * highest};
     const auto [z_error, spread] = plane_equation_bounds(polygon, shift, view_);
-    bounds.nearness_error = z_error / z_per_nearness(c);
+    bounds.inverse_depth_error = z_error / z_per_inverse_depth(c);
     bounds.depth_eps_base_px = snap + spread * drift_base;
-    bounds.depth_eps_per_nearness = spread * drift_per;
+    bounds.depth_eps_per_inverse_depth = spread * drift_per;
     if (perspective_) return;
     // z is made of far - depth
     bounds.depth_absolute += gamma(6, unit_roundoff_float32) * std::abs(c.far_depth);
-    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + bounds.nearness_error +
+    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + bounds.inverse_depth_error +
                                            gamma(8, unit_roundoff_float32) * extent.largest_depth();
 }
 
@@ -334,7 +334,7 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RayPrec
     for (int edge = 0; edge < 3; ++edge) edges = std::max(edges, edge_test_eps_px(extent, edge, u));
     // the robust test admits barycentrics down to -2u: a step of at most 2u (|v_i| + |q|)
     bounds.eps_base_px = aim + edges + (perspective_ ? 0 : 5 * corner);
-    bounds.eps_per_nearness = perspective_ ? 5 * corner : 0;
+    bounds.eps_per_inverse_depth = perspective_ ? 5 * corner : 0;
     const auto slack = [&](double plane_depth) {
         const double share = compounded(u + bounds.depth_factor + bounds.plane_offset * plane_depth);
         return std::isinf(share) ? share : plane_depth * share + bounds.depth_absolute;
@@ -379,9 +379,9 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRa
 
     TriangleBounds bounds;
     bounds.eps_base_px = aim + (perspective_ ? 0 : corner + inside);
-    bounds.eps_per_nearness = perspective_ ? corner + inside : 0;
+    bounds.eps_per_inverse_depth = perspective_ ? corner + inside : 0;
     bounds.depth_eps_base_px = aim + (perspective_ ? 0 : corner);
-    bounds.depth_eps_per_nearness = perspective_ ? corner : 0;
+    bounds.depth_eps_per_inverse_depth = perspective_ ? corner : 0;
 
     // where the ray meets the plane as for Pluecker rays, the normal's length taken out: 10 roundings in each
     // product; then -back . (origin + t d)
@@ -416,18 +416,18 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const PlaneRa
     return bounds;
 }
 
-LocalBounds TriangleBounds::at(double nearness, double gradient) const {
-    return BoundsOnPlane(*this, gradient).at(nearness);
+LocalBounds TriangleBounds::at(double inverse_depth, double gradient) const {
+    return BoundsOnPlane(*this, gradient).at(inverse_depth);
 }
 
 BoundsOnPlane::BoundsOnPlane(const TriangleBounds& b, double gradient)
     : corners_(b.nearest, b.farthest),
-      eps_px_(b.eps_base_px, b.eps_per_nearness, gradient, corners_.highest),
-      depth_eps_px_(b.depth_eps_base_px, b.depth_eps_per_nearness, gradient, corners_.highest),
+      eps_px_(b.eps_base_px, b.eps_per_inverse_depth, gradient, corners_.highest),
+      depth_eps_px_(b.depth_eps_base_px, b.depth_eps_per_inverse_depth, gradient, corners_.highest),
       depth_factor_(b.depth_factor),
       plane_offset_(b.plane_offset),
       depth_relative_(compounded(b.depth_factor)),
       depth_absolute_(b.depth_absolute),
-      nearness_error_(b.nearness_error) {}
+      inverse_depth_error_(b.inverse_depth_error) {}
 
 }  // namespace zproof

@@ -19,28 +19,29 @@ struct LocalBounds {
     double depth_eps_px = 0;    ///< displacement at which depth may have been taken
     double depth_relative = 0;  ///< delta: relative error of depth; infinite where the plane is not known
     double depth_absolute = 0;  ///< alpha: absolute error of depth, scene units
-    double nearness_error = 0;  ///< of nearness itself; unlimited where the plane is not known
+    double inverse_depth_error = 0;  ///< of inverse depth itself; unlimited where the plane is not known
 };
 
 /// The terms of every triangle's depth, where a renderer has such.
 using CommonTerms = std::variant<std::monostate, RasterTerms, RayTerms>;
 
-/// The bounds of one triangle, as functions of its nearness (1/depth; perspective) at the pixel.
+/// The bounds of one triangle, as functions of its inverse depth (1/depth; perspective) at the pixel.
 struct TriangleBounds {
-    double eps_base_px = 0, eps_per_nearness = 0;              ///< eps = base + per_nearness * nearness
-    double depth_eps_base_px = 0, depth_eps_per_nearness = 0;  ///< the same for depth
+    double eps_base_px = 0, eps_per_inverse_depth = 0;  ///< eps = base + per_inverse_depth * inverse depth
+    double depth_eps_base_px = 0, depth_eps_per_inverse_depth = 0;  ///< the same for depth
     double depth_factor = 0;  ///< sum of the relative errors of depth's factors
     double depth_absolute = 0;
-    double nearness_error = 0;             ///< z-buffer: of nearness, anywhere on the triangle
-    double plane_offset = 0;               ///< ray: error of (normal . direction) / volume, in nearness
+    double inverse_depth_error = 0;        ///< z-buffer: of inverse depth, anywhere on the triangle
+    double plane_offset = 0;               ///< ray: error of (normal . direction) / volume, in inverse depth
     double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
     double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
 
-    /// At a place where nearness is `nearness` and changes by `gradient` (|d/dx| + |d/dy|) per pixel.
-    LocalBounds at(double nearness, double gradient) const;
+    /// At a place where inverse depth is `inverse_depth` and changes by `gradient` (|d/dx| + |d/dy|) per
+    /// pixel.
+    LocalBounds at(double inverse_depth, double gradient) const;
     DepthTerms depth_terms() const {
-        return {depth_eps_base_px, depth_eps_per_nearness, depth_factor,
-                depth_absolute,    nearness_error,         plane_offset};
+        return {depth_eps_base_px, depth_eps_per_inverse_depth, depth_factor,
+                depth_absolute,    inverse_depth_error,         plane_offset};
     }
 };
 
@@ -49,20 +50,20 @@ class BoundsOnPlane {
   public:
     BoundsOnPlane(const TriangleBounds& bounds, double gradient);
 
-    LocalBounds at(double nearness) const {
-        const double here = std::clamp(nearness, corners_.least, corners_.highest);
+    LocalBounds at(double inverse_depth) const {
+        const double here = std::clamp(inverse_depth, corners_.least, corners_.highest);
         return {.eps_px = eps_px_.at(here),
                 .depth_eps_px = depth_eps_px_.at(here),
                 .depth_relative =
                     plane_offset_ > 0 ? compounded(depth_factor_ + plane_offset_ / here) : depth_relative_,
                 .depth_absolute = depth_absolute_,
-                .nearness_error = nearness_error_};
+                .inverse_depth_error = inverse_depth_error_};
     }
 
   private:
-    CornerNearness corners_;
+    CornerInverseDepth corners_;
     Displacement eps_px_, depth_eps_px_;
-    double depth_factor_, plane_offset_, depth_relative_, depth_absolute_, nearness_error_;
+    double depth_factor_, plane_offset_, depth_relative_, depth_absolute_, inverse_depth_error_;
 };
 
 /// What a renderer's precision means for one view.
@@ -94,10 +95,10 @@ class ViewBounds {
         const Vector3<double> origin = gauge_.eye_abs + gauge_.origin_abs, &direction = gauge_.direction_abs;
         return {origin.x + origin.y + origin.z, direction.x + direction.y + direction.z};
     }
-    /// No |nearness| in the image is larger; `nearness` is of pixel indices.
-    double largest_in_image(const Affine<double>& nearness) const {
-        return std::abs(nearness.c) + std::abs(nearness.a) * view_.width +
-               std::abs(nearness.b) * view_.height;
+    /// No |inverse depth| in the image is larger; `inverse_depth` is of pixel indices.
+    double largest_in_image(const Affine<double>& inverse_depth) const {
+        return std::abs(inverse_depth.c) + std::abs(inverse_depth.a) * view_.width +
+               std::abs(inverse_depth.b) * view_.height;
     }
     /// The share that every triangle has in common; above 0.
     double background_eps_px() const { return background_eps_px_; }

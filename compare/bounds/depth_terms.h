@@ -21,11 +21,11 @@ struct ImageScale {
     }
 };
 
-/// The terms of a triangle's depth, named as in docs/bounds.md: eps = base + per nearness.
+/// The terms of a triangle's depth, named as in docs/bounds.md: eps = base + per inverse depth.
 struct DepthTerms {
-    double eps_base_px, eps_per_nearness;
+    double eps_base_px, eps_per_inverse_depth;
     double factor, absolute;
-    double nearness_error, plane_offset;
+    double inverse_depth_error, plane_offset;
 };
 
 /// 1 / (1 - sum) - 1: what factors and divisors whose relative errors add up to `sum` may come to (Higham
@@ -49,10 +49,10 @@ struct RasterTerms {
         const double lateral = transform * scale.lateral_px(moved);
         const bool perspective = projection == Projection::perspective;
         return {.eps_base_px = base_px + (perspective ? 0 : lateral),
-                .eps_per_nearness = perspective ? lateral : 0,
+                .eps_per_inverse_depth = perspective ? lateral : 0,
                 .factor = factor,
                 .absolute = transform * moved.z,
-                .nearness_error = 0,
+                .inverse_depth_error = 0,
                 .plane_offset = 0};
     }
 };
@@ -84,35 +84,35 @@ struct RayTerms {
         const double rounded_aim = unit * t.from_eye.z + aim_absolute;
         const double of_plane = numerator_error * (1 + compounded(volume_factor));
         return {.eps_base_px = perspective ? aim : aim + corner,
-                .eps_per_nearness = perspective ? corner : 0,
+                .eps_per_inverse_depth = perspective ? corner : 0,
                 .factor = factor + volume_factor,
                 .absolute = perspective ? rounded_aim : rounded_aim + of_plane,
-                .nearness_error = 0,
+                .inverse_depth_error = 0,
                 .plane_offset = perspective ? numerator_error : 0};
     }
 };
 
-/// eps = base + per (nearness + gradient eps), solved for eps; never beyond the nearest corner's.
+/// eps = base + per (inverse depth + gradient eps), solved for eps; never beyond the nearest corner's.
 struct Displacement {
     Displacement() = default;
-    Displacement(double base_px, double per_nearness, double gradient, double highest)
-        : base(base_px), per(per_nearness), most(base + per * highest) {
+    Displacement(double base_px, double per_inverse_depth, double gradient, double highest)
+        : base(base_px), per(per_inverse_depth), most(base + per * highest) {
         const double loop = per * gradient, enlarged = 1 / (1 - loop);
         amplification = loop < 1 ? enlarged : unlimited;
     }
 
-    double at(double nearness) const {
-        const double reach = (base + per * nearness) * amplification, kept = reach < most ? reach : most;
+    double at(double inverse_depth) const {
+        const double reach = (base + per * inverse_depth) * amplification, kept = reach < most ? reach : most;
         return per == 0 ? base : kept;
     }
 
     double base = 0, per = 0, most = 0, amplification = 1;
 };
 
-/// The nearness of the farthest and the nearest corner.
-struct CornerNearness {
-    CornerNearness() = default;
-    CornerNearness(double nearest_depth, double farthest_depth) {
+/// The inverse depth of the farthest and the nearest corner.
+struct CornerInverseDepth {
+    CornerInverseDepth() = default;
+    CornerInverseDepth(double nearest_depth, double farthest_depth) {
         const double of_farthest = 1 / farthest_depth, of_nearest = 1 / nearest_depth;
         least = farthest_depth > 0 ? of_farthest : 0;  // 0 at infinity, too
         highest = nearest_depth > 0 ? of_nearest : 0;

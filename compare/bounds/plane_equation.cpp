@@ -87,7 +87,7 @@ class PlaneEquation {
         const double area = std::abs(e1_.x * e2_.y - e1_.y * e2_.x) -
                             2 * drift * (length(e1_) + length(e2_)) - 8 * drift * drift;
         if (!(area > 0)) return unknown;
-        const Vector2 a1 = widened(e1_), a2 = widened(e2_);
+        const Vector2 a1 = widen(e1_), a2 = widen(e2_);
         const double of_area = gamma(4, u) * (a1.x * a2.y + a1.y * a2.x) / area;
         if (!(of_area < 1)) return unknown;
         const double lost = of_area / (1 - of_area);
@@ -105,7 +105,7 @@ class PlaneEquation {
     };
 
     static double length(const Vector2& v) { return std::abs(v.x) + std::abs(v.y); }
-    Vector2 widened(const Vector2& e) const {
+    Vector2 widen(const Vector2& e) const {
         return {std::abs(e.x) + 2 * shift_.drift_px, std::abs(e.y) + 2 * shift_.drift_px};
     }
 
@@ -142,7 +142,7 @@ class PlaneEquation {
 
 }  // namespace
 
-double z_per_nearness(const Camera& c) {
+double z_per_inverse_depth(const Camera& c) {
     return c.projection == Projection::perspective ? c.near_depth : 1 / (c.far_depth - c.near_depth);
 }
 
@@ -155,7 +155,7 @@ std::vector<WindowCorner> window_polygon(const View& view, const TriangleExtent&
         const double scale = perspective ? p.depth : 1;
         corners.push_back({(p.x / scale - w.left) / (w.right - w.left) * view.width,
                            (w.top - p.y / scale) / (w.top - w.bottom) * view.height,
-                           z_per_nearness(c) * (perspective ? 1 / p.depth : c.far_depth - p.depth)});
+                           z_per_inverse_depth(c) * (perspective ? 1 / p.depth : c.far_depth - p.depth)});
     }
     return corners;
 }

@@ -36,7 +36,7 @@ struct PlaneEquationBounds {
 PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
                                           const View& view);
 
-/// Depth-buffer z per unit of nearness.
-double z_per_nearness(const Camera& camera);
+/// Depth-buffer z per unit of inverse depth.
+double z_per_inverse_depth(const Camera& camera);
 
 }  // namespace zproof

@@ -12,16 +12,16 @@ namespace zproof {
 /// What renderers of one view share about one triangle.
 struct TriangleInView {
     TriangleInView(const View& view, const ViewBounds& any_bounds, const CornersWorld& p_world)
-        : TriangleInView(Sight<double>(view, 0, 0), any_bounds, p_world) {}
+        : TriangleInView(ViewRay<double>(view, 0, 0), any_bounds, p_world) {}
     /// `first_pixel` is the ray of pixel (0, 0).
-    TriangleInView(const Sight<double>& first_pixel, const ViewBounds& any_bounds,
+    TriangleInView(const ViewRay<double>& first_pixel, const ViewBounds& any_bounds,
                    const CornersWorld& p_world);
 
     TriangleExtent extent;
     bool is_edge_on = false;
-    Affine<double> nearness{0, 0, 0};  ///< of pixel indices
-    double gradient = 0;               ///< |d/dx| + |d/dy|
-    double own_error = 0;  ///< of nearness, anywhere in the image; infinite where the plane is not known
+    Affine<double> inverse_depth{0, 0, 0};  ///< of pixel indices
+    double gradient = 0;                    ///< |d/dx| + |d/dy|
+    double own_error = 0;  ///< of inverse depth, anywhere in the image; infinite where the plane is not known
 };
 
 class TriangleDepth {
@@ -44,15 +44,15 @@ class TriangleDepth {
     }
 
     /// Is the relative error of depth the same all over the triangle?
-    enum class Relative { everywhere, by_nearness };
-    Relative relative() const { return plane_offset_ > 0 ? Relative::by_nearness : Relative::everywhere; }
+    enum class Relative { constant, by_inverse_depth };
+    Relative relative() const { return plane_offset_ > 0 ? Relative::by_inverse_depth : Relative::constant; }
     /// Both for a triangle that has a plane, without branches: error / bound, or -1 where double does not
     /// hold the depth admissible for certain.
     template <Projection projection, Relative relative>
     double certain_error_over_bound(double x, double y, float depth) const {
-        const Range range = on_plane<projection, relative>(x, y);
+        const UnroundedDepth range = on_plane<projection, relative>(x, y);
         const DepthBound bound{widened_low(range), range.truth, widened_high(range)};
-        const bool is_certain = is_bounded(range.relative + absolute_ + nearness_error_) &
+        const bool is_certain = is_bounded(range.relative + absolute_ + inverse_depth_error_) &
                                 (range.relative >= 0) & (range.truth < unlimited) &
                                 holds<projection>(bound, depth, own_error_);
         const double error = std::abs(depth - bound.truth);
@@ -63,10 +63,10 @@ class TriangleDepth {
 
   private:
     template <Projection projection>
-    static double depth_of(double nearness) {
-        if constexpr (projection == Projection::parallel) return -nearness;
-        const double reciprocal = 1 / nearness;
-        return nearness > 0 ? reciprocal : unlimited;
+    static double depth_of(double inverse_depth) {
+        if constexpr (projection == Projection::parallel) return -inverse_depth;
+        const double reciprocal = 1 / inverse_depth;
+        return inverse_depth > 0 ? reciprocal : unlimited;
     }
     static double held_between(double a, double low, double high) {
         const double raised = a < low ? low : a;
@@ -75,46 +75,47 @@ class TriangleDepth {
     /// compounded(), but where that is unlimited: there it is none that is_bounded() takes, so that no branch
     /// is needed.
     template <Relative relative>
-    double relative_at(double nearness) const {
-        if constexpr (relative == Relative::everywhere) return relative_;
-        const double sum = factor_ + plane_offset_ / nearness;
+    double relative_at(double inverse_depth) const {
+        if constexpr (relative == Relative::constant) return relative_;
+        const double sum = factor_ + plane_offset_ / inverse_depth;
         return sum / (1 - sum);
     }
     static bool is_bounded(double relative) { return (relative >= 0) & (relative < unlimited); }
     /// Depths before rounding, and its relative error.
-    struct Range {
+    struct UnroundedDepth {
         double low, truth, high, relative;
     };
-    double widened_low(const Range& range) const {
+    double widened_low(const UnroundedDepth& range) const {
         return range.low - std::abs(range.low) * range.relative - absolute_;
     }
-    double widened_high(const Range& range) const {
+    double widened_high(const UnroundedDepth& range) const {
         return range.high + std::abs(range.high) * range.relative + absolute_;
     }
-    DepthBound rounded(const Range& range) const {
-        const bool is_bounded_here = is_bounded(range.relative) && absolute_ + nearness_error_ < unlimited;
+    DepthBound rounded(const UnroundedDepth& range) const {
+        const bool is_bounded_here =
+            is_bounded(range.relative) && absolute_ + inverse_depth_error_ < unlimited;
         if (!is_bounded_here) return {0, range.truth, unlimited};
         // beyond the plane's horizon no depth is near enough
         return {std::isinf(range.low) ? range.low : widened_low(range), range.truth, widened_high(range)};
     }
     template <Projection projection, Relative relative>
-    Range on_plane(double x, double y) const {
-        const double nearness = nearness_.at(x, y),
-                     here = held_between(nearness, corners_.least, corners_.highest);
-        const double shift = eps_px_.at(here) * gradient_ + nearness_error_;
-        const double low =
-                         held_between(depth_of<projection>(nearness + shift), least_depth_, greatest_depth_),
-                     high =
-                         held_between(depth_of<projection>(nearness - shift), least_depth_, greatest_depth_);
-        return {low, held_between(depth_of<projection>(nearness), low, high), high,
+    UnroundedDepth on_plane(double x, double y) const {
+        const double inverse_depth = inverse_depth_.at(x, y),
+                     here = held_between(inverse_depth, corners_.least, corners_.highest);
+        const double shift = eps_px_.at(here) * gradient_ + inverse_depth_error_;
+        const double low = held_between(depth_of<projection>(inverse_depth + shift), least_depth_,
+                                        greatest_depth_),
+                     high = held_between(depth_of<projection>(inverse_depth - shift), least_depth_,
+                                         greatest_depth_);
+        return {low, held_between(depth_of<projection>(inverse_depth), low, high), high,
                 relative_at<relative>(here)};
     }
-    Range range_at(double x, double y) const;
+    UnroundedDepth range_at(double x, double y) const;
     template <Projection projection>
     static bool holds(const DepthBound& bound, float depth, double own_error) {
         constexpr double rounding = 8 * unit_roundoff_float64;
-        // an error g of nearness is one of g h / (1 - g h) in the depth h: at most 2 g h^2, or the depth is
-        // not held
+        // an error g of inverse depth is one of g h / (1 - g h) in the depth h: at most 2 g h^2, or the depth
+        // is not held
         const auto of_plane = [&](double h) {
             return projection == Projection::perspective ? 2 * own_error * h * h : own_error;
         };
@@ -123,11 +124,11 @@ class TriangleDepth {
                (z <= bound.high - of_plane(bound.high) - rounding * z);
     }
 
-    Affine<double> nearness_{0, 0, 0};
+    Affine<double> inverse_depth_{0, 0, 0};
     double gradient_ = 0, own_error_ = 0;
-    CornerNearness corners_;
+    CornerInverseDepth corners_;
     Displacement eps_px_;
-    double factor_ = 0, plane_offset_ = 0, relative_ = 0, absolute_ = 0, nearness_error_ = 0;
+    double factor_ = 0, plane_offset_ = 0, relative_ = 0, absolute_ = 0, inverse_depth_error_ = 0;
     double nearest_ = 0, farthest_ = 0;            ///< camera depths of the corners
     double least_depth_ = 0, greatest_depth_ = 0;  ///< the same, where the renderer keeps to them
     Projection projection_ = Projection::perspective;

@@ -1,11 +1,11 @@
-/// A triangle as seen around one pixel: half-planes and a nearness functional (homogeneous rasterization,
-/// Olano and Greer 1997; docs/truth.md).
+/// A triangle as seen around one pixel: half-planes and an inverse depth functional (homogeneous
+/// rasterization, Olano and Greer 1997; docs/truth.md).
 #pragma once
 
 #include <array>
 #include <optional>
 
-#include "compare/bounds/sight.h"
+#include "compare/bounds/view_ray.h"
 #include "math/affine.h"
 #include "math/sign.h"
 
@@ -19,33 +19,33 @@ template <class Number>
 struct TriangleImage {
     std::array<Affine<Number>, 3> edge;  ///< >= 0 inside; edge i is opposite corner i
     /// Larger is nearer: 1/depth for perspective, -depth for parallel projections.
-    Affine<Number> nearness;
+    Affine<Number> inverse_depth;
 };
 
 namespace detail {
 
 template <class Number>
-Affine<Number> perspective_functional(const Sight<Number>& sight, const Vector3<Number>& normal) {
-    return {dot(normal, sight.step_x), dot(normal, sight.step_y), dot(normal, sight.direction)};
+Affine<Number> perspective_functional(const ViewRay<Number>& ray, const Vector3<Number>& normal) {
+    return {dot(normal, ray.step_x), dot(normal, ray.step_y), dot(normal, ray.direction)};
 }
 
-/// The edge from r1 to r2 (relative to the origin of the centre's line of sight), for a constant direction d:
+/// The edge from r1 to r2 (relative to the origin of the centre's view ray), for a constant direction d:
 /// ((r1 - e) x (r2 - e)) . d with e = x step_x + y step_y.
 template <class Number>
-Affine<Number> parallel_edge(const Sight<Number>& sight, const Vector3<Number>& r1,
+Affine<Number> parallel_edge(const ViewRay<Number>& ray, const Vector3<Number>& r1,
                              const Vector3<Number>& r2) {
-    const Vector3<Number> side = cross(r2 - r1, sight.direction);
-    return {-dot(side, sight.step_x), -dot(side, sight.step_y), dot(cross(r1, r2), sight.direction)};
+    const Vector3<Number> side = cross(r2 - r1, ray.direction);
+    return {-dot(side, ray.step_x), -dot(side, ray.step_y), dot(cross(r1, r2), ray.direction)};
 }
 
-/// Of corners relative to the sight's origin, before they are oriented: edge i is opposite corner i.
+/// Of corners relative to the view ray's origin, before they are oriented: edge i is opposite corner i.
 template <class Number>
-std::array<Affine<Number>, 3> edges_between(const Sight<Number>& sight, const Vector3<Number>& v0,
+std::array<Affine<Number>, 3> edges_between(const ViewRay<Number>& ray, const Vector3<Number>& v0,
                                             const Vector3<Number>& v1, const Vector3<Number>& v2) {
-    if (sight.projection == Projection::parallel)
-        return {parallel_edge(sight, v1, v2), parallel_edge(sight, v2, v0), parallel_edge(sight, v0, v1)};
-    return {perspective_functional(sight, cross(v1, v2)), perspective_functional(sight, cross(v2, v0)),
-            perspective_functional(sight, cross(v0, v1))};
+    if (ray.projection == Projection::parallel)
+        return {parallel_edge(ray, v1, v2), parallel_edge(ray, v2, v0), parallel_edge(ray, v0, v1)};
+    return {perspective_functional(ray, cross(v1, v2)), perspective_functional(ray, cross(v2, v0)),
+            perspective_functional(ray, cross(v0, v1))};
 }
 
 template <class Number>
@@ -57,61 +57,61 @@ TriangleImage<Number> oriented(TriangleImage<Number> image, int orientation) {
 
 }  // namespace detail
 
-/// The nearness functional before its division: the plane holds the line of sight's origin (perspective) or
+/// The inverse depth functional before its division: the plane holds the view ray's origin (perspective) or
 /// direction (parallel) where the divisor is 0.
 template <class Number>
-struct ScaledNearness {
+struct ScaledInverseDepth {
     Number divisor;
     Affine<Number> scaled;
 };
 
 template <class Number>
-ScaledNearness<Number> scaled_nearness(const Sight<Number>& sight, const Corners<Number>& p_world) {
-    const Vector3<Number> v0 = p_world[0] - sight.origin;
-    const Vector3<Number> normal = cross((p_world[1] - sight.origin) - v0, (p_world[2] - sight.origin) - v0);
-    if (sight.projection == Projection::perspective)
-        return {dot(v0, normal), detail::perspective_functional(sight, normal)};
-    return {-dot(normal, sight.direction),
-            {-dot(normal, sight.step_x), -dot(normal, sight.step_y), dot(normal, v0)}};
+ScaledInverseDepth<Number> scaled_inverse_depth(const ViewRay<Number>& ray, const Corners<Number>& p_world) {
+    const Vector3<Number> v0 = p_world[0] - ray.origin;
+    const Vector3<Number> normal = cross((p_world[1] - ray.origin) - v0, (p_world[2] - ray.origin) - v0);
+    if (ray.projection == Projection::perspective)
+        return {dot(v0, normal), detail::perspective_functional(ray, normal)};
+    return {-dot(normal, ray.direction),
+            {-dot(normal, ray.step_x), -dot(normal, ray.step_y), dot(normal, v0)}};
 }
 
-/// The nearness of image_of() and nothing else, in the same bits.
+/// The inverse depth of image_of() and nothing else, in the same bits.
 template <class Number>
-std::optional<Affine<Number>> nearness_of(const Sight<Number>& sight, const Corners<Number>& p_world) {
-    const ScaledNearness<Number> plane = scaled_nearness(sight, p_world);
+std::optional<Affine<Number>> inverse_depth_of(const ViewRay<Number>& ray, const Corners<Number>& p_world) {
+    const ScaledInverseDepth<Number> plane = scaled_inverse_depth(ray, p_world);
     if (sign(plane.divisor) == 0) return std::nullopt;
     return (Number(1) / plane.divisor) * plane.scaled;
 }
 
 /// A triangle's edges before they are oriented: a point at which two have different signs lies outside.
 template <class Number>
-std::array<Affine<Number>, 3> edges_of(const Sight<Number>& sight, const Corners<Number>& p_world) {
-    return detail::edges_between(sight, p_world[0] - sight.origin, p_world[1] - sight.origin,
-                                 p_world[2] - sight.origin);
+std::array<Affine<Number>, 3> edges_of(const ViewRay<Number>& ray, const Corners<Number>& p_world) {
+    return detail::edges_between(ray, p_world[0] - ray.origin, p_world[1] - ray.origin,
+                                 p_world[2] - ray.origin);
 }
 
-/// The image of a triangle, or nothing where its plane holds the line of sight's origin (perspective) or
+/// The image of a triangle, or nothing where its plane holds the view ray's origin (perspective) or
 /// direction (parallel): seen exactly edge-on it covers no area.
 template <class Number>
-std::optional<TriangleImage<Number>> image_of(const Sight<Number>& sight, const Corners<Number>& p_world) {
-    const Vector3<Number> v0 = p_world[0] - sight.origin, v1 = p_world[1] - sight.origin,
-                          v2 = p_world[2] - sight.origin;
+std::optional<TriangleImage<Number>> image_of(const ViewRay<Number>& ray, const Corners<Number>& p_world) {
+    const Vector3<Number> v0 = p_world[0] - ray.origin, v1 = p_world[1] - ray.origin,
+                          v2 = p_world[2] - ray.origin;
     const Vector3<Number> normal = cross(v1 - v0, v2 - v0);
     TriangleImage<Number> image;
-    if (sight.projection == Projection::perspective) {
+    if (ray.projection == Projection::perspective) {
         const Number volume = dot(v0, normal);
         const int orientation = sign(volume);
         if (orientation == 0) return std::nullopt;
-        image.edge = detail::edges_between(sight, v0, v1, v2);
-        image.nearness = (Number(1) / volume) * detail::perspective_functional(sight, normal);
+        image.edge = detail::edges_between(ray, v0, v1, v2);
+        image.inverse_depth = (Number(1) / volume) * detail::perspective_functional(ray, normal);
         return detail::oriented(image, orientation);
     }
-    const Number facing = dot(normal, sight.direction);
+    const Number facing = dot(normal, ray.direction);
     const int orientation = sign(facing);
     if (orientation == 0) return std::nullopt;
-    image.edge = detail::edges_between(sight, v0, v1, v2);
-    image.nearness = (Number(-1) / facing) *
-                     Affine<Number>{-dot(normal, sight.step_x), -dot(normal, sight.step_y), dot(normal, v0)};
+    image.edge = detail::edges_between(ray, v0, v1, v2);
+    image.inverse_depth = (Number(-1) / facing) *
+                          Affine<Number>{-dot(normal, ray.step_x), -dot(normal, ray.step_y), dot(normal, v0)};
     return detail::oriented(image, orientation);
 }
 

@@ -12,16 +12,17 @@
 
 namespace zproof {
 
-/// Sums of absolute products behind nearness = (normal . direction) / volume: how ill-conditioned it is.
+/// Sums of absolute products behind inverse depth = (normal . direction) / volume: how ill-conditioned it is.
 /// Parallel projections: depth = (normal . corner) / facing, in the same places.
 struct PlaneSize {
     double volume{}, volume_abs{}, numerator_abs{};
-    /// Parallel projections: what the judge's own rounding of the origin of sight may add to the numerator.
+    /// Parallel projections: what the judge's own rounding of the origin of the view ray may add to the
+    /// numerator.
     double origin_error{};
 };
 
-/// Forward error of the judge's own nearness, computed in double by image_of: absolute sums of both products,
-/// 16 roundings at most in each.
+/// Forward error of the judge's own inverse depth, computed in double by image_of: absolute sums of both
+/// products, 16 roundings at most in each.
 class PlaneError {
   public:
     PlaneError() = default;
@@ -33,9 +34,9 @@ class PlaneError {
 
     /// Is the plane's orientation, as seen, certain?
     bool is_known() const { return is_known_; }
-    /// Where |nearness| is at most this.
-    double at(double largest_nearness) const {
-        const double error = 2 * rounding * (numerator_ + largest_nearness * condition_) + of_origin_;
+    /// Where |inverse depth| is at most this.
+    double at(double largest_inverse_depth) const {
+        const double error = 2 * rounding * (numerator_ + largest_inverse_depth * condition_) + of_origin_;
         return is_known_ ? error : std::numeric_limits<double>::infinity();
     }
 
@@ -98,11 +99,11 @@ struct Gauge {
         const Vector3<double> normal_abs =
             absolute_cross(e1, e2) + absolute_cross(e1, e2 - e1) + absolute_cross(e2, e2 - e1);
         const double from_corner = dot(absolute(v0) + origin_abs, normal_abs);
-        const double along_sight = dot(direction_abs, normal_abs);
+        const double along_ray = dot(direction_abs, normal_abs);
         if (projection == Projection::perspective)
-            return {std::abs(dot(v0, normal)), from_corner, along_sight, 0};
+            return {std::abs(dot(v0, normal)), from_corner, along_ray, 0};
         constexpr double rounding = gamma(6, unit_roundoff_float64);
-        return {std::abs(dot(direction, normal)), along_sight, from_corner,
+        return {std::abs(dot(direction, normal)), along_ray, from_corner,
                 rounding * dot(eye_abs + origin_abs, normal_abs)};
     }
 };

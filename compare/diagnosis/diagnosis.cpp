@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
-#include "compare/diagnosis/retrial.h"
+#include "compare/diagnosis/hypothesis_check.h"
 
 namespace zproof {
 
@@ -54,9 +54,9 @@ std::vector<std::uint32_t> agreeing_beside_defects(const Verdict& verdict, Resol
 }
 
 /// What a hypothesis must explain, and what it must not break.
-class Evidence {
+class DefectSet {
   public:
-    Evidence(const Frame& candidate, const Verdict& verdict) : candidate_(candidate), verdict_(verdict) {
+    DefectSet(const Frame& candidate, const Verdict& verdict) : candidate_(candidate), verdict_(verdict) {
         for (const Finding& f : verdict.findings)
             if (!passes(f.verdict)) defects_.push_back({f.x, f.y, f.candidate});
     }
@@ -94,124 +94,127 @@ class Evidence {
     std::map<std::pair<int, int>, std::vector<std::uint32_t>> agreeing_;  ///< by width and height of the cell
 };
 
-struct Trial {
+struct HypothesisTest {
     const Hypothesis* hypothesis = nullptr;
     std::size_t place = 0;  ///< in the order of all hypotheses
     Explanation outcome;
     double gain = 0;  ///< share of the defects that would vanish, less those that would appear
-    double leniency = 0;
+    double widening = 0;
 };
 
-bool explains_most(const Trial& trial) { return trial.gain > 0.5; }
+bool explains_most(const HypothesisTest& test) { return test.gain > 0.5; }
 
 /// The better first. Of equals, the narrowest, and then the more specific, which stood first.
-void rank(std::vector<Trial>& trials) {
-    std::ranges::sort(trials, {}, [](const Trial& t) { return std::tuple{-t.gain, t.leniency, t.place}; });
+void rank(std::vector<HypothesisTest>& tests) {
+    std::ranges::sort(tests, {}, [](const HypothesisTest& t) {
+        return std::tuple{-t.gain, t.widening, t.place};
+    });
 }
 
-class Inquest {
+class Diagnoser {
   public:
-    Inquest(const CaseFile& file, const Verdict& verdict)
-        : file_(file), evidence_(file.candidate.frame, verdict), hypotheses_(all_hypotheses(file)) {}
+    Diagnoser(const DiagnosisInput& input, const Verdict& verdict)
+        : input_(input), defect_set_(input.candidate.frame, verdict), hypotheses_(all_hypotheses(input)) {}
 
-    Diagnosis hold() {
-        std::vector<Trial> held;
-        for (const Kind kind : {Kind::firm, Kind::lenient, Kind::fitted}) {
-            std::vector<Trial> trials = trials_of(kind);
-            kind == Kind::lenient ? hold_lenient(trials) : hold(trials);
-            held.insert(held.end(), trials.begin(), trials.end());
-            rank(held);
-            if (!held.empty() && explains_most(held.front())) break;
+    Diagnosis run() {
+        std::vector<HypothesisTest> done;
+        for (const Kind kind : {Kind::firm, Kind::widening_only, Kind::fitted}) {
+            std::vector<HypothesisTest> tests = tests_of(kind);
+            kind == Kind::widening_only ? run_widening(tests) : run(tests);
+            done.insert(done.end(), tests.begin(), tests.end());
+            rank(done);
+            if (!done.empty() && explains_most(done.front())) break;
         }
-        return diagnosis_from(held);
+        return diagnosis_from(done);
     }
 
   private:
     /// One wrong pixel proves no rule that would show all over the frame.
     bool may_apply(const Hypothesis& h) const {
-        return evidence_.defect_count() > 1 ||
-               (h.kind == Kind::firm && h.cell != file_.candidate.frame.size());
+        return defect_set_.defect_count() > 1 ||
+               (h.kind == Kind::firm && h.cell != input_.candidate.frame.size());
     }
 
-    std::vector<Trial> trials_of(Kind kind) const {
-        std::vector<Trial> trials;
+    std::vector<HypothesisTest> tests_of(Kind kind) const {
+        std::vector<HypothesisTest> tests;
         for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
             const Hypothesis& h = hypotheses_[i];
             if (h.kind == kind && may_apply(h))
-                trials.push_back({&h, i, {.name = h.name, .description = h.description}});
+                tests.push_back({&h, i, {.name = h.name, .description = h.description}});
         }
-        return trials;
+        return tests;
     }
 
     /// A second, larger round for those that explain most; for the first alone where it leaves nothing to
     /// explain.
-    void hold(std::vector<Trial>& trials) {
-        ask(trials, first_round);
-        rank(trials);
-        const auto rest = std::ranges::partition_point(trials, explains_most);
-        const std::span hopeful(trials.begin(), rest);
-        if (hopeful.empty()) return;
-        ask(hopeful.first(1), second_round);
-        if (hopeful.front().gain < 1) ask(hopeful.subspan(1), second_round);
+    void run(std::vector<HypothesisTest>& tests) {
+        ask(tests, first_round);
+        rank(tests);
+        const auto rest = std::ranges::partition_point(tests, explains_most);
+        const std::span likely(tests.begin(), rest);
+        if (likely.empty()) return;
+        ask(likely.first(1), second_round);
+        if (likely.front().gain < 1) ask(likely.subspan(1), second_round);
     }
 
     /// One at a time, the narrowest first: behind one that leaves nothing to explain, wider ones have no say.
-    void hold_lenient(std::vector<Trial>& trials) {
-        const std::vector<Claim> defects = evidence_.defects(first_round);
-        for (Trial& t : trials) t.leniency = leniency_of(file_, {t.hypothesis, defects});
-        std::ranges::stable_sort(trials, {}, &Trial::leniency);
-        for (std::size_t i = 0; i < trials.size(); ++i) {
-            const std::span one = std::span(trials).subspan(i, 1);
+    void run_widening(std::vector<HypothesisTest>& tests) {
+        const std::vector<Claim> defects = defect_set_.defects(first_round);
+        for (HypothesisTest& t : tests) t.widening = mean_widening(input_, {t.hypothesis, defects});
+        std::ranges::stable_sort(tests, {}, &HypothesisTest::widening);
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            const std::span one = std::span(tests).subspan(i, 1);
             ask(one, first_round);
-            if (trials[i].gain == 1) ask(one, second_round);
-            if (trials[i].gain == 1) trials.resize(i + 1);
+            if (tests[i].gain == 1) ask(one, second_round);
+            if (tests[i].gain == 1) tests.resize(i + 1);
         }
-        rank(trials);
-        if (!trials.empty() && explains_most(trials.front())) ask(std::span(trials).first(1), second_round);
+        rank(tests);
+        if (!tests.empty() && explains_most(tests.front())) ask(std::span(tests).first(1), second_round);
     }
 
-    /// Puts up to `most` defects, and as many agreeing pixels, to every trial's hypothesis.
-    void ask(std::span<Trial> trials, std::size_t most) {
-        const std::vector<Claim> defects = evidence_.defects(most);
+    /// Puts up to `most` defects, and as many agreeing pixels, to every test's hypothesis.
+    void ask(std::span<HypothesisTest> tests, std::size_t most) {
+        const std::vector<Claim> defects = defect_set_.defects(most);
         std::vector<std::vector<Claim>> agreeing;
-        for (const Trial& t : trials) agreeing.push_back(evidence_.agreeing(t.hypothesis->cell, most));
-        std::vector<Question> questions;
-        for (std::size_t i = 0; i < trials.size(); ++i) {
-            questions.push_back({trials[i].hypothesis, defects});
-            questions.push_back({trials[i].hypothesis, agreeing[i]});
+        for (const HypothesisTest& t : tests)
+            agreeing.push_back(defect_set_.agreeing(t.hypothesis->cell, most));
+        std::vector<HypothesisQuery> queries;
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            queries.push_back({tests[i].hypothesis, defects});
+            queries.push_back({tests[i].hypothesis, agreeing[i]});
         }
-        const std::vector<std::uint64_t> lawful = count_lawful(file_, questions);
-        for (std::size_t i = 0; i < trials.size(); ++i) {
-            Explanation& e = trials[i].outcome;
-            e.explained = lawful[2 * i];
+        const std::vector<std::uint64_t> admissible = count_admissible(input_, queries);
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            Explanation& e = tests[i].outcome;
+            e.explained = admissible[2 * i];
             e.asked = defects.size();
-            e.contradicted = agreeing[i].size() - lawful[2 * i + 1];
+            e.contradicted = agreeing[i].size() - admissible[2 * i + 1];
             e.checked = agreeing[i].size();
-            trials[i].gain = gain_of(trials[i]);
+            tests[i].gain = gain_of(tests[i]);
         }
     }
 
-    double gain_of(const Trial& trial) {
-        const Explanation& e = trial.outcome;
+    double gain_of(const HypothesisTest& test) {
+        const Explanation& e = test.outcome;
         if (e.contradicted == 0) return explained_share(e);
-        const double agreeing = double(evidence_.agreeing_count(trial.hypothesis->cell));
+        const double agreeing = double(defect_set_.agreeing_count(test.hypothesis->cell));
         const double appearing = double(e.contradicted) / double(e.checked) * agreeing;
-        return explained_share(e) - appearing / double(evidence_.defect_count());
+        return explained_share(e) - appearing / double(defect_set_.defect_count());
     }
 
-    Diagnosis diagnosis_from(std::span<const Trial> ranked) const {
-        Diagnosis diagnosis{.defects = evidence_.defect_count(), .cause = std::nullopt, .runners_up = {}};
-        for (const Trial& trial : ranked) {
-            if (&trial == &ranked.front() && explains_most(trial))
-                diagnosis.cause = trial.outcome;
-            else if (trial.gain > 0 && diagnosis.runners_up.size() < most_runners_up)
-                diagnosis.runners_up.push_back(trial.outcome);
+    Diagnosis diagnosis_from(std::span<const HypothesisTest> ranked) const {
+        Diagnosis diagnosis{.defects = defect_set_.defect_count(), .cause = std::nullopt, .runners_up = {}};
+        for (const HypothesisTest& test : ranked) {
+            if (&test == &ranked.front() && explains_most(test))
+                diagnosis.cause = test.outcome;
+            else if (test.gain > 0 && diagnosis.runners_up.size() < most_runners_up)
+                diagnosis.runners_up.push_back(test.outcome);
         }
         return diagnosis;
     }
 
-    const CaseFile& file_;
-    Evidence evidence_;
+    const DiagnosisInput& input_;
+    DefectSet defect_set_;
     std::vector<Hypothesis> hypotheses_;
 };
 
@@ -224,8 +227,8 @@ double explained_share(const Explanation& e) {
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                   const RenderedFrame& reference, const Verdict& verdict) {
     if (defect_count(verdict) == 0) return std::nullopt;
-    const CaseFile file{scene, view, candidate, reference};
-    return Inquest(file, verdict).hold();
+    const DiagnosisInput input{scene, view, candidate, reference};
+    return Diagnoser(input, verdict).run();
 }
 
 }  // namespace zproof

@@ -15,7 +15,7 @@ namespace zproof {
 struct Explanation {
     std::string name;                        ///< what is wrong, as a clause: "the image is flipped in y"
     std::string description;                 ///< one line
-    std::uint64_t explained = 0, asked = 0;  ///< defects that are lawful under it, of those asked
+    std::uint64_t explained = 0, asked = 0;  ///< defects that are admissible under it, of those asked
     std::uint64_t contradicted = 0,
                   checked = 0;  ///< pixels that agree and would not under it, of those checked
 };

@@ -4,13 +4,13 @@
 
 namespace zproof {
 
-Hypothesis as_declared(const CaseFile& file, std::string name, std::string description) {
+Hypothesis as_declared(const DiagnosisInput& input, std::string name, std::string description) {
     return {.name = std::move(name),
             .description = std::move(description),
             .kind = Kind::firm,
-            .cell = {file.view.width, file.view.height},
-            .view = file.view,
-            .precision = file.candidate.precision,
+            .cell = {input.view.width, input.view.height},
+            .view = input.view,
+            .precision = input.candidate.precision,
             .restate = nullptr,
             .amend = nullptr,
             .report = nullptr};

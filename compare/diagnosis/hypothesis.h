@@ -2,7 +2,7 @@
 ///
 /// What the renderer answered at a pixel is read as its answer to the question that it would have been asked
 /// if the hypothesis held: about another place, another view, in other units, or under another rule of
-/// drawing. That answer is lawful or it is not, by the same rule and the same bounds as every other.
+/// drawing. That answer is admissible or it is not, by the same rule and the same bounds as every other.
 #pragma once
 
 #include <functional>
@@ -34,9 +34,9 @@ struct ReportedDepth {
 /// How much a hypothesis commits itself. Where one of an earlier kind explains most of the defects, none of a
 /// later kind is named.
 enum class Kind {
-    firm,     ///< it holds answers unlawful that were lawful, and others lawful that were not
-    lenient,  ///< it only widens bounds: wide enough ones explain anything, so the narrowest are named
-    fitted,   ///< it learns from the two frames what it then explains
+    firm,  ///< it holds answers inadmissible that were admissible, and others admissible that were not
+    widening_only,  ///< it only widens bounds: wide enough ones explain anything, so the narrowest are named
+    fitted,         ///< it learns from the two frames what it then explains
 };
 
 struct Hypothesis {
@@ -44,20 +44,20 @@ struct Hypothesis {
     std::string description;  ///< one line: what is supposed of the defective pixels, or of the frame
     Kind kind = Kind::firm;
     /// A grid of such cells, px: what is supposed befell those cells that hold a defect, whole. Pixels that
-    /// agree in them must be lawful under the hypothesis, too.
+    /// agree in them must be admissible under the hypothesis, too.
     Resolution cell;
     View view;            ///< what was drawn; its depths are told apart by `report`
     Precision precision;  ///< and how precisely
     /// The claim as it was meant; nothing where the hypothesis cannot account for it. Absent: as it stands.
     std::function<std::optional<Claim>(const Claim&)> restate;
-    /// Another rule of drawing. Absent: the law.
+    /// Another rule of drawing. Absent: the declared rule.
     RuleOverride amend;
     /// What is reported where the depth lies within the bound. Absent: the depth.
     std::function<ReportedDepth(const DepthBound&, const Claim&)> report;
 };
 
 /// All that a diagnosis starts from.
-struct CaseFile {
+struct DiagnosisInput {
     const Scene& scene;
     const View& view;
     const RenderedFrame& candidate;
@@ -68,6 +68,6 @@ struct CaseFile {
 View shifted_view(const View& view, const glm::dvec2& step_px);
 
 /// Supposes nothing yet: the view as it is, drawn as precisely as declared.
-Hypothesis as_declared(const CaseFile& file, std::string name, std::string description);
+Hypothesis as_declared(const DiagnosisInput& input, std::string name, std::string description);
 
 }  // namespace zproof

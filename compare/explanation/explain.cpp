@@ -3,25 +3,26 @@
 #include <tbb/parallel_for.h>
 
 #include "compare/adjudicate/triangle_search.h"
-#include "compare/explanation/storyteller.h"
+#include "compare/explanation/explainer.h"
 
 namespace zproof {
 
-PixelStory explain(const Scene& scene, const View& view, const RenderedFrame& candidate,
-                   const RenderedFrame& reference, const PixelPlace& place) {
+PixelExplanation explain(const Scene& scene, const View& view, const RenderedFrame& candidate,
+                         const RenderedFrame& reference, const PixelCoord& place) {
     return explain(scene, view, candidate, reference, std::span(&place, 1)).front();
 }
 
-std::vector<PixelStory> explain(const Scene& scene, const View& view, const RenderedFrame& candidate,
-                                const RenderedFrame& reference, std::span<const PixelPlace> places) {
-    const Storyteller teller(scene, view, candidate, reference);
-    std::vector<PixelStory> stories = teller.begin(places);
-    std::vector<Site> sites;
-    for (const PixelStory& story : stories) sites.push_back(site_of(story));
-    find_nearby_triangles(scene, view, sites);
-    tbb::parallel_for(std::size_t(0), stories.size(),
-                      [&](std::size_t i) { teller.finish(stories[i], sites[i]); });
-    return stories;
+std::vector<PixelExplanation> explain(const Scene& scene, const View& view, const RenderedFrame& candidate,
+                                      const RenderedFrame& reference, std::span<const PixelCoord> places) {
+    const Explainer explainer(scene, view, candidate, reference);
+    std::vector<PixelExplanation> explanations = explainer.begin(places);
+    std::vector<SearchPixel> search_pixels;
+    for (const PixelExplanation& explanation : explanations)
+        search_pixels.push_back(search_pixel_of(explanation));
+    find_nearby_triangles(scene, view, search_pixels);
+    tbb::parallel_for(std::size_t(0), explanations.size(),
+                      [&](std::size_t i) { explainer.finish(explanations[i], search_pixels[i]); });
+    return explanations;
 }
 
 }  // namespace zproof

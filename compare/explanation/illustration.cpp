@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "compare/adjudicate/triangle_search.h"
-#include "compare/explanation/storyteller.h"
+#include "compare/explanation/explainer.h"
 
 namespace zproof {
 
@@ -16,20 +16,20 @@ namespace {
 /// Scaled so that its value is a distance.
 Affine<double> as_distance(const Affine<double>& edge) { return (1 / std::hypot(edge.a, edge.b)) * edge; }
 
-std::optional<NearbyImage> image_at(const Sight<double>& sight, const Scene& scene, std::uint32_t triangle) {
-    const auto image = image_of(sight, corners<double>(corners_of(scene, triangle)));
+std::optional<NearbyImage> image_at(const ViewRay<double>& ray, const Scene& scene, std::uint32_t triangle) {
+    const auto image = image_of(ray, corners<double>(corners_of(scene, triangle)));
     if (!image) return std::nullopt;
     return NearbyImage{
         PrimitiveId(triangle),
         {as_distance(image->edge[0]), as_distance(image->edge[1]), as_distance(image->edge[2])},
-        image->nearness};
+        image->inverse_depth};
 }
 
 bool is_finite(const NearbyImage& image) {
     const auto finite = [](const Affine<double>& f) {
         return std::isfinite(f.a) && std::isfinite(f.b) && std::isfinite(f.c);
     };
-    return std::ranges::all_of(image.edge, finite) && finite(image.nearness);
+    return std::ranges::all_of(image.edge, finite) && finite(image.inverse_depth);
 }
 
 /// May it come within reach of the centre? Each edge is asked by itself: too many is harmless.
@@ -39,14 +39,16 @@ bool may_reach(const NearbyImage& image, double reach_px) {
     });
 }
 
-std::vector<NearbyImage> images_at(const Scene& scene, const View& view, const Site& site, std::size_t most) {
-    const Sight<double> sight(view, site.x, site.y);
+std::vector<NearbyImage> images_at(const Scene& scene, const View& view, const SearchPixel& search_pixel,
+                                   std::size_t most) {
+    const ViewRay<double> ray(view, search_pixel.x, search_pixel.y);
     std::vector<NearbyImage> images;
-    for (const std::uint32_t triangle : site.triangles)
-        if (auto image = image_at(sight, scene, triangle);
-            image && is_finite(*image) && may_reach(*image, site.reach_px))
+    for (const std::uint32_t triangle : search_pixel.triangles)
+        if (auto image = image_at(ray, scene, triangle);
+            image && is_finite(*image) && may_reach(*image, search_pixel.reach_px))
             images.push_back(std::move(*image));
-    std::ranges::stable_sort(images, std::greater<>{}, [](const NearbyImage& i) { return i.nearness.c; });
+    std::ranges::stable_sort(images, std::greater<>{},
+                             [](const NearbyImage& i) { return i.inverse_depth.c; });
     if (images.size() > most) images.resize(most);
     return images;
 }
@@ -54,30 +56,33 @@ std::vector<NearbyImage> images_at(const Scene& scene, const View& view, const S
 }  // namespace
 
 std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const View& view,
-                                                    std::span<const PixelPlace> places, double reach_px,
+                                                    std::span<const PixelCoord> places, double reach_px,
                                                     std::size_t most) {
-    std::vector<Site> sites;
-    for (const PixelPlace& place : places) sites.push_back({place.x, place.y, reach_px, {}});
-    find_nearby_triangles(scene, view, sites);
+    std::vector<SearchPixel> search_pixels;
+    for (const PixelCoord& place : places) search_pixels.push_back({place.x, place.y, reach_px, {}});
+    find_nearby_triangles(scene, view, search_pixels);
     std::vector<std::vector<NearbyImage>> images;
-    for (const Site& site : sites) images.push_back(images_at(scene, view, site, most));
+    for (const SearchPixel& search_pixel : search_pixels)
+        images.push_back(images_at(scene, view, search_pixel, most));
     return images;
 }
 
-std::vector<IllustratedStory> illustrate(const Scene& scene, const View& view, const RenderedFrame& candidate,
-                                         const RenderedFrame& reference, const IllustratedPlaces& places) {
-    const Storyteller teller(scene, view, candidate, reference);
-    std::vector<PixelStory> stories = teller.begin(places.places);
-    std::vector<Site> sites;
-    for (const PixelStory& story : stories) sites.push_back(site_of(story, places.reach_px));
-    find_nearby_triangles(scene, view, sites);
-    std::vector<IllustratedStory> told(stories.size());
-    tbb::parallel_for(std::size_t(0), stories.size(), [&](std::size_t i) {
-        Site drawn = sites[i], told_of = sites[i];
-        told_of.reach_px = stories[i].finding.eps_px;
+std::vector<IllustratedExplanation> illustrate(const Scene& scene, const View& view,
+                                               const RenderedFrame& candidate, const RenderedFrame& reference,
+                                               const IllustrationRequest& places) {
+    const Explainer explainer(scene, view, candidate, reference);
+    std::vector<PixelExplanation> explanations = explainer.begin(places.places);
+    std::vector<SearchPixel> search_pixels;
+    for (const PixelExplanation& explanation : explanations)
+        search_pixels.push_back(search_pixel_of(explanation, places.reach_px));
+    find_nearby_triangles(scene, view, search_pixels);
+    std::vector<IllustratedExplanation> told(explanations.size());
+    tbb::parallel_for(std::size_t(0), explanations.size(), [&](std::size_t i) {
+        SearchPixel drawn = search_pixels[i], explained = search_pixels[i];
+        explained.reach_px = explanations[i].finding.eps_px;
         drawn.reach_px = places.reach_px;
-        teller.finish(stories[i], told_of);
-        told[i] = {std::move(stories[i]), images_at(scene, view, drawn, places.most)};
+        explainer.finish(explanations[i], explained);
+        told[i] = {std::move(explanations[i]), images_at(scene, view, drawn, places.most)};
     });
     return told;
 }

@@ -1,4 +1,5 @@
-/// The triangles around a pixel as geometry, for a drawing beside its story. Nothing is decided from it.
+/// The triangles around a pixel as geometry, for a drawing beside its explanation. Nothing is decided from
+/// it.
 #pragma once
 
 #include <span>
@@ -13,30 +14,31 @@ namespace zproof {
 struct NearbyImage {
     PrimitiveId primitive = PrimitiveId::none;
     std::array<Affine<double>, 3> edge;  ///< signed distance from each edge, px, positive inside
-    Affine<double> nearness;             ///< larger is nearer: compare/bounds/triangle_image.h
+    Affine<double> inverse_depth;        ///< larger is nearer: compare/bounds/triangle_image.h
 };
 
 /// For each place, the triangles whose image may come within reach_px of its centre, nearest at the centre
 /// first, at most `most` of them; none that is seen edge-on. One pass over the scene for all places.
 std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const View& view,
-                                                    std::span<const PixelPlace> places, double reach_px,
+                                                    std::span<const PixelCoord> places, double reach_px,
                                                     std::size_t most);
 
-/// A story, and what is drawn beside it.
-struct IllustratedStory {
-    PixelStory story;
+/// An explanation, and what is drawn beside it.
+struct IllustratedExplanation {
+    PixelExplanation explanation;
     std::vector<NearbyImage> images;
 };
 
-/// What is told and drawn; see images_around().
-struct IllustratedPlaces {
-    std::span<const PixelPlace> places;
+/// What is explained and drawn; see images_around().
+struct IllustrationRequest {
+    std::span<const PixelCoord> places;
     double reach_px = 0;
     std::size_t most = 0;
 };
 
 /// explain() and images_around() together: the scene is searched once for both.
-std::vector<IllustratedStory> illustrate(const Scene& scene, const View& view, const RenderedFrame& candidate,
-                                         const RenderedFrame& reference, const IllustratedPlaces& places);
+std::vector<IllustratedExplanation> illustrate(const Scene& scene, const View& view,
+                                               const RenderedFrame& candidate, const RenderedFrame& reference,
+                                               const IllustrationRequest& places);
 
 }  // namespace zproof

@@ -32,7 +32,7 @@ std::string full_name_of(const Scene& scene, PrimitiveId primitive) {
 }
 
 std::string depth_sentence(const Finding& f) {
-    return "depth " + number(f.candidate.camera_depth, 9) + ", lawful from " +
+    return "depth " + number(f.candidate.camera_depth, 9) + ", admissible from " +
            number(f.candidate_depth.low, 9) + " to " + number(f.candidate_depth.high, 9) + " (error/bound " +
            number(f.error_over_bound, 3) + ")";
 }
@@ -49,9 +49,9 @@ std::string reason(const Finding& f) {
         case PixelClass::abutting_edges:
             return "visible only through a crack: occluders abut " + square + " without sharing an edge";
         case PixelClass::clip:
-            return "both are lawful " + square + ": the near or far plane cuts there";
+            return "both are admissible " + square + ": the near or far plane cuts there";
         case PixelClass::reference_wrong:
-            return "the candidate is lawful " + square + ", the reference is not";
+            return "the candidate is admissible " + square + ", the reference is not";
         case PixelClass::wrong_depth:
             return "the id is right, the depth is not: " + depth_sentence(f);
         case PixelClass::hole:
@@ -69,19 +69,19 @@ std::string reason(const Finding& f) {
 const char* words_for(Admissibility s) {
     switch (s) {
         case Admissibility::visible:
-            return "lawful: visible";
+            return "admissible: visible";
         case Admissibility::clipped:
-            return "lawful: visible, at a clip plane";
+            return "admissible: visible, at a clip plane";
         case Admissibility::tied:
-            return "lawful: within the depth bounds of the nearest";
+            return "admissible: within the depth bounds of the nearest";
         case Admissibility::through_a_crack:
-            return "lawful only through a crack of the scene";
+            return "admissible only through a crack of the scene";
         case Admissibility::hole:
-            return "not lawful: covered for certain";
+            return "not admissible: covered for certain";
         case Admissibility::outside:
-            return "not lawful: does not reach the square";
+            return "not admissible: does not reach the square";
         case Admissibility::hidden:
-            return "not lawful: occluded for certain";
+            return "not admissible: occluded for certain";
     }
     return "";
 }
@@ -89,16 +89,17 @@ const char* words_for(Admissibility s) {
 void tell(std::ostream& text, const Scene& scene, const Candidate& c) {
     text << "  " << full_name_of(scene, c.primitive) << "\n      edges";
     for (const double distance : c.edge_distance) text << ' ' << number(distance, 5);
-    text << "  (1/256 px, inside > 0)\n      depth " << number(c.depth.truth, 12) << ", lawful "
+    text << "  (1/256 px, inside > 0)\n      depth " << number(c.depth.truth, 12) << ", admissible "
          << number(c.depth.low, 12) << " to " << number(c.depth.high, 12) << "\n      "
          << words_for(c.decision.admissibility) << (c.decision.exact ? "  [exact rationals]" : "") << '\n';
 }
 
-/// "  candidate  triangle 17, depth 3.25; eps 0.002 px = 0.5/256 px; lawful: visible".
-void tell(std::ostream& text, const char* who, const Answer& answer, const char* standing, double eps_px) {
+/// "  candidate  triangle 17, depth 3.25; eps 0.002 px = 0.5/256 px; admissible: visible".
+void tell(std::ostream& text, const char* who, const Answer& answer, const char* admissibility,
+          double eps_px) {
     text << "  " << who << "  " << name_of(answer.primitive) << ", depth " << number(answer.camera_depth, 9)
          << "; eps " << number(eps_px, 4) << " px = " << number(256 * eps_px, 4) << "/256 px"
-         << (*standing ? "; " : "") << standing << '\n';
+         << (*admissibility ? "; " : "") << admissibility << '\n';
 }
 
 }  // namespace
@@ -108,19 +109,20 @@ std::string in_words(const Scene& scene, const Finding& f) {
            full_name_of(scene, f.reference.primitive) + ": " + reason(f);
 }
 
-std::string in_words(const Scene& scene, const PixelStory& story) {
-    const Finding& f = story.finding;
+std::string in_words(const Scene& scene, const PixelExplanation& explanation) {
+    const Finding& f = explanation.finding;
     std::ostringstream text;
     text << "pixel (" << f.x << ", " << f.y << "): " << name_of(f.verdict)
          << (passes(f.verdict) ? ", pass" : ", FAIL") << "\n  " << in_words(scene, f) << '\n';
-    const bool decided = story.ids_differ && f.verdict != PixelClass::invalid;
-    tell(text, "candidate", f.candidate, decided ? words_for(story.candidate.admissibility) : "", f.eps_px);
-    tell(text, "reference", f.reference, decided ? words_for(story.reference.admissibility) : "",
-         decided ? story.reference.eps_px : f.eps_px);
+    const bool decided = explanation.ids_differ && f.verdict != PixelClass::invalid;
+    tell(text, "candidate", f.candidate, decided ? words_for(explanation.candidate.admissibility) : "",
+         f.eps_px);
+    tell(text, "reference", f.reference, decided ? words_for(explanation.reference.admissibility) : "",
+         decided ? explanation.reference.eps_px : f.eps_px);
     text << "triangles within the candidate's eps of the centre, nearest first:\n";
-    for (const Candidate& c : story.candidates) tell(text, scene, c);
-    if (story.candidates.empty()) text << "  none\n";
-    text << "background: " << words_for(story.background.admissibility) << '\n';
+    for (const Candidate& c : explanation.candidates) tell(text, scene, c);
+    if (explanation.candidates.empty()) text << "  none\n";
+    text << "background: " << words_for(explanation.background.admissibility) << '\n';
     return text.str();
 }
 

@@ -39,15 +39,15 @@ WaiverEffect effect_of(const Waiver& waiver, const WaivedView& view, std::uint64
     return matched < waiver.least ? WaiverEffect::fewer : WaiverEffect::holds;
 }
 
-bool lets_pass(WaiverEffect effect) { return effect == WaiverEffect::holds || effect == WaiverEffect::fewer; }
+bool waives(WaiverEffect effect) { return effect == WaiverEffect::holds || effect == WaiverEffect::fewer; }
 
 /// Puts one waiver to the findings.
 void apply(const Waiver& waiver, std::size_t index, std::span<const Finding> findings,
            WaiverCoverage& coverage) {
     WaiverUse& use = coverage.uses.back();
-    if (!lets_pass(use.effect)) return;
+    if (!waives(use.effect)) return;
     for (std::size_t i = 0; i < findings.size(); ++i) {
-        if (coverage.by[i] || !speaks_of(waiver, findings[i])) continue;
+        if (coverage.by[i] || !applies_to(waiver, findings[i])) continue;
         coverage.by[i] = index;
         ++use.waived;
     }
@@ -73,7 +73,7 @@ std::string_view name_of(WaiverEffect effect) {
     return "none";
 }
 
-bool speaks_of(const Waiver& waiver, const Finding& finding) {
+bool applies_to(const Waiver& waiver, const Finding& finding) {
     return is_waivable(finding.verdict) && std::ranges::count(waiver.classes, finding.verdict) > 0 &&
            std::visit([&](const auto& place) { return holds(place, finding); }, waiver.where);
 }
@@ -85,7 +85,7 @@ WaiverCoverage cover(std::span<const Waiver> waivers, const WaivedView& view,
         const Waiver& waiver = waivers[i];
         if (!fits(waiver.scene, view.scene) || !fits(waiver.view, view.view)) continue;
         const auto matched = std::uint64_t(
-            std::ranges::count_if(findings, [&](const Finding& f) { return speaks_of(waiver, f); }));
+            std::ranges::count_if(findings, [&](const Finding& f) { return applies_to(waiver, f); }));
         coverage.uses.push_back({waiver.id, effect_of(waiver, view, matched, today), matched, 0});
         apply(waiver, i, findings, coverage);
     }

@@ -49,7 +49,7 @@ WaiverCoverage cover(std::span<const Waiver> waivers, const WaivedView& view,
                      std::span<const Finding> findings, Day today);
 
 /// Does the waiver speak of this finding, leaving aside count, day and scene?
-bool speaks_of(const Waiver& waiver, const Finding& finding);
+bool applies_to(const Waiver& waiver, const Finding& finding);
 
 /// Does the text fit the pattern? * is any run of characters, ? is one.
 bool fits(std::string_view pattern, std::string_view text);

@@ -52,7 +52,7 @@ Eye read_camera(const char* file) {
         .shear = perspective ? glm::dvec2{0.0} : glm::dvec2{json.at("shear").at(0), json.at("shear").at(1)}};
 }
 
-/// Points of the line of sight at camera depth t: from + t * to, relative to the eye.
+/// Points of the view ray at camera depth t: from + t * to, relative to the eye.
 struct Ray {
     dvec3 from{0.0}, to{0.0};
 };

@@ -1,4 +1,4 @@
-/// The truth at one pixel by samples: Embree says which triangle each line of sight meets, the texture is
+/// The truth at one pixel by samples: Embree says which triangle each view ray meets, the texture is
 /// read there in double.
 #pragma once
 

@@ -27,13 +27,13 @@ std::pair<int, int> pixels_meeting(const Limits& range, double reach, int n) {
 }
 
 /// What the image, widened by reach, shows of a triangle.
-Polygon<double> visible_part(const SeenTriangle<double>& t, const Surfaces::Range& range, const View& view,
-                             double reach) {
+Polygon<double> visible_part(const SeenTriangle<double>& t, const Surfaces::NearFarRange& range,
+                             const View& view, double reach) {
     const double left = 0.5 - reach, right = view.width - left, bottom = view.height - left;
     Polygon<double> polygon{{left, left}, {right, left}, {right, bottom}, {left, bottom}};
     for (const Affine<double>& edge : t.edge) polygon = cut(polygon, edge).inside;
-    polygon = cut(polygon, t.nearness - Affine<double>{0, 0, range.farthest}).inside;
-    return cut(polygon, Affine<double>{0, 0, range.nearest} - t.nearness).inside;
+    polygon = cut(polygon, t.inverse_depth - Affine<double>{0, 0, range.farthest}).inside;
+    return cut(polygon, Affine<double>{0, 0, range.nearest} - t.inverse_depth).inside;
 }
 
 }  // namespace

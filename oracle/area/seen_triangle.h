@@ -1,7 +1,7 @@
-/// A triangle as the image sees it: half-planes, nearness and texture coordinates, all affine in the raster
-/// position or quotients of such. Derived here from the camera's facts and the baked scene alone.
+/// A triangle as the image sees it: half-planes, inverse depth and texture coordinates, all affine in the
+/// raster position or quotients of such. Derived here from the camera's facts and the baked scene alone.
 ///
-/// The line of sight through raster (x, y) is d(x, y) from the eye (perspective), or d from o(x, y)
+/// The view ray through raster (x, y) is d(x, y) from the eye (perspective), or d from o(x, y)
 /// (parallel); camera depth advances by 1 along d. Where b solves [v0 v1 v2] b = d, the triangle is met iff
 /// all b >= 0, and b0 + b1 + b2 = 1 / depth (Olano and Greer 1997).
 #pragma once
@@ -28,13 +28,13 @@ struct AffineVector {
 };
 
 template <class Number>
-struct LinesOfSight {
+struct RasterRays {
     Projection projection;
     Vector3<Number> eye;
     AffineVector<Number> window;  ///< u right + v up
-    Vector3<Number> axis;         ///< what all lines of sight have in common: a step of depth 1
+    Vector3<Number> axis;         ///< what all view rays have in common: a step of depth 1
 
-    explicit LinesOfSight(const View& view) : projection(view.camera.projection) {
+    explicit RasterRays(const View& view) : projection(view.camera.projection) {
         const Camera& c = view.camera;
         const auto right = exactly<Number>(c.right), up = exactly<Number>(c.up),
                    back = exactly<Number>(c.back);
@@ -49,7 +49,7 @@ struct LinesOfSight {
 template <class Number>
 struct SeenTriangle {
     std::array<Affine<Number>, 3> edge;  ///< the b's: >= 0 inside; edge i is opposite corner i
-    Affine<Number> nearness;             ///< greater is nearer: 1 / depth, or -depth for parallel projections
+    Affine<Number> inverse_depth;        ///< greater is nearer: 1 / depth, or -depth for parallel projections
     Homography<Number> texels;           ///< the texture's texels; w = 1 / depth, or 1
 };
 
@@ -59,31 +59,31 @@ using Triple = std::array<Vector3<Number>, 3>;
 namespace detail {
 
 template <class Number>
-SeenTriangle<Number> seen_in_perspective(const LinesOfSight<Number>& sight, const Triple<Number>& v,
+SeenTriangle<Number> seen_in_perspective(const RasterRays<Number>& rays, const Triple<Number>& v,
                                          const Number& volume) {
-    const AffineVector<Number> d{sight.window.per_x, sight.window.per_y, sight.window.at_origin + sight.axis};
+    const AffineVector<Number> d{rays.window.per_x, rays.window.per_y, rays.window.at_origin + rays.axis};
     const Number scale = Number(1) / volume;
     SeenTriangle<Number> seen;
     for (std::size_t i = 0; i < 3; ++i) seen.edge[i] = scale * d.along(cross(v[(i + 1) % 3], v[(i + 2) % 3]));
-    seen.nearness = scale * d.along(cross(v[1] - v[0], v[2] - v[0]));
-    seen.texels.w = seen.nearness;
+    seen.inverse_depth = scale * d.along(cross(v[1] - v[0], v[2] - v[0]));
+    seen.texels.w = seen.inverse_depth;
     return seen;
 }
 
-/// With e the origin of the line of sight, b_i = ((v_j - e) x (v_k - e)) . d / (n . d), and
+/// With e the origin of the view ray, b_i = ((v_j - e) x (v_k - e)) . d / (n . d), and
 /// depth = n . (v0 - e) / (n . d).
 template <class Number>
-SeenTriangle<Number> seen_in_parallel(const LinesOfSight<Number>& sight, const Triple<Number>& v,
+SeenTriangle<Number> seen_in_parallel(const RasterRays<Number>& rays, const Triple<Number>& v,
                                       const Number& facing) {
     const Number scale = Number(1) / facing;
     const auto normal = cross(v[1] - v[0], v[2] - v[0]);
     SeenTriangle<Number> seen;
     for (std::size_t i = 0; i < 3; ++i) {
         const auto &p = v[(i + 1) % 3], &q = v[(i + 2) % 3];
-        seen.edge[i] = scale * (Affine<Number>{0, 0, dot(cross(p, q), sight.axis)} -
-                                sight.window.along(cross(q - p, sight.axis)));
+        seen.edge[i] = scale * (Affine<Number>{0, 0, dot(cross(p, q), rays.axis)} -
+                                rays.window.along(cross(q - p, rays.axis)));
     }
-    seen.nearness = scale * (sight.window.along(normal) - Affine<Number>{0, 0, dot(normal, v[0])});
+    seen.inverse_depth = scale * (rays.window.along(normal) - Affine<Number>{0, 0, dot(normal, v[0])});
     seen.texels.w = {0, 0, 1};
     return seen;
 }
@@ -96,15 +96,15 @@ using CornerTexels = std::array<std::array<Number, 2>, 3>;
 
 /// Nothing where the triangle is seen exactly edge-on: it covers no area.
 template <class Number>
-std::optional<SeenTriangle<Number>> seen(const LinesOfSight<Number>& sight, const Triple<Number>& p_world,
+std::optional<SeenTriangle<Number>> seen(const RasterRays<Number>& rays, const Triple<Number>& p_world,
                                          const CornerTexels<Number>& texel) {
-    const Triple<Number> v{p_world[0] - sight.eye, p_world[1] - sight.eye, p_world[2] - sight.eye};
+    const Triple<Number> v{p_world[0] - rays.eye, p_world[1] - rays.eye, p_world[2] - rays.eye};
     const auto normal = cross(v[1] - v[0], v[2] - v[0]);
-    const bool perspective = sight.projection == Projection::perspective;
-    const Number volume = dot(normal, perspective ? v[0] : sight.axis);
+    const bool perspective = rays.projection == Projection::perspective;
+    const Number volume = dot(normal, perspective ? v[0] : rays.axis);
     if (is_certainly_zero(volume)) return std::nullopt;
-    auto result = perspective ? detail::seen_in_perspective(sight, v, volume)
-                              : detail::seen_in_parallel(sight, v, volume);
+    auto result = perspective ? detail::seen_in_perspective(rays, v, volume)
+                              : detail::seen_in_parallel(rays, v, volume);
     const auto interpolated = [&](std::size_t axis) {
         const auto rise = [&](std::size_t i) { return texel[i][axis] - texel[0][axis]; };
         return texel[0][axis] * result.texels.w + rise(1) * result.edge[1] + rise(2) * result.edge[2];
@@ -123,7 +123,7 @@ Affine<Number> from(const Affine<Number>& f, const Number& x, const Number& y) {
 template <class Number>
 SeenTriangle<Number> from(const SeenTriangle<Number>& t, const Number& x, const Number& y) {
     return {{from(t.edge[0], x, y), from(t.edge[1], x, y), from(t.edge[2], x, y)},
-            from(t.nearness, x, y),
+            from(t.inverse_depth, x, y),
             {from(t.texels.u, x, y), from(t.texels.v, x, y), from(t.texels.w, x, y)}};
 }
 

@@ -11,7 +11,7 @@ texture::Wrap wrap_of(Wrap wrap) {
     return wrap == Wrap::repeat ? texture::Wrap::repeat : texture::Wrap::mirrored_repeat;
 }
 
-Surfaces::Range range_of(const Camera& c) {
+Surfaces::NearFarRange range_of(const Camera& c) {
     if (c.projection == Projection::parallel) return {-c.near_depth, -c.far_depth};
     return {1 / c.near_depth, 1 / c.far_depth};
 }
@@ -37,11 +37,11 @@ Surfaces::Surfaces(const Scene& scene, const View& view)
     for (const Part& part : scene.parts)
         for (std::uint32_t i = 0; i < part.triangle_count; ++i)
             materials_[part.first_triangle + i] = part.material;
-    const LinesOfSight<double> sight(view);
+    const RasterRays<double> rays(view);
     tbb::parallel_for(std::size_t{0}, seen_.size(), [&](std::size_t i) {
         const glm::uvec3 corners = scene.triangles[i];
         const Material& material = scene.materials[std::size_t(materials_[i])];
-        seen_[i] = area::seen(sight, corners_world<double>(scene, corners),
+        seen_[i] = area::seen(rays, corners_world<double>(scene, corners),
                               corner_texels<double>(scene, material, corners));
     });
 }

@@ -50,11 +50,11 @@ class Surfaces {
     }
     /// Do both have two corners at the same places, float by float?
     bool share_an_edge(std::uint32_t a, std::uint32_t b) const;
-    /// nearness is at most .nearest and at least .farthest between near and far.
-    struct Range {
+    /// inverse depth is at most .nearest and at least .farthest between near and far.
+    struct NearFarRange {
         double nearest, farthest;
     };
-    const Range& range() const { return range_; }
+    const NearFarRange& range() const { return range_; }
 
   private:
     const Scene& scene_;
@@ -62,7 +62,7 @@ class Surfaces {
     std::vector<int> materials_;
     std::deque<texture::LinearImage> images_;
     std::vector<SurfaceColour> colours_;
-    Range range_{};
+    NearFarRange range_{};
 };
 
 /// Texel coordinates of a triangle's corners, exact in Number; zeros without a texture.

@@ -15,7 +15,7 @@ using Polygons = std::vector<Polygon<double>>;
 /// A triangle around one pixel, with the half-planes f >= 0 that bound its image.
 struct Candidate {
     std::uint32_t triangle = 0;
-    Affine<double> nearness{};
+    Affine<double> inverse_depth{};
     std::array<Affine<double>, 5> bounds{};
     Polygon<double> image{};  ///< within the square
 };
@@ -66,9 +66,10 @@ Candidate candidate(const Surfaces& surfaces, std::uint32_t id, const Point<doub
     const SeenTriangle<double>& t = *surfaces.seen(id);
     const auto here = [&](const Affine<double>& f) { return from(f, centre.x, centre.y); };
     const auto [nearest, farthest] = surfaces.range();
-    Candidate c{.triangle = id, .nearness = here(t.nearness)};
+    Candidate c{.triangle = id, .inverse_depth = here(t.inverse_depth)};
     c.bounds = {here(t.edge[0]), here(t.edge[1]), here(t.edge[2]),
-                c.nearness - Affine<double>{0, 0, farthest}, Affine<double>{0, 0, nearest} - c.nearness};
+                c.inverse_depth - Affine<double>{0, 0, farthest},
+                Affine<double>{0, 0, nearest} - c.inverse_depth};
     c.image = square(half_side);
     for (const Affine<double>& bound : c.bounds) c.image = cut(c.image, bound).inside;
     return c;
@@ -81,7 +82,7 @@ bool is_too_much(const Polygons& polygons) {
 
 /// The part of `subject` that `other` hides: where it stands nearer, of equally near ones the first.
 std::array<Affine<double>, 6> hidden_part(const Candidate& subject, const Candidate& other) {
-    Affine<double> nearer = other.nearness - subject.nearness;
+    Affine<double> nearer = other.inverse_depth - subject.inverse_depth;
     if (nearer.a == 0 && nearer.b == 0 && nearer.c == 0)
         nearer.c = other.triangle < subject.triangle ? 1 : -1;
     const auto& b = other.bounds;

@@ -5,7 +5,7 @@
 namespace zproof::oracle::opengl {
 namespace {
 
-constexpr glm::vec4 everywhere{0, 0, 0, 1};
+constexpr glm::vec4 never_clipped{0, 0, 0, 1};
 
 /// A function of the corner relative to the eye: along_right x + along_up y + along_depth depth + constant.
 glm::vec4 row(const Camera& camera, const glm::dvec3& along, double constant) {
@@ -23,10 +23,10 @@ ClipRows perspective(const Camera& c) {
             .y = row(c, {0, 2 / height, -(w.top + w.bottom) / height}, 0),
             .z = row(c, {0, 0, 0}, c.near_depth),
             .w = row(c, {0, 0, 1}, 0),
-            .far_distance = ends ? row(c, {0, 0, -1}, c.far_depth) : everywhere};
+            .far_distance = ends ? row(c, {0, 0, -1}, c.far_depth) : never_clipped};
 }
 
-/// The line of sight through p meets the plane of the eye at (x, y) - shear depth.
+/// The view ray through p meets the plane of the eye at (x, y) - shear depth.
 ClipRows parallel(const Camera& c) {
     const Window& w = c.window;
     const double width = w.right - w.left, height = w.top - w.bottom, range = c.far_depth - c.near_depth;
@@ -35,7 +35,7 @@ ClipRows parallel(const Camera& c) {
             .y = row(c, {0, 2 / height, -2 / height * c.shear.y}, -(w.top + w.bottom) / height),
             .z = row(c, {0, 0, -1 / range}, c.far_depth / range),
             .w = row(c, {0, 0, 0}, 1),
-            .far_distance = everywhere};
+            .far_distance = never_clipped};
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace zproof::oracle {
 
 namespace {
 
-using filter_law::PixelFootprint;
+using filter_reference::PixelFootprint;
 using opengl::Texture2d;
 
 /// One triangle that covers the image.
@@ -82,13 +82,14 @@ Inputs inputs_of(const Scene& scene, const View& view, const Frame& frame, const
     for (int y = 0; y < view.height; ++y) {
         for (int x = 0; x < view.width; ++x) {
             const PrimitiveId id = frame.primitive.at(x, y);
-            if (id == PrimitiveId::none || &filter_law::material_of(scene, std::uint32_t(id)) != &material)
+            if (id == PrimitiveId::none ||
+                &filter_reference::material_of(scene, std::uint32_t(id)) != &material)
                 continue;
-            const auto triangle = filter_law::textured_triangle(scene, std::uint32_t(id));
-            const filter_law::SeenTexture seen{view, triangle, FilterPrecision{}};
+            const auto triangle = filter_reference::textured_triangle(scene, std::uint32_t(id));
+            const filter_reference::SeenTexture seen{view, triangle, FilterPrecision{}};
             const PixelFootprint f = seen.footprint(x, y, StepRule::analytic);
             const glm::dvec2 size{triangle.texture_size};
-            const auto in_uv = [&](const filter_law::Place& p) {
+            const auto in_uv = [&](const filter_reference::TexelInterval& p) {
                 return glm::vec2{glm::dvec2{middle(p.u), middle(p.v)} / size};
             };
             inputs.place.at(x, y) = glm::vec4{in_uv(f.centre), 1, 0};
@@ -143,7 +144,7 @@ Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame
     const opengl::Program program = opengl::linked_program(vertex_source, fragment_source);
     Picture picture{frame.size()};
     for (const Material& material : scene.materials) {
-        if (!filter_law::is_textured(scene, material)) continue;
+        if (!filter_reference::is_textured(scene, material)) continue;
         const Texture& texture = material.base_color;
         const Inputs inputs = inputs_of(scene, view, frame, material);
         const Texture2d image =

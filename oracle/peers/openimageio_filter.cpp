@@ -12,8 +12,8 @@ namespace zproof::oracle {
 
 namespace {
 
-using filter_law::PixelFootprint;
-using filter_law::SeenTexture;
+using filter_reference::PixelFootprint;
+using filter_reference::SeenTexture;
 
 [[noreturn]] void refuse(const std::string& what) { throw OracleError("OpenImageIO: " + what); }
 
@@ -88,10 +88,10 @@ Picture openimageio_filtered(const Scene& scene, const View& view, const Frame& 
         for (int x = 0; x < view.width; ++x) {
             const PrimitiveId id = frame.primitive.at(x, y);
             if (id == PrimitiveId::none) continue;
-            const Material& material = filter_law::material_of(scene, std::uint32_t(id));
+            const Material& material = filter_reference::material_of(scene, std::uint32_t(id));
             glm::dvec3 colour{glm::vec3{material.base_color_factor}};
-            if (filter_law::is_textured(scene, material)) {
-                const auto triangle = filter_law::textured_triangle(scene, std::uint32_t(id));
+            if (filter_reference::is_textured(scene, material)) {
+                const auto triangle = filter_reference::textured_triangle(scene, std::uint32_t(id));
                 const SeenTexture seen{view, triangle, FilterPrecision{}};
                 colour *= textures.read(
                     std::size_t(material.base_color.image), options_of(material.base_color, filter, settings),

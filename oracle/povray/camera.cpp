@@ -15,7 +15,7 @@ constexpr glm::dvec2 aim_offset_px{0x1p-28, -0.618 * 0x1p-28};
 }  // namespace
 
 /// POV-Ray's camera has no handedness of its own where right, up and direction are all given, nor must these
-/// be at right angles: a window off the axis and a sheared line of sight are a direction like any other.
+/// be at right angles: a window off the axis and a sheared view ray are a direction like any other.
 std::string povray_camera_text(const View& view, const PovrayUnits& units) {
     const Camera& camera = view.camera;
     const Window& w = camera.window;

@@ -62,20 +62,20 @@ bool has_a_normal(const Corners& p) {
     return product > 0 && glm::length(glm::cross(side1, side2)) >= least_corner_sine * product;
 }
 
-struct SeenTriangle {
+struct VisibleTriangle {
     PovrayTriangle triangle;
     Cut cut;
     std::uint64_t place;  ///< neighbours in space have neighbouring places
 };
 
-struct SeenTriangles {
-    std::vector<SeenTriangle> triangles;
+struct VisibleTriangles {
+    std::vector<VisibleTriangle> triangles;
     DepthRange depths;
 };
 
-SeenTriangles seen_triangles(const Scene& scene, const View& view) {
+VisibleTriangles visible_triangles(const Scene& scene, const View& view) {
     const double near = view.camera.near_depth, far = view.camera.far_depth;
-    SeenTriangles seen;
+    VisibleTriangles seen;
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
         const Corners corners = corners_from_eye(scene, view, scene.triangles[i]);
         const DepthRange range = depth_range(corners, view.camera.back);
@@ -150,13 +150,13 @@ std::uint64_t place_of(const glm::dvec3& point, double reach) {
 }
 
 /// Into POV-Ray's units, and in the order of clusters.
-void arrange(std::vector<SeenTriangle>& triangles, double scale) {
-    for (SeenTriangle& seen : triangles) {
+void arrange(std::vector<VisibleTriangle>& triangles, double scale) {
+    for (VisibleTriangle& seen : triangles) {
         for (glm::dvec3& corner : seen.triangle.corner) corner *= scale;
         const Corners& p = seen.triangle.corner;
         seen.place = place_of((p[0] + p[1] + p[2]) / 3.0, 2 * usual_reach);
     }
-    std::ranges::sort(triangles, {}, [](const SeenTriangle& seen) {
+    std::ranges::sort(triangles, {}, [](const VisibleTriangle& seen) {
         return std::tuple(seen.cut, seen.place, seen.triangle.primitive);
     });
 }
@@ -174,9 +174,9 @@ void enclose(PovrayCluster& cluster, double origin_reach) {
     cluster.highest += margin;
 }
 
-std::vector<PovrayCluster> clusters_of(const std::vector<SeenTriangle>& triangles, double origin_reach) {
+std::vector<PovrayCluster> clusters_of(const std::vector<VisibleTriangle>& triangles, double origin_reach) {
     std::vector<PovrayCluster> clusters;
-    for (const SeenTriangle& seen : triangles) {
+    for (const VisibleTriangle& seen : triangles) {
         if (clusters.empty() || clusters.back().cut != seen.cut ||
             clusters.back().triangles.size() == cluster_size)
             clusters.push_back({.triangles = {}, .cut = seen.cut, .lowest = {}, .highest = {}});
@@ -189,7 +189,7 @@ std::vector<PovrayCluster> clusters_of(const std::vector<SeenTriangle>& triangle
 }  // namespace
 
 PovrayGeometry povray_geometry(const Scene& scene, const View& view) {
-    SeenTriangles seen = seen_triangles(scene, view);
+    VisibleTriangles seen = visible_triangles(scene, view);
     const PovrayUnits units = units_of(met_depths(seen.depths, view.camera), view);
     arrange(seen.triangles, units.scale);
     return {units, clusters_of(seen.triangles, units.origin_reach)};

@@ -218,14 +218,15 @@ std::string light_text(const Camera& c, const Light& light, const PovrayUnits& u
 
 }  // namespace
 
-PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& light, const Gloss& gloss) {
+PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& light,
+                             const PhongFinish& phong_finish) {
     const PovrayUnits units = povray_geometry(scene, view).units;
     MeshWriter mesh(scene, view, units.scale);
     // A shadowless light makes no highlight (POV-Ray takes it for a fill light), so the mesh is told instead.
-    const bool is_glossy = gloss.specular > 0;
-    const std::string highlight =
-        is_glossy ? " phong " + number_text(gloss.specular) + " phong_size " + number_text(gloss.exponent)
-                  : "";
+    const bool is_glossy = phong_finish.specular > 0;
+    const std::string highlight = is_glossy ? " phong " + number_text(phong_finish.specular) +
+                                                  " phong_size " + number_text(phong_finish.exponent)
+                                            : "";
     std::string text =
         "#version 3.7;\nglobal_settings{assumed_gamma 1 adc_bailout 0}\n#default{finish{ambient " +
         number_text(light.ambient) + " diffuse " + number_text(light.diffuse) + highlight +

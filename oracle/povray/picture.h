@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "oracle/povray/gloss.h"
+#include "oracle/povray/phong_finish.h"
 #include "scenes/light.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
@@ -24,6 +24,6 @@ struct PovrayPicture {
 /// Surfaces as scenes/light.h and rasterizer/shading.h have them. Throws OracleError for what POV-Ray cannot
 /// say: a texture times vertex colours, more than 65536 different colours, or as povray_texture.
 PovrayPicture povray_picture(const Scene& scene, const View& view, const Light& light,
-                             const Gloss& gloss = {});
+                             const PhongFinish& phong_finish = {});
 
 }  // namespace zproof::oracle

@@ -40,7 +40,7 @@ void run_povray(const PovRayOptions& options, const View& view, const std::files
     const Outcome outcome = run(command);
     if (outcome.succeeded()) return;
     // a picture that takes too long is no error of POV-Ray's, and it has nothing to say but how far it came
-    const std::string said = outcome.ending == Ending::timed_out ? "" : "; it said: " + last_words(outcome);
+    const std::string said = outcome.ending == Ending::timed_out ? "" : "; it said: " + last_output(outcome);
     throw OracleError("POV-Ray, view '" + view.name + "': " + in_words(outcome, options.time_limit) + said);
 }
 
@@ -72,9 +72,9 @@ Frame PovRay::render(const View& view) const {
     return frame_of(read_ppm16(scratch.path() / picture_file, {view.width, view.height}), scene);
 }
 
-Picture PovRay::picture(const View& view, const Light& light, const Gloss& gloss) const {
+Picture PovRay::picture(const View& view, const Light& light, const PhongFinish& phong_finish) const {
     const ScratchFolder scratch;
-    const PovrayPicture picture = povray_picture(scene_, view, light, gloss);
+    const PovrayPicture picture = povray_picture(scene_, view, light, phong_finish);
     scratch.write(scene_file, picture.text);
     for (const PovrayImage& image : picture.images) scratch.write(image.name, image.bytes);
     run_povray(options_, view, scratch.path());
@@ -95,7 +95,7 @@ Precision povray_precision() {
 std::optional<std::string> povray_version(const std::string& program) {
     try {
         const Outcome outcome = run({.arguments = {program, "--version"}});
-        const std::string said = outcome.output + outcome.complaints;
+        const std::string said = outcome.output + outcome.error_output;
         const std::size_t at = said.find("POV-Ray ");
         return at == std::string::npos ? program : said.substr(at, said.find('\n', at) - at);
     } catch (const OracleError&) {

@@ -55,26 +55,27 @@ class Pool {
     std::vector<const ViewStudy*> views_;
 };
 
-struct Standing {
+struct MethodPoint {
     std::string label;
     double cost, error;
 };
 
-std::vector<Standing> standings(const Pool& pool) {
-    std::vector<Standing> all;
+std::vector<MethodPoint> method_points(const Pool& pool) {
+    std::vector<MethodPoint> all;
     for (const MethodCard& card : pool.results().methods)
         all.push_back({card.label, pool.texels(card.label), pool.rmse(card.label, "interior")});
-    std::erase_if(all, [](const Standing& s) { return !std::isfinite(s.cost) || !std::isfinite(s.error); });
+    std::erase_if(all,
+                  [](const MethodPoint& s) { return !std::isfinite(s.cost) || !std::isfinite(s.error); });
     return all;
 }
 
 /// Those that nobody beats in both, by rising cost.
-std::vector<Standing> front_of(std::vector<Standing> all) {
-    std::ranges::stable_sort(all, [](const Standing& a, const Standing& b) {
+std::vector<MethodPoint> front_of(std::vector<MethodPoint> all) {
+    std::ranges::stable_sort(all, [](const MethodPoint& a, const MethodPoint& b) {
         return a.cost != b.cost ? a.cost < b.cost : a.error < b.error;
     });
-    std::vector<Standing> front;
-    for (const Standing& s : all)
+    std::vector<MethodPoint> front;
+    for (const MethodPoint& s : all)
         if (front.empty() || s.error < front.back().error) front.push_back(s);
     return front;
 }
@@ -83,7 +84,7 @@ std::vector<Standing> front_of(std::vector<Standing> all) {
 std::vector<std::string> stars(const Pool& pool, const std::vector<std::string>& wished) {
     if (!wished.empty()) return wished;
     std::vector<std::string> labels;
-    for (const Standing& s : front_of(standings(pool))) labels.push_back(s.label);
+    for (const MethodPoint& s : front_of(method_points(pool))) labels.push_back(s.label);
     if (labels.size() >= 4) return labels;
     labels.clear();
     for (const MethodCard& card : pool.results().methods) labels.push_back(card.label);
@@ -99,10 +100,10 @@ std::string titled(const std::string& what, const std::string& where) {
 }
 
 Plot pareto(const Pool& pool, const std::string& where) {
-    const std::vector<Standing> all = standings(pool);
+    const std::vector<MethodPoint> all = method_points(pool);
     Series front{.name = "", .points = {}, .style = SeriesStyle::quiet, .joining = Joining::steps};
     std::vector<std::string> unbeaten;
-    for (const Standing& s : front_of(all)) {
+    for (const MethodPoint& s : front_of(all)) {
         front.points.emplace_back(s.cost, s.error);
         unbeaten.push_back(s.label);
     }
@@ -110,7 +111,7 @@ Plot pareto(const Pool& pool, const std::string& where) {
                 .x = {"texels read per pixel", Scale::logarithmic, {}},
                 .y = {"RMSE against GT-" + pool.results().truth + ", interior", Scale::logarithmic, {}},
                 .series = {front}};
-    for (const Standing& s : all)
+    for (const MethodPoint& s : all)
         chart.series.push_back({s.label,
                                 {{s.cost, s.error}},
                                 is_among(unbeaten, s.label) ? SeriesStyle::marked : SeriesStyle::muted,

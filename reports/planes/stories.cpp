@@ -17,8 +17,8 @@ json number(double value) { return std::isfinite(value) ? json(value) : json(sho
 /// The shortest decimal that is this float.
 json as_float(double value) { return json::parse(shortest(float(value)), nullptr, false); }
 
-std::string_view word_for(Admissibility standing) {
-    switch (standing) {
+std::string_view word_for(Admissibility admissibility) {
+    switch (admissibility) {
         case Admissibility::visible:
             return "visible";
         case Admissibility::clipped:
@@ -39,7 +39,7 @@ std::string_view word_for(Admissibility standing) {
 
 json described(const Decision& decision) {
     return {{"word", word_for(decision.admissibility)},
-            {"lawful", is_admissible(decision.admissibility)},
+            {"admissible", is_admissible(decision.admissibility)},
             {"exact", decision.exact}};
 }
 
@@ -50,13 +50,13 @@ json described(const Candidate& candidate) {
         {"id", std::uint32_t(candidate.primitive)},
         {"edges", std::move(edges)},
         {"depth", {number(candidate.depth.low), number(candidate.depth.truth), number(candidate.depth.high)}},
-        {"standing", described(candidate.decision)}};
+        {"admissibility", described(candidate.decision)}};
 }
 
 json described(const NearbyImage& image) {
     json edges = json::array();
     for (const Affine<double>& e : image.edge) edges.push_back({as_float(e.a), as_float(e.b), as_float(e.c)});
-    const Affine<double>& n = image.nearness;
+    const Affine<double>& n = image.inverse_depth;
     return {std::uint32_t(image.primitive), std::move(edges), {as_float(n.a), as_float(n.b), n.c}};
 }
 
@@ -83,8 +83,8 @@ json described(const Story& s) {
         {"candidates", list(s.story.candidates, [](const Candidate& c) { return described(c); })},
         {"images", list(s.images, [](const NearbyImage& i) { return described(i); })}};
     if (s.story.ids_differ && f.verdict != PixelClass::invalid) {
-        object["standing"] = described(s.story.candidate);
-        object["reference_standing"] = described(s.story.reference);
+        object["admissibility"] = described(s.story.candidate);
+        object["reference_admissibility"] = described(s.story.reference);
     }
     return object;
 }

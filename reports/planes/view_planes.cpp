@@ -135,17 +135,17 @@ void add_colours(std::vector<Recipe>& recipes, const std::string& name, const Pi
 
 nlohmann::json header_of(const ViewPlanes& v) {
     const Resolution size = v.candidate.frame.size();
-    nlohmann::json witnesses = nlohmann::json::array();
-    for (const Renderer& w : v.witnesses) witnesses.push_back(w.name);
+    nlohmann::json oracles = nlohmann::json::array();
+    for (const Renderer& w : v.oracles) oracles.push_back(w.name);
     return {{"width", size.width},
             {"height", size.height},
             {"scene", v.facts.scene},
             {"view", v.facts.view},
             {"candidate", v.candidate.name},
             {"reference", v.reference.name},
-            {"witnesses", std::move(witnesses)},
+            {"oracles", std::move(oracles)},
             {"explain", {v.facts.explain_before, v.facts.explain_after}},
-            {"nearness", {v.facts.least_nearness, v.facts.greatest_nearness}},
+            {"inverse_depth", {v.facts.least_inverse_depth, v.facts.greatest_inverse_depth}},
             {"perspective", v.facts.perspective}};
 }
 
@@ -161,8 +161,7 @@ Container container_of(const ViewPlanes& v) {
     const auto width = std::size_t(v.candidate.frame.size().width);
     const Frame& ours = v.candidate.frame;
     std::vector<Recipe> recipes{
-        [&] { return class_block(v.verdict.classes); },
-        [&] { return findings_block(v.verdict, int(width)); },
+        [&] { return class_block(v.verdict.classes); }, [&] { return findings_block(v.verdict, int(width)); },
         [&] { return json_block("stories", to_json(v.stories)); },
         [&] { return json_block("ranges", to_json(v.ranges)); },
         [&] { return predicted("candidate.id", ours.primitive.pixels(), width, Prediction::left); }};
@@ -172,10 +171,10 @@ Container container_of(const ViewPlanes& v) {
     recipes.push_back(
         [&] { return predicted("candidate.depth", ours.camera_depth.pixels(), width, Prediction::planar); });
     add_depths(recipes, "reference", v.reference, v.candidate);
-    for (const Renderer& w : v.witnesses) add_ids(recipes, "witness." + w.name, w, v.candidate);
-    for (const Renderer& w : v.witnesses) add_depths(recipes, "witness." + w.name, w, v.candidate);
+    for (const Renderer& w : v.oracles) add_ids(recipes, "oracle." + w.name, w, v.candidate);
+    for (const Renderer& w : v.oracles) add_depths(recipes, "oracle." + w.name, w, v.candidate);
     add_colours(recipes, "candidate", v.candidate.colours);
-    for (const Renderer& w : v.witnesses) add_colours(recipes, "witness." + w.name, w.colours);
+    for (const Renderer& w : v.oracles) add_colours(recipes, "oracle." + w.name, w.colours);
     return {header_of(v), made(recipes)};
 }
 

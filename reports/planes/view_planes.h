@@ -23,7 +23,7 @@ struct TriangleRange {
 
 /// One pixel's story with a drawing.
 struct Story {
-    PixelStory story;
+    PixelExplanation story;
     std::string text;  ///< what `zproof explain` prints
     std::vector<NearbyImage> images;
 };
@@ -39,14 +39,15 @@ struct Renderer {
 struct ViewFacts {
     std::string scene, view;
     std::string explain_before, explain_after;  ///< "zproof explain room ", " --view corner": around "X Y"
-    double least_nearness = 0, greatest_nearness = 0;  ///< at far and near (compare/bounds/triangle_image.h)
-    bool perspective = true;                           ///< or is nearness the negative depth?
+    double least_inverse_depth = 0,
+           greatest_inverse_depth = 0;  ///< at far and near (compare/bounds/triangle_image.h)
+    bool perspective = true;            ///< or is inverse depth the negative depth?
 };
 
 struct ViewPlanes {
     ViewFacts facts;
     Renderer candidate, reference;
-    std::vector<Renderer> witnesses;
+    std::vector<Renderer> oracles;
     const Verdict& verdict;
     Plane<float> candidate_error, reference_error;  ///< error / bound (ErrorMaps)
     std::vector<TriangleRange> ranges;
@@ -56,7 +57,7 @@ struct ViewPlanes {
 /// At most so many findings are listed one by one, defects first; the class map always has all.
 inline constexpr std::size_t most_findings = 20'000;
 
-/// Blocks in order of need: classes, findings, stories, names; ids; errors; depths; witnesses; colours. Every
+/// Blocks in order of need: classes, findings, stories, names; ids; errors; depths; oracles; colours. Every
 /// plane's block has the CRC-32 of what it decodes to. On the threads of the surrounding tbb::task_arena.
 Container container_of(const ViewPlanes& planes);
 

@@ -13,7 +13,7 @@ using document::Table;
 std::string verdict_of(const RouteFinding& f) {
     if (f.is_projection()) return "is the projection";
     return "is not the projection: first wrong stage: " + f.first_wrong_stage + " (" + f.operation +
-           "), with " + f.lens;
+           "), with " + f.camera;
 }
 
 Table routes_table() {
@@ -21,16 +21,17 @@ Table routes_table() {
         .name = "lesson-routes",
         .caption = "Is the route the projection? Tried in exact arithmetic on probe cameras",
         .columns = {{"route", "", ""},
-                    {"finding", "", "The first stage whose result is not where the line of sight has it."},
+                    {"finding", "",
+                     "The first stage whose result is not where the line of visibility has it."},
                     {"cameras", "", "Probe cameras that it was tried on, 60 points each."},
                     {"kept on", "", "Cameras on which it is the projection all the same."},
-                    {"worst", "px", "Largest distance in x or y from the lawful raster position."},
+                    {"worst", "px", "Largest distance in x or y from the admissible raster position."},
                     {"what it is", "", ""},
                     {"source", "", ""}},
         .rows = {}};
     for (const RouteFinding& f : route_findings())
-        table.rows.push_back({f.card.name, verdict_of(f), std::int64_t(f.lenses), std::int64_t(f.lenses_kept),
-                              f.worst_px, f.card.words, f.card.source});
+        table.rows.push_back({f.card.name, verdict_of(f), std::int64_t(f.cameras),
+                              std::int64_t(f.cameras_kept), f.worst_px, f.card.words, f.card.source});
     return table;
 }
 
@@ -75,7 +76,8 @@ document::Section lesson_section() {
         "The lessons' formulas",
         {"Every route from world to raster space is run in exact arithmetic, and after each stage the point "
          "is "
-         "held against the line of sight that the camera defines. A route that is printed in a lesson and "
+         "held against the line of visibility that the camera defines. A route that is printed in a lesson "
+         "and "
          "is wrong is told by the same means as one that is right.",
          "On a canvas from -1 to 1 with near at 1, screen space is NDC space: there the listing that takes "
          "one "

@@ -18,10 +18,10 @@ constexpr const char *seen_colour = "#d6006c", *hidden_colour = "#9aa0a6";
 /// `per_px` steps of a decimal place to a pixel.
 std::string place(double value, double per_px) { return shortest(std::round(per_px * value) / per_px); }
 
-std::string path_of(const std::vector<WireLine>& lines, Sight sight, double per_px) {
+std::string path_of(const std::vector<WireLine>& lines, Visibility visibility, double per_px) {
     std::string path;
     for (const WireLine& line : lines) {
-        if (line.sight != sight) continue;
+        if (line.visibility != visibility) continue;
         path += "M" + place(line.segment.a.x, per_px) + " " + place(line.segment.a.y, per_px) + "L" +
                 place(line.segment.b.x, per_px) + " " + place(line.segment.b.y, per_px);
     }
@@ -81,7 +81,7 @@ std::vector<WireLine> lines_in(const Wireframe& wireframe, const Square& square)
     std::vector<WireLine> lines;
     for (const WireLine& line : wireframe.lines)
         if (const auto shown = within(line.segment, low, high))
-            lines.push_back({*shown, line.edge, line.sight});
+            lines.push_back({*shown, line.edge, line.visibility});
     return lines;
 }
 
@@ -108,8 +108,8 @@ std::string marked_pair(const Boundary& b) {
 
 std::string wireframe_svg(const WireframeDrawing& drawing) {
     const std::vector<WireLine> lines = drawn_lines(drawing.wireframe);
-    const std::string hidden = path_of(lines, Sight::hidden, 100),
-                      seen = path_of(lines, Sight::seen, 100) + path_of(lines, Sight::unknown, 100);
+    const std::string hidden = path_of(lines, Visibility::hidden, 100),
+                      seen = path_of(lines, Visibility::seen, 100) + path_of(lines, Visibility::unknown, 100);
     std::string svg = begun(0, 0, drawing.size, 1);
     if (drawing.backdrop != nullptr)
         return svg + image(*drawing.backdrop, 0, 0) + stroked(seen, seen_colour, 0.8) + "</svg>\n";
@@ -128,9 +128,9 @@ std::string magnified_svg(const WireframeDrawing& drawing, const Boundary& bound
     if (drawing.backdrop != nullptr) svg += image(cut_out(*drawing.backdrop, square), square.x, square.y);
     const std::vector<WireLine> lines = lines_in(drawing.wireframe, square);
     constexpr double per_px = 1e4;
-    svg += stroked(path_of(lines, Sight::hidden, per_px), hidden_colour, 0.03);
-    svg += stroked(path_of(lines, Sight::seen, per_px) + path_of(lines, Sight::unknown, per_px), seen_colour,
-                   0.05);
+    svg += stroked(path_of(lines, Visibility::hidden, per_px), hidden_colour, 0.03);
+    svg += stroked(path_of(lines, Visibility::seen, per_px) + path_of(lines, Visibility::unknown, per_px),
+                   seen_colour, 0.05);
     return svg + centres(square) + marked_pair(boundary) + "</svg>\n";
 }
 

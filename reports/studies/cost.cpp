@@ -132,12 +132,12 @@ Section whole_section(const Model& model) {
          run_table(model.whole_runs, fit, "whole-runs")}};
 }
 
-Table work_table(const TrickStudy& study, const std::string& stem) {
-    Table table{.name = stem + "-tricks",
+Table work_table(const OptimizationStudy& study, const std::string& stem) {
+    Table table{.name = stem + "-optimizations",
                 .caption =
-                    "Visibility: what each trick saves. Times are medians; ids and depths against the "
+                    "Visibility: what each optimization saves. Times are medians; ids and depths against the "
                     "plain z-buffer's, defects by the gate",
-                .columns = {{"trick", "", ""},
+                .columns = {{"optimization", "", ""},
                             {"time", "ms", ""},
                             {"quartiles", "ms", ""},
                             {"of plain", "", ""},
@@ -152,7 +152,7 @@ Table work_table(const TrickStudy& study, const std::string& stem) {
                             {"defects", "px", "that fail the gate"}},
                 .rows = {}};
     const double plain = study.runs.front().timing.median;
-    for (const TrickRun& run : study.runs) {
+    for (const OptimizationRun& run : study.runs) {
         const auto& tally = run.work.tally;
         const auto whole = [](std::uint64_t number) { return std::int64_t(number); };
         table.rows.push_back(
@@ -165,7 +165,7 @@ Table work_table(const TrickStudy& study, const std::string& stem) {
     return table;
 }
 
-Table shading_table(const TrickStudy& study, const std::string& stem) {
+Table shading_table(const OptimizationStudy& study, const std::string& stem) {
     Table table{.name = stem + "-early-z",
                 .caption = "Shading: when a fragment is shaded. Colours against the deferred picture's",
                 .columns = {{"order", "", ""},
@@ -182,12 +182,13 @@ Table shading_table(const TrickStudy& study, const std::string& stem) {
     return table;
 }
 
-std::string closedness(const TrickStudy& study) {
+std::string closedness(const OptimizationStudy& study) {
     if (study.open_edges == 0)
         return "The scene is closed: every edge has its other side, so back faces may be left out where the "
                "eye is outside and near cuts nothing open.";
     return "The scene is open (" + grouped(study.open_edges) +
-           " edges without another side): leaving out back faces is no trick here but another picture, and "
+           " edges without another side): leaving out back faces is no optimization here but another "
+           "picture, and "
            "the gate's defects are its price.";
 }
 
@@ -209,7 +210,7 @@ document::Document cost_document(const Model& model) {
 std::vector<Section> prediction_sections(const std::vector<Prediction>& predictions) {
     if (predictions.empty()) return {};
     Table table{.name = "predictions",
-                .caption = "The model against scenes that took no part in the fit, no trick used",
+                .caption = "The model against scenes that took no part in the fit, no optimization used",
                 .columns = {{"view", "", ""},
                             {"v", "", "vertices"},
                             {"triangles", "", "set up"},
@@ -238,8 +239,8 @@ std::vector<Section> prediction_sections(const std::vector<Prediction>& predicti
           document::Plot{"prediction", "On the grey line both are equal", prediction_chart(predictions)}}}};
 }
 
-Section trick_section(const TrickStudy& study, const std::string& stem) {
-    return {study.scene + " / " + study.view + ": the tricks",
+Section optimization_section(const OptimizationStudy& study, const std::string& stem) {
+    return {study.scene + " / " + study.view + ": the optimizations",
             {closedness(study),
              "Early z and its kin matter where shading costs: the second table shades each fragment as the "
              "pictures of `zproof run --pictures` are shaded."},

@@ -15,7 +15,7 @@ document::Document cost_document(const study::cost::Model& model);
 /// The model held against scenes that took no part in it. Nothing where there is none.
 std::vector<document::Section> prediction_sections(const std::vector<study::cost::Prediction>& predictions);
 
-/// The tricks on one view; `stem` begins the names of its items.
-document::Section trick_section(const study::cost::TrickStudy& study, const std::string& stem);
+/// The optimizations on one view; `stem` begins the names of its items.
+document::Section optimization_section(const study::cost::OptimizationStudy& study, const std::string& stem);
 
 }  // namespace zproof

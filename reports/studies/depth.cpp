@@ -18,7 +18,7 @@ using document::Table;
 
 /// Of the formats, those that a chart has room for: in [-1, 1] whole numbers hold what they hold in [0, 1].
 bool is_charted(const Format& format) {
-    return format.range == Range::zero_to_one || format.store == Store::float32;
+    return format.range == NdcRange::zero_to_one || format.store == Store::float32;
 }
 
 std::string power_of_ten(double value) { return "1e" + std::to_string(int(std::lround(std::log10(value)))); }

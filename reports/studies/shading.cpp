@@ -161,10 +161,11 @@ Table scene_table(const ShadingStudy& study, const std::string& stem) {
                     {"largest to Phong", "", ""}},
         .rows = {}};
     for (const SceneScore& s : study.scores)
-        table.rows.push_back({std::string{s.lamp == Lamp::Kind::directional ? "directional" : "point"},
-                              std::string{name_of(s.highlight)}, std::string{name_of(s.method)},
-                              std::string{name_of(s.mixing)}, s.rmse_to_traced, s.largest_to_traced,
-                              s.predicted_largest, s.rmse_to_phong, s.largest_to_phong});
+        table.rows.push_back(
+            {std::string{s.light_source == LightSource::Kind::directional ? "directional" : "point"},
+             std::string{name_of(s.highlight)}, std::string{name_of(s.method)},
+             std::string{name_of(s.mixing)}, s.rmse_to_traced, s.largest_to_traced, s.predicted_largest,
+             s.rmse_to_phong, s.largest_to_phong});
     return table;
 }
 

@@ -23,13 +23,13 @@ Loaded tunnel(ImageSize size) {
     TexturedMesh mesh("tunnel");
     mesh.begin_part("tunnel", image_texture(0));
     for (int wall = 0; wall < walls; ++wall) add_wall(mesh, wall);
-    const suite::Lens lens{.half_height = 0.75, .near_depth = 0.125, .far_depth = 1024};
+    const suite::Intrinsics intrinsics{.half_height = 0.75, .near_depth = 0.125, .far_depth = 1024};
     return mesh.finish(
         {coloured_octaves()},
         {suite::perspective_view("along", size, {.eye_world = {0.1, 0.2, 0}, .target_world = {0.1, 0.2, -1}},
-                                 lens),
+                                 intrinsics),
          suite::perspective_view("aside", size, {.eye_world = {-0.3, 0.1, 0}, .target_world = {0.2, 0, -1}},
-                                 lens)});
+                                 intrinsics)});
 }
 
 }  // namespace zproof::filters

@@ -69,7 +69,9 @@ void add_wedge(MeshBuilder& mesh, Random& random, const glm::dvec3& p_world) {
 /// between two float32: who rounds it is wrong by a unit roundoff, and upwards. Depths lie in (4, 8), so that
 /// both step evenly.
 double half_way(double depth) {
-    const auto step_share = [](double nearness) { return nearness * 0x1p26 - std::floor(nearness * 0x1p26); };
+    const auto step_share = [](double inverse_depth) {
+        return inverse_depth * 0x1p26 - std::floor(inverse_depth * 0x1p26);
+    };
     depth = std::floor(depth * 0x1p21) * 0x1p-21;
     while (step_share(1 / depth) < 0.5 || step_share(1 / depth) > 0.503) depth -= 0x1p-21;
     return -depth;

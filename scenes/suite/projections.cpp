@@ -35,10 +35,10 @@ Loaded off_axis(ImageSize size) {
     MeshBuilder mesh("off_axis");
     Random random(16);
     add_town(mesh, random);
-    const Lens lens{.half_height = 0.5, .near_depth = 0.5, .far_depth = 200};
+    const Intrinsics intrinsics{.half_height = 0.5, .near_depth = 0.5, .far_depth = 200};
     const auto shifted = [&](const char* name, double eye_x, const glm::dvec2& shift) {
-        View view =
-            perspective_view(name, size, {.eye_world = {eye_x, 14, 44}, .target_world = {eye_x, 5, 0}}, lens);
+        View view = perspective_view(
+            name, size, {.eye_world = {eye_x, 14, 44}, .target_world = {eye_x, 5, 0}}, intrinsics);
         view.camera.window.left += shift.x;
         view.camera.window.right += shift.x;
         view.camera.window.bottom += shift.y;
@@ -65,8 +65,8 @@ Loaded oblique(ImageSize size) {
     MeshBuilder mesh("oblique");
     Random random(18);
     add_town(mesh, random);
-    const auto sheared = [&](const char* name, const Stance& stance, const glm::dvec2& shear) {
-        View view = parallel_view(name, size, stance, {.half_height = 22, .near_depth = 1, .far_depth = 200});
+    const auto sheared = [&](const char* name, const CameraPose& pose, const glm::dvec2& shear) {
+        View view = parallel_view(name, size, pose, {.half_height = 22, .near_depth = 1, .far_depth = 200});
         view.camera.shear = shear;
         const glm::dvec2 shift = shear * 60.0;  // keeps what lies at depth 60 where it was
         view.camera.window.left -= shift.x;

@@ -52,11 +52,12 @@ Loaded room(ImageSize size) {
         add_torus(mesh, {{x - 0.3, 0.86, -0.8}, random.rotation() * 0.25}, 0.3, {.across = 40, .down = 16});
         add_sphere(mesh, {{x + 0.35, 0.92, -0.7}, glm::dmat3(0.15)}, {.across = 28, .down = 14});
     }
-    const Lens lens{.half_height = 0.6, .near_depth = 0.05, .far_depth = 50};
+    const Intrinsics intrinsics{.half_height = 0.6, .near_depth = 0.05, .far_depth = 50};
     return mesh.finish(
-        {perspective_view("door", size, {.eye_world = {3.6, 1.65, 2.7}, .target_world = {-1.5, 1, -1}}, lens),
+        {perspective_view("door", size, {.eye_world = {3.6, 1.65, 2.7}, .target_world = {-1.5, 1, -1}},
+                          intrinsics),
          perspective_view("floor", size, {.eye_world = {-3.2, 0.15, 2}, .target_world = {2, 0.9, -2}},
-                          lens)});
+                          intrinsics)});
 }
 
 }  // namespace zproof::suite

@@ -47,12 +47,13 @@ Loaded textured_ground(ImageSize size) {
         const double depth = 8.0 * (1 << (i / 2)), x = (i % 2 == 0 ? -0.45 : 0.3) * depth;
         add_box_between(mesh, {x, 0, -depth - 2}, {x + 0.8, random.uniform(1, 3), -depth});
     }
-    const Lens lens{.half_height = 0.5, .near_depth = 0.25, .far_depth = 10'000};
+    const Intrinsics intrinsics{.half_height = 0.5, .near_depth = 0.25, .far_depth = 10'000};
     Loaded loaded = mesh.finish(
-        {perspective_view("level", size, {.eye_world = {0, 1.75, 0}, .target_world = {1, 1.5, -10}}, lens),
+        {perspective_view("level", size, {.eye_world = {0, 1.75, 0}, .target_world = {1, 1.5, -10}},
+                          intrinsics),
          perspective_view("banked", size,
                           {.eye_world = {3, 12, 8}, .target_world = {-2, 6, -20}, .up_world = {0.4, 1, 0}},
-                          lens)});
+                          intrinsics)});
     wrap_ground(loaded.scene);
     return loaded;
 }

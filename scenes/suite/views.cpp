@@ -7,19 +7,21 @@ Window centred_window(ImageSize size, double half_height) {
     return {.left = -half_width, .right = half_width, .bottom = -half_height, .top = half_height};
 }
 
-View perspective_view(const std::string& name, ImageSize size, const Stance& stance, const Lens& lens) {
+View perspective_view(const std::string& name, ImageSize size, const CameraPose& pose,
+                      const Intrinsics& intrinsics) {
     View view{.name = name,
-              .camera = look_at(stance.eye_world, stance.target_world, stance.up_world),
+              .camera = look_at(pose.eye_world, pose.target_world, pose.up_world),
               .width = size.width,
               .height = size.height};
-    view.camera.window = centred_window(size, lens.half_height);
-    view.camera.near_depth = lens.near_depth;
-    view.camera.far_depth = lens.far_depth;
+    view.camera.window = centred_window(size, intrinsics.half_height);
+    view.camera.near_depth = intrinsics.near_depth;
+    view.camera.far_depth = intrinsics.far_depth;
     return view;
 }
 
-View parallel_view(const std::string& name, ImageSize size, const Stance& stance, const Lens& lens) {
-    View view = perspective_view(name, size, stance, lens);
+View parallel_view(const std::string& name, ImageSize size, const CameraPose& pose,
+                   const Intrinsics& intrinsics) {
+    View view = perspective_view(name, size, pose, intrinsics);
     view.camera.projection = Projection::parallel;
     return view;
 }

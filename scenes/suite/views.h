@@ -14,17 +14,19 @@ struct ImageSize {
     double aspect() const { return static_cast<double>(width) / height; }
 };
 
-struct Stance {
+struct CameraPose {
     glm::dvec3 eye_world{0.0}, target_world{0, 0, -1}, up_world{0, 1, 0};
 };
 
-struct Lens {
+struct Intrinsics {
     double half_height = 0.5;  ///< of the window: a tangent for perspective, scene units for parallel views
     double near_depth = 0.1, far_depth = 1000;
 };
 
-View perspective_view(const std::string& name, ImageSize size, const Stance& stance, const Lens& lens);
-View parallel_view(const std::string& name, ImageSize size, const Stance& stance, const Lens& lens);
+View perspective_view(const std::string& name, ImageSize size, const CameraPose& pose,
+                      const Intrinsics& intrinsics);
+View parallel_view(const std::string& name, ImageSize size, const CameraPose& pose,
+                   const Intrinsics& intrinsics);
 
 /// The window that is 2 half_height high, as wide as the image asks for, and centred on the axis.
 Window centred_window(ImageSize size, double half_height);

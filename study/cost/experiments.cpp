@@ -105,9 +105,9 @@ std::string constant_meaning(const std::string& name) {
 }
 
 Quantities quantities_of(const Scene& scene, const View& view) {
-    const rasterizer::Tricks plain{.hierarchical_z = rasterizer::HierarchicalZ::none};
+    const rasterizer::Optimizations plain{.hierarchical_z = rasterizer::HierarchicalZ::none};
     const rasterizer::Work work =
-        rasterizer::Pipeline(rasterizer::lawful_rules, rasterizer::widest_kernel(), plain)
+        rasterizer::Pipeline(rasterizer::correct_rules, rasterizer::widest_kernel(), plain)
             .count_work(scene, view);
     return {double(work.vertices), double(work.bins.set_up), double(work.tally.fragments),
             double(work.pixels), double(work.tally.blocks)};

@@ -10,7 +10,7 @@
 namespace zproof::study::cost {
 namespace {
 
-constexpr rasterizer::Tricks no_tricks{.hierarchical_z = rasterizer::HierarchicalZ::none};
+constexpr rasterizer::Optimizations no_optimizations{.hierarchical_z = rasterizer::HierarchicalZ::none};
 
 void clear(Frame& frame, const rasterizer::PixelRect& pixels) {
     for (int y = pixels.y0; y < pixels.y1; ++y)
@@ -42,7 +42,7 @@ std::string words_for(Stages::Set stages) {
 
 LecturePipeline::LecturePipeline(const Scene& scene, const View& view)
     : scene_(scene),
-      setup_(view, rasterizer::lawful_rules, no_tricks),
+      setup_(view, rasterizer::correct_rules, no_optimizations),
       eye_world_(view.camera.eye_world),
       normals_(scene.vertices.normal_world),
       bus_positions_(scene.vertices.position_world.size()),
@@ -67,12 +67,12 @@ void LecturePipeline::rasterize() {
     const rasterizer::Kernel& kernel = rasterizer::widest_kernel();
     for (std::size_t i = 0; i < bins_.tiles().count(); ++i) {
         const rasterizer::PixelRect pixels = bins_.tiles().pixels(i, setup_.size);
-        if (bins_.places_in(i).empty()) {
+        if (bins_.entries_in(i).empty()) {
             clear(frame_, pixels);
             continue;
         }
         rasterizer::Tile tile(kernel, pixels, setup_);
-        tile.draw(bins_.triangles(), {bins_.places_in(i)});
+        tile.draw(bins_.triangles(), {bins_.entries_in(i)});
         tile.resolve(frame_);
     }
     kernel.publish();

@@ -1,9 +1,9 @@
-/// The cost study: the lecture's model fitted to generated scenes, held against real ones, and the tricks
-/// that make its terms smaller.
+/// The cost study: the lecture's model fitted to generated scenes, held against real ones, and the
+/// optimizations that make its terms smaller.
 #pragma once
 
 #include "study/cost/experiments.h"
-#include "study/cost/tricks_study.h"
+#include "study/cost/optimizations_study.h"
 
 namespace zproof::study::cost {
 

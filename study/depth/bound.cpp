@@ -22,7 +22,7 @@ double binary_logarithm(const Constants& c, double depth) { return std::abs(std:
 
 /// Weighted arithmetic over weighted harmonic mean, less 1, is at most this (Kantorovich 1948); geometric
 /// means lie between the two.
-double excess_of_means(const Place& p) {
+double excess_of_means(const DepthSample& p) {
     const double difference = p.farthest - p.nearest;
     return difference * difference / (4 * p.nearest * p.farthest);
 }
@@ -83,11 +83,11 @@ double corner_error(const Coder& coder, double depth) {
 }
 
 /// Each coding is monotone in depth, and so is each term above in |s|, |z| or 1/d: an end decides.
-double largest_corner_error(const Coder& coder, const Place& p) {
+double largest_corner_error(const Coder& coder, const DepthSample& p) {
     return std::max(corner_error(coder, p.nearest), corner_error(coder, p.farthest));
 }
 
-double largest_s(const Coder& coder, const Place& p) {
+double largest_s(const Coder& coder, const DepthSample& p) {
     return std::max(std::abs(coder.ideal(p.nearest)), std::abs(coder.ideal(p.farthest)));
 }
 
@@ -109,30 +109,30 @@ double coded_at_pixel(const Coder& coder, double depth, double share) {
 
 /// 1/d: corner, its reciprocal, weight, product and two sums are 6 roundings; b times it, or 1 / it and the
 /// product with 1/n, and what compounding costs are 3 more.
-double error_by_reciprocal(const Coder& coder, const Place& p) {
+double error_by_reciprocal(const Coder& coder, const DepthSample& p) {
     return coded_at_pixel(coder, p.depth, g(9) + 3 * p.weight_error * p.depth / p.nearest);
 }
 
 /// d: corner, weight, product and two sums are 5 roundings; coding a d like a corner's adds that.
-double error_by_depth(const Coder& coder, const Place& p) {
+double error_by_depth(const Coder& coder, const DepthSample& p) {
     return s_of_share(coder, p.depth, g(6) + 3 * p.weight_error * p.farthest / p.depth) +
            corner_error(coder, p.depth);
 }
 
-double error_by_corners(const Coder& coder, const Place& p) {
+double error_by_corners(const Coder& coder, const DepthSample& p) {
     const double s = largest_s(coder, p);
     return largest_corner_error(coder, p) + g(4) * s + 3 * p.weight_error * s;
 }
 
 /// Every sum rounds what is no larger than `largest`, every step is rounded once. The start and both steps
 /// are made of barycentrics, hence 12 weights in all.
-double error_by_steps(const Coder& coder, const Place& p) {
+double error_by_steps(const Coder& coder, const DepthSample& p) {
     return largest_corner_error(coder, p) + g(p.across + p.down + 2) * p.largest +
            g(1) * (p.across * std::abs(p.per_x) + p.down * std::abs(p.per_y)) +
            12 * p.weight_error * std::max(p.largest, largest_s(coder, p));
 }
 
-double own_error(const Coder& coder, Interpolation interpolation, const Place& p) {
+double own_error(const Coder& coder, Interpolation interpolation, const DepthSample& p) {
     switch (interpolation) {
         case Interpolation::reciprocal:
             return error_by_reciprocal(coder, p);
@@ -158,14 +158,14 @@ double step_of(Store store, double s) {
     return infinite;
 }
 
-Place place_around(double depth, double spread) {
+DepthSample place_around(double depth, double spread) {
     return {.depth = depth, .nearest = depth / spread, .farthest = depth * spread};
 }
 
 /// The difference in s from which on two layers at these depths keep their order: a step of the store, and
 /// both errors. The last rounding to float32 is monotone, so it costs a float32 buffer no more than its step.
-double certain_difference(const Coder& coder, Interpolation interpolation, const Place& one,
-                          const Place& other) {
+double certain_difference(const Coder& coder, Interpolation interpolation, const DepthSample& one,
+                          const DepthSample& other) {
     const double s = std::max(std::abs(coder.ideal(one.depth)), std::abs(coder.ideal(other.depth)));
     const ErrorOfS a = error_of_s(coder, interpolation, one), b = error_of_s(coder, interpolation, other);
     const bool is_float = coder.format().store == Store::float32;
@@ -174,11 +174,11 @@ double certain_difference(const Coder& coder, Interpolation interpolation, const
     return (step_of(coder.format().store, s) + a.own + b.own + lasts) * (1 + g(2));
 }
 
-enum class Side { behind, before };
+enum class GapSide { behind, before };
 
 /// Where s has changed by `difference`; nothing where that is beyond the planes.
-double moved(const Coder& coder, double depth, double difference, Side side) {
-    const bool s_grows = (side == Side::behind) == grows_with_depth(coder.format().coding);
+double moved(const Coder& coder, double depth, double difference, GapSide side) {
+    const bool s_grows = (side == GapSide::behind) == grows_with_depth(coder.format().coding);
     const double s = coder.ideal(depth) + (s_grows ? difference : -difference);
     if (s < 0 || s > 1) return infinite;
     return coder.depth_of(s);
@@ -186,7 +186,7 @@ double moved(const Coder& coder, double depth, double difference, Side side) {
 
 /// The other layer's depth decides its own error, so the difference is worked out again where it led to: each
 /// round corrects the one before by a share of the order of u.
-double smallest_gap(const Coder& coder, Interpolation interpolation, const Place& here, Side side) {
+double smallest_gap(const Coder& coder, Interpolation interpolation, const DepthSample& here, GapSide side) {
     const double spread = here.depth / here.nearest;
     double there = here.depth;
     for (int round = 0; round < 4 && std::isfinite(there); ++round)
@@ -204,7 +204,7 @@ double weight_error_of(const Drawn& triangle, double reach_px) {
     return 8 * 0x1p-48 * reach_px * longest / std::abs(triangle.doubled_area());
 }
 
-ErrorOfS error_of_s(const Coder& coder, Interpolation interpolation, const Place& p) {
+ErrorOfS error_of_s(const Coder& coder, Interpolation interpolation, const DepthSample& p) {
     const bool is_right = is_right_for(interpolation, coder.format().coding);
     return {.common = std::max(common_error(coder, p.nearest), common_error(coder, p.farthest)),
             .own = own_error(coder, interpolation, p),
@@ -212,7 +212,7 @@ ErrorOfS error_of_s(const Coder& coder, Interpolation interpolation, const Place
             .systematic = is_right ? 0 : s_of_share(coder, p.depth, excess_of_means(p))};
 }
 
-double depth_bound(const Coder& coder, Interpolation interpolation, const Place& p) {
+double depth_bound(const Coder& coder, Interpolation interpolation, const DepthSample& p) {
     const ErrorOfS e = error_of_s(coder, interpolation, p);
     const Store store = coder.format().store;
     const double storing = store == Store::float32 ? 0 : step_of(store, 1) / 2;
@@ -226,11 +226,11 @@ double depth_bound(const Coder& coder, Interpolation interpolation, const Place&
 }
 
 double smallest_gap_behind(const Coder& coder, Interpolation interpolation, double depth, double spread) {
-    return smallest_gap(coder, interpolation, place_around(depth, spread), Side::behind);
+    return smallest_gap(coder, interpolation, place_around(depth, spread), GapSide::behind);
 }
 
 double smallest_gap_before(const Coder& coder, Interpolation interpolation, double depth, double spread) {
-    return smallest_gap(coder, interpolation, place_around(depth, spread), Side::before);
+    return smallest_gap(coder, interpolation, place_around(depth, spread), GapSide::before);
 }
 
 double worst_gap(const Format& format, const Planes& planes) {

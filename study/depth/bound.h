@@ -7,7 +7,7 @@
 namespace zproof::study::depth {
 
 /// Where a depth is worked out.
-struct Place {
+struct DepthSample {
     double depth = 1;                  ///< exact, at the pixel
     double nearest = 1, farthest = 1;  ///< of the triangle's corners
     double weight_error = 0;           ///< of a barycentric beside its rounding to float32 (weight_error_of)
@@ -27,11 +27,11 @@ struct ErrorOfS {
     double last = 0;        ///< by the last rounding to float32
     double systematic = 0;  ///< by interpolating what is not affine in the image
 };
-ErrorOfS error_of_s(const Coder& coder, Interpolation interpolation, const Place& place);
+ErrorOfS error_of_s(const Coder& coder, Interpolation interpolation, const DepthSample& place);
 
 /// The largest |depth_of(stored) - depth| that the arithmetic may leave, scene units; +inf where even s = 0
 /// or s = 1 cannot be told.
-double depth_bound(const Coder& coder, Interpolation interpolation, const Place& place);
+double depth_bound(const Coder& coder, Interpolation interpolation, const DepthSample& place);
 
 /// The least distance behind (in front of) a layer at this depth from which on another one is ordered right
 /// for certain, both seen through the same pixel and drawn alike: corners within depth / spread and depth *

@@ -9,7 +9,7 @@ namespace zproof::study::depth {
 namespace {
 
 using enum Coding;
-using enum Range;
+using enum NdcRange;
 using enum Store;
 
 constexpr std::array all_formats{

@@ -18,7 +18,7 @@ enum class Coding {
 };
 
 /// The interval that the projection matrix maps near and far to, before the window's [0, 1].
-enum class Range {
+enum class NdcRange {
     zero_to_one,       ///< Direct3D, Vulkan
     minus_one_to_one,  ///< OpenGL: halved and moved by 1/2 on the way to the window
 };
@@ -32,7 +32,7 @@ enum class Store {
 struct Format {
     const char* name = "";
     Coding coding = Coding::z;
-    Range range = Range::zero_to_one;
+    NdcRange range = NdcRange::zero_to_one;
     Store store = Store::float32;
 };
 

@@ -27,13 +27,13 @@ std::array<glm::dvec3, 3> corners_of(const Scene& scene, std::uint32_t triangle)
 }
 
 template <class Number>
-std::optional<Number> nearness_at(const Sights<Number>& sights, Pixel p,
-                                  const std::array<glm::dvec3, 3>& corners) {
+std::optional<Number> inverse_depth_at(const ViewRays<Number>& rays, Pixel p,
+                                       const std::array<glm::dvec3, 3>& corners) {
     const Corners<Number> exact{exactly<Number>(corners[0]), exactly<Number>(corners[1]),
                                 exactly<Number>(corners[2])};
-    const auto nearness = nearness_of(sights.at(p.x, p.y), exact);
-    if (!nearness) return std::nullopt;
-    return nearness->c;
+    const auto inverse_depth = inverse_depth_of(rays.at(p.x, p.y), exact);
+    if (!inverse_depth) return std::nullopt;
+    return inverse_depth->c;
 }
 
 /// The plane's depth at the pixel's centre; NaN where the plane holds the eye.
@@ -43,20 +43,20 @@ class ExactDepths {
 
     double at(Pixel p, const std::array<glm::dvec3, 3>& corners) const {
         try {
-            const auto nearness = nearness_at(quick_, p, corners);
-            if (!nearness) return no_depth;
-            const Interval depth = Interval{1} / *nearness;
+            const auto inverse_depth = inverse_depth_at(quick_, p, corners);
+            if (!inverse_depth) return no_depth;
+            const Interval depth = Interval{1} / *inverse_depth;
             if (radius(depth) <= 0x1p-40 * std::abs(middle(depth))) return middle(depth);
         } catch (const UndecidedSign&) {
         }
-        const auto nearness = nearness_at(last_, p, corners);
-        if (!nearness || sign(*nearness) == 0) return no_depth;
-        return (1 / *nearness).convert_to<double>();
+        const auto inverse_depth = inverse_depth_at(last_, p, corners);
+        if (!inverse_depth || sign(*inverse_depth) == 0) return no_depth;
+        return (1 / *inverse_depth).convert_to<double>();
     }
 
   private:
-    Sights<Interval> quick_;
-    Sights<Rational> last_;
+    ViewRays<Interval> quick_;
+    ViewRays<Rational> last_;
 };
 
 /// A corner in camera space; z is the depth, positive.
@@ -192,11 +192,11 @@ std::vector<Pixel> places(const SeenTriangle& seen) {
 }
 
 /// What `forward` does on a triangle, for its bound.
-Place place_of(const SeenTriangle& seen, const Coder& coder, std::span<const Pixel> pixels) {
+DepthSample place_of(const SeenTriangle& seen, const Coder& coder, std::span<const Pixel> pixels) {
     const auto& d = seen.drawn.depth;
-    Place place{.nearest = std::min({d[0], d[1], d[2]}),
-                .farthest = std::max({d[0], d[1], d[2]}),
-                .weight_error = seen.weight_error};
+    DepthSample place{.nearest = std::min({d[0], d[1], d[2]}),
+                      .farthest = std::max({d[0], d[1], d[2]}),
+                      .weight_error = seen.weight_error};
     const Pixel start = start_of(pixels);
     const Plane3 plane =
         plane_through(seen.drawn, {coder.of_depth(d[0]), coder.of_depth(d[1]), coder.of_depth(d[2])}, start);
@@ -223,7 +223,7 @@ struct PixelError {
 std::vector<PixelError> errors_of(const SeenTriangle& seen, const Coder& coder, Interpolation how) {
     const std::vector<Pixel> pixels = places(seen);
     const std::vector<float> s = interpolated(seen.drawn, pixels, coder, how);
-    Place place = place_of(seen, coder, pixels);
+    DepthSample place = place_of(seen, coder, pixels);
     std::vector<PixelError> errors;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const double exact = seen.pixels[i].depth;

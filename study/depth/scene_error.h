@@ -56,7 +56,7 @@ ErrorSpread error_spread(const Seen& seen, const Format& format, Interpolation i
                          const Planes& planes);
 
 /// Of all pixels, the share at which a second layer, the same triangle with every corner `delta` (scene
-/// units) deeper along its line of sight, is not farther in the buffer. Corners coded alike, 1/d
+/// units) deeper along its view ray, is not farther in the buffer. Corners coded alike, 1/d
 /// interpolated.
 double fighting_share(const Seen& seen, const Format& format, const Planes& planes, double delta);
 

@@ -66,7 +66,7 @@ Choice cheapest(double ratio, double gap_of_far) {
     Choice choice{ratio, gap_of_far, {}};
     int bits = 0;
     for (const WorstGap& one : worst_gaps({1, ratio}, gap_of_far * ratio)) {
-        if (!one.holds || one.format.range == Range::minus_one_to_one) continue;
+        if (!one.holds || one.format.range == NdcRange::minus_one_to_one) continue;
         if (bits != 0 && bits_of(one.format.store) != bits) continue;
         bits = bits_of(one.format.store);
         choice.names.push_back(one.format.name);

@@ -12,13 +12,13 @@
 namespace zproof::study {
 
 /// A method with its settings, as somebody asked for it.
-struct Contestant {
+struct ConfiguredMethod {
     std::string label;  ///< unique within a plan
     rasterizer::Texturing texturing;
 };
 
 struct Plan {
-    std::vector<Contestant> contestants;
+    std::vector<ConfiguredMethod> methods;
     oracle::Reconstruction truth = oracle::Reconstruction::bilinear;
     int flicker_steps = 2;  ///< further views, each shifted by flicker_step_px; 0: flicker is not measured
     /// Rows above it count in the regions "all" and "horizon" only, and cost nothing: where a plane ends in
@@ -29,14 +29,14 @@ struct Plan {
 /// From view to view of the flicker measure, pixels: neither a round fraction nor along an axis.
 inline constexpr double flicker_step_x_px = 0.37, flicker_step_y_px = 0.23;
 
-/// Who watches a study.
-struct Audience {
+/// Follows a study.
+struct ProgressSink {
     std::function<void(const std::string& what)> begins;  ///< "truth", "trilinear-gl"; then a unit is done
     std::function<void(const std::string& name, const Picture&)> is_shown;  ///< "truth", or a label
     std::function<bool()> wants_to_stop;
 };
 
-/// Units of work of one view, each announced by Audience::begins.
-inline int units_of(const Plan& plan) { return 1 + int(plan.contestants.size()); }
+/// Units of work of one view, each announced by ProgressSink::begins.
+inline int units_of(const Plan& plan) { return 1 + int(plan.methods.size()); }
 
 }  // namespace zproof::study

@@ -11,21 +11,21 @@ namespace {
 
 using oracle::TruthKind;
 
-struct Place {
+struct PixelFacts {
     const Patch& patch;
     TruthKind kind;
 };
 
 struct Rule {
     RegionCard card;
-    std::function<bool(const Place&)> holds;
+    std::function<bool(const PixelFacts&)> holds;
 };
 
 /// A class of its own for round footprints, which rounding would else spread over two: up to an eighth of an
 /// octave, 2^(1/8).
 constexpr double isotropic = 1.0905;
 
-bool is_interior(const Place& p) { return p.kind == TruthKind::interior && p.patch.is_textured(); }
+bool is_interior(const PixelFacts& p) { return p.kind == TruthKind::interior && p.patch.is_textured(); }
 
 double anisotropy(const Patch& patch) { return patch.major / patch.minor; }
 
@@ -37,7 +37,7 @@ void add_anisotropies(std::vector<Rule>& rules) {
         rules.push_back(
             {{std::string{"anisotropy "} + names[i],
               i == 0 ? "interior, major axis below 1.09 minor axes" : "interior, major / minor axis"},
-             [=](const Place& p) {
+             [=](const PixelFacts& p) {
                  return is_interior(p) && anisotropy(p.patch) >= low && anisotropy(p.patch) < high;
              }});
     }
@@ -54,7 +54,7 @@ void add_angles(std::vector<Rule>& rules) {
         rules.push_back(
             {{"angle " + degrees(low) + "-" + degrees(low + step),
               "interior, anisotropy 2 and more, degrees of the major axis to the texture's u axis"},
-             [=](const Place& p) {
+             [=](const PixelFacts& p) {
                  const double angle = std::min(p.patch.angle_degrees, 90 - 1e-9);
                  return is_interior(p) && anisotropy(p.patch) >= 2 && angle >= low && angle < low + step;
              }});
@@ -62,16 +62,16 @@ void add_angles(std::vector<Rule>& rules) {
 
 std::vector<Rule> all_rules() {
     std::vector<Rule> rules{
-        {{"all", "every pixel of the image"}, [](const Place&) { return true; }},
+        {{"all", "every pixel of the image"}, [](const PixelFacts&) { return true; }},
         {{"interior", "one continuous textured surface all over the pixel"}, is_interior},
         {{"silhouette", "several surfaces, or an edge, within the pixel; the truth is exact"},
-         [](const Place& p) { return p.kind == TruthKind::silhouette; }},
+         [](const PixelFacts& p) { return p.kind == TruthKind::silhouette; }},
         {{"sampled", "the truth is an estimate from samples"},
-         [](const Place& p) { return p.kind == TruthKind::sampled; }},
+         [](const PixelFacts& p) { return p.kind == TruthKind::sampled; }},
         {{"magnified", "interior, minor axis below 1 texel"},
-         [](const Place& p) { return is_interior(p) && p.patch.minor < 1; }},
+         [](const PixelFacts& p) { return is_interior(p) && p.patch.minor < 1; }},
         {{"horizon", "textured, major axis longer than the texture's longer side"},
-         [](const Place& p) { return p.patch.is_textured() && p.patch.major > p.patch.longest_side; }}};
+         [](const PixelFacts& p) { return p.patch.is_textured() && p.patch.major > p.patch.longest_side; }}};
     add_anisotropies(rules);
     add_angles(rules);
     return rules;

@@ -55,9 +55,9 @@ Plane<T> from_row(Plane<T> plane, int first_row, T value) {
 }
 
 /// One view under study.
-class Stage {
+class MeasuredView {
   public:
-    Stage(const Scene& scene, const View& view, const Plan& plan)
+    MeasuredView(const Scene& scene, const View& view, const Plan& plan)
         : scene_(scene), textures_(source_textures(scene)) {
         std::vector<Plane<oracle::TruthKind>> kinds;
         for (int step = 0; step <= plan.flicker_steps; ++step) {
@@ -77,17 +77,17 @@ class Stage {
         lookups_ = lookups(scene, view, counted, most_lookups);
     }
 
-    MethodScore score(const Contestant& contestant, const Audience& audience) const {
+    MethodScore score(const ConfiguredMethod& configured_method, const ProgressSink& progress_sink) const {
         std::vector<LinearPicture> pictures;
         for (std::size_t k = 0; k < pan_.views.size(); ++k) {
             const Picture picture =
-                rasterizer::filtered(scene_, pan_.views[k], pan_.frames[k], contestant.texturing);
-            if (k == 0) audience.is_shown(contestant.label, picture);
+                rasterizer::filtered(scene_, pan_.views[k], pan_.frames[k], configured_method.texturing);
+            if (k == 0) progress_sink.is_shown(configured_method.label, picture);
             pictures.push_back(in_double(picture));
         }
-        return {.label = contestant.label,
+        return {.label = configured_method.label,
                 .regions = scores(pictures[0], pan_.truths[0], half_width_, regions_),
-                .cost = cost_of(contestant.texturing, textures_, lookups_),
+                .cost = cost_of(configured_method.texturing, textures_, lookups_),
                 .flicker = flicker(pictures, pan_.truths, steady_),
                 .file = {}};
     }
@@ -121,31 +121,32 @@ StudyResults begun(const Plan& plan) {
         results.metrics.push_back({std::string{m.name}, std::string{m.definition}, std::string{m.source},
                                    m.better == Better::higher, m.decimals});
     results.regions = region_cards();
-    for (const Contestant& c : plan.contestants) {
+    for (const ConfiguredMethod& c : plan.methods) {
         const texture::DefinitionCard& card = c.texturing.method.card;
         results.methods.push_back({c.label, card.footprint, card.lod, card.taps, card.source});
     }
     return results;
 }
 
-ViewStudy study_view(const Scene& scene, const View& view, const Plan& plan, const Audience& audience) {
-    audience.begins("truth");
-    const Stage stage{scene, view, plan};
-    audience.is_shown("truth", stage.truth());
+ViewStudy study_view(const Scene& scene, const View& view, const Plan& plan,
+                     const ProgressSink& progress_sink) {
+    progress_sink.begins("truth");
+    const MeasuredView measured_view{scene, view, plan};
+    progress_sink.is_shown("truth", measured_view.truth());
     ViewStudy study{.scene = scene.name,
                     .view = view.name,
                     .reason = {},
                     .width = view.width,
                     .height = view.height,
                     .first_row = plan.first_row,
-                    .textures = stage.texture_sizes(),
+                    .textures = measured_view.texture_sizes(),
                     .methods = {},
                     .truth_file = {},
-                    .truth_seconds = stage.truth_seconds()};
-    for (const Contestant& contestant : plan.contestants) {
-        if (audience.wants_to_stop()) break;
-        audience.begins(contestant.label);
-        study.methods.push_back(stage.score(contestant, audience));
+                    .truth_seconds = measured_view.truth_seconds()};
+    for (const ConfiguredMethod& configured_method : plan.methods) {
+        if (progress_sink.wants_to_stop()) break;
+        progress_sink.begins(configured_method.label);
+        study.methods.push_back(measured_view.score(configured_method, progress_sink));
     }
     return study;
 }

@@ -17,7 +17,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using Exact = Point2<Rational>;
 
-enum class Place { on_canvas, off_canvas, behind_eye };
+enum class CanvasRegion { on_canvas, off_canvas, behind_eye };
 
 /// What one route, in one type, made of one vertex.
 struct Outcome {
@@ -30,7 +30,7 @@ struct Outcome {
 
 struct Vertex {
     std::uint32_t index = 0;
-    Place place = Place::behind_eye;
+    CanvasRegion place = CanvasRegion::behind_eye;
     bool is_on_pixel_border = false;
     double x = 0, y = 0, depth = 0;
     int pixel_x = 0, pixel_y = 0;
@@ -39,16 +39,16 @@ struct Vertex {
 
 /// A route in a machine type and in exact arithmetic.
 template <class Number>
-struct Twin {
+struct RoutePair {
     Route<Number> rounded;
     Route<Rational> exact;
 };
 
 template <class Number>
-std::vector<Twin<Number>> twins(const View& view) {
-    const auto rounded = routes(lens_of<Number>(view));
-    const auto exact = routes(lens_of<Rational>(view));
-    std::vector<Twin<Number>> both;
+std::vector<RoutePair<Number>> route_pairs(const View& view) {
+    const auto rounded = routes(camera_of<Number>(view));
+    const auto exact = routes(camera_of<Rational>(view));
+    std::vector<RoutePair<Number>> both;
     // The canvas about the axis is found by an equation that rounding keeps: both lists hold the same routes.
     for (std::size_t i = 0; i < std::min(rounded.size(), exact.size()); ++i)
         if (rounded[i].card.kind == RouteKind::lesson && rounded[i].card.name == exact[i].card.name)
@@ -117,16 +117,16 @@ bool is_pixel(const Exact& p, const Vertex& vertex) {
 
 /// Ends after each operation, the exact one first; empty where one is no number.
 template <class Number>
-std::vector<Exact> ends_of(const Twin<Number>& twin, const Vector3<Number>& p_world) {
+std::vector<Exact> ends_of(const RoutePair<Number>& route_pair, const Vector3<Number>& p_world) {
     std::vector<Exact> ends;
     Travel<Number> travel = departure(p_world);
     for (std::size_t i = 0;; ++i) {
         if (!is_finite(travel)) return {};
-        const auto end = exact_end(twin.exact, exactly_there(travel), i);
+        const auto end = exact_end(route_pair.exact, exactly_there(travel), i);
         if (!end) return {};
         ends.push_back(*end);
-        if (i == twin.rounded.operations.size()) return ends;
-        travel = twin.rounded.operations[i].apply(travel);
+        if (i == route_pair.rounded.operations.size()) return ends;
+        travel = route_pair.rounded.operations[i].apply(travel);
     }
 }
 
@@ -139,10 +139,10 @@ bool calls_on_canvas(const View& view, const Travel<Number>& end) {
 
 /// Matrices carry NDC depth, not camera depth, to raster space; their w is the depth.
 template <class Number>
-bool calls_on_canvas(const View& view, const Twin<Number>& twin, const Vector3<Number>& p_world) {
+bool calls_on_canvas(const View& view, const RoutePair<Number>& route_pair, const Vector3<Number>& p_world) {
     Travel<Number> travel = departure(p_world);
     Number depth = 1;
-    for (const Operation<Number>& operation : twin.rounded.operations) {
+    for (const Operation<Number>& operation : route_pair.rounded.operations) {
         travel = operation.apply(travel);
         if (operation.arrives == Space::clip) depth = travel.at[3];
         if (operation.arrives == Space::screen || operation.arrives == Space::screen_at_one)
@@ -153,13 +153,13 @@ bool calls_on_canvas(const View& view, const Twin<Number>& twin, const Vector3<N
 }
 
 template <class Number>
-void follow(const View& view, const std::vector<Twin<Number>>& all, const glm::vec3& p, Vertex& vertex) {
+void follow(const View& view, const std::vector<RoutePair<Number>>& all, const glm::vec3& p, Vertex& vertex) {
     const Vector3<Number> p_world{Number(p.x), Number(p.y), Number(p.z)};
-    for (const Twin<Number>& twin : all) {
+    for (const RoutePair<Number>& route_pair : all) {
         Outcome outcome;
-        outcome.is_on_canvas = calls_on_canvas(view, twin, p_world);
+        outcome.is_on_canvas = calls_on_canvas(view, route_pair, p_world);
         const std::vector<Exact> ends =
-            vertex.place == Place::on_canvas ? ends_of(twin, p_world) : std::vector<Exact>{};
+            vertex.place == CanvasRegion::on_canvas ? ends_of(route_pair, p_world) : std::vector<Exact>{};
         for (std::size_t i = 1; i < ends.size(); ++i) {
             outcome.costs_px.push_back(larger_difference(ends[i], ends[i - 1]));
             if (is_pixel(ends[i - 1], vertex)) outcome.lost_at = int(i) - 1;
@@ -177,17 +177,17 @@ void follow(const View& view, const std::vector<Twin<Number>>& all, const glm::v
 bool is_whole(const Rational& a) { return boost::multiprecision::denominator(a) == 1; }
 
 /// The exact place, by the first route.
-Vertex placed(const View& view, const Route<Rational>& route, const Lens<Rational>& lens,
+Vertex placed(const View& view, const Route<Rational>& route, const NumericCamera<Rational>& camera,
               const glm::vec3& p) {
     Vertex vertex;
     const Vector3<Rational> p_world = exactly<Rational>(glm::dvec3(p));
-    const Rational depth = -dot(lens.to_camera[2], p_world - lens.eye);
+    const Rational depth = -dot(camera.to_camera[2], p_world - camera.eye);
     vertex.depth = in_double(depth);
-    if (lens.projection == Projection::perspective && depth <= 0) return vertex;
+    if (camera.projection == Projection::perspective && depth <= 0) return vertex;
     const Travel<Rational> end = arrival(route, departure(p_world));
     const Rational &x = end.at[0], &y = end.at[1];
     const bool is_on = x >= 0 && x <= view.width && y >= 0 && y <= view.height;
-    vertex.place = is_on ? Place::on_canvas : Place::off_canvas;
+    vertex.place = is_on ? CanvasRegion::on_canvas : CanvasRegion::off_canvas;
     if (!is_on) return vertex;
     vertex.x = in_double(x), vertex.y = in_double(y);
     vertex.pixel_x = int(in_double(floor_of(x))), vertex.pixel_y = int(in_double(floor_of(y)));
@@ -219,11 +219,12 @@ Spread spread_of(std::vector<double> values) {
 }
 
 template <class Number>
-void name_routes(const std::vector<Twin<Number>>& all, const std::string& numbers, ViewAccuracy& accuracy) {
-    for (const Twin<Number>& twin : all) {
+void name_routes(const std::vector<RoutePair<Number>>& all, const std::string& numbers,
+                 ViewAccuracy& accuracy) {
+    for (const RoutePair<Number>& route_pair : all) {
         RouteScore score;
-        score.route = twin.rounded.card.name, score.numbers = numbers;
-        for (const Operation<Number>& operation : twin.rounded.operations)
+        score.route = route_pair.rounded.card.name, score.numbers = numbers;
+        for (const Operation<Number>& operation : route_pair.rounded.operations)
             score.operations.push_back({operation.stage, operation.name});
         accuracy.routes.push_back(std::move(score));
     }
@@ -231,9 +232,9 @@ void name_routes(const std::vector<Twin<Number>>& all, const std::string& number
 
 void count_place(const Vertex& vertex, ViewAccuracy& accuracy) {
     ++accuracy.studied;
-    if (vertex.place == Place::behind_eye) ++accuracy.behind_eye;
-    if (vertex.place == Place::off_canvas) ++accuracy.off_canvas;
-    if (vertex.place == Place::on_canvas) ++accuracy.on_canvas;
+    if (vertex.place == CanvasRegion::behind_eye) ++accuracy.behind_eye;
+    if (vertex.place == CanvasRegion::off_canvas) ++accuracy.off_canvas;
+    if (vertex.place == CanvasRegion::on_canvas) ++accuracy.on_canvas;
     if (vertex.is_on_pixel_border) ++accuracy.on_pixel_border;
 }
 
@@ -255,7 +256,7 @@ LostPixel lost_pixel(const Vertex& vertex, const Outcome& outcome, const RouteSc
 
 /// The outcome of one vertex, for one route's score.
 void count_outcome(const Vertex& vertex, const Outcome& outcome, RouteScore& score, ViewAccuracy& accuracy) {
-    const bool is_on = vertex.place == Place::on_canvas;
+    const bool is_on = vertex.place == CanvasRegion::on_canvas;
     if (outcome.is_on_canvas != is_on) ++score.other_side;
     if (!is_on) return;
     if (outcome.costs_px.empty()) ++score.no_number;
@@ -275,7 +276,7 @@ void finish_scores(const std::vector<Vertex>& vertices, ViewAccuracy& accuracy) 
         std::vector<double> px, ulp;
         for (const Vertex& vertex : vertices) {
             count_outcome(vertex, vertex.outcomes[r], score, accuracy);
-            if (vertex.place != Place::on_canvas) continue;
+            if (vertex.place != CanvasRegion::on_canvas) continue;
             px.push_back(vertex.outcomes[r].error.px), ulp.push_back(vertex.outcomes[r].error.ulp);
         }
         const double numbers = double(accuracy.on_canvas - score.no_number);
@@ -298,13 +299,13 @@ ViewAccuracy accuracy_of(const Scene& scene, const View& view, std::size_t most)
     ViewAccuracy accuracy;
     accuracy.vertices = positions.size();
     const std::vector<std::uint32_t> indices = chosen(positions, most, accuracy.not_finite);
-    const auto single = twins<float>(view);
-    const auto twice = twins<double>(view);
-    const Lens<Rational> lens = lens_of<Rational>(view);
+    const auto single = route_pairs<float>(view);
+    const auto twice = route_pairs<double>(view);
+    const NumericCamera<Rational> camera = camera_of<Rational>(view);
     std::vector<Vertex> vertices(indices.size());
     tbb::parallel_for(std::size_t{0}, indices.size(), [&](std::size_t i) {
         const glm::vec3& p = positions[indices[i]];
-        vertices[i] = placed(view, single.front().exact, lens, p);
+        vertices[i] = placed(view, single.front().exact, camera, p);
         vertices[i].index = indices[i];
         follow(view, single, p, vertices[i]);
         follow(view, twice, p, vertices[i]);
@@ -313,7 +314,7 @@ ViewAccuracy accuracy_of(const Scene& scene, const View& view, std::size_t most)
     name_routes(twice, "float64", accuracy);
     for (const Vertex& vertex : vertices) {
         count_place(vertex, accuracy);
-        if (vertex.place == Place::on_canvas) accuracy.rows.push_back(row_of(vertex));
+        if (vertex.place == CanvasRegion::on_canvas) accuracy.rows.push_back(row_of(vertex));
     }
     finish_scores(vertices, accuracy);
     return accuracy;

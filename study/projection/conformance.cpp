@@ -12,19 +12,19 @@ std::array<Vector3<Rational>, 3> turned_axes() {
     return {{{a, -b, a}, {a, a, -b}, {-b, a, a}}};
 }
 
-ProbeLens probe(std::string name, Projection projection, const Canvas<Rational>& canvas,
-                const Rational& near) {
-    ProbeLens probe{std::move(name), {}};
-    Lens<Rational>& lens = probe.lens;
-    lens.projection = projection;
-    lens.eye = {Rational(1) / 2, Rational(-3) / 4, Rational(5)};
-    lens.to_camera = turned_axes();
-    lens.canvas = canvas;
+ProbeCamera probe(std::string name, Projection projection, const Canvas<Rational>& canvas,
+                  const Rational& near) {
+    ProbeCamera probe{std::move(name), {}};
+    NumericCamera<Rational>& camera = probe.camera;
+    camera.projection = projection;
+    camera.eye = {Rational(1) / 2, Rational(-3) / 4, Rational(5)};
+    camera.to_camera = turned_axes();
+    camera.canvas = canvas;
     const Rational at = projection == Projection::perspective ? near : Rational(1);
-    lens.on_near = {at * canvas.left, at * canvas.right, at * canvas.bottom, at * canvas.top};
-    lens.shear = {Rational(0), Rational(0)};
-    lens.near = near, lens.far = Rational(100);
-    lens.width = Rational(640), lens.height = Rational(480);
+    camera.on_near = {at * canvas.left, at * canvas.right, at * canvas.bottom, at * canvas.top};
+    camera.shear = {Rational(0), Rational(0)};
+    camera.near = near, camera.far = Rational(100);
+    camera.width = Rational(640), camera.height = Rational(480);
     return probe;
 }
 
@@ -40,20 +40,20 @@ class Draw {
     std::uint32_t state_ = 6;
 };
 
-Vector3<Rational> in_camera(const Lens<Rational>& lens, const Vector3<Rational>& p_world) {
-    const Vector3<Rational> p = p_world - lens.eye;
-    return {dot(lens.to_camera[0], p), dot(lens.to_camera[1], p), dot(lens.to_camera[2], p)};
+Vector3<Rational> in_camera(const NumericCamera<Rational>& camera, const Vector3<Rational>& p_world) {
+    const Vector3<Rational> p = p_world - camera.eye;
+    return {dot(camera.to_camera[0], p), dot(camera.to_camera[1], p), dot(camera.to_camera[2], p)};
 }
 
 /// (u, v) of scenes/camera.h: where a point of this space lies in the window.
-Point2<Rational> in_window(Space space, const Lens<Rational>& lens, const Point4<Rational>& p) {
-    const Canvas<Rational>& c = lens.canvas;
+Point2<Rational> in_window(Space space, const NumericCamera<Rational>& camera, const Point4<Rational>& p) {
+    const Canvas<Rational>& c = camera.canvas;
     const Rational across = c.right - c.left, up = c.top - c.bottom;
     switch (space) {
         case Space::clip:
-            return in_window(Space::ndc, lens, {p[0] / p[3], p[1] / p[3], p[2] / p[3], Rational(1)});
+            return in_window(Space::ndc, camera, {p[0] / p[3], p[1] / p[3], p[2] / p[3], Rational(1)});
         case Space::screen: {
-            const Rational at = lens.projection == Projection::perspective ? lens.near : Rational(1);
+            const Rational at = camera.projection == Projection::perspective ? camera.near : Rational(1);
             return {p[0] / at, p[1] / at};
         }
         case Space::ndc:
@@ -61,7 +61,7 @@ Point2<Rational> in_window(Space space, const Lens<Rational>& lens, const Point4
         case Space::unit_ndc:
             return {c.left + across * p[0], c.bottom + up * p[1]};
         case Space::raster:
-            return {c.left + across * p[0] / lens.width, c.top - up * p[1] / lens.height};
+            return {c.left + across * p[0] / camera.width, c.top - up * p[1] / camera.height};
         case Space::camera:
         case Space::screen_at_one:
             return {p[0], p[1]};
@@ -69,33 +69,34 @@ Point2<Rational> in_window(Space space, const Lens<Rational>& lens, const Point4
     return {};
 }
 
-/// The line of sight through (u, v) at the point's depth t: t (u, v) or (u, v) + t shear.
-bool sees(const Lens<Rational>& lens, const Point2<Rational>& window, const Vector3<Rational>& p_camera) {
+/// The view ray through (u, v) at the point's depth t: t (u, v) or (u, v) + t shear.
+bool sees(const NumericCamera<Rational>& camera, const Point2<Rational>& window,
+          const Vector3<Rational>& p_camera) {
     const Rational t = -p_camera.z;
-    if (lens.projection == Projection::perspective)
+    if (camera.projection == Projection::perspective)
         return t * window.x == p_camera.x && t * window.y == p_camera.y;
-    return window.x + t * lens.shear.x == p_camera.x && window.y + t * lens.shear.y == p_camera.y;
+    return window.x + t * camera.shear.x == p_camera.x && window.y + t * camera.shear.y == p_camera.y;
 }
 
 double distance_px(const Point2<Rational>& a, const Point2<Rational>& b) {
     return static_cast<double>(std::max(magnitude(a.x - b.x), magnitude(a.y - b.y)));
 }
 
-/// Notes the first stage that ends elsewhere than the law has it; true where none does.
-bool try_point(const Route<Rational>& route, const ProbeLens& probe, const Vector3<Rational>& p_world,
+/// Notes the first stage that ends elsewhere than the exact projection has it; true where none does.
+bool try_point(const Route<Rational>& route, const ProbeCamera& probe, const Vector3<Rational>& p_world,
                RouteFinding& finding) {
     Travel<Rational> travel = departure(p_world);
     bool is_kept = true;
     for (const Operation<Rational>& operation : route.operations) {
         travel = operation.apply(travel);
-        if (!operation.arrives || is_lawful(*operation.arrives, probe.lens, p_world, travel)) continue;
+        if (!operation.arrives || is_on_view_ray(*operation.arrives, probe.camera, p_world, travel)) continue;
         is_kept = false;
         if (!finding.is_projection()) continue;
         finding.first_wrong_stage = operation.stage, finding.operation = operation.name;
-        finding.space = in_words(*operation.arrives), finding.lens = probe.name;
+        finding.space = in_words(*operation.arrives), finding.camera = probe.name;
     }
     const Point2<Rational> reached{travel.at[0], travel.at[1]};
-    finding.worst_px = std::max(finding.worst_px, distance_px(reached, lawful_raster(probe.lens, p_world)));
+    finding.worst_px = std::max(finding.worst_px, distance_px(reached, exact_raster(probe.camera, p_world)));
     return is_kept;
 }
 
@@ -105,16 +106,16 @@ RouteFinding begun(const RouteCard& card) {
     return finding;
 }
 
-void try_lens(const ProbeLens& probe, std::vector<RouteFinding>& findings) {
-    const std::vector<Vector3<Rational>> points = probe_points(probe.lens);
-    for (const Route<Rational>& route : routes(probe.lens)) {
+void try_camera(const ProbeCamera& probe, std::vector<RouteFinding>& findings) {
+    const std::vector<Vector3<Rational>> points = probe_points(probe.camera);
+    for (const Route<Rational>& route : routes(probe.camera)) {
         auto finding =
             std::ranges::find(findings, route.card.name, [](const RouteFinding& f) { return f.card.name; });
         if (finding == findings.end()) finding = findings.insert(findings.end(), begun(route.card));
         bool is_kept = true;
         for (const Vector3<Rational>& p : points) is_kept = try_point(route, probe, p, *finding) && is_kept;
-        ++finding->lenses;
-        finding->lenses_kept += is_kept ? 1 : 0;
+        ++finding->cameras;
+        finding->cameras_kept += is_kept ? 1 : 0;
     }
 }
 
@@ -134,58 +135,60 @@ void try_place(const VisibilityTest& test, const Point2<Rational>& p, Visibility
 
 }  // namespace
 
-std::vector<ProbeLens> probe_lenses() {
+std::vector<ProbeCamera> probe_cameras() {
     const auto q = [](int a, int b) { return Rational(a) / b; };
     const Canvas<Rational> two{-1, 1, -1, 1}, narrow{q(-2, 3), q(2, 3), q(-1, 2), q(1, 2)},
         off_axis{q(-1, 4), q(3, 2), q(-1, 8), q(7, 8)};
-    std::vector<ProbeLens> all{probe("canvas 2 x 2, near 1", Projection::perspective, two, 1),
-                               probe("canvas 2 x 2, near 1/10", Projection::perspective, two, q(1, 10)),
-                               probe("canvas 4/3 x 1, near 1/10", Projection::perspective, narrow, q(1, 10)),
-                               probe("off axis, near 1/2", Projection::perspective, off_axis, q(1, 2)),
-                               probe("orthographic", Projection::parallel, off_axis, q(1, 2)),
-                               probe("oblique", Projection::parallel, narrow, q(1, 2))};
-    all.back().lens.shear = {q(1, 4), q(-1, 3)};
+    std::vector<ProbeCamera> all{
+        probe("canvas 2 x 2, near 1", Projection::perspective, two, 1),
+        probe("canvas 2 x 2, near 1/10", Projection::perspective, two, q(1, 10)),
+        probe("canvas 4/3 x 1, near 1/10", Projection::perspective, narrow, q(1, 10)),
+        probe("off axis, near 1/2", Projection::perspective, off_axis, q(1, 2)),
+        probe("orthographic", Projection::parallel, off_axis, q(1, 2)),
+        probe("oblique", Projection::parallel, narrow, q(1, 2))};
+    all.back().camera.shear = {q(1, 4), q(-1, 3)};
     return all;
 }
 
-std::vector<Vector3<Rational>> probe_points(const Lens<Rational>& lens) {
+std::vector<Vector3<Rational>> probe_points(const NumericCamera<Rational>& camera) {
     constexpr int count = 60;
     Draw draw;
     std::vector<Vector3<Rational>> points;
     for (int i = 0; i < count; ++i) {
         const Rational x = Rational(draw(-64, 64)) / 16, y = Rational(draw(-64, 64)) / 16,
                        depth = Rational(draw(1, 80)) / 16;
-        points.push_back(lens.eye + x * lens.to_camera[0] + y * lens.to_camera[1] -
-                         depth * lens.to_camera[2]);
+        points.push_back(camera.eye + x * camera.to_camera[0] + y * camera.to_camera[1] -
+                         depth * camera.to_camera[2]);
     }
     return points;
 }
 
-bool is_lawful(Space space, const Lens<Rational>& lens, const Vector3<Rational>& p_world,
-               const Travel<Rational>& travel) {
+bool is_on_view_ray(Space space, const NumericCamera<Rational>& camera, const Vector3<Rational>& p_world,
+                    const Travel<Rational>& travel) {
     const Point4<Rational>& p = travel.at;
     if (space == Space::camera) {
         const Vector3<Rational> back_in_world =
-            lens.eye + p[0] * lens.to_camera[0] + p[1] * lens.to_camera[1] + p[2] * lens.to_camera[2];
+            camera.eye + p[0] * camera.to_camera[0] + p[1] * camera.to_camera[1] + p[2] * camera.to_camera[2];
         return back_in_world.x == p_world.x && back_in_world.y == p_world.y && back_in_world.z == p_world.z;
     }
     if (p[3] == 0) return false;
-    return sees(lens, in_window(space, lens, p), in_camera(lens, p_world));
+    return sees(camera, in_window(space, camera, p), in_camera(camera, p_world));
 }
 
-Point2<Rational> lawful_raster(const Lens<Rational>& lens, const Vector3<Rational>& p_world) {
-    const Vector3<Rational> p = in_camera(lens, p_world);
+Point2<Rational> exact_raster(const NumericCamera<Rational>& camera, const Vector3<Rational>& p_world) {
+    const Vector3<Rational> p = in_camera(camera, p_world);
     const Rational t = -p.z;
-    const bool is_perspective = lens.projection == Projection::perspective;
-    const Rational u = is_perspective ? p.x / t : p.x - t * lens.shear.x;
-    const Rational v = is_perspective ? p.y / t : p.y - t * lens.shear.y;
-    const Canvas<Rational>& c = lens.canvas;
-    return {(u - c.left) / (c.right - c.left) * lens.width, (c.top - v) / (c.top - c.bottom) * lens.height};
+    const bool is_perspective = camera.projection == Projection::perspective;
+    const Rational u = is_perspective ? p.x / t : p.x - t * camera.shear.x;
+    const Rational v = is_perspective ? p.y / t : p.y - t * camera.shear.y;
+    const Canvas<Rational>& c = camera.canvas;
+    return {(u - c.left) / (c.right - c.left) * camera.width,
+            (c.top - v) / (c.top - c.bottom) * camera.height};
 }
 
 std::vector<RouteFinding> route_findings() {
     std::vector<RouteFinding> findings;
-    for (const ProbeLens& probe : probe_lenses()) try_lens(probe, findings);
+    for (const ProbeCamera& probe : probe_cameras()) try_camera(probe, findings);
     return findings;
 }
 

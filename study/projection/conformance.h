@@ -1,5 +1,5 @@
 /// Is a way of projecting the projection? Routes and visibility tests are tried on probe cameras in exact
-/// arithmetic and held against the line of sight as scenes/camera.h defines it, space by space.
+/// arithmetic and held against the view ray as scenes/camera.h defines it, space by space.
 #pragma once
 
 #include <string>
@@ -10,33 +10,33 @@
 namespace zproof::study::projection {
 
 /// A camera whose axes are orthonormal without rounding.
-struct ProbeLens {
+struct ProbeCamera {
     std::string name;
-    Lens<Rational> lens;
+    NumericCamera<Rational> camera;
 };
 
 /// The lesson's own default first (canvas [-1, 1], near 1), under which some slips stay unseen; then nearer
 /// and farther planes, narrow and off-axis canvases, orthographic and oblique ones.
-std::vector<ProbeLens> probe_lenses();
+std::vector<ProbeCamera> probe_cameras();
 
 /// World-space points before the eye of a probe camera, the same ones every time.
-std::vector<Vector3<Rational>> probe_points(const Lens<Rational>& lens);
+std::vector<Vector3<Rational>> probe_points(const NumericCamera<Rational>& camera);
 
-/// Does a point on its way stand where the line of sight says? Asked of each space in its own terms; nothing
-/// of the stages is used. The camera must be one of probe_lenses().
-bool is_lawful(Space space, const Lens<Rational>& lens, const Vector3<Rational>& p_world,
-               const Travel<Rational>& travel);
+/// Does a point on its way stand where the view ray says? Asked of each space in its own terms; nothing
+/// of the stages is used. The camera must be one of probe_cameras().
+bool is_on_view_ray(Space space, const NumericCamera<Rational>& camera, const Vector3<Rational>& p_world,
+                    const Travel<Rational>& travel);
 
-/// The raster position whose line of sight holds the point.
-Point2<Rational> lawful_raster(const Lens<Rational>& lens, const Vector3<Rational>& p_world);
+/// The raster position whose view ray holds the point.
+Point2<Rational> exact_raster(const NumericCamera<Rational>& camera, const Vector3<Rational>& p_world);
 
 struct RouteFinding {
     RouteCard card;
-    int lenses = 0, lenses_kept = 0;  ///< probe cameras that it was tried on; on which it is the projection
-    std::string first_wrong_stage;    ///< empty where it is the projection on all of them
-    std::string operation, space;     ///< that stage's last operation, and the space it should arrive in
-    std::string lens;                 ///< the first camera on which it goes wrong
-    double worst_px = 0;              ///< distance from the lawful raster position over all probes, in x or y
+    int cameras = 0, cameras_kept = 0;  ///< probe cameras that it was tried on; on which it is the projection
+    std::string first_wrong_stage;      ///< empty where it is the projection on all of them
+    std::string operation, space;       ///< that stage's last operation, and the space it should arrive in
+    std::string camera;                 ///< the first camera on which it goes wrong
+    double worst_px = 0;  ///< distance from the exact raster position over all probes, in x or y
 
     bool is_projection() const { return first_wrong_stage.empty(); }
 };

@@ -141,7 +141,7 @@ class Surveyor {
             corners[std::size_t(i)] = scene_.vertices.position_world[scene_.triangles[std::size_t(id)][i]];
         const TriangleBounds bounds = bounds_.of(corners);
         return bounds.eps_base_px +
-               (bounds.eps_per_nearness > 0 ? bounds.eps_per_nearness / bounds.nearest : 0);
+               (bounds.eps_per_inverse_depth > 0 ? bounds.eps_per_inverse_depth / bounds.nearest : 0);
     }
 
     const Scene& scene_;

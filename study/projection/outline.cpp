@@ -26,8 +26,10 @@ std::vector<Corner> cut(const std::vector<Corner>& corners, Inside inside) {
     return kept;
 }
 
-double beyond_near(const Lens<double>& lens, const Corner& p) { return -p.z - lens.near; }
-double before_far(const Lens<double>& lens, const Corner& p) { return lens.has_far ? lens.far + p.z : 1; }
+double beyond_near(const NumericCamera<double>& camera, const Corner& p) { return -p.z - camera.near; }
+double before_far(const NumericCamera<double>& camera, const Corner& p) {
+    return camera.has_far ? camera.far + p.z : 1;
+}
 
 double side_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p) {
     return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
@@ -74,12 +76,12 @@ std::optional<RasterSegment> within(const RasterSegment& segment, const glm::dve
 }
 
 Vector3<double> Outliner::in_camera(const glm::vec3& p_world) const {
-    return world_to_camera(lens_, exactly<double>(glm::dvec3(p_world)));
+    return world_to_camera(camera_, exactly<double>(glm::dvec3(p_world)));
 }
 
 glm::dvec2 Outliner::in_raster(const Vector3<double>& p_camera) const {
     const Vector3<double> p =
-        ndc_to_raster(lens_, screen_to_ndc(lens_.on_near, camera_to_screen(lens_, p_camera)));
+        ndc_to_raster(camera_, screen_to_ndc(camera_.on_near, camera_to_screen(camera_, p_camera)));
     return {p.x, p.y};
 }
 
@@ -91,8 +93,8 @@ std::vector<glm::dvec2> Outliner::outline(PrimitiveId triangle) const {
         if (!is_finite(p)) return {};
         corners.push_back(in_camera(p));
     }
-    corners = cut(corners, [&](const Corner& p) { return beyond_near(lens_, p); });
-    corners = cut(corners, [&](const Corner& p) { return before_far(lens_, p); });
+    corners = cut(corners, [&](const Corner& p) { return beyond_near(camera_, p); });
+    corners = cut(corners, [&](const Corner& p) { return before_far(camera_, p); });
     std::vector<glm::dvec2> outline;
     for (const Corner& corner : corners) outline.push_back(in_raster(corner));
     return outline;
@@ -110,7 +112,7 @@ std::optional<RasterSegment> Outliner::line(const glm::vec3& a_world, const glm:
     if (!is_finite(a_world) || !is_finite(b_world)) return std::nullopt;
     Corner a = in_camera(a_world), b = in_camera(b_world);
     for (const auto inside : {beyond_near, before_far}) {
-        const double at_a = inside(lens_, a), at_b = inside(lens_, b);
+        const double at_a = inside(camera_, a), at_b = inside(camera_, b);
         if (at_a < 0 && at_b < 0) return std::nullopt;
         const Corner border = between(a, b, at_a / (at_a - at_b));
         if (at_a < 0) a = border;

@@ -8,7 +8,7 @@
 
 #include "frame/frame.h"
 #include "scenes/scene.h"
-#include "study/projection/lens.h"
+#include "study/projection/camera.h"
 
 namespace zproof::study::projection {
 
@@ -29,7 +29,7 @@ std::optional<RasterSegment> within(const RasterSegment& segment, const glm::dve
 
 class Outliner {
   public:
-    Outliner(const Scene& scene, const View& view) : scene_(scene), lens_(lens_of<double>(view)) {}
+    Outliner(const Scene& scene, const View& view) : scene_(scene), camera_(camera_of<double>(view)) {}
 
     /// The corners, in order, of what near and far leave of the triangle; empty where that is nothing, or a
     /// corner is not finite.
@@ -49,7 +49,7 @@ class Outliner {
     glm::dvec2 in_raster(const Vector3<double>& p_camera) const;
 
     const Scene& scene_;
-    Lens<double> lens_;
+    NumericCamera<double> camera_;
 };
 
 }  // namespace zproof::study::projection

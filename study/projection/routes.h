@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "study/projection/lens.h"
+#include "study/projection/camera.h"
 
 namespace zproof::study::projection {
 
@@ -60,11 +60,11 @@ struct Route {
 /// canvas of width W and height H is about the axis by definition: it exists for perspective cameras whose
 /// window is.
 template <class Number>
-std::vector<Route<Number>> routes(const Lens<Number>& lens);
+std::vector<Route<Number>> routes(const NumericCamera<Number>& camera);
 
-extern template std::vector<Route<float>> routes(const Lens<float>& lens);
-extern template std::vector<Route<double>> routes(const Lens<double>& lens);
-extern template std::vector<Route<Rational>> routes(const Lens<Rational>& lens);
+extern template std::vector<Route<float>> routes(const NumericCamera<float>& camera);
+extern template std::vector<Route<double>> routes(const NumericCamera<double>& camera);
+extern template std::vector<Route<Rational>> routes(const NumericCamera<Rational>& camera);
 
 template <class Number>
 Travel<Number> departure(const Vector3<Number>& p_world) {

@@ -7,7 +7,7 @@
 /// II" (the frustum as a box).
 #pragma once
 
-#include "study/projection/lens.h"
+#include "study/projection/camera.h"
 
 namespace zproof::study::projection {
 
@@ -18,22 +18,22 @@ Vector3<Number> local_to_world(const Matrix4<Number>& world_from_local, const Ve
 }
 
 template <class Number>
-Vector3<Number> less_eye(const Lens<Number>& lens, const Vector3<Number>& p_world) {
-    return p_world - lens.eye;
+Vector3<Number> less_eye(const NumericCamera<Number>& camera, const Vector3<Number>& p_world) {
+    return p_world - camera.eye;
 }
 template <class Number>
-Vector3<Number> along_axes(const Lens<Number>& lens, const Vector3<Number>& from_eye) {
-    return {dot(lens.to_camera[0], from_eye), dot(lens.to_camera[1], from_eye),
-            dot(lens.to_camera[2], from_eye)};
+Vector3<Number> along_axes(const NumericCamera<Number>& camera, const Vector3<Number>& from_eye) {
+    return {dot(camera.to_camera[0], from_eye), dot(camera.to_camera[1], from_eye),
+            dot(camera.to_camera[2], from_eye)};
 }
 template <class Number>
-Vector3<Number> world_to_camera(const Lens<Number>& lens, const Vector3<Number>& p_world) {
-    return along_axes(lens, less_eye(lens, p_world));
+Vector3<Number> world_to_camera(const NumericCamera<Number>& camera, const Vector3<Number>& p_world) {
+    return along_axes(camera, less_eye(camera, p_world));
 }
 
 template <class Number>
-Vector3<Number> times_near(const Lens<Number>& lens, const Vector3<Number>& p_camera) {
-    return {lens.near * p_camera.x, lens.near * p_camera.y, p_camera.z};
+Vector3<Number> times_near(const NumericCamera<Number>& camera, const Vector3<Number>& p_camera) {
+    return {camera.near * p_camera.x, camera.near * p_camera.y, p_camera.z};
 }
 /// The perspective divide; z becomes the camera depth.
 template <class Number>
@@ -42,14 +42,14 @@ Vector3<Number> over_depth(const Vector3<Number>& p) {
 }
 /// Along the direction (shear, -1) onto the plane through the eye; z becomes the camera depth.
 template <class Number>
-Vector3<Number> along_shear(const Lens<Number>& lens, const Vector3<Number>& p_camera) {
-    return {p_camera.x + p_camera.z * lens.shear.x, p_camera.y + p_camera.z * lens.shear.y, -p_camera.z};
+Vector3<Number> along_shear(const NumericCamera<Number>& camera, const Vector3<Number>& p_camera) {
+    return {p_camera.x + p_camera.z * camera.shear.x, p_camera.y + p_camera.z * camera.shear.y, -p_camera.z};
 }
 /// Perspective: near x / -z onto the near plane. Parallel: onto the plane through the eye.
 template <class Number>
-Vector3<Number> camera_to_screen(const Lens<Number>& lens, const Vector3<Number>& p_camera) {
-    return lens.projection == Projection::parallel ? along_shear(lens, p_camera)
-                                                   : over_depth(times_near(lens, p_camera));
+Vector3<Number> camera_to_screen(const NumericCamera<Number>& camera, const Vector3<Number>& p_camera) {
+    return camera.projection == Projection::parallel ? along_shear(camera, p_camera)
+                                                     : over_depth(times_near(camera, p_camera));
 }
 
 template <class Number>
@@ -104,33 +104,33 @@ Vector3<Number> from_top(const Vector3<Number>& p_unit_ndc) {
     return {p_unit_ndc.x, Number(1) - p_unit_ndc.y, p_unit_ndc.z};
 }
 template <class Number>
-Vector3<Number> times_pixels(const Lens<Number>& lens, const Vector3<Number>& p) {
-    return {p.x * lens.width, p.y * lens.height, p.z};
+Vector3<Number> times_pixels(const NumericCamera<Number>& camera, const Vector3<Number>& p) {
+    return {p.x * camera.width, p.y * camera.height, p.z};
 }
 template <class Number>
-Vector3<Number> ndc_to_raster(const Lens<Number>& lens, const Vector3<Number>& p_ndc) {
-    return times_pixels(lens, halved_from_top(p_ndc));
+Vector3<Number> ndc_to_raster(const NumericCamera<Number>& camera, const Vector3<Number>& p_ndc) {
+    return times_pixels(camera, halved_from_top(p_ndc));
 }
 template <class Number>
-Vector3<Number> unit_ndc_to_raster(const Lens<Number>& lens, const Vector3<Number>& p_unit_ndc) {
-    return times_pixels(lens, from_top(p_unit_ndc));
+Vector3<Number> unit_ndc_to_raster(const NumericCamera<Number>& camera, const Vector3<Number>& p_unit_ndc) {
+    return times_pixels(camera, from_top(p_unit_ndc));
 }
 
 /// P_3 = (f + n - 2 f n / z) / (f - n) of the camera depth z: near becomes -1, far 1, and lines stay lines.
 /// Infinite far: 1 - 2 n / z. Parallel projections: (2 z - f - n) / (f - n).
 template <class Number>
-Number depth_to_ndc(const Lens<Number>& lens, const Number& depth) {
-    const Number n = lens.near, f = lens.far, two = Number(2);
-    if (!lens.has_far) return Number(1) - two * n / depth;
-    if (lens.projection == Projection::parallel) return (two * depth - f - n) / (f - n);
+Number depth_to_ndc(const NumericCamera<Number>& camera, const Number& depth) {
+    const Number n = camera.near, f = camera.far, two = Number(2);
+    if (!camera.has_far) return Number(1) - two * n / depth;
+    if (camera.projection == Projection::parallel) return (two * depth - f - n) / (f - n);
     return (f + n - two * f * n / depth) / (f - n);
 }
 
-/// The frustum of a lens onto the box [-1, 1]^3. The depth of the point must not be 0 for perspective.
+/// The frustum of a camera onto the box [-1, 1]^3. The depth of the point must not be 0 for perspective.
 template <class Number>
-Vector3<Number> camera_to_box(const Lens<Number>& lens, const Vector3<Number>& p_camera) {
-    const Vector3<Number> p_ndc = screen_to_ndc(lens.on_near, camera_to_screen(lens, p_camera));
-    return {p_ndc.x, p_ndc.y, depth_to_ndc(lens, p_ndc.z)};
+Vector3<Number> camera_to_box(const NumericCamera<Number>& camera, const Vector3<Number>& p_camera) {
+    const Vector3<Number> p_ndc = screen_to_ndc(camera.on_near, camera_to_screen(camera, p_camera));
+    return {p_ndc.x, p_ndc.y, depth_to_ndc(camera, p_ndc.z)};
 }
 
 }  // namespace zproof::study::projection

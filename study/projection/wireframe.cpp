@@ -30,14 +30,14 @@ std::vector<std::uint32_t> representatives(const Positions& positions) {
 }
 
 /// One side of one triangle, its ends in order.
-struct Side {
+struct DirectedEdge {
     std::uint32_t low, high, triangle;
-    auto operator<=>(const Side&) const = default;
+    auto operator<=>(const DirectedEdge&) const = default;
 };
 
-std::vector<Side> sides_of(const Scene& scene) {
+std::vector<DirectedEdge> sides_of(const Scene& scene) {
     const std::vector<std::uint32_t> first = representatives(scene.vertices.position_world);
-    std::vector<Side> sides;
+    std::vector<DirectedEdge> sides;
     for (std::size_t t = 0; t < scene.triangles.size(); ++t)
         for (int i = 0; i < 3; ++i) {
             const std::uint32_t a = first[scene.triangles[t][i]], b = first[scene.triangles[t][(i + 1) % 3]];
@@ -63,11 +63,12 @@ void tell_apart(const WireLine& line, const SceneEdge& edge, const Plane<Primiti
     const glm::dvec2 step = (line.segment.b - line.segment.a) / double(pieces);
     for (int i = 0; i < pieces; ++i) {
         const glm::dvec2 from = line.segment.a + double(i) * step, to = from + step;
-        const Sight sight = is_named_around(ids, from + 0.5 * step, edge) ? Sight::seen : Sight::hidden;
-        if (i > 0 && told.back().sight == sight)
+        const Visibility visibility =
+            is_named_around(ids, from + 0.5 * step, edge) ? Visibility::seen : Visibility::hidden;
+        if (i > 0 && told.back().visibility == visibility)
             told.back().segment.b = to;
         else
-            told.push_back({{from, to}, line.edge, sight});
+            told.push_back({{from, to}, line.edge, visibility});
     }
 }
 
@@ -75,7 +76,7 @@ void tell_apart(const WireLine& line, const SceneEdge& edge, const Plane<Primiti
 
 std::vector<SceneEdge> edges_of(const Scene& scene) {
     std::vector<SceneEdge> edges;
-    for (const Side& side : sides_of(scene)) {
+    for (const DirectedEdge& side : sides_of(scene)) {
         if (edges.empty() || edges.back().from != side.low || edges.back().to != side.high)
             edges.push_back({side.low, side.high, {}});
         std::vector<std::uint32_t>& triangles = edges.back().triangles;
@@ -93,12 +94,12 @@ Wireframe wireframe_of(const Scene& scene, const View& view) {
         const auto whole = outliner.line(p[wireframe.edges[i].from], p[wireframe.edges[i].to]);
         if (!whole) continue;
         if (const auto shown = within(*whole, {0, 0}, {view.width, view.height}))
-            wireframe.lines.push_back({*shown, std::uint32_t(i), Sight::unknown});
+            wireframe.lines.push_back({*shown, std::uint32_t(i), Visibility::unknown});
     }
     return wireframe;
 }
 
-Wireframe told_apart(const Wireframe& wireframe, const Plane<PrimitiveId>& ids) {
+Wireframe split_by_visibility(const Wireframe& wireframe, const Plane<PrimitiveId>& ids) {
     Wireframe told{wireframe.edges, {}};
     for (const WireLine& line : wireframe.lines)
         tell_apart(line, wireframe.edges[line.edge], ids, told.lines);

@@ -19,7 +19,7 @@ struct SceneEdge {
 /// Edges of no length are left out. In the order of their first triangles.
 std::vector<SceneEdge> edges_of(const Scene& scene);
 
-enum class Sight {
+enum class Visibility {
     seen,
     hidden,
     unknown,  ///< nobody was asked
@@ -28,7 +28,7 @@ enum class Sight {
 struct WireLine {
     RasterSegment segment;   ///< within the picture
     std::uint32_t edge = 0;  ///< index into Wireframe::edges
-    Sight sight = Sight::unknown;
+    Visibility visibility = Visibility::unknown;
 };
 
 struct Wireframe {
@@ -39,9 +39,9 @@ struct Wireframe {
 /// Projected in float64 by the lessons' stages; off axis, parallel and oblique cameras alike.
 Wireframe wireframe_of(const Scene& scene, const View& view);
 
-/// The same lines, cut where they come into or out of sight: a piece of about one pixel's length is seen
+/// The same lines, cut where they become visible or hidden: a piece of about one pixel's length is seen
 /// where a triangle that has the edge is named by a pixel around its middle (3 x 3). So an occluder's
 /// border is found to about a pixel; the lines' places are as exact as before.
-Wireframe told_apart(const Wireframe& wireframe, const Plane<PrimitiveId>& ids);
+Wireframe split_by_visibility(const Wireframe& wireframe, const Plane<PrimitiveId>& ids);
 
 }  // namespace zproof::study::projection

@@ -29,8 +29,8 @@ glm::dvec3 brought_to_unit_length(const glm::dvec3& v) {
 
 double shaded_at(const View& view, const Lighting& lighting, const glm::dvec3& p_world,
                  const glm::dvec3& normal) {
-    return intensity({p_world, brought_to_unit_length(normal), toward_eye(view, p_world)}, lighting.lamp,
-                     lighting.finish);
+    return intensity({p_world, brought_to_unit_length(normal), toward_eye(view, p_world)},
+                     lighting.light_source, lighting.finish);
 }
 
 double depth_of(const View& view, const glm::dvec3& p_world) {
@@ -60,7 +60,7 @@ Facet facet_of(const Scene& scene, const View& view, std::uint32_t triangle) {
     if (!vertices.normal_world.empty() && has_normal(index.x) && has_normal(index.y) && has_normal(index.z))
         for (int k = 0; k < 3; ++k)
             facet.normal[std::size_t(k)] = glm::dvec3(vertices.normal_world[index[k]]);
-    // Of corner normals that disagree with the winding, the winding is heard for the face alone.
+    // Of corner normals that disagree with the winding, the winding counts for the face alone.
     const glm::dvec3 eye = toward_eye(view, mixed(p, {1. / 3, 1. / 3, 1. / 3}));
     facet.face_normal = glm::dot(normal, eye) < 0 ? -normal : normal;
     const glm::dvec3 sum = facet.normal[0] + facet.normal[1] + facet.normal[2];
@@ -83,7 +83,7 @@ double shaded(const Facet& facet, const View& view, const Lighting& lighting, Me
 
 Weights rasterized_weights(const View& view, const Facet& facet, int x, int y) {
     const glm::dvec3 eye{view.camera.eye_world};
-    return rasterizer::barycentrics(rasterizer::sight_line(view, x + 0.5, y + 0.5),
+    return rasterizer::barycentrics(rasterizer::pixel_ray(view, x + 0.5, y + 0.5),
                                     {facet.p_world[0] - eye, facet.p_world[1] - eye, facet.p_world[2] - eye});
 }
 

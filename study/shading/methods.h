@@ -29,7 +29,7 @@ const char* name_of(Highlight highlight);
 
 /// How light falls on a scene.
 struct Lighting {
-    Lamp lamp;
+    LightSource light_source;
     Finish finish;
 };
 
@@ -47,10 +47,10 @@ using Weights = std::array<double, 3>;  ///< they add up to 1
 double shaded(const Facet& facet, const View& view, const Lighting& lighting, Method method,
               const Weights& weights);
 
-/// Where the line of sight through a pixel's centre meets the triangle: two ways that share no code.
+/// Where the view ray through a pixel's centre meets the triangle: two ways that share no code.
 /// The rasterizer's: barycentrics from the frame's arithmetic (rasterizer/surface.h).
 Weights rasterized_weights(const View& view, const Facet& facet, int x, int y);
-/// The witness's: the hit's place in space, then areas beside it.
+/// The oracle's: the hit's place in space, then areas beside it.
 Weights traced_weights(const View& view, const Facet& facet, int x, int y);
 
 /// The same place in the image: each weight times its corner's depth, brought to a sum of 1.

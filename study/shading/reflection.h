@@ -18,7 +18,7 @@ struct Finish {
 };
 
 /// White, without shadows and without falling off.
-struct Lamp {
+struct LightSource {
     enum class Kind { directional, point };
     Kind kind = Kind::directional;
     glm::dvec3 world{0, 0, 1};  ///< unit, towards the light; or the light's place
@@ -29,11 +29,11 @@ struct Lamp {
 };
 
 /// A place on a surface, its unit normal, and the unit direction to the eye.
-struct Spot {
+struct SurfacePoint {
     glm::dvec3 p_world{0}, normal{0, 0, 1}, toward_eye{0, 0, 1};
 };
 
 /// ambient + diffuse max(0, n . l) + specular max(0, cosine)^exponent; no highlight where n . l <= 0.
-double intensity(const Spot& spot, const Lamp& lamp, const Finish& finish);
+double intensity(const SurfacePoint& surface_point, const LightSource& light_source, const Finish& finish);
 
 }  // namespace zproof::study::shading

@@ -26,9 +26,9 @@ double median_depth(const Frame& frame) {
     return double(depths[depths.size() / 2]);
 }
 
-Lamp point_lamp(const View& view, const Frame& frame) {
+LightSource point_light(const View& view, const Frame& frame) {
     const double reach = median_depth(frame) / 2;
-    return {Lamp::Kind::point,
+    return {LightSource::Kind::point,
             glm::dvec3(view.camera.eye_world) + in_world(view.camera, glm::dvec3{reach, reach, 0})};
 }
 
@@ -88,9 +88,9 @@ double most_that_affine_costs(const Scene& scene, const View& view, const Frame&
 }
 
 /// One view under one light.
-class Studio {
+class ShadingScorer {
   public:
-    Studio(const Scene& scene, const View& view, const Frame& frame, const Lighting& lighting)
+    ShadingScorer(const Scene& scene, const View& view, const Frame& frame, const Lighting& lighting)
         : scene_(scene),
           view_(view),
           frame_(frame),
@@ -101,7 +101,7 @@ class Studio {
         SceneScore score{.method = method,
                          .mixing = mixing,
                          .highlight = lighting_.finish.highlight,
-                         .lamp = lighting_.lamp.kind};
+                         .light_source = lighting_.light_source.kind};
         const Plane<double> ours = at({method, mixing, rasterized_weights});
         const Difference to_traced = difference_of(ours, at({.method = method, .rule = traced_weights}));
         const Difference to_phong = difference_of(ours, phong_);
@@ -209,7 +209,7 @@ PovrayScore asked_of_povray(const Scene& scene, const View& view, const Frame& f
 }  // namespace
 
 Lighting lighting_of(const View& view, Highlight highlight) {
-    Lighting lighting{{Lamp::Kind::directional, in_world(view.camera, Light{}.toward_camera)}, {}};
+    Lighting lighting{{LightSource::Kind::directional, in_world(view.camera, Light{}.toward_camera)}, {}};
     lighting.finish.highlight = highlight;
     return lighting;
 }
@@ -246,19 +246,20 @@ ShadingStudy study_shading(const Scene& given, const View& view, const Announce&
     }
     announce("methods");
     for (const Highlight highlight : {Highlight::phong, Highlight::blinn_phong})
-        for (const Lamp& lamp : {lighting_of(view, highlight).lamp, point_lamp(view, ours)}) {
+        for (const LightSource& light_source :
+             {lighting_of(view, highlight).light_source, point_light(view, ours)}) {
             Lighting lighting = lighting_of(view, highlight);
-            lighting.lamp = lamp;
-            const Studio studio{scene, view, frame, lighting};
+            lighting.light_source = light_source;
+            const ShadingScorer scorer{scene, view, frame, lighting};
             for_each_technique(
-                [&](Method method, Mixing mixing) { study.scores.push_back(studio.score(method, mixing)); });
+                [&](Method method, Mixing mixing) { study.scores.push_back(scorer.score(method, mixing)); });
         }
     announce("POV-Ray");
     study.povray = asked_of_povray(scene, view, frame);
     announce("pictures");
-    const Studio studio{scene, view, frame, lighting_of(view, Highlight::phong)};
+    const ShadingScorer scorer{scene, view, frame, lighting_of(view, Highlight::phong)};
     for_each_technique(
-        [&](Method method, Mixing mixing) { study.pictures.push_back(studio.shown(method, mixing)); });
+        [&](Method method, Mixing mixing) { study.pictures.push_back(scorer.shown(method, mixing)); });
     return study;
 }
 

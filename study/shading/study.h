@@ -16,7 +16,7 @@ struct SceneScore {
     Method method = Method::phong;
     Mixing mixing = Mixing::perspective;
     Highlight highlight = Highlight::phong;
-    Lamp::Kind lamp = Lamp::Kind::directional;
+    LightSource::Kind light_source = LightSource::Kind::directional;
     /// Against the same method, perspective-correct, at Embree's hits: what rasterizing and mixing cost.
     double rmse_to_traced = 0, largest_to_traced = 0;
     /// The most that affine mixing may cost Gouraud's method (docs/shading.md); NaN for all else.

@@ -90,7 +90,7 @@ class Icosphere {
 
 /// Where a ray from the eye first meets the unit sphere.
 std::optional<glm::dvec3> met(const View& view, int x, int y) {
-    const rasterizer::SightLine line = rasterizer::sight_line(view, x + 0.5, y + 0.5);
+    const rasterizer::PixelRay line = rasterizer::pixel_ray(view, x + 0.5, y + 0.5);
     const glm::dvec3 eye{view.camera.eye_world};
     const double a = glm::dot(line.to, line.to), b = glm::dot(eye, line.to), c = glm::dot(eye, eye) - 1;
     const double root = b * b - a * c;
@@ -99,7 +99,7 @@ std::optional<glm::dvec3> met(const View& view, int x, int y) {
 }
 
 double on_sphere(const View& view, const Lighting& lighting, const glm::dvec3& p) {
-    return intensity({p, p, glm::normalize(glm::dvec3(view.camera.eye_world) - p)}, lighting.lamp,
+    return intensity({p, p, glm::normalize(glm::dvec3(view.camera.eye_world) - p)}, lighting.light_source,
                      lighting.finish);
 }
 

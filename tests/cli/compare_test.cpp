@@ -95,12 +95,12 @@ TEST_F(StoredFrames, DeclaredPrecisionDecides) {
         true);
 }
 
-TEST_F(StoredFrames, AWitnessThatIsNotInstalledIsNamedAndMayBeRequired) {
+TEST_F(StoredFrames, AnOracleThatIsNotInstalledIsNamedAndMayBeRequired) {
     const Words run_words{"run", "two.gltf", "--width", "64", "--height", "48"};
     const Words nowhere{"PATH=/no/such/folder"};
     const Ran without = run(folder, run_words, nowhere);
     EXPECT_EQ(without.exit_code, 0) << without.out << without.err;
-    EXPECT_NE(without.out.find("povray: not heard about 1 view: not installed"), std::string::npos)
+    EXPECT_NE(without.out.find("povray: not compared in 1 view: not installed"), std::string::npos)
         << without.out;
     EXPECT_NE(folder.read("zproof-out/report.html").find("not installed"), std::string::npos);
     Words required = run_words;
@@ -116,28 +116,28 @@ TEST_F(StoredFrames, FourRenderersShareOneMatrixAndPovRayPaints) {
                                  "povray,opengl", "--evidence", "all", "--pictures"});
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
     const json view = only_view();
-    EXPECT_EQ(view.at("accord").at("same").size(), 4u);
-    for (const json& witness : view.at("witnesses")) {
-        EXPECT_EQ(witness.at("absent"), "");
-        EXPECT_EQ(witness.at("defects"), 0);
+    EXPECT_EQ(view.at("id_agreement").at("same").size(), 4u);
+    for (const json& oracle : view.at("oracles")) {
+        EXPECT_EQ(oracle.at("absent"), "");
+        EXPECT_EQ(oracle.at("defects"), 0);
     }
-    EXPECT_GT(view.at("witnesses").at(0).at("picture").at("agree").at("pixels"), 0);
+    EXPECT_GT(view.at("oracles").at(0).at("picture").at("agree").at("pixels"), 0);
     const json renderers = json::parse(folder.read("zproof-out/results.json")).at("run").at("renderers");
     ASSERT_EQ(renderers.size(), 4u);
     for (const json& renderer : renderers) EXPECT_NE(renderer.at("version"), "");
 }
 
-TEST_F(StoredFrames, WitnessesAreJudgedAndCounted) {
+TEST_F(StoredFrames, OraclesAreJudgedAndCounted) {
     const Ran ran = run(folder, {"run", "two.gltf", "--width", "64", "--height", "48", "--renderer", "embree",
                                  "--oracle", "zproof", "--evidence", "all"});
     EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
     const json view = only_view();
     EXPECT_EQ(view.at("candidate"), "embree");
-    EXPECT_EQ(view.at("witnesses").at(0).at("name"), "zproof");
-    EXPECT_EQ(view.at("witnesses").at(0).at("absent"), "");
-    EXPECT_EQ(view.at("witnesses").at(0).at("defects"), 0);
-    EXPECT_EQ(view.at("accord").at("same").size(), 3u);
-    EXPECT_EQ(view.at("accord").at("same").at(0).at(1), 64 * 48);
+    EXPECT_EQ(view.at("oracles").at(0).at("name"), "zproof");
+    EXPECT_EQ(view.at("oracles").at(0).at("absent"), "");
+    EXPECT_EQ(view.at("oracles").at(0).at("defects"), 0);
+    EXPECT_EQ(view.at("id_agreement").at("same").size(), 3u);
+    EXPECT_EQ(view.at("id_agreement").at("same").at(0).at(1), 64 * 48);
     EXPECT_NE(ran.out.find("zproof: 1 view, 0 defects"), std::string::npos) << ran.out;
     EXPECT_GT(folder.read("zproof-out/" + view.at("folder").get<std::string>() + "/zproof.exr").size(), 0u);
 }

@@ -37,8 +37,8 @@ class Shells : public testing::Test {
 
     Words output_of(const Words& command) const {
         const oracle::Outcome outcome = oracle::run({.arguments = command, .folder = folder.path()});
-        EXPECT_TRUE(outcome.succeeded()) << outcome.complaints;
-        EXPECT_EQ(outcome.complaints, "");
+        EXPECT_TRUE(outcome.succeeded()) << outcome.error_output;
+        EXPECT_EQ(outcome.error_output, "");
         std::istringstream in{outcome.output};
         Words lines;
         for (std::string line; std::getline(in, line);) lines.push_back(line);

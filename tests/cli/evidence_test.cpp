@@ -55,8 +55,8 @@ TEST(Evidence, OfProvenViewsIsLeftOutAndTheVerdictStays) {
         EXPECT_EQ(some[i].at("folder"), "");
         EXPECT_EQ(some[i].at("worst"), json::array());
         for (const char* same :
-             {"outcome", "counts", "candidate_edges", "reference_edges", "witnesses", "accord", "adjudicated",
-              "reference_defects", "scene_sha256", "candidate_depth", "reference_depth"})
+             {"outcome", "counts", "candidate_edges", "reference_edges", "oracles", "id_agreement",
+              "adjudicated", "reference_defects", "scene_sha256", "candidate_depth", "reference_depth"})
             EXPECT_EQ(some[i].at(same), all[i].at(same)) << same;
         EXPECT_TRUE(some[i].at("candidate_depth").contains("histogram"));
     }

@@ -101,7 +101,7 @@ TEST(Filters, WhatIsMistypedIsNamedWithWhatIsNear) {
     EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(Filters, CheckHoldsOurPicturesAgainstTheirLaw) {
+TEST(Filters, CheckComparesOurPicturesWithTheirReference) {
     const Folder folder;
     const Ran ran = run(folder, {"filters", "check", "trilinear-gl:bias=0.5,sat-moment", "worked", "--view",
                                  "phi-45", "--width", "48", "--height", "48"});
@@ -109,12 +109,12 @@ TEST(Filters, CheckHoldsOurPicturesAgainstTheirLaw) {
     EXPECT_NE(ran.out.find("passed  worked / phi-45: sat-moment: no pixel of 2304 outside"),
               std::string::npos)
         << ran.out;
-    EXPECT_NE(ran.out.find("2 pictures: 2 within the law of their method, 0 not"), std::string::npos)
+    EXPECT_NE(ran.out.find("2 pictures: 2 within the reference of their method, 0 not"), std::string::npos)
         << ran.out;
 }
 
-/// A picture is lawful by its own method, and by a method whose promise is wide enough, and by no other.
-TEST(Filters, CheckHoldsAnybodysPictureAgainstALaw) {
+/// A picture is admissible by its own method, and by a method whose promise is wide enough, and by no other.
+TEST(Filters, CheckComparesAnyPictureWithItsReference) {
     const Folder folder;
     ASSERT_EQ(run(folder, small).exit_code, 0);
     const auto judged = [&](const std::string& method, const std::string& precision) {

@@ -90,7 +90,7 @@ TEST_F(Gate, WarnsOfAWaiverWithoutUseAndFailsItIfStrict) {
     EXPECT_EQ(run(folder, with(with(good, today), {"--strict"})).exit_code, 1);
 }
 
-TEST_F(Gate, DoesNotHearAWaiverOfAnotherScene) {
+TEST_F(Gate, IgnoresAWaiverOfAnotherScene) {
     folder.write("w.toml",
                  waiver("expires = 2026-04-10\nscene_sha256 = \"" + std::string(64, '0') + "\"", most));
     EXPECT_EQ(judged(with(today, {"--waivers", "w.toml"})).exit_code, 1);

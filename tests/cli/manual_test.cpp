@@ -43,7 +43,7 @@ TEST(ManualPage, IsReadWithoutAWarning) {
         const oracle::Outcome outcome =
             oracle::run({.arguments = oracle::shell_line(reader), .folder = folder.path()});
         EXPECT_TRUE(outcome.succeeded()) << reader;
-        EXPECT_EQ(outcome.complaints, "") << reader;
+        EXPECT_EQ(outcome.error_output, "") << reader;
     }
 }
 

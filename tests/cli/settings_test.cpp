@@ -14,11 +14,11 @@ namespace {
 using Variables = std::map<std::string, std::string>;
 
 /// A folder with a settings file, and a made-up environment.
-struct Place {
+struct SettingsFolder {
     test::Folder folder;
     Variables variables;
 
-    explicit Place(const std::string& toml, Variables set = {}) : variables(std::move(set)) {
+    explicit SettingsFolder(const std::string& toml, Variables set = {}) : variables(std::move(set)) {
         folder.write("zproof.toml", toml);
     }
     Environment environment() const {
@@ -62,19 +62,19 @@ width = 400
 )";
 
 TEST(Settings, OfAFlagWinOverTheEnvironmentOverTheProfileOverTheFile) {
-    const Place quiet{layered}, loud{layered, {{"ZPROOF_WIDTH", "500"}}};
+    const SettingsFolder quiet{layered}, loud{layered, {{"ZPROOF_WIDTH", "500"}}};
     EXPECT_EQ(quiet.run({}).settings.resolution, (Resolution{300, 200}));
     EXPECT_EQ(quiet.run({"--profile", "local"}).settings.resolution, (Resolution{400, 200}));
     EXPECT_EQ(loud.run({}).settings.resolution, (Resolution{500, 200}));
     EXPECT_EQ(loud.run({"--width", "600"}).settings.resolution, (Resolution{600, 200}));
     EXPECT_EQ(quiet.run({}).settings.threads, 3);
-    const Place by_variable{layered, {{"ZPROOF_PROFILE", "local"}}};
+    const SettingsFolder by_variable{layered, {{"ZPROOF_PROFILE", "local"}}};
     EXPECT_EQ(by_variable.run({}).settings.resolution.width, 400);
     EXPECT_EQ(by_variable.run({"--profile", "ci"}).settings.resolution.width, 300);
 }
 
 TEST(Settings, AreUnderstoodOfEveryKind) {
-    const Place place{R"(
+    const SettingsFolder place{R"(
 scenes = ["room", "tie"]
 renderer = "embree"
 oracle = ["none"]
@@ -88,26 +88,27 @@ out = "reports"
 )"};
     const RunArguments run = place.run({});
     EXPECT_EQ(run.scenes, (std::vector<std::string>{"room", "tie"}));
-    EXPECT_EQ(name_of(run.parties.candidate), "embree");
-    EXPECT_TRUE(run.parties.witnesses.empty());
+    EXPECT_EQ(name_of(run.renderers.candidate), "embree");
+    EXPECT_TRUE(run.renderers.oracles.empty());
     EXPECT_EQ(run.report.formats, (std::vector{ReportFormat::md, ReportFormat::csv}));
     EXPECT_EQ(run.report.evidence, Evidence::defects);
     EXPECT_EQ(run.report.gate.strictness, Strictness::strict);
     EXPECT_EQ(in_words(*run.report.gate.today), "2026-04-10");
     EXPECT_EQ(run.shard.number, 2);
-    EXPECT_EQ(run.report.colour, ColourWish::never);
+    EXPECT_EQ(run.report.colour, ColourMode::never);
     EXPECT_EQ(run.report.out, place.folder.path() / "reports");
     EXPECT_EQ(place.run({"other"}).scenes, std::vector<std::string>{"other"});
 }
 
 TEST(Settings, OfTheEnvironmentAreUnderstood) {
-    const Place place{"", {{"ZPROOF_SCENES", "room,tie"}, {"ZPROOF_STRICT", "1"}, {"ZPROOF_OUT", "x"}}};
+    const SettingsFolder place{"",
+                               {{"ZPROOF_SCENES", "room,tie"}, {"ZPROOF_STRICT", "1"}, {"ZPROOF_OUT", "x"}}};
     EXPECT_EQ(place.run({}).scenes, (std::vector<std::string>{"room", "tie"}));
     EXPECT_EQ(place.run({}).report.gate.strictness, Strictness::strict);
     EXPECT_EQ(place.run({}).report.out, "x");
-    EXPECT_EQ(Place("strict = true", {{"ZPROOF_STRICT", "false"}}).run({}).report.gate.strictness,
+    EXPECT_EQ(SettingsFolder("strict = true", {{"ZPROOF_STRICT", "false"}}).run({}).report.gate.strictness,
               Strictness::lenient);
-    EXPECT_EQ(Place("", {{"ZPROOF_OUT", ""}}).run({}).report.out, "zproof-out");
+    EXPECT_EQ(SettingsFolder("", {{"ZPROOF_OUT", ""}}).run({}).report.out, "zproof-out");
 }
 
 TEST(Settings, AreRefusedWithWhereTheyStand) {
@@ -115,25 +116,29 @@ TEST(Settings, AreRefusedWithWhereTheyStand) {
         EXPECT_NE(said.find(place), std::string::npos) << said;
         EXPECT_NE(said.find(what), std::string::npos) << said;
     };
-    is_about(Place("\nwidht = 3").refusal({}), "zproof.toml:2:", "did you mean 'width'?");
-    is_about(Place("width = \"3\"").refusal({}), "zproof.toml:1:", "whole number");
+    is_about(SettingsFolder("\nwidht = 3").refusal({}), "zproof.toml:2:", "did you mean 'width'?");
+    is_about(SettingsFolder("width = \"3\"").refusal({}), "zproof.toml:1:", "whole number");
     const std::string right = "height: expected a whole number from 1 to 32768, found ",
                       mended = "; write such as: height = 1080";
-    is_about(Place("\nheight = 0").refusal({}), "zproof.toml:2:10: ", right + "0" + mended);
-    is_about(Place("height = 32769").refusal({}), "zproof.toml:1:10: ", right + "32769" + mended);
-    is_about(Place("height = 1.5").refusal({}), "zproof.toml:1:10: ", right + "a decimal number" + mended);
-    is_about(Place("[profiles.x]\nheight = -1").refusal({}), "zproof.toml:2:10: ", right + "-1" + mended);
-    is_about(Place("", {{"ZPROOF_HEIGHT", "40000"}}).refusal({}),
+    is_about(SettingsFolder("\nheight = 0").refusal({}), "zproof.toml:2:10: ", right + "0" + mended);
+    is_about(SettingsFolder("height = 32769").refusal({}), "zproof.toml:1:10: ", right + "32769" + mended);
+    is_about(SettingsFolder("height = 1.5").refusal({}),
+             "zproof.toml:1:10: ", right + "a decimal number" + mended);
+    is_about(SettingsFolder("[profiles.x]\nheight = -1").refusal({}),
+             "zproof.toml:2:10: ", right + "-1" + mended);
+    is_about(SettingsFolder("", {{"ZPROOF_HEIGHT", "40000"}}).refusal({}),
              "ZPROOF_HEIGHT: expected a whole number from 1 to 32768",
              "'40000'; write such as: ZPROOF_HEIGHT=1080");
-    is_about(Place("strict = 1").refusal({}), "zproof.toml:1:", "true or false");
-    is_about(Place("color = \"mauve\"").refusal({}), "zproof.toml:1:", "mauve");
-    is_about(Place("report = [\"hmtl\"]").refusal({}), "zproof.toml:1:", "did you mean 'html'?");
-    is_about(Place("[profiles.x]\nwidht = 3").refusal({}), "zproof.toml:2:", "did you mean 'width'?");
-    is_about(Place("= 3").refusal({}), "zproof.toml:1:", "");
-    is_about(Place("[profiles.ci]\n").refusal({"--profile", "cj"}), "zproof.toml", "did you mean 'ci'?");
-    is_about(Place("", {{"ZPROOF_WIDTH", "wide"}}).refusal({}), "ZPROOF_WIDTH", "wide");
-    is_about(Place("", {{"ZPROOF_STRICT", "maybe"}}).refusal({}), "ZPROOF_STRICT", "maybe");
+    is_about(SettingsFolder("strict = 1").refusal({}), "zproof.toml:1:", "true or false");
+    is_about(SettingsFolder("color = \"mauve\"").refusal({}), "zproof.toml:1:", "mauve");
+    is_about(SettingsFolder("report = [\"hmtl\"]").refusal({}), "zproof.toml:1:", "did you mean 'html'?");
+    is_about(SettingsFolder("[profiles.x]\nwidht = 3").refusal({}),
+             "zproof.toml:2:", "did you mean 'width'?");
+    is_about(SettingsFolder("= 3").refusal({}), "zproof.toml:1:", "");
+    is_about(SettingsFolder("[profiles.ci]\n").refusal({"--profile", "cj"}), "zproof.toml",
+             "did you mean 'ci'?");
+    is_about(SettingsFolder("", {{"ZPROOF_WIDTH", "wide"}}).refusal({}), "ZPROOF_WIDTH", "wide");
+    is_about(SettingsFolder("", {{"ZPROOF_STRICT", "maybe"}}).refusal({}), "ZPROOF_STRICT", "maybe");
 }
 
 /// What a file may say and what may be typed: one range.
@@ -143,7 +148,7 @@ TEST(Settings, ThatAreNumbersHaveTheRangesOfTheirOptions) {
         const auto [least, most, such_as] = setting.range;
         EXPECT_TRUE(setting.range.contains(such_as)) << setting.name;
         const auto typed = [&](std::int64_t number) {
-            return Place("").refusal({option_name(setting.name), std::to_string(number)});
+            return SettingsFolder("").refusal({option_name(setting.name), std::to_string(number)});
         };
         for (const std::int64_t right : {least, most}) EXPECT_EQ(typed(right), "nothing was refused");
         for (const std::int64_t wrong : {least - 1, most + 1})
@@ -152,7 +157,7 @@ TEST(Settings, ThatAreNumbersHaveTheRangesOfTheirOptions) {
 }
 
 TEST(Settings, ThatBearOnTheVerdictDoNotReachCommandsThatReportsName) {
-    const Place place{"width = 100\nrenderer = \"embree\"\nthreads = 3"};
+    const SettingsFolder place{"width = 100\nrenderer = \"embree\"\nthreads = 3"};
     std::vector<const char*> argv{"zproof", "explain", "room", "1", "1"};
     const Environment environment = [&](const std::string& name) {
         static const std::string file = place.file();
@@ -161,18 +166,19 @@ TEST(Settings, ThatBearOnTheVerdictDoNotReachCommandsThatReportsName) {
     const auto explain =
         std::get<ExplainArguments>(parse_command_line(int(argv.size()), argv.data(), environment));
     EXPECT_EQ(explain.settings.resolution.width, 1920);
-    EXPECT_EQ(name_of(explain.parties.candidate), "zproof");
+    EXPECT_EQ(name_of(explain.renderers.candidate), "zproof");
     EXPECT_EQ(explain.settings.threads, 3);
 }
 
 TEST(Settings, OfACiServerAreTheWeakest) {
-    const Place place{"", {{"CI", "true"}, {"GITHUB_ACTIONS", "true"}}};
+    const SettingsFolder place{"", {{"CI", "true"}, {"GITHUB_ACTIONS", "true"}}};
     EXPECT_EQ(place.run({}).report.progress, ProgressStyle::lines);
     EXPECT_EQ(place.run({}).report.formats.back(), ReportFormat::github);
     EXPECT_EQ(place.run({"--report", "md"}).report.formats, std::vector{ReportFormat::md});
     EXPECT_EQ(place.run({"-q"}).report.progress, ProgressStyle::none);
-    EXPECT_EQ(Place("progress = \"bar\"", {{"CI", "1"}}).run({}).report.progress, ProgressStyle::bar);
-    EXPECT_EQ(Place("", {{"CI", "false"}}).run({}).report.progress, ProgressStyle::automatic);
+    EXPECT_EQ(SettingsFolder("progress = \"bar\"", {{"CI", "1"}}).run({}).report.progress,
+              ProgressStyle::bar);
+    EXPECT_EQ(SettingsFolder("", {{"CI", "false"}}).run({}).report.progress, ProgressStyle::automatic);
 }
 
 TEST(Precedence, IsOneFold) {

@@ -19,7 +19,7 @@ Finding finding(int x, PixelClass kind, std::uint32_t candidate, std::uint32_t r
 
 std::vector<int> columns(const Verdict& verdict, std::size_t most) {
     std::vector<int> xs;
-    for (const PixelPlace& place : telling_pixels(verdict, most)) xs.push_back(place.x);
+    for (const PixelCoord& place : telling_pixels(verdict, most)) xs.push_back(place.x);
     return xs;
 }
 

@@ -19,7 +19,7 @@ TEST(CommandLine, OfRunIsUnderstood) {
     EXPECT_EQ(run.report.out, "x");
     EXPECT_EQ(run.settings.resolution, (Resolution{640, 1080}));
     EXPECT_EQ(run.settings.threads, 3);
-    EXPECT_EQ(run.report.colour, ColourWish::never);
+    EXPECT_EQ(run.report.colour, ColourMode::never);
     EXPECT_EQ(run.report.progress, ProgressStyle::automatic);
     EXPECT_EQ(run.report.typed, "zproof run 'a b.glb' suite -o x --width 640 --threads 3 --color never");
 }
@@ -52,25 +52,25 @@ TEST(CommandLine, OfMeasureIsUnderstood) {
 TEST(CommandLine, NamesRenderersProgramsAndStoredFrames) {
     const auto run = std::get<RunArguments>(
         parsed({"run", "--renderer", "./mine {out}", "--precision", "ray", "--time-limit", "7"}));
-    EXPECT_EQ(std::get<Program>(run.parties.candidate.who).command, "./mine {out}");
-    EXPECT_EQ(run.parties.candidate.time_limit, std::chrono::seconds{7});
-    EXPECT_EQ(options_for(run.parties.candidate), " --renderer './mine {out}' --precision ray");
+    EXPECT_EQ(std::get<Program>(run.renderers.candidate.who).command, "./mine {out}");
+    EXPECT_EQ(run.renderers.candidate.time_limit, std::chrono::seconds{7});
+    EXPECT_EQ(options_for(run.renderers.candidate), " --renderer './mine {out}' --precision ray");
     const auto compare = std::get<CompareArguments>(
         parsed({"compare", "a.exr", "b.exr", "--scene", "room", "--view", "door"}));
-    EXPECT_EQ(name_of(compare.parties.candidate), "a.exr");
-    EXPECT_EQ(name_of(compare.parties.reference), "b.exr");
+    EXPECT_EQ(name_of(compare.renderers.candidate), "a.exr");
+    EXPECT_EQ(name_of(compare.renderers.reference), "b.exr");
     EXPECT_EQ(compare.scene, "room");
     const auto against_embree = std::get<CompareArguments>(parsed({"compare", "a.exr", "room"}));
-    EXPECT_EQ(name_of(against_embree.parties.reference), "embree");
+    EXPECT_EQ(name_of(against_embree.renderers.reference), "embree");
     EXPECT_EQ(against_embree.scene, "room");
     EXPECT_THROW(parsed({"run", "--renderer", "no-such-renderer"}), UsageError);
 }
 
-TEST(CommandLine, CallsWitnessesOnceAndNotTheCandidate) {
+TEST(CommandLine, CallsOraclesOnceAndNotTheCandidate) {
     const auto names = [](std::vector<const char*> words) {
         std::vector<std::string> list;
         const auto run = std::get<RunArguments>(parsed(std::move(words)));
-        for (const WitnessChoice& witness : run.parties.witnesses) list.push_back(name_of(witness.renderer));
+        for (const OracleChoice& oracle : run.renderers.oracles) list.push_back(name_of(oracle.renderer));
         return list;
     };
     using Names = std::vector<std::string>;

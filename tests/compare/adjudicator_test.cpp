@@ -9,13 +9,13 @@
 #include "bisected.h"
 #include "compare/adjudicate/triangle_search.h"
 #include "random_surroundings.h"
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
 
-std::vector<Adjudicated> adjudicate(const Scene& scene, const View& view, std::span<const PixelQuery> queries,
-                                    Asked asked, const RuleOverride& override = nullptr) {
+std::vector<QueryResult> adjudicate(const Scene& scene, const View& view, std::span<const PixelQuery> queries,
+                                    QueryDetail asked, const RuleOverride& override = nullptr) {
     return Adjudicator(scene, view, asked, override).decide(queries);
 }
 
@@ -36,23 +36,23 @@ class ACoarseAnswerAmongFineOnes : public testing::TestWithParam<Projection> {
     ViewBounds fine{view, with_subpixel_bits(8)}, coarse{view, with_subpixel_bits(2)};
 
     /// Of that triangle by the coarse renderer, after so many of the fine one in the same tile.
-    Adjudicated decided_after(std::size_t fine_ones, PrimitiveId answer) const {
+    QueryResult decided_after(std::size_t fine_ones, PrimitiveId answer) const {
         std::vector<PixelQuery> queries;
         for (std::size_t i = 0; i < fine_ones; ++i) queries.push_back({&fine, PrimitiveId(0), 0, int(i)});
         queries.push_back({&coarse, answer, 2, 2});
-        return adjudicate(scene, view, queries, Asked::displacement).back();
+        return adjudicate(scene, view, queries, QueryDetail::displacement).back();
     }
 };
 
 TEST_P(ACoarseAnswerAmongFineOnes, IsDecidedByAllThatItsOwnSquareReaches) {
-    const Adjudicated alone = decided_after(0, PrimitiveId(back));
+    const QueryResult alone = decided_after(0, PrimitiveId(back));
     EXPECT_EQ(alone.decision.admissibility, Admissibility::hidden);
     EXPECT_GE(alone.decision.eps_px, 0.125);
     for (std::uint32_t triangle = 0; triangle < scene.triangles.size(); ++triangle) {
         SCOPED_TRACE(triangle);
-        const Adjudicated expected = decided_after(0, PrimitiveId(triangle));
+        const QueryResult expected = decided_after(0, PrimitiveId(triangle));
         for (std::size_t fine_ones = 1; fine_ones < 5; ++fine_ones) {
-            const Adjudicated found = decided_after(fine_ones, PrimitiveId(triangle));
+            const QueryResult found = decided_after(fine_ones, PrimitiveId(triangle));
             EXPECT_EQ(found.decision.admissibility, expected.decision.admissibility);
             EXPECT_EQ(found.decision.eps_px, expected.decision.eps_px);
             EXPECT_EQ(found.displacement_over_eps, expected.displacement_over_eps);
@@ -79,7 +79,7 @@ TEST(Adjudicator, LooksAsFarAsEachQueryNeeds) {
         if (tile != x / 16)
             for (int row = 0; row < 16; ++row) queries.push_back({&fine, PrimitiveId(2), tile * 16, row});
     queries.push_back({&coarse, PrimitiveId(0), x, y});
-    for (const Asked asked : {Asked::displacement, Asked::admissibility})
+    for (const QueryDetail asked : {QueryDetail::displacement, QueryDetail::admissibility})
         EXPECT_EQ(adjudicate(scene, view, queries, asked).back().decision.admissibility,
                   Admissibility::through_a_crack);
 }
@@ -92,7 +92,7 @@ TEST(Adjudicator, DecidesInTheOrderOfQueries) {
     const ViewBounds bounds(view, with_subpixel_bits(8));
     std::vector<PixelQuery> queries;
     for (int i = 0; i < 5000; ++i) queries.push_back({&bounds, PrimitiveId(0), i * 37 % 64, i * 11 % 32});
-    const auto decided = adjudicate(scene, view, queries, Asked::admissibility);
+    const auto decided = adjudicate(scene, view, queries, QueryDetail::admissibility);
     ASSERT_EQ(decided.size(), queries.size());
     for (std::size_t i = 0; i < queries.size(); ++i) {
         ASSERT_EQ(decided[i].decision.admissibility,
@@ -103,43 +103,43 @@ TEST(Adjudicator, DecidesInTheOrderOfQueries) {
 
 TEST(Adjudicator, IsAskedNothingByNoQueries) {
     const View view = pixel_view(Projection::parallel, 4, 4);
-    EXPECT_TRUE(adjudicate(Scene{}, view, {}, Asked::displacement).empty());
+    EXPECT_TRUE(adjudicate(Scene{}, view, {}, QueryDetail::displacement).empty());
 }
 
 /// Pixels at which tiles meet, and any others.
-int some_column(Dice& dice, int width) {
+int some_column(Rng& rng, int width) {
     constexpr std::array borders{0, 15, 16, 31, 32, 47};
-    return dice.below(2) ? borders[std::size_t(dice.below(6))] : dice.below(width);
+    return rng.below(2) ? borders[std::size_t(rng.below(6))] : rng.below(width);
 }
 
 /// A crowd at a border of tiles and the queries of renderers of every kind around it.
 struct Crowd {
-    Dice dice;
+    Rng rng;
     View view;
     Scene scene;
     std::array<ViewBounds, 4> renderers;
     std::vector<PixelQuery> queries;
 
     explicit Crowd(std::uint32_t seed)
-        : dice(seed),
-          view(larger_view(dice)),
+        : rng(seed),
+          view(larger_view(rng)),
           renderers{ViewBounds(view, raster_precision()), ViewBounds(view, ray_precision()),
                     ViewBounds(view, with_subpixel_bits(2)), ViewBounds(view, with_subpixel_bits(-1))} {
-        const int x = some_column(dice, 48), y = some_column(dice, 48);
-        scene = random_crowd(dice, view, x, y);
+        const int x = some_column(rng, 48), y = some_column(rng, 48);
+        scene = random_crowd(rng, view, x, y);
         for (int i = 0; i < 24; ++i) {
-            const int t = dice.below(int(scene.triangles.size()) + 1);
+            const int t = rng.below(int(scene.triangles.size()) + 1);
             const PrimitiveId answer = t == 0 ? PrimitiveId::none : PrimitiveId(t - 1);
-            const bool is_there = dice.below(2);
-            queries.push_back({&renderers[std::size_t(dice.below(4))], answer,
-                               is_there ? x : some_column(dice, 48), is_there ? y : some_column(dice, 48)});
+            const bool is_there = rng.below(2);
+            queries.push_back({&renderers[std::size_t(rng.below(4))], answer,
+                               is_there ? x : some_column(rng, 48), is_there ? y : some_column(rng, 48)});
         }
     }
     Crowd(const Crowd&) = delete;  // queries point into it
     Crowd& operator=(const Crowd&) = delete;
 
-    static View larger_view(Dice& dice) {
-        View view = random_view(dice);
+    static View larger_view(Rng& rng) {
+        View view = random_view(rng);
         view.width = view.height = 48;
         return view;
     }
@@ -147,15 +147,15 @@ struct Crowd {
     Neighbourhood around(const PixelQuery& q) const {
         const TriangleSearch search(scene, view);
         const double own_px = own_eps_px(scene, view, *q.bounds, {q.x, q.y}, q.answer);
-        Site site{q.x, q.y, 2 * own_px, {}};
+        SearchPixel search_pixel{q.x, q.y, 2 * own_px, {}};
         while (true) {
-            site.triangles.clear();
+            search_pixel.triangles.clear();
             for (std::uint32_t t = 0; t < scene.triangles.size(); ++t)
-                if (search.box_of(t).meets(square_around(q.x, q.y, site.reach_px)))
-                    site.triangles.push_back(t);
-            Neighbourhood around = neighbourhood_of(scene, view, *q.bounds, site, own_px);
-            if (around.eps_px <= site.reach_px) return around;
-            site.reach_px = around.eps_px;
+                if (search.box_of(t).meets(square_around(q.x, q.y, search_pixel.reach_px)))
+                    search_pixel.triangles.push_back(t);
+            Neighbourhood around = neighbourhood_of(scene, view, *q.bounds, search_pixel, own_px);
+            if (around.eps_px <= search_pixel.reach_px) return around;
+            search_pixel.reach_px = around.eps_px;
         }
     }
     /// Every triangle of the scene in a square of that half-side.
@@ -178,7 +178,7 @@ Admissibility but_for_clipping(Admissibility word) {
     return word == Admissibility::clipped ? Admissibility::visible : word;
 }
 
-void expect_same(const Adjudicated& found, const Adjudicated& expected) {
+void expect_same(const QueryResult& found, const QueryResult& expected) {
     ASSERT_EQ(found.decision.admissibility, expected.decision.admissibility);
     ASSERT_EQ(found.decision.eps_px, expected.decision.eps_px);
     ASSERT_EQ(found.decision.exact, expected.decision.exact);
@@ -192,11 +192,11 @@ TEST(Adjudicator, DecidesAsAmongAllTrianglesOfTheScene) {
     for (std::uint32_t seed = 0; seed < 250; ++seed) {
         SCOPED_TRACE(seed);
         const Crowd crowd(seed);
-        const auto decided = adjudicate(crowd.scene, crowd.view, crowd.queries, Asked::displacement);
+        const auto decided = adjudicate(crowd.scene, crowd.view, crowd.queries, QueryDetail::displacement);
         for (std::size_t i = 0; i < decided.size(); ++i) {
             const PixelQuery& query = crowd.queries[i];
             const Neighbourhood around = crowd.around(query);
-            CoplanarMemory coplanar(16);
+            CoplanarCache coplanar(16);
             const Decision expected = decide(around, query.answer, coplanar);
             ASSERT_EQ(decided[i].decision.admissibility, expected.admissibility) << i;
             ASSERT_EQ(decided[i].decision.eps_px, expected.eps_px) << i;
@@ -222,15 +222,16 @@ TEST(Adjudicator, IsNotInfluencedByWhatElseIsAskedNorByTheOrderOfQueriesOrThread
         SCOPED_TRACE(seed);
         const Crowd crowd(seed);
         const auto together = tbb::task_arena(2).execute(
-            [&] { return adjudicate(crowd.scene, crowd.view, crowd.queries, Asked::displacement); });
+            [&] { return adjudicate(crowd.scene, crowd.view, crowd.queries, QueryDetail::displacement); });
         std::vector<PixelQuery> reversed(crowd.queries.rbegin(), crowd.queries.rend());
         const auto backwards = tbb::task_arena(1).execute(
-            [&] { return adjudicate(crowd.scene, crowd.view, reversed, Asked::displacement); });
+            [&] { return adjudicate(crowd.scene, crowd.view, reversed, QueryDetail::displacement); });
         for (std::size_t i = 0; i < together.size(); ++i) {
             expect_same(backwards[together.size() - 1 - i], together[i]);
             const PixelQuery& query = crowd.queries[i];
-            expect_same(adjudicate(crowd.scene, crowd.view, std::span(&query, 1), Asked::displacement)[0],
-                        together[i]);
+            expect_same(
+                adjudicate(crowd.scene, crowd.view, std::span(&query, 1), QueryDetail::displacement)[0],
+                together[i]);
             if (HasFatalFailure()) return;
         }
     }
@@ -245,7 +246,7 @@ TEST(Adjudicator, LooksAgainWhereTheSquareOutgrowsTheSearch) {
     const Scene scene = scene_of(view, {swaying, wall_right_of(24.75, 8), wall_right_of(24.875, 2)});
     const auto decided = [&](std::uint32_t triangle) {
         const PixelQuery query{&bounds, PrimitiveId(triangle), 24, 24};
-        return adjudicate(scene, view, std::span(&query, 1), Asked::admissibility)[0].decision;
+        return adjudicate(scene, view, std::span(&query, 1), QueryDetail::admissibility)[0].decision;
     };
     EXPECT_LT(own_eps_px(scene, view, bounds, {24, 24}, PrimitiveId(1)), 1.0 / 128);
     for (const std::uint32_t right : {1u, 2u}) {
@@ -263,7 +264,7 @@ TEST(Adjudicator, KnowsWhatContinuesAnEdgeJustBeyondTheSquare) {
     const Triangle swaying{{{24.5, -64, 8}, {24.5, 96, 8}, {-2e6, 24, 8}}};
     const PixelQuery query{&bounds, PrimitiveId::none, 24, 24}, other{&coarse, PrimitiveId::none, 23, 23};
     const auto decided = [&](const Scene& scene, std::span<const PixelQuery> queries) {
-        return adjudicate(scene, view, queries, Asked::admissibility)[0].decision;
+        return adjudicate(scene, view, queries, QueryDetail::admissibility)[0].decision;
     };
     const double eps_px = decided(scene_of(view, {swaying}), std::span(&query, 1)).eps_px;
     ASSERT_GT(eps_px, 1.0 / 16);
@@ -286,14 +287,14 @@ TEST(RuleOverride, IsAppliedToEveryQueryBeforeItIsDecided) {
     const ViewBounds bounds(view, raster_precision());
     std::vector<PixelQuery> queries;
     for (int i = 0; i < 32; ++i) queries.push_back({&bounds, PrimitiveId(i % 2), i, 31 - i});
-    const auto plainly = adjudicate(scene, view, queries, Asked::admissibility);
+    const auto plainly = adjudicate(scene, view, queries, QueryDetail::admissibility);
     const auto all_but_the_answer_gone = [](Neighbourhood& around, PrimitiveId answer) {
         std::erase_if(around.neighbours,
                       [&](const Neighbour& n) { return PrimitiveId(n.triangle) != answer; });
     };
-    const auto alone = adjudicate(scene, view, queries, Asked::admissibility, all_but_the_answer_gone);
+    const auto alone = adjudicate(scene, view, queries, QueryDetail::admissibility, all_but_the_answer_gone);
     const auto nothing_left = [](Neighbourhood& around, PrimitiveId) { around.neighbours.clear(); };
-    const auto bare = adjudicate(scene, view, queries, Asked::admissibility, nothing_left);
+    const auto bare = adjudicate(scene, view, queries, QueryDetail::admissibility, nothing_left);
     for (std::size_t i = 0; i < queries.size(); ++i) {
         EXPECT_EQ(plainly[i].decision.admissibility, i % 2 ? Admissibility::hidden : Admissibility::visible);
         EXPECT_EQ(alone[i].decision.admissibility, Admissibility::visible);
@@ -305,10 +306,10 @@ TEST(RuleOverride, IsAppliedToEveryQueryBeforeItIsDecided) {
 TEST(Adjudicator, DoesEveryPixelUntilItIsContent) {
     const View view = pixel_view(Projection::parallel, 48, 48);
     const Scene scene = scene_of(view, {wall(4)});
-    std::vector<PixelPlace> pixels;
+    std::vector<PixelCoord> pixels;
     for (int i = 0; i < 500; ++i) pixels.push_back({i * 37 % 48, i * 11 % 48});
     std::vector<int> times(pixels.size());
-    Adjudicator(scene, view, Asked::admissibility)
+    Adjudicator(scene, view, QueryDetail::admissibility)
         .for_each_pixel(pixels, [&](TileWork&, std::size_t i, double searched_px) {
             const int time = ++times[i], enough = 1 + int(i % 3);
             EXPECT_TRUE(time == 1 || searched_px == time) << i;

@@ -42,7 +42,7 @@ std::vector<bool> edge_on(const Neighbourhood& around) {
     std::vector<bool> flags;
     for (const Neighbour& n : around.neighbours)
         flags.push_back(
-            !image_of(Sight<Rational>(around.view, around.x, around.y), corners<Rational>(n.p_world)));
+            !image_of(ViewRay<Rational>(around.view, around.x, around.y), corners<Rational>(n.p_world)));
     return flags;
 }
 
@@ -62,7 +62,7 @@ TEST(AdmissibleSet, AgreesWithBruteForceOnRandomAndHardSurroundings) {
         const std::size_t count = s.around.neighbours.size();
         const std::vector<bool> flags = edge_on(s.around);
         const brute_force::Picture plain(s.around);
-        CoplanarMemory memory(16);
+        CoplanarCache memory(16);
         AdmissibleSet<Rational> exact(s.around, memory);
         AdmissibleSet<LazyRational> lazy(s.around, memory);
         AdmissibleSet<Interval> fast(s.around, memory);

@@ -10,14 +10,14 @@
 #include "compare/agree/depth_errors.h"
 #include "compare/agree/row_counts.h"
 #include "random_surroundings.h"
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-FramePair pair_of(const Trial& t) {
+FramePair pair_of(const TestScene& t) {
     return {t.scene,
             t.view,
             {t.view, {t.candidate, t.candidate_precision}},
@@ -75,7 +75,7 @@ void expect_same(const Agreement& found, const Agreement& expected) {
 }
 
 /// Holds what the tier finds against every pixel by itself.
-void try_frames(const Trial& t, Tried& tried) {
+void try_frames(const TestScene& t, Tried& tried) {
     const FramePair pair = pair_of(t);
     const Resolution size{t.view.width, t.view.height};
     ErrorMaps maps{Plane<float>(size, 77), Plane<float>(size, 77)}, expected_maps = maps;
@@ -103,45 +103,45 @@ void try_frames(const Trial& t, Tried& tried) {
 
 /// Row y shows background in both frames, but perhaps for one pixel of one of them: a triangle at infinity,
 /// or a background at a depth.
-void make_bare(Trial& t, int y, Dice& dice) {
+void make_bare(TestScene& t, int y, Rng& rng) {
     const int width = t.view.width;
     for (int x = 0; x < width; ++x) {
         answer_background(t.candidate, x, y);
         answer_background(t.reference, x, y);
     }
-    Frame& frame = dice.below(2) ? t.candidate : t.reference;
-    const int x = dice.below(width), odd = dice.below(3);
+    Frame& frame = rng.below(2) ? t.candidate : t.reference;
+    const int x = rng.below(width), odd = rng.below(3);
     if (odd == 0) frame.primitive.at(x, y) = PrimitiveId(1);
     if (odd == 1) frame.camera_depth.at(x, y) = 4;
 }
 
 /// Walls at depths 1, 1 + 1/64 ..., a sliver that has no plane, and frames that show runs of any of them: at
 /// their depth, next to it or far from it, at none, or as background and ids that are none.
-Trial random_frames(std::uint32_t seed, int width, int height, int walls, int longest_run) {
-    Dice dice(seed);
+TestScene random_frames(std::uint32_t seed, int width, int height, int walls, int longest_run) {
+    Rng rng(seed);
     std::vector<Triangle> triangles{{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}};
     for (int i = 1; i < walls; ++i)
         triangles.push_back(
             {{{-64, -64, 1 + i / 64.0}, {4096, -64, 1 + i / 64.0}, {-64, 4096, 1 + i / 64.0}}});
-    Trial t(dice.below(2) ? Projection::perspective : Projection::parallel, width, height, triangles);
+    TestScene t(rng.below(2) ? Projection::perspective : Projection::parallel, width, height, triangles);
     std::uint32_t shown = 0;
     const auto answer_at = [&](Frame& frame, int x, int y) {
         const double depth = 1 + shown / 64.0;
         const float depths[] = {float(depth), std::nextafter(float(depth), 0.f), float(depth * (1 + 0x1p-12)),
                                 nan};
-        answer(frame, x, y, shown, depths[dice.below(30) ? dice.below(2) : 2 + dice.below(2)]);
-        if (dice.below(12) == 0) answer_background(frame, x, y);
-        if (dice.below(60) == 0) frame.primitive.at(x, y) = PrimitiveId::none;
+        answer(frame, x, y, shown, depths[rng.below(30) ? rng.below(2) : 2 + rng.below(2)]);
+        if (rng.below(12) == 0) answer_background(frame, x, y);
+        if (rng.below(60) == 0) frame.primitive.at(x, y) = PrimitiveId::none;
     };
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            if (dice.below(longest_run) == 0)
-                shown = std::uint32_t(dice.below(walls + 1));  // or none of the scene
+            if (rng.below(longest_run) == 0)
+                shown = std::uint32_t(rng.below(walls + 1));  // or none of the scene
             answer_at(t.candidate, x, y);
-            if (dice.below(6) == 0) shown = std::uint32_t(dice.below(walls));
+            if (rng.below(6) == 0) shown = std::uint32_t(rng.below(walls));
             answer_at(t.reference, x, y);
         }
-    for (int y = dice.below(3); y < height; y += 2) make_bare(t, y, dice);
+    for (int y = rng.below(3); y < height; y += 2) make_bare(t, y, rng);
     return t;
 }
 
@@ -173,7 +173,7 @@ TEST(Agree, HoldsAnyNumberOfTrianglesInABlock) {
 /// The triangles of one block are not those of the next: ids far apart whose places meet.
 TEST(Agree, ForgetsTheTrianglesOfTheBlockBefore) {
     constexpr int width = 256, height = 16;
-    Trial t(Projection::parallel, width, height, std::vector<Triangle>(64, wall(4)));
+    TestScene t(Projection::parallel, width, height, std::vector<Triangle>(64, wall(4)));
     for (std::size_t i = 0; i < t.scene.vertices.position_world.size(); ++i)
         t.scene.vertices.position_world[i].z = -float(1 + int(i) / 3);  // wall i at depth i + 1
     for (int y = 0; y < height; ++y)
@@ -188,7 +188,7 @@ TEST(Agree, ForgetsTheTrianglesOfTheBlockBefore) {
 }
 
 TEST(Agree, DoesNotDependOnTheNumberOfThreads) {
-    const Trial t = random_frames(7, 300, 200, 9, 5);
+    const TestScene t = random_frames(7, 300, 200, 9, 5);
     const FramePair pair = pair_of(t);
     const auto found_by = [&](int threads) {
         return tbb::task_arena(threads).execute([&] { return find_agreement(pair, nullptr); });

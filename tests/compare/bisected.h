@@ -11,7 +11,7 @@ namespace zproof {
 
 /// What displacement_over_eps() should find. A triangle must be a neighbour.
 inline std::optional<double> bisected_displacement(const Neighbourhood& around, PrimitiveId answer) {
-    CoplanarMemory coplanar(16);
+    CoplanarCache coplanar(16);
     AdmissibleSet<double> set(around, coplanar);
     const auto is_seen = [&](int step) {
         set.set_half_side(around.eps_px * step / displacement_steps);

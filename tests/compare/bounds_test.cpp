@@ -62,18 +62,18 @@ struct Transform {
 
 /// The larger of the displacements in x and y, exactly measured, in px.
 double strays_by(const View& view, const glm::dvec3& p_world, const glm::dvec2& raster) {
-    const Sight<Rational> sight(view, 0, 0);
-    const auto v = exactly<Rational>(p_world) - sight.origin;
-    const Rational all = dot(sight.step_x, cross(sight.step_y, sight.direction));
-    const Rational t = dot(sight.step_x, cross(sight.step_y, v)) / all;
-    const Rational x = dot(v, cross(sight.step_y, sight.direction)) / all / t;
-    const Rational y = dot(sight.step_x, cross(v, sight.direction)) / all / t;
+    const ViewRay<Rational> ray(view, 0, 0);
+    const auto v = exactly<Rational>(p_world) - ray.origin;
+    const Rational all = dot(ray.step_x, cross(ray.step_y, ray.direction));
+    const Rational t = dot(ray.step_x, cross(ray.step_y, v)) / all;
+    const Rational x = dot(v, cross(ray.step_y, ray.direction)) / all / t;
+    const Rational y = dot(ray.step_x, cross(v, ray.direction)) / all / t;
     const Rational dx = x + Rational(0.5) - Rational(raster.x), dy = y + Rational(0.5) - Rational(raster.y);
     return std::max(std::abs(dx.convert_to<double>()), std::abs(dy.convert_to<double>()));
 }
 
-View turned_view(Dice& dice) {
-    View view = random_view(dice);
+View turned_view(Rng& rng) {
+    View view = random_view(rng);
     view.camera.projection = Projection::perspective;
     view.camera.shear = {0, 0};
     view.camera.near_depth = 0.25;
@@ -92,13 +92,13 @@ template <class Float>
 double largest_share_of_eps(const RasterPrecision& precision, const glm::vec3& moved = glm::vec3(0)) {
     double largest = 0;
     for (std::uint32_t seed = 0; seed < 1500; ++seed) {
-        Dice dice(seed);
-        View view = turned_view(dice);
+        Rng rng(seed);
+        View view = turned_view(rng);
         view.camera.eye_world += moved;
         const ViewBounds bounds(view, precision);
         CornersWorld p;
         for (glm::vec3& corner : p)
-            corner = corner_at(view.camera, dice.between(0.5, 20), dice.between(0, 1), dice.between(0, 1));
+            corner = corner_at(view.camera, rng.between(0.5, 20), rng.between(0, 1), rng.between(0, 1));
         const TriangleBounds of_triangle = bounds.of(p);
         const double eps = of_triangle.at(1 / of_triangle.nearest, 0).eps_px;
         const Transform<Float> transform(view, precision.origin);
@@ -148,12 +148,12 @@ ClipCorner<Float> at_right_side(const ClipCorner<Float>& out, const ClipCorner<F
 TEST(Bounds, NoCornerMadeByClippingStraysByMoreThanEps) {
     double largest = 0;
     for (std::uint32_t seed = 0; seed < 1500; ++seed) {
-        Dice dice(seed);
-        const View view = turned_view(dice);
+        Rng rng(seed);
+        const View view = turned_view(rng);
         const auto corner = [&](double across) {
-            return corner_at(view.camera, dice.between(0.5, 20), across, dice.between(0, 1));
+            return corner_at(view.camera, rng.between(0.5, 20), across, rng.between(0, 1));
         };
-        const double far_out = std::exp2(dice.between(0, 14));
+        const double far_out = std::exp2(rng.between(0, 14));
         const CornersWorld p{corner(1 + far_out), corner(0.9), corner(0.1)};
         const ViewBounds bounds(view, RasterPrecision{.origin = Origin::eye,
                                                       .subpixel_bits = finest_grid,
@@ -235,13 +235,13 @@ struct Disagreements {
 };
 
 /// A triangle with an edge through the pixel's centre, but for rounding.
-CornersWorld triangle_with_an_edge_at_the_centre(Dice& dice, View& view) {
+CornersWorld triangle_with_an_edge_at_the_centre(Rng& rng, View& view) {
     const Camera& c = view.camera;
     CornersWorld p;
     for (glm::vec3& corner : p)
-        corner = glm::vec3(glm::dvec3(c.eye_world) + dice.between(-3, 3) * c.right +
-                           dice.between(-3, 3) * c.up - dice.between(1, 9) * c.back);
-    const double share = dice.between(0.1, 0.9);
+        corner = glm::vec3(glm::dvec3(c.eye_world) + rng.between(-3, 3) * c.right +
+                           rng.between(-3, 3) * c.up - rng.between(1, 9) * c.back);
+    const double share = rng.between(0.1, 0.9);
     const glm::dvec3 on_edge =
         (1 - share) * glm::dvec3(p[0]) + share * glm::dvec3(p[1]) - glm::dvec3(c.eye_world);
     const double depth = -glm::dot(c.back, on_edge);
@@ -254,12 +254,12 @@ CornersWorld triangle_with_an_edge_at_the_centre(Dice& dice, View& view) {
 Disagreements plane_ray_disagreements() {
     Disagreements disagreements;
     for (std::uint32_t seed = 0; seed < 3000; ++seed) {
-        Dice dice(seed);
-        View view = turned_view(dice);
-        const CornersWorld p = triangle_with_an_edge_at_the_centre(dice, view);
+        Rng rng(seed);
+        View view = turned_view(rng);
+        const CornersWorld p = triangle_with_an_edge_at_the_centre(rng, view);
         Corners<Rational> exact;
         for (std::size_t i = 0; i < 3; ++i) exact[i] = exactly<Rational>(glm::dvec3(p[i]));
-        const auto image = image_of(Sight<Rational>(view, 3, 3), exact);
+        const auto image = image_of(ViewRay<Rational>(view, 3, 3), exact);
         if (!image) continue;
         double nearest_edge = unlimited;
         bool inside = true;
@@ -270,8 +270,8 @@ Disagreements plane_ray_disagreements() {
         }
         if (plane_ray_hits(view, p, 3, 3) == inside) continue;
         const ViewBounds bounds(view, PlaneRayPrecision{});
-        const double nearness = image->nearness.c.convert_to<double>();
-        const double eps = bounds.of(p).at(nearness, 0).eps_px;
+        const double inverse_depth = image->inverse_depth.c.convert_to<double>();
+        const double eps = bounds.of(p).at(inverse_depth, 0).eps_px;
         ++disagreements.count;
         disagreements.largest_share = std::max(disagreements.largest_share, nearest_edge / eps);
     }

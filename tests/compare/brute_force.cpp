@@ -9,18 +9,18 @@ namespace {
 using Vector = Vector3<Rational>;
 
 Rational determinant(const Vector& a, const Vector& b, const Vector& c) { return dot(a, cross(b, c)); }
-Vector vector(const Place& p) { return {p.x, p.y, p.d}; }
+Vector vector(const ImagePoint& p) { return {p.x, p.y, p.d}; }
 Functional functional(const Vector& v) { return {v.x, v.y, v.z}; }
 Functional difference(const Functional& f, const Functional& g) { return {f.a - g.a, f.b - g.b, f.c - g.c}; }
 
 /// Solves p = along(x, y, t) for the place in the image: Cramer's rule on [step_x step_y direction].
-Corner corner_at(const Sight<Rational>& sight, const Vector& p_world) {
-    const Vector v = p_world - sight.origin;
-    const Rational all = determinant(sight.step_x, sight.step_y, sight.direction);
-    const Rational x = determinant(v, sight.step_y, sight.direction) / all;
-    const Rational y = determinant(sight.step_x, v, sight.direction) / all;
-    const Rational t = determinant(sight.step_x, sight.step_y, v) / all;
-    return {{x, y, sight.projection == Projection::perspective ? t : Rational(1)}, t};
+Corner corner_at(const ViewRay<Rational>& ray, const Vector& p_world) {
+    const Vector v = p_world - ray.origin;
+    const Rational all = determinant(ray.step_x, ray.step_y, ray.direction);
+    const Rational x = determinant(v, ray.step_y, ray.direction) / all;
+    const Rational y = determinant(ray.step_x, v, ray.direction) / all;
+    const Rational t = determinant(ray.step_x, ray.step_y, v) / all;
+    return {{x, y, ray.projection == Projection::perspective ? t : Rational(1)}, t};
 }
 
 bool same_position(const glm::vec3& p, const glm::vec3& q) { return p == q; }
@@ -33,20 +33,21 @@ Picture::Picture(const Neighbourhood& around)
 }
 
 auto Picture::draw(const Neighbour& n) const -> Triangle {
-    const Sight<Rational> sight(around_.view, around_.x, around_.y);
+    const ViewRay<Rational> ray(around_.view, around_.x, around_.y);
     Triangle triangle;
     for (std::size_t i = 0; i < 3; ++i)
-        triangle.corner[i] = corner_at(sight, exactly<Rational>(glm::dvec3(n.p_world[i])));
+        triangle.corner[i] = corner_at(ray, exactly<Rational>(glm::dvec3(n.p_world[i])));
     const auto at = [&](std::size_t i) { return vector(triangle.corner[i % 3].at); };
     const Rational area = determinant(at(0), at(1), at(2));
     triangle.orientation = area.sign();
-    Vector nearness{0, 0, 0};
+    Vector inverse_depth{0, 0, 0};
     for (std::size_t i = 0; i < 3 && triangle.orientation != 0; ++i) {
         const Vector line = cross(at(i + 1), at(i + 2));
         triangle.edge[i] = functional(Rational(triangle.orientation) * line);
-        nearness = nearness + ((perspective_ ? Rational(1) : -triangle.corner[i].depth) / area) * line;
+        inverse_depth =
+            inverse_depth + ((perspective_ ? Rational(1) : -triangle.corner[i].depth) / area) * line;
     }
-    triangle.nearness = functional(nearness);
+    triangle.inverse_depth = functional(inverse_depth);
     return triangle;
 }
 
@@ -55,8 +56,8 @@ Set Picture::square() const {
     return {{1, 0, h}, {-1, 0, h}, {0, 1, h}, {0, -1, h}};
 }
 
-/// Near and far as places of nearness in double, moved by the triangle's own slack.
-Set Picture::clip_planes(std::size_t index, const Functional& nearness, Plane plane) const {
+/// Near and far as places of inverse depth in double, moved by the triangle's own slack.
+Set Picture::clip_planes(std::size_t index, const Functional& inverse_depth, Plane plane) const {
     const Neighbour& n = around_.neighbours[index];
     const Camera& camera = around_.view.camera;
     const double wider = plane == Plane::as_far_as_it_may_be ? 1 : -1;
@@ -69,8 +70,9 @@ Set Picture::clip_planes(std::size_t index, const Functional& nearness, Plane pl
     if (plane == Plane::as_near_as_it_may_be && (!std::isfinite(near) || far < (perspective_ ? 0 : near)))
         return {nowhere};
     Set set;
-    if (std::isfinite(near) && (!perspective_ || near > 0)) set.push_back(difference(limit(near), nearness));
-    if (std::isfinite(far)) set.push_back(difference(nearness, limit(far)));
+    if (std::isfinite(near) && (!perspective_ || near > 0))
+        set.push_back(difference(limit(near), inverse_depth));
+    if (std::isfinite(far)) set.push_back(difference(inverse_depth, limit(far)));
     return set;
 }
 
@@ -79,7 +81,8 @@ Set Picture::outline(std::size_t index) const {
     const Triangle& t = triangles_[index];
     Set set = square();
     set.insert(set.end(), t.edge.begin(), t.edge.end());
-    for (const Functional& f : clip_planes(index, t.nearness, Plane::as_far_as_it_may_be)) set.push_back(f);
+    for (const Functional& f : clip_planes(index, t.inverse_depth, Plane::as_far_as_it_may_be))
+        set.push_back(f);
     return set;
 }
 
@@ -92,7 +95,7 @@ bool Picture::is_clipped(std::size_t index) const {
     if (n.nearest > camera.near_depth && n.farthest < camera.far_depth) return false;
     Set inside = square();
     inside.insert(inside.end(), t.edge.begin(), t.edge.end());
-    return !is_covered(inside, {clip_planes(index, t.nearness, Plane::as_near_as_it_may_be)});
+    return !is_covered(inside, {clip_planes(index, t.inverse_depth, Plane::as_near_as_it_may_be)});
 }
 
 bool Picture::is_visible(std::size_t index) const {
@@ -100,9 +103,9 @@ bool Picture::is_visible(std::size_t index) const {
     for (std::size_t o = 0; o < triangles_.size(); ++o) {
         const Triangle& t = triangles_[o];
         if (o == index || t.orientation == 0) continue;
-        Set set = clip_planes(o, t.nearness, Plane::as_near_as_it_may_be);
+        Set set = clip_planes(o, t.inverse_depth, Plane::as_near_as_it_may_be);
         set.insert(set.end(), t.edge.begin(), t.edge.end());
-        set.push_back(difference(t.nearness, triangles_[index].nearness));
+        set.push_back(difference(t.inverse_depth, triangles_[index].inverse_depth));
         hiding.push_back(set);
     }
     return !is_covered(outline(index), hiding);
@@ -126,10 +129,11 @@ std::optional<int> Picture::side_of(std::size_t index, std::size_t edge, std::si
 
 bool Picture::is_in_front(std::size_t occluder, std::size_t seen, DepthRule rule) const {
     const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen];
-    const bool certainly = front.least_nearness > back.greatest_nearness;
+    const bool certainly = front.least_inverse_depth > back.greatest_inverse_depth;
     if (rule == DepthRule::bounded) return certainly;
-    const bool certainly_not = front.greatest_nearness < back.least_nearness;
-    return certainly || (!certainly_not && triangles_[occluder].nearness.c >= triangles_[seen].nearness.c);
+    const bool certainly_not = front.greatest_inverse_depth < back.least_inverse_depth;
+    return certainly ||
+           (!certainly_not && triangles_[occluder].inverse_depth.c >= triangles_[seen].inverse_depth.c);
 }
 
 std::vector<std::size_t> Picture::in_front_of(std::size_t seen, DepthRule rule) const {
@@ -141,7 +145,7 @@ std::vector<std::size_t> Picture::in_front_of(std::size_t seen, DepthRule rule) 
 
 Set Picture::cover(std::size_t occluder, const std::vector<std::size_t>& occluders, EdgeRule rule,
                    std::optional<std::size_t> seen) const {
-    Set set = clip_planes(occluder, triangles_[occluder].nearness, Plane::as_near_as_it_may_be);
+    Set set = clip_planes(occluder, triangles_[occluder].inverse_depth, Plane::as_near_as_it_may_be);
     for (std::size_t e = 0; e < 3; ++e) {
         if (seen && side_of(occluder, e, *seen) == 1) continue;
         Functional edge = triangles_[occluder].edge[e];

@@ -16,12 +16,12 @@ struct Functional {
     Rational a, b, c;
 };
 /// D is 1 or camera depth.
-struct Place {
+struct ImagePoint {
     Rational x, y, d;
 };
-/// A corner in the image: the place, and the distance along the line of sight.
+/// A corner in the image: the place, and the distance along the view ray.
 struct Corner {
-    Place at;
+    ImagePoint at;
     Rational depth;
 };
 
@@ -47,13 +47,13 @@ class Picture {
         std::array<Corner, 3> corner;
         int orientation = 0;             ///< 0: edge-on
         std::array<Functional, 3> edge;  ///< >= 0 inside
-        Functional nearness;
+        Functional inverse_depth;
     };
     enum class Plane { as_far_as_it_may_be, as_near_as_it_may_be };
 
     Triangle draw(const Neighbour& n) const;
     Set square() const;
-    Set clip_planes(std::size_t index, const Functional& nearness, Plane plane) const;
+    Set clip_planes(std::size_t index, const Functional& inverse_depth, Plane plane) const;
     Set outline(std::size_t index) const;
     std::optional<int> side_of(std::size_t index, std::size_t edge, std::size_t other) const;
     bool is_in_front(std::size_t occluder, std::size_t seen, DepthRule rule) const;

@@ -23,21 +23,21 @@ bool coplanar_in_rationals(const CornersWorld& a, const CornersWorld& b) {
 }
 
 /// Small whole coordinates are coplanar often; a common power of two takes them to any magnitude.
-CornersWorld random_triangle(Dice& dice, float scale) {
+CornersWorld random_triangle(Rng& rng, float scale) {
     CornersWorld p;
     for (glm::vec3& corner : p)
-        corner = scale * glm::vec3(float(dice.below(4)), float(dice.below(4)), float(dice.below(3)));
+        corner = scale * glm::vec3(float(rng.below(4)), float(rng.below(4)), float(rng.below(3)));
     return p;
 }
 
 TEST(Coplanar, SaysWhatRationalsSayAtEveryMagnitude) {
-    Dice dice(1);
+    Rng rng(1);
     int yes = 0;
     for (int i = 0; i < 4000; ++i) {
-        const float scale = std::ldexp(1.f, dice.below(2) ? 0 : dice.below(270) - 148);
-        const CornersWorld a = random_triangle(dice, scale);
-        CornersWorld b = random_triangle(dice, scale);
-        if (dice.below(4) == 0) b[0].z = std::nextafter(b[0].z, std::numeric_limits<float>::max());
+        const float scale = std::ldexp(1.f, rng.below(2) ? 0 : rng.below(270) - 148);
+        const CornersWorld a = random_triangle(rng, scale);
+        CornersWorld b = random_triangle(rng, scale);
+        if (rng.below(4) == 0) b[0].z = std::nextafter(b[0].z, std::numeric_limits<float>::max());
         ASSERT_EQ(coplanar(a, b), coplanar_in_rationals(a, b)) << i;
         yes += coplanar(a, b);
     }

@@ -7,7 +7,7 @@
 #include "compare/admissible/conservative_test.h"
 #include "math/lazy_rational.h"
 #include "random_surroundings.h"
-#include "stage.h"
+#include "test_scene.h"
 #include "word_for.h"
 
 namespace zproof {
@@ -19,7 +19,7 @@ TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
     for (std::uint32_t seed = 0; seed < 1000; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
-        CoplanarMemory memory(16);
+        CoplanarCache memory(16);
         AdmissibleSet<Rational> set(s.around, memory);
         const std::size_t count = s.around.neighbours.size();
         const Decision bare = decide(s.around, PrimitiveId::none, memory);
@@ -38,16 +38,14 @@ TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
 
 /// Two triangles on one side of an edge that they share, which passes within eps of the centre; sometimes a
 /// wall behind them, in front of them or between them.
-std::vector<Triangle> random_silhouette(Dice& dice) {
+std::vector<Triangle> random_silhouette(Rng& rng) {
     constexpr double eps_px = 1.0 / 512, far = 64;
-    const double x = 1.5 + dice.between(-1, 1) * eps_px, slope = dice.between(-2, 2);
-    const Corner up{x - slope * far, 1.5 - far, dice.between(3, 6)},
-        down{x + slope * far, 1.5 + far, dice.between(3, 6)};
-    const auto third = [&] {
-        return Corner{dice.between(-900, -300), dice.between(-9, 9), dice.between(3, 6)};
-    };
+    const double x = 1.5 + rng.between(-1, 1) * eps_px, slope = rng.between(-2, 2);
+    const Corner up{x - slope * far, 1.5 - far, rng.between(3, 6)},
+        down{x + slope * far, 1.5 + far, rng.between(3, 6)};
+    const auto third = [&] { return Corner{rng.between(-900, -300), rng.between(-9, 9), rng.between(3, 6)}; };
     std::vector<Triangle> triangles{{up, third(), down}, {up, third(), down}};
-    if (dice.below(3) == 0) triangles.push_back(wall(dice.between(2, 7)));
+    if (rng.below(3) == 0) triangles.push_back(wall(rng.between(2, 7)));
     return triangles;
 }
 
@@ -56,12 +54,12 @@ TEST(Decide, ASilhouetteIsDecidedAsRationalsDecideHardlyEverByThem) {
     int exact = 0;
     for (std::uint32_t seed = 0; seed < 1000; ++seed) {
         SCOPED_TRACE(seed);
-        Dice dice(seed);
-        const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
-        const Scene scene = scene_of(view, random_silhouette(dice));
-        const ViewBounds bounds(view, dice.below(2) ? raster_precision() : ray_precision());
+        Rng rng(seed);
+        const View view = pixel_view(rng.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
+        const Scene scene = scene_of(view, random_silhouette(rng));
+        const ViewBounds bounds(view, rng.below(2) ? raster_precision() : ray_precision());
         const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
-        CoplanarMemory memory(16);
+        CoplanarCache memory(16);
         AdmissibleSet<Rational> set(around, memory);
         for (std::size_t i = 0; i < around.neighbours.size(); ++i) {
             const Decision decision = decide(around, PrimitiveId(std::uint32_t(i)), memory);
@@ -82,7 +80,7 @@ TEST(Decide, OneSetIsAskedAboutAllAnswers) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
         const std::size_t count = s.around.neighbours.size();
-        CoplanarMemory memory(16);
+        CoplanarCache memory(16);
         AdmissibleSet<Rational> by_arithmetic(s.around, memory);
         AdmissibleSet<LazyRational> set(s.around, memory);
         for (std::size_t i = 0; i < count; ++i)
@@ -97,12 +95,12 @@ TEST(Decide, WhatDoubleTellsOfWallsIsWhatRationalsTell) {
     int certain = 0, others = 0;
     for (std::uint32_t seed = 0; seed < 3000; ++seed) {
         SCOPED_TRACE(seed);
-        Dice dice(seed);
-        const View view = pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
-        const Scene scene = random_walls(dice, view);
-        const ViewBounds bounds(view, dice.below(2) ? raster_precision() : ray_precision());
+        Rng rng(seed);
+        const View view = pixel_view(rng.below(2) ? Projection::perspective : Projection::parallel, 4, 4);
+        const Scene scene = random_walls(rng, view);
+        const ViewBounds bounds(view, rng.below(2) ? raster_precision() : ray_precision());
         const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
-        CoplanarMemory memory(16);
+        CoplanarCache memory(16);
         AdmissibleSet<Rational> set(around, memory);
         for (std::size_t i = 0; i < around.neighbours.size(); ++i) {
             const Finding finding = ConservativeTest(around, PrimitiveId(std::uint32_t(i)), memory).finding();
@@ -120,11 +118,11 @@ TEST(Decide, WhatDoubleTellsOfWallsIsWhatRationalsTell) {
 
 TEST(Decide, ATriangleThatIsNoNeighbourIsOutside) {
     const Surroundings s = random_surroundings(0);
-    CoplanarMemory memory(16);
+    CoplanarCache memory(16);
     EXPECT_EQ(decide(s.around, PrimitiveId(99), memory).admissibility, Admissibility::outside);
 }
 
-TEST(ClassOf, TheCandidatesDefectComesFirstThenTheReferencesThenTheLessPlainLawfulWord) {
+TEST(ClassOf, TheCandidatesDefectComesFirstThenTheReferencesThenTheLessPlainAdmissibility) {
     EXPECT_EQ(class_of(Admissibility::hole, Admissibility::hidden), PixelClass::hole);
     EXPECT_EQ(class_of(Admissibility::outside, Admissibility::visible), PixelClass::outside);
     EXPECT_EQ(class_of(Admissibility::hidden, Admissibility::hole), PixelClass::hidden);

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "random_surroundings.h"
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
@@ -16,14 +16,14 @@ namespace {
 constexpr int longest_run = 70;
 
 /// The ends of an interval and their neighbours, the truth, or what nobody's depth is.
-float some_depth(Dice& dice, const DepthBound& bound) {
+float some_depth(Rng& rng, const DepthBound& bound) {
     constexpr float inf = std::numeric_limits<float>::infinity(), most = std::numeric_limits<float>::max();
     constexpr float odd[] = {std::numeric_limits<float>::quiet_NaN(), inf, -inf, -1, -0.f, 0, 1e-40f, most};
-    if (dice.below(8) == 0) return odd[dice.below(8)];
-    const double share = dice.between(0, 1.25), end = dice.below(2) ? bound.low : bound.high;
+    if (rng.below(8) == 0) return odd[rng.below(8)];
+    const double share = rng.between(0, 1.25), end = rng.below(2) ? bound.low : bound.high;
     const double places[] = {bound.low, bound.truth, bound.high, bound.truth + share * (end - bound.truth)};
-    const auto z = float(places[dice.below(4)]);
-    return dice.below(3) == 0 ? z : std::nextafter(z, dice.below(2) ? -inf : inf);
+    const auto z = float(places[rng.below(4)]);
+    return rng.below(3) == 0 ? z : std::nextafter(z, rng.below(2) ? -inf : inf);
 }
 
 /// Without any bound, all depths are as good; only a pixel by itself says so.
@@ -35,7 +35,7 @@ struct Tried {
     int certain = 0, undecided = 0, unbounded = 0, with_plane_offset = 0;
 };
 
-void try_run(const TriangleDepth& triangle, const PixelPlace& first, std::span<const float> depths,
+void try_run(const TriangleDepth& triangle, const PixelCoord& first, std::span<const float> depths,
              Tried& tried) {
     constexpr double untouched = 77;
     const std::size_t whole = (depths.size() + errors_together - 1) / errors_together * errors_together;
@@ -54,7 +54,8 @@ void try_run(const TriangleDepth& triangle, const PixelPlace& first, std::span<c
             ASSERT_FALSE(std::signbit(errors[i]) && errors[i] == 0);
         }
         ++(!is_bounded(bound) ? tried.unbounded : is_certain ? tried.certain : tried.undecided);
-        tried.with_plane_offset += is_certain && triangle.relative() == TriangleDepth::Relative::by_nearness;
+        tried.with_plane_offset +=
+            is_certain && triangle.relative() == TriangleDepth::Relative::by_inverse_depth;
     }
 }
 
@@ -75,17 +76,17 @@ TEST_P(DepthErrors, OfARunAreThoseOfItsPixelsWhateverItsLength) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
         if (s.view.camera.projection != GetParam()) continue;
-        Dice dice(seed);
+        Rng rng(seed);
         for (const Neighbour& n : s.around.neighbours) {
-            const int which = dice.below(int(std::size(precisions)));
+            const int which = rng.below(int(std::size(precisions)));
             SCOPED_TRACE("precision " + std::to_string(which));
             const ViewBounds bounds(s.view, precisions[which]);
             const TriangleDepth triangle(TriangleInView(s.view, bounds, n.p_world), bounds);
             for (int length = 1; length <= longest_run; ++length) {
-                const PixelPlace first{dice.below(16) - length / 2, s.y};
+                const PixelCoord first{rng.below(16) - length / 2, s.y};
                 std::vector<float> depths;
                 for (int i = 0; i < length; ++i)
-                    depths.push_back(some_depth(dice, triangle.at(first.x + i, first.y)));
+                    depths.push_back(some_depth(rng, triangle.at(first.x + i, first.y)));
                 try_run(triangle, first, depths, tried);
                 if (HasFatalFailure()) return;
             }

@@ -7,7 +7,7 @@
 #include "compare/admissible/admissibility.h"
 #include "compare/admissible/displacement.h"
 #include "random_surroundings.h"
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
@@ -21,9 +21,11 @@ std::uint64_t recorded(const BoundRecord& record) {
 
 class Displacement : public testing::TestWithParam<Projection> {
   protected:
-    Trial trial(const std::vector<Triangle>& triangles) const { return {GetParam(), 4, 4, triangles}; }
-    Trial agreed_trial(const std::vector<Triangle>& triangles) const {
-        Trial t = trial(triangles);
+    TestScene test_scene(const std::vector<Triangle>& triangles) const {
+        return {GetParam(), 4, 4, triangles};
+    }
+    TestScene agreed_scene(const std::vector<Triangle>& triangles) const {
+        TestScene t = test_scene(triangles);
         answer_everywhere(t.candidate, 0, triangles[0][0].depth);
         answer_everywhere(t.reference, 0, triangles[0][0].depth);
         return t;
@@ -46,7 +48,7 @@ void expect_only(const BoundRecord& record, double displacement_px) {
 TEST_P(Displacement, OfANeighbourIsItsDistanceFromTheCentre) {
     for (const double distance : {0.1, 0.5, 0.9}) {
         const double edge = 1.5 + distance * eps_px;
-        Trial t = agreed_trial({wall_left_of(edge, 4), wall_right_of(edge, 4)});
+        TestScene t = agreed_scene({wall_left_of(edge, 4), wall_right_of(edge, 4)});
         answer(t.candidate, 1, 1, 1, 4);
         const Verdict verdict = t.verdict();
         expect_only(verdict.candidate_edges, distance * eps_px);
@@ -55,20 +57,20 @@ TEST_P(Displacement, OfANeighbourIsItsDistanceFromTheCentre) {
 }
 
 TEST_P(Displacement, OfBackgroundIsHowFarTheSilhouetteMovedAside) {
-    Trial t = agreed_trial({wall_left_of(1.5 + 0.75 * eps_px, 4)});
+    TestScene t = agreed_scene({wall_left_of(1.5 + 0.75 * eps_px, 4)});
     answer_background(t.candidate, 1, 1);
     expect_only(t.verdict().candidate_edges, 0.75 * eps_px);
 }
 
 TEST_P(Displacement, OfAWallBehindIsHowFarItsOccluderMovedAside) {
-    Trial t = agreed_trial({wall_left_of(1.5 + 0.75 * eps_px, 4), wall(8)});
+    TestScene t = agreed_scene({wall_left_of(1.5 + 0.75 * eps_px, 4), wall(8)});
     answer(t.candidate, 1, 1, 1, 8);
     expect_only(t.verdict().candidate_edges, 0.75 * eps_px);
 }
 
 TEST_P(Displacement, OfTheReferenceIsItsOwn) {
     const double edge = 1.5 + 0.5 * eps_px;
-    Trial t = agreed_trial({wall_left_of(edge, 4), wall_right_of(edge, 4)});
+    TestScene t = agreed_scene({wall_left_of(edge, 4), wall_right_of(edge, 4)});
     t.reference_precision = RasterPrecision{.transform = Arithmetic::float64, .subpixel_bits = 7};
     answer(t.reference, 1, 1, 1, 4);
     const Verdict verdict = t.verdict();
@@ -81,13 +83,13 @@ TEST_P(Displacement, IsMeasuredAlongTheAxesOfTheGrid) {
     const double away = 2 * 0.75 * eps_px;
     const Triangle above{{{-13, 16 + away, 4}, {16 + away, -13, 4}, {-64, -64, 4}}};
     const Triangle below{{{-13, 16 + away, 4}, {64, 64, 4}, {16 + away, -13, 4}}};
-    Trial t = agreed_trial({above, below});
+    TestScene t = agreed_scene({above, below});
     answer(t.candidate, 1, 1, 1, 4);
     expect_only(t.verdict().candidate_edges, 0.75 * eps_px);
 }
 
 TEST_P(Displacement, OfAnEdgeThroughTheCentreIsNone) {
-    Trial t = agreed_trial({wall_left_of(1.5, 4), wall_right_of(1.5, 4)});
+    TestScene t = agreed_scene({wall_left_of(1.5, 4), wall_right_of(1.5, 4)});
     answer(t.candidate, 1, 1, 1, 4);
     const Verdict verdict = t.verdict();
     EXPECT_EQ(verdict.classes.at(1, 1), PixelClass::edge);
@@ -96,7 +98,7 @@ TEST_P(Displacement, OfAnEdgeThroughTheCentreIsNone) {
 }
 
 TEST_P(Displacement, IsNotAskedOfTiesAndDefects) {
-    Trial t = agreed_trial({wall(4), wall_left_of(9, 4), wall(8)});
+    TestScene t = agreed_scene({wall(4), wall_left_of(9, 4), wall(8)});
     answer(t.candidate, 1, 1, 1, 4);
     answer(t.candidate, 2, 1, 2, 8);
     answer_background(t.candidate, 3, 1);
@@ -114,7 +116,7 @@ TEST(DisplacementOverEps, IsTheLeastStepFromWhicheverStepItIsLookedFor) {
         const double edge = 1.5 + (step - 0.5) / displacement_steps * eps_px;
         const Scene scene = scene_of(view, {wall_left_of(edge, 4), wall_right_of(edge, 4), wall(8)});
         const Neighbourhood around = surroundings(scene, view, bounds, {1, 1}, 0);
-        CoplanarMemory coplanar(16);
+        CoplanarCache coplanar(16);
         const auto found = displacement_over_eps(around, PrimitiveId(1), coplanar);
         EXPECT_EQ(found, bisected_displacement(around, PrimitiveId(1))) << step;
         const double expected = double(step - 1) / displacement_steps;
@@ -127,7 +129,7 @@ TEST(DisplacementOverEps, IsWhatBisectionFindsWhateverIsCertainInDouble) {
     for (std::uint32_t seed = 0; seed < 1500; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
-        CoplanarMemory coplanar(16);
+        CoplanarCache coplanar(16);
         std::vector<PrimitiveId> answers{PrimitiveId::none};
         for (const Neighbour& n : s.around.neighbours) answers.push_back(PrimitiveId(n.triangle));
         for (const PrimitiveId answer : answers) {

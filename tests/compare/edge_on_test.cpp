@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/explanation/explain.h"
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
@@ -18,7 +18,7 @@ INSTANTIATE_TEST_SUITE_P(Projections, EdgeOn, testing::Values(Projection::perspe
 Triangle fin(double x) { return {{{x, -8, 2}, {x, 24, 2}, {x, 8, 8}}}; }
 
 /// `within` the square of pixel (1, 1), and beyond it.
-void expect_reach(Trial t, double depth) {
+void expect_reach(TestScene t, double depth) {
     for (const Precision& precision : {raster_precision(), ray_precision()}) {
         SCOPED_TRACE(precision.index());
         t.candidate_precision = precision;
@@ -36,7 +36,7 @@ TEST_P(EdgeOn, AFinThroughTheCentreMayBeAnsweredAtAnyOfItsDepths) {
 }
 
 TEST_P(EdgeOn, AFinHidesNothing) {
-    Trial t(GetParam(), 4, 4, {wall(16), fin(1.5)});
+    TestScene t(GetParam(), 4, 4, {wall(16), fin(1.5)});
     answer_everywhere(t.reference, 0, 16);
     answer_everywhere(t.candidate, 0, 16);
     answer(t.candidate, 1, 1, 1, 2);
@@ -46,7 +46,7 @@ TEST_P(EdgeOn, AFinHidesNothing) {
 }
 
 TEST_P(EdgeOn, AFinBehindAWallIsHidden) {
-    Trial t(GetParam(), 4, 4, {wall(1), fin(1.5)});
+    TestScene t(GetParam(), 4, 4, {wall(1), fin(1.5)});
     answer_everywhere(t.reference, 0, 1);
     answer_everywhere(t.candidate, 0, 1);
     answer(t.candidate, 1, 1, 1, 2);
@@ -57,7 +57,7 @@ TEST_P(EdgeOn, TrianglesWithoutAreaAreJudgedToo) {
     const Corner c{1.5, 1.5, 4};
     const Triangle dot{{c, c, c}}, dash{{c, c, {9, 9, 4}}}, line{{c, {5.5, 5.5, 4}, {9.5, 9.5, 4}}};
     for (const Triangle& triangle : {dash, line}) expect_reach({GetParam(), 4, 4, {triangle}}, 4);
-    Trial t(GetParam(), 4, 4, {dot});
+    TestScene t(GetParam(), 4, 4, {dot});
     answer(t.candidate, 1, 1, 0, 4);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::outside) << "a dot has no edge to be drawn by";
 }
@@ -68,7 +68,7 @@ TEST_P(EdgeOn, TrianglesThatTouchTheEyeAreJudgedToo) {
         twice{{{1, 1, 0}, {1, 1, 0}, {1.5, 16, 4}}};
     for (const Triangle& triangle : {touching, twice})
         for (const Precision& precision : {raster_precision(), ray_precision()}) {
-            Trial t(GetParam(), 4, 4, {triangle, wall(8)});
+            TestScene t(GetParam(), 4, 4, {triangle, wall(8)});
             t.candidate_precision = precision;
             answer(t.candidate, 1, 1, 0, 4);
             answer(t.reference, 1, 1, 1, 8);

@@ -1,4 +1,4 @@
-/// Maps of errors, and stories of many pixels at once.
+/// Maps of errors, and explanations of many pixels at once.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -7,21 +7,21 @@
 
 #include "compare/bounds/triangle_depth.h"
 #include "compare/explanation/illustration.h"
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
 
 /// Two walls at depths 4 and 8; the reference always sees the first.
-Trial before_walls(Projection projection) {
-    Trial t(projection, 8, 8, {wall(4), wall(8)});
+TestScene before_walls(Projection projection) {
+    TestScene t(projection, 8, 8, {wall(4), wall(8)});
     answer_everywhere(t.candidate, 0, 4);
     answer_everywhere(t.reference, 0, 4);
     return t;
 }
 
 /// |depth - truth| / bound of a frame's own triangles, one by one.
-Plane<float> errors_of(const Trial& t, const Frame& frame, const Precision& precision) {
+Plane<float> errors_of(const TestScene& t, const Frame& frame, const Precision& precision) {
     const ViewBounds bounds(t.view, precision);
     Plane<float> map(frame.size(), std::numeric_limits<float>::quiet_NaN());
     for (int y = 0; y < t.view.height; ++y)
@@ -36,7 +36,7 @@ Plane<float> errors_of(const Trial& t, const Frame& frame, const Precision& prec
 
 TEST(ErrorMaps, AreWhatTheJudgeHoldsAgainstTheBoundAtEveryPixel) {
     for (const Projection projection : {Projection::perspective, Projection::parallel}) {
-        Trial t = before_walls(projection);
+        TestScene t = before_walls(projection);
         answer(t.candidate, 3, 2, 0, std::nextafter(4.0f, 5.0f));
         answer(t.candidate, 4, 2, 0, 4.5);
         answer(t.candidate, 5, 2, 1, 8);
@@ -62,7 +62,7 @@ std::vector<std::uint32_t> bits_of(const Plane<float>& map) {
 
 TEST(ErrorMaps, AreThoseOfPixelsOneByOneBitForBit) {
     for (const Projection projection : {Projection::perspective, Projection::parallel}) {
-        Trial t(projection, 131, 37, {wall(4), wall(8), {{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
+        TestScene t(projection, 131, 37, {wall(4), wall(8), {{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
         for (int y = 0; y < 37; ++y)
             for (int x = 0; x < 131; ++x) {
                 const int which = (x / 3 + y) % 7;
@@ -80,7 +80,7 @@ TEST(ErrorMaps, AreThoseOfPixelsOneByOneBitForBit) {
 }
 
 TEST(ErrorMaps, AskNothingWhereThereIsNoTriangleOrNoDepth) {
-    Trial t = before_walls(Projection::parallel);
+    TestScene t = before_walls(Projection::parallel);
     answer_background(t.candidate, 1, 1);
     answer(t.candidate, 2, 1, 2, 4);
     answer(t.candidate, 3, 1, 0, NAN);
@@ -90,23 +90,23 @@ TEST(ErrorMaps, AskNothingWhereThereIsNoTriangleOrNoDepth) {
 
 /// Nothing bounds the depth of a triangle that is seen edge-on.
 TEST(ErrorMaps, AskNothingOfADepthThatIsNoneWhereNothingBoundsIt) {
-    Trial t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
+    TestScene t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
     t.candidate_precision = ray_precision();
     answer(t.candidate, 1, 1, 0, NAN);
     EXPECT_TRUE(std::isnan(t.verdict().errors->candidate.at(1, 1)));
 }
 
 TEST(ErrorMaps, AreMadeWhereTheyAreAskedFor) {
-    const Trial t = before_walls(Projection::parallel);
+    const TestScene t = before_walls(Projection::parallel);
     const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
     EXPECT_FALSE(judge(t.scene, t.view, ours, theirs).errors);
-    EXPECT_TRUE(judge(t.scene, t.view, ours, theirs, all_evidence).errors);
+    EXPECT_TRUE(judge(t.scene, t.view, ours, theirs, full_detail).errors);
 }
 
 TEST(Illustration, GivesTheTrianglesAroundAPixelNearestFirstWithDistancesInPixels) {
-    const Trial t(Projection::parallel, 4, 4,
-                  {wall(8), wall_left_of(1.75, 4), wall_right_of(3.25, 2), wall(16)});
-    const PixelPlace places[] = {{1, 1}, {3, 1}};
+    const TestScene t(Projection::parallel, 4, 4,
+                      {wall(8), wall_left_of(1.75, 4), wall_right_of(3.25, 2), wall(16)});
+    const PixelCoord places[] = {{1, 1}, {3, 1}};
     const auto images = images_around(t.scene, t.view, places, 1.0, 2);
     ASSERT_EQ(images.size(), 2u);
     ASSERT_EQ(images[0].size(), 2u) << "the far wall is one too many, the right one too far away";
@@ -116,55 +116,55 @@ TEST(Illustration, GivesTheTrianglesAroundAPixelNearestFirstWithDistancesInPixel
     const Affine<double>& right_side = images[0][0].edge[2];
     EXPECT_DOUBLE_EQ(right_side.c, 0.25);
     EXPECT_DOUBLE_EQ(right_side.a, -1);
-    EXPECT_DOUBLE_EQ(images[0][0].nearness.c, -4) << "parallel: nearness is -depth";
+    EXPECT_DOUBLE_EQ(images[0][0].inverse_depth.c, -4) << "parallel: inverse depth is -depth";
 }
 
 TEST(Illustration, ATriangleSeenEdgeOnIsNotDrawn) {
-    const Trial t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
-    const PixelPlace place{1, 1};
+    const TestScene t(Projection::perspective, 4, 4, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
+    const PixelCoord place{1, 1};
     EXPECT_TRUE(images_around(t.scene, t.view, std::span(&place, 1), 1.0, 9).front().empty());
 }
 
 TEST(Explain, ManyPixelsAtOnceAreWhatEachIsByItself) {
-    Trial t = before_walls(Projection::perspective);
+    TestScene t = before_walls(Projection::perspective);
     answer(t.candidate, 2, 2, 1, 8);
     answer(t.candidate, 3, 3, 7, 8);
     answer_background(t.candidate, 4, 4);
-    const PixelPlace places[] = {{2, 2}, {0, 0}, {3, 3}, {4, 4}};
+    const PixelCoord places[] = {{2, 2}, {0, 0}, {3, 3}, {4, 4}};
     const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
-    const auto stories = explain(t.scene, t.view, ours, theirs, places);
-    ASSERT_EQ(stories.size(), 4u);
+    const auto explanations = explain(t.scene, t.view, ours, theirs, places);
+    ASSERT_EQ(explanations.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i)
-        EXPECT_EQ(in_words(t.scene, stories[i]),
+        EXPECT_EQ(in_words(t.scene, explanations[i]),
                   in_words(t.scene, explain(t.scene, t.view, ours, theirs, places[i])));
 }
 
 TEST(Explain, WhatIsDrawnBesideAStoryDoesNotChangeIt) {
-    Trial t = before_walls(Projection::perspective);
+    TestScene t = before_walls(Projection::perspective);
     answer(t.candidate, 2, 2, 1, 8);
     answer_background(t.candidate, 4, 4);
     answer_background(t.reference, 5, 4);
     const RenderedFrame ours{t.candidate, t.candidate_precision}, theirs{t.reference, t.reference_precision};
-    const PixelPlace places[] = {{5, 4}, {2, 2}, {0, 0}, {4, 4}};
+    const PixelCoord places[] = {{5, 4}, {2, 2}, {0, 0}, {4, 4}};
     const auto illustrated = illustrate(t.scene, t.view, ours, theirs, {places, 1, 9});
     const auto images = images_around(t.scene, t.view, places, 1, 9);
     ASSERT_EQ(illustrated.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
-        const PixelStory story = explain(t.scene, t.view, ours, theirs, places[i]);
-        EXPECT_EQ(in_words(t.scene, illustrated[i].story), in_words(t.scene, story));
-        EXPECT_EQ(illustrated[i].story.reference.admissibility, story.reference.admissibility);
-        EXPECT_EQ(illustrated[i].story.reference.eps_px, story.reference.eps_px);
+        const PixelExplanation explanation = explain(t.scene, t.view, ours, theirs, places[i]);
+        EXPECT_EQ(in_words(t.scene, illustrated[i].explanation), in_words(t.scene, explanation));
+        EXPECT_EQ(illustrated[i].explanation.reference.admissibility, explanation.reference.admissibility);
+        EXPECT_EQ(illustrated[i].explanation.reference.eps_px, explanation.reference.eps_px);
         EXPECT_EQ(illustrated[i].images.size(), images[i].size());
     }
 }
 
 TEST(Explain, AnIdThatDoesNotExistInBothFramesHasAStoryToo) {
-    Trial t = before_walls(Projection::perspective);
+    TestScene t = before_walls(Projection::perspective);
     answer(t.candidate, 1, 1, 99, 4);
     answer(t.reference, 1, 1, 99, 4);
-    const PixelStory story = explain(t.scene, t.view, {t.candidate, t.candidate_precision},
-                                     {t.reference, t.reference_precision}, {1, 1});
-    EXPECT_EQ(story.finding.verdict, PixelClass::invalid);
+    const PixelExplanation explanation = explain(t.scene, t.view, {t.candidate, t.candidate_precision},
+                                                 {t.reference, t.reference_precision}, {1, 1});
+    EXPECT_EQ(explanation.finding.verdict, PixelClass::invalid);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
@@ -34,15 +34,15 @@ INSTANTIATE_TEST_SUITE_P(Answers, OddAnswer,
                                          Odd{"ATriangleAtZero", 0, 0, PixelClass::wrong_depth}),
                          [](const auto& odd) { return odd.param.name; });
 
-Trial agreed_trial() {
-    Trial t(Projection::perspective, 4, 4, {wall(4)});
+TestScene agreed_scene() {
+    TestScene t(Projection::perspective, 4, 4, {wall(4)});
     answer_everywhere(t.candidate, 0, 4);
     answer_everywhere(t.reference, 0, 4);
     return t;
 }
 
 TEST_P(OddAnswer, OfTheCandidateFailsTheGate) {
-    Trial t = agreed_trial();
+    TestScene t = agreed_scene();
     answer(t.candidate, 1, 1, GetParam().triangle, GetParam().depth);
     const Verdict verdict = t.verdict();
     EXPECT_EQ(verdict.classes.at(1, 1), GetParam().expected);
@@ -51,7 +51,7 @@ TEST_P(OddAnswer, OfTheCandidateFailsTheGate) {
 }
 
 TEST_P(OddAnswer, OfTheReferenceIsTheReferencesDefect) {
-    Trial t = agreed_trial();
+    TestScene t = agreed_scene();
     answer(t.reference, 1, 1, GetParam().triangle, GetParam().depth);
     const Verdict verdict = t.verdict();
     EXPECT_EQ(verdict.classes.at(1, 1), PixelClass::reference_wrong);
@@ -60,7 +60,7 @@ TEST_P(OddAnswer, OfTheReferenceIsTheReferencesDefect) {
 }
 
 TEST_P(OddAnswer, OfBothIsADefectOfBoth) {
-    Trial t = agreed_trial();
+    TestScene t = agreed_scene();
     answer(t.candidate, 1, 1, GetParam().triangle, GetParam().depth);
     answer(t.reference, 1, 1, GetParam().triangle, GetParam().depth);
     const Verdict verdict = t.verdict();
@@ -69,7 +69,7 @@ TEST_P(OddAnswer, OfBothIsADefectOfBoth) {
 }
 
 TEST(OddAnswers, TheLastTriangleAndDepthZeroBehindTheEyePlaneAreAnswers) {
-    Trial t(Projection::parallel, 1, 1, {wall(0)});
+    TestScene t(Projection::parallel, 1, 1, {wall(0)});
     t.view.camera.near_depth = -1;
     answer(t.candidate, 0, 0, 0, 0);
     answer(t.reference, 0, 0, 0, 0);

@@ -12,7 +12,7 @@
 #include "compare/agree/row_counts.h"
 #include "compare/judge.h"
 #include "random_surroundings.h"
-#include "stage.h"
+#include "test_scene.h"
 #include "tests/support/same_verdict.h"
 
 namespace zproof {
@@ -20,53 +20,53 @@ namespace {
 
 /// The depth at which a triangle is seen at a pixel's centre, or would be.
 double true_depth(const View& view, int x, int y, const CornersWorld& p_world) {
-    const auto image = image_of(Sight<double>(view, x, y), corners<double>(p_world));
+    const auto image = image_of(ViewRay<double>(view, x, y), corners<double>(p_world));
     if (!image) return 4;
-    const double nearness = image->nearness.c;
-    return view.camera.projection == Projection::perspective ? 1 / nearness : -nearness;
+    const double inverse_depth = image->inverse_depth.c;
+    return view.camera.projection == Projection::perspective ? 1 / inverse_depth : -inverse_depth;
 }
 
 /// Runs of pixels that show a triangle of the scene, nothing, or what is none, most at the right depth or
 /// nearly so.
-void show_runs(Frame& frame, Dice& dice, const View& view, const Scene& scene) {
+void show_runs(Frame& frame, Rng& rng, const View& view, const Scene& scene) {
     const int count = int(scene.triangles.size());
     int shown = 0;
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {
-            if (dice.below(6) == 0) shown = dice.below(count + 1);
+            if (rng.below(6) == 0) shown = rng.below(count + 1);
             if (shown == count) {
-                if (dice.below(30) == 0) answer(frame, x, y, std::uint32_t(count), 8);
+                if (rng.below(30) == 0) answer(frame, x, y, std::uint32_t(count), 8);
                 continue;  // bare
             }
             const double depth = true_depth(view, x, y, corners_of(scene, std::uint32_t(shown)));
-            const double off = std::ldexp(dice.between(-1, 1), -26 + dice.below(7));
-            answer(frame, x, y, std::uint32_t(shown), dice.below(60) ? depth * (1 + off) : -depth);
+            const double off = std::ldexp(rng.between(-1, 1), -26 + rng.below(7));
+            answer(frame, x, y, std::uint32_t(shown), rng.below(60) ? depth * (1 + off) : -depth);
         }
 }
 
 /// Walls or a crowd that two renderers show, some pixels alike.
 struct Shown {
-    Dice dice;
+    Rng rng;
     View view;
     Scene scene;
     Frame candidate, reference;
     Precision ours, theirs;
 
     explicit Shown(std::uint32_t seed)
-        : dice(seed),
-          view(dice.below(2)
-                   ? pixel_view(dice.below(2) ? Projection::perspective : Projection::parallel, 70, 20)
-                   : random_view(dice)),
-          scene(view.width == 70 ? random_walls(dice, view) : random_crowd(dice, view, 8, 8)),
+        : rng(seed),
+          view(rng.below(2)
+                   ? pixel_view(rng.below(2) ? Projection::perspective : Projection::parallel, 70, 20)
+                   : random_view(rng)),
+          scene(view.width == 70 ? random_walls(rng, view) : random_crowd(rng, view, 8, 8)),
           candidate({view.width, view.height}),
           reference({view.width, view.height}),
           ours(raster_precision()),
           theirs(ray_precision()) {
-        show_runs(candidate, dice, view, scene);
-        if (dice.below(2))
+        show_runs(candidate, rng, view, scene);
+        if (rng.below(2))
             reference = candidate;
         else
-            show_runs(reference, dice, view, scene);
+            show_runs(reference, rng, view, scene);
         if (seed % 2) std::swap(ours, theirs);
     }
     Verdict verdict(const JudgeOptions& options) const {
@@ -81,7 +81,7 @@ struct Alone {
     Decision decision;
 };
 
-Alone alone(const Shown& s, const Frame& frame, const ViewBounds& bounds, const PixelPlace& place,
+Alone alone(const Shown& s, const Frame& frame, const ViewBounds& bounds, const PixelCoord& place,
             bool differs) {
     const auto id = frame.primitive.at(place.x, place.y);
     const float z = frame.camera_depth.at(place.x, place.y);
@@ -98,7 +98,7 @@ Alone alone(const Shown& s, const Frame& frame, const ViewBounds& bounds, const 
         a.error_over_bound = check.error_over_bound;
     }
     if (!differs) return a;
-    CoplanarMemory coplanar(16);
+    CoplanarCache coplanar(16);
     const double own = own_eps_px(s.scene, s.view, bounds, place, id);
     a.decision = decide(surroundings(s.scene, s.view, bounds, place, own), id, coplanar);
     return a;
@@ -157,7 +157,7 @@ TEST(JudgeOptions, ChangeNoClassCountOrRecord) {
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
         const Shown s(seed);
-        const Verdict plain = s.verdict({}), all = s.verdict(all_evidence),
+        const Verdict plain = s.verdict({}), all = s.verdict(full_detail),
                       with_maps = s.verdict({defects, maps}),
                       with_findings = s.verdict({differences, records});
         for (const Verdict* other : {&all, &with_maps, &with_findings}) expect_same_counts(*other, plain);
@@ -175,8 +175,8 @@ TEST(JudgeOptions, ListWhatWasAskedForInRasterOrder) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE(seed);
         const Shown s(seed);
-        const Verdict verdict = s.verdict(all_evidence);
-        std::vector<PixelPlace> expected, found;
+        const Verdict verdict = s.verdict(full_detail);
+        std::vector<PixelCoord> expected, found;
         for (int y = 0; y < s.view.height; ++y)
             for (int x = 0; x < s.view.width; ++x)
                 if (verdict.classes.at(x, y) != PixelClass::agree) expected.push_back({x, y});
@@ -195,18 +195,18 @@ TEST(JudgeOptions, DoNotDependOnTheNumberOfThreads) {
     for (std::uint32_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);
         const Shown s(seed);
-        const Verdict alone = tbb::task_arena(1).execute([&] { return s.verdict(all_evidence); });
-        const Verdict together = tbb::task_arena(2).execute([&] { return s.verdict(all_evidence); });
+        const Verdict alone = tbb::task_arena(1).execute([&] { return s.verdict(full_detail); });
+        const Verdict together = tbb::task_arena(2).execute([&] { return s.verdict(full_detail); });
         expect_same_counts(alone, together);
         EXPECT_TRUE(std::ranges::equal(alone.findings, together.findings, same_finding));
     }
 }
 
 TEST(JudgeOptions, NoneAdmitsFramesOfAnotherSize) {
-    const Trial t(Projection::parallel, 4, 4, {wall(4)});
+    const TestScene t(Projection::parallel, 4, 4, {wall(4)});
     const Frame wider({5, 4}), lower({4, 3});
     const RenderedFrame right{t.candidate, t.candidate_precision};
-    for (const JudgeOptions& options : {JudgeOptions{}, all_evidence})
+    for (const JudgeOptions& options : {JudgeOptions{}, full_detail})
         for (const Frame* wrong : {&wider, &lower}) {
             const RenderedFrame other{*wrong, t.candidate_precision};
             EXPECT_THROW(judge(t.scene, t.view, other, right, options), std::invalid_argument);

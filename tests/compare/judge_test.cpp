@@ -1,7 +1,7 @@
 /// The word for every kind of pixel, in both projections. The pixel asked is (1, 1), its centre (1.5, 1.5).
 #include <gtest/gtest.h>
 
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
@@ -10,10 +10,12 @@ constexpr double near_the_centre = 1.5 + 1.0 / 1024;  // half of what 8 sub-pixe
 
 class Judge : public testing::TestWithParam<Projection> {
   protected:
-    Trial trial(const std::vector<Triangle>& triangles) const { return {GetParam(), 4, 4, triangles}; }
+    TestScene test_scene(const std::vector<Triangle>& triangles) const {
+        return {GetParam(), 4, 4, triangles};
+    }
     /// Both renderers see the first triangle's depth everywhere.
-    Trial agreed_trial(const std::vector<Triangle>& triangles) const {
-        Trial t = trial(triangles);
+    TestScene agreed_scene(const std::vector<Triangle>& triangles) const {
+        TestScene t = test_scene(triangles);
         answer_everywhere(t.candidate, 0, triangles[0][0].depth);
         answer_everywhere(t.reference, 0, triangles[0][0].depth);
         return t;
@@ -26,45 +28,47 @@ INSTANTIATE_TEST_SUITE_P(Projections, Judge, testing::Values(Projection::perspec
                          });
 
 TEST_P(Judge, FramesThatSayTheTruthAgree) {
-    const Verdict verdict = agreed_trial({wall(4), wall(8)}).verdict();
+    const Verdict verdict = agreed_scene({wall(4), wall(8)}).verdict();
     EXPECT_EQ(verdict.counts[std::size_t(PixelClass::agree)], 16u);
     EXPECT_TRUE(verdict.findings.empty());
 }
 
-TEST_P(Judge, BareImagesAgree) { EXPECT_EQ(trial({}).verdict().counts[std::size_t(PixelClass::agree)], 16u); }
+TEST_P(Judge, BareImagesAgree) {
+    EXPECT_EQ(test_scene({}).verdict().counts[std::size_t(PixelClass::agree)], 16u);
+}
 
-TEST_P(Judge, NeighboursAcrossAnEdgeWithinEpsAreBothLawful) {
-    Trial t = agreed_trial({wall_left_of(near_the_centre, 4), wall_right_of(near_the_centre, 4)});
+TEST_P(Judge, NeighboursAcrossAnEdgeWithinEpsAreBothAdmissible) {
+    TestScene t = agreed_scene({wall_left_of(near_the_centre, 4), wall_right_of(near_the_centre, 4)});
     answer(t.candidate, 1, 1, 1, 4);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::edge);
 }
 
-TEST_P(Judge, BackgroundBesideASilhouetteWithinEpsIsLawful) {
-    Trial t = agreed_trial({wall_left_of(near_the_centre, 4)});
+TEST_P(Judge, BackgroundBesideASilhouetteWithinEpsIsAdmissible) {
+    TestScene t = agreed_scene({wall_left_of(near_the_centre, 4)});
     answer_background(t.candidate, 1, 1);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::edge);
 }
 
 TEST_P(Judge, CoplanarTrianglesTie) {
-    Trial t = agreed_trial({wall(4), wall_left_of(9, 4)});
+    TestScene t = agreed_scene({wall(4), wall_left_of(9, 4)});
     answer(t.candidate, 1, 1, 1, 4);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::depth_tie);
 }
 
 TEST_P(Judge, ACrackBetweenEdgesThatOccludersDoNotShareIsTheScenesDefect) {
-    Trial t = agreed_trial({wall_left_of(1.5, 4, -64, 64), wall_right_of(1.5, 4, -32, 96), wall(8)});
+    TestScene t = agreed_scene({wall_left_of(1.5, 4, -64, 64), wall_right_of(1.5, 4, -32, 96), wall(8)});
     answer(t.candidate, 1, 1, 2, 8);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::abutting_edges);
 }
 
 TEST_P(Judge, BackgroundSeenThroughACrackIsTheScenesDefect) {
-    Trial t = agreed_trial({wall_left_of(1.5, 4, -64, 64), wall_right_of(1.5, 4, -32, 96)});
+    TestScene t = agreed_scene({wall_left_of(1.5, 4, -64, 64), wall_right_of(1.5, 4, -32, 96)});
     answer_background(t.candidate, 1, 1);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::abutting_edges);
 }
 
 TEST_P(Judge, NothingShowsThroughASharedEdge) {
-    Trial t = agreed_trial({wall_left_of(1.5, 4), wall_right_of(1.5, 4), wall(8)});
+    TestScene t = agreed_scene({wall_left_of(1.5, 4), wall_right_of(1.5, 4), wall(8)});
     answer(t.candidate, 1, 1, 2, 8);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::hidden);
     answer_background(t.candidate, 1, 1);
@@ -74,14 +78,14 @@ TEST_P(Judge, NothingShowsThroughASharedEdge) {
 TEST_P(Judge, ATriangleNeverHidesItsNeighbourAcrossTheirEdge) {
     const Triangle left = wall_left_of(1.5, 4), right = {{{1.5, -64, 4}, {512, 8, 900}, {1.5, 64, 4}}};
     // the third covers just the right half of the square; the left half is left's own
-    Trial t = agreed_trial({left, right, wall_right_of(1.5, 2)});
+    TestScene t = agreed_scene({left, right, wall_right_of(1.5, 2)});
     answer(t.candidate, 1, 1, 1, 4);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::edge);
 }
 
 /// Such an edge has no line in the image: all of it lies on the side of both triangles.
 TEST(JudgeInPerspective, TrianglesThatShareAnEdgeBesideTheEyeHideEachOther) {
-    Trial t(Projection::perspective, 4, 4, {});
+    TestScene t(Projection::perspective, 4, 4, {});
     const glm::vec3 a{-8, -1, 0}, b{8, -1, 0}, near_tip{0, 0, -4}, far_tip{0, 0, -8};
     t.scene.vertices.position_world = {a, b, near_tip, far_tip};
     t.scene.triangles = {{0, 1, 2}, {0, 1, 3}};
@@ -98,44 +102,44 @@ Triangle slope_through_near(Projection projection) {
     return {{{-30.5, -64, left}, {65.5, -64, right}, {-30.5, 256, left}}};
 }
 
-TEST_P(Judge, BackgroundWhereTheNearPlaneCutsIsLawful) {
-    Trial t = trial({slope_through_near(GetParam())});
+TEST_P(Judge, BackgroundWhereTheNearPlaneCutsIsAdmissible) {
+    TestScene t = test_scene({slope_through_near(GetParam())});
     answer(t.reference, 1, 1, 0, 0.25);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::clip);
 }
 
 TEST_P(Judge, ATriangleBehindTheNearPlaneReachesNoPixel) {
-    Trial t = trial({slope_through_near(GetParam())});
+    TestScene t = test_scene({slope_through_near(GetParam())});
     answer(t.candidate, 0, 1, 0, 0.25);
     EXPECT_EQ(t.class_at(0, 1), PixelClass::outside);
 }
 
 TEST_P(Judge, TheRightTriangleAtTheWrongDepthIsWrong) {
-    Trial t = agreed_trial({wall(4)});
+    TestScene t = agreed_scene({wall(4)});
     answer(t.candidate, 1, 1, 0, 4.01);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::wrong_depth);
 }
 
-TEST_P(Judge, ALawfulNeighbourAtTheWrongDepthIsWrong) {
-    Trial t = agreed_trial({wall_left_of(near_the_centre, 4), wall_right_of(near_the_centre, 4)});
+TEST_P(Judge, AnAdmissibleNeighbourAtTheWrongDepthIsWrong) {
+    TestScene t = agreed_scene({wall_left_of(near_the_centre, 4), wall_right_of(near_the_centre, 4)});
     answer(t.candidate, 1, 1, 1, 4.01);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::wrong_depth);
 }
 
 TEST_P(Judge, BackgroundOnACoveredPixelIsAHole) {
-    Trial t = agreed_trial({wall(4)});
+    TestScene t = agreed_scene({wall(4)});
     answer_background(t.candidate, 1, 1);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::hole);
 }
 
 TEST_P(Judge, ATriangleThatEndsBeforeThePixelIsOutside) {
-    Trial t = trial({wall_left_of(1, 4)});
+    TestScene t = test_scene({wall_left_of(1, 4)});
     answer(t.candidate, 1, 1, 0, 4);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::outside);
 }
 
 TEST_P(Judge, ATriangleThatEndsBeforeThePixelIsNoTieWithTheWallInItsPlane) {
-    Trial t = agreed_trial({wall(4), wall_right_of(2, 4)});
+    TestScene t = agreed_scene({wall(4), wall_right_of(2, 4)});
     answer(t.candidate, 3, 1, 1, 4);  // a tie, so that both are known beside each other
     answer(t.candidate, 0, 1, 1, 4);
     const Verdict verdict = t.verdict();
@@ -144,19 +148,19 @@ TEST_P(Judge, ATriangleThatEndsBeforeThePixelIsNoTieWithTheWallInItsPlane) {
 }
 
 TEST_P(Judge, ATriangleBehindAWallIsHidden) {
-    Trial t = agreed_trial({wall(4), wall(8)});
+    TestScene t = agreed_scene({wall(4), wall(8)});
     answer(t.candidate, 1, 1, 1, 8);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::hidden);
 }
 
 TEST_P(Judge, AHiddenTriangleIsHiddenWhateverDepthItClaims) {
-    Trial t = agreed_trial({wall(4), wall(8)});
+    TestScene t = agreed_scene({wall(4), wall(8)});
     answer(t.candidate, 1, 1, 1, 4);
     EXPECT_EQ(t.class_at(1, 1), PixelClass::hidden);
 }
 
 TEST_P(Judge, AnUnlawfulReferenceIsTheReferencesDefect) {
-    Trial t = agreed_trial({wall(4), wall(8)});
+    TestScene t = agreed_scene({wall(4), wall(8)});
     answer_background(t.reference, 0, 0);
     answer(t.reference, 1, 1, 1, 8);
     answer(t.reference, 2, 2, 0, 4.01);
@@ -168,7 +172,7 @@ TEST_P(Judge, AnUnlawfulReferenceIsTheReferencesDefect) {
 }
 
 TEST_P(Judge, WhereBothAreWrongTheCandidatesDefectIsTheWord) {
-    Trial t = agreed_trial({wall(4), wall(8), wall(16)});
+    TestScene t = agreed_scene({wall(4), wall(8), wall(16)});
     answer(t.candidate, 1, 1, 1, 8);
     answer(t.reference, 1, 1, 2, 16);
     const Verdict verdict = t.verdict();

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "compare/bounds/triangle_depth.h"
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
@@ -26,19 +26,19 @@ float last_that(const std::function<bool(float)>& holds, float from, float to) {
     return from;
 }
 
-Trial bare_trial(const std::vector<Triangle>& triangles) {
-    Trial t(Projection::parallel, 1, 1, triangles);
+TestScene bare_scene(const std::vector<Triangle>& triangles) {
+    TestScene t(Projection::parallel, 1, 1, triangles);
     t.candidate_precision = raster_precision();
     return t;
 }
 
-PixelClass class_of_answer(Trial t, std::uint32_t triangle, double depth) {
+PixelClass class_of_answer(TestScene t, std::uint32_t triangle, double depth) {
     answer(t.candidate, 0, 0, triangle, depth);
     return t.class_at(0, 0);
 }
 
 TEST(Limit, ATriangleIsOutsideBeyondEps) {
-    const auto scene = [](float edge) { return bare_trial({wall_right_of(edge, 4)}); };
+    const auto scene = [](float edge) { return bare_scene({wall_right_of(edge, 4)}); };
     const auto within = [&](float edge) {
         return double(edge) - centre <= scene(edge).candidate_eps_px(0, 0, 0);
     };
@@ -52,8 +52,8 @@ struct BothSides {
     PixelClass last_within, first_beyond;
 };
 
-/// `scene` makes the trial, with the reference's answer, for a place of the edge.
-BothSides around_limit(const std::function<Trial(float)>& scene, std::uint32_t triangle, double depth,
+/// `scene` makes the test scene, with the reference's answer, for a place of the edge.
+BothSides around_limit(const std::function<TestScene(float)>& scene, std::uint32_t triangle, double depth,
                        double times) {
     const auto within = [&](float edge) {
         return double(edge) - centre < times * scene(edge).candidate_eps_px(0, 0, triangle);
@@ -63,8 +63,8 @@ BothSides around_limit(const std::function<Trial(float)>& scene, std::uint32_t t
             class_of_answer(scene(std::nextafter(last, 1.f)), triangle, depth)};
 }
 
-Trial wall_to(float edge) {
-    Trial t = bare_trial({wall_left_of(edge, 4), wall(8)});
+TestScene wall_to(float edge) {
+    TestScene t = bare_scene({wall_left_of(edge, 4), wall(8)});
     answer(t.reference, 0, 0, 0, 4);
     return t;
 }
@@ -83,7 +83,7 @@ TEST(Limit, ATriangleIsHiddenBeyondTwiceEpsOfAWallsEdge) {
 
 TEST(Limit, ACrackOpensWhereUnsharedEdgesOverlapByLessThanTwiceEps) {
     const auto scene = [](float edge) {
-        Trial t = bare_trial({wall_left_of(edge, 4), wall_right_of(centre, 4, -32, 32), wall(8)});
+        TestScene t = bare_scene({wall_left_of(edge, 4), wall_right_of(centre, 4, -32, 32), wall(8)});
         answer(t.reference, 0, 0, 0, 4);
         return t;
     };
@@ -94,14 +94,14 @@ TEST(Limit, ACrackOpensWhereUnsharedEdgesOverlapByLessThanTwiceEps) {
 
 TEST(Limit, BackgroundIsAHoleBeyondTwiceEpsOfTheOutline) {
     const auto class_at = [](float edge) {
-        Trial t = bare_trial({wall_left_of(edge, 4)});
+        TestScene t = bare_scene({wall_left_of(edge, 4)});
         answer(t.reference, 0, 0, 0, 4);
         return t.class_at(0, 0);
     };
     const auto last_within = [](double times) {
         const auto within = [&](float edge) {
             return double(edge) - centre <
-                   times * bare_trial({wall_left_of(edge, 4)}).candidate_eps_px(0, 0, 0);
+                   times * bare_scene({wall_left_of(edge, 4)}).candidate_eps_px(0, 0, 0);
         };
         return last_that(within, centre, 0.75f);
     };
@@ -112,18 +112,18 @@ TEST(Limit, BackgroundIsAHoleBeyondTwiceEpsOfTheOutline) {
 }
 
 TEST(Limit, ATriangleIsHiddenWhereDepthBoundsNoLongerMeet) {
-    const auto scene = [](float behind) { return bare_trial({wall(4), wall(behind)}); };
+    const auto scene = [](float behind) { return bare_scene({wall(4), wall(behind)}); };
     const auto class_at = [&](float behind) {
-        Trial t = scene(behind);
+        TestScene t = scene(behind);
         answer(t.reference, 0, 0, 0, 4);
         return class_of_answer(t, 1, behind);
     };
     const auto meet = [&](float behind) {
-        const Trial t = scene(behind);
+        const TestScene t = scene(behind);
         const ViewBounds bounds(t.view, t.candidate_precision);
-        const Sight<double> sight(t.view, 0, 0);
-        return neighbour_of(sight, bounds, corners_of(t.scene, 0)).least_nearness <=
-               neighbour_of(sight, bounds, corners_of(t.scene, 1)).greatest_nearness;
+        const ViewRay<double> ray(t.view, 0, 0);
+        return neighbour_of(ray, bounds, corners_of(t.scene, 0)).least_inverse_depth <=
+               neighbour_of(ray, bounds, corners_of(t.scene, 1)).greatest_inverse_depth;
     };
     const float last = last_that(meet, 4, 5);
     EXPECT_GT(last, 4.f);
@@ -136,7 +136,7 @@ Triangle slope() { return {{{-31.5, -64, -24}, {32.5, -64, 40}, {-31.5, 192, -24
 
 TEST(Limit, DepthIsWrongBeyondItsBoundOnEitherSide) {
     for (const float limit : {7.f, 9.f}) {
-        Trial t = bare_trial({slope()});
+        TestScene t = bare_scene({slope()});
         t.view.camera.near_depth = -64;
         answer(t.reference, 0, 0, 0, 8);
         const ViewBounds bounds(t.view, t.candidate_precision);
@@ -150,8 +150,8 @@ TEST(Limit, DepthIsWrongBeyondItsBoundOnEitherSide) {
 }
 
 /// The slope through the near plane at x = `cut`, to the left of which it is cut off.
-Trial cut_at(float cut) {
-    Trial t = bare_trial({{{{-31.5, -64, -24}, {32.5, -64, 40}, {-31.5, 192, -24}}}});
+TestScene cut_at(float cut) {
+    TestScene t = bare_scene({{{{-31.5, -64, -24}, {32.5, -64, 40}, {-31.5, 192, -24}}}});
     t.view.camera.near_depth = 7.5 + double(cut);
     t.candidate_precision = RasterPrecision{.transform = Arithmetic::float64, .depth_roundings = 2};
     return t;
@@ -160,13 +160,13 @@ Trial cut_at(float cut) {
 TEST(Limit, ATriangleIsOutsideBeyondEpsOfTheNearPlane) {
     // depth = 7.5 + x, so the plane may move by near_slack px
     const auto within = [](float cut) {
-        const Trial t = cut_at(cut);
+        const TestScene t = cut_at(cut);
         const ViewBounds bounds(t.view, t.candidate_precision);
         const TriangleBounds of_triangle = bounds.of(corners_of(t.scene, 0));
         return t.view.camera.near_depth - of_triangle.near_slack <= 8 + t.candidate_eps_px(0, 0, 0);
     };
     const auto class_at = [](float cut) {
-        const Trial t = cut_at(cut);
+        const TestScene t = cut_at(cut);
         return class_of_answer(t, 0, t.view.camera.near_depth);
     };
     const float last = last_that(within, centre, 0.75f);

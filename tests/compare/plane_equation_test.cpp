@@ -49,17 +49,17 @@ std::optional<double> true_z(const std::array<WindowCorner, 3>& p, int x, int y)
 
 /// Corners that float32 holds, of triangles from a pixel to the whole image, some of them thin; each z is off
 /// by what division and viewport may cost.
-std::array<WindowCorner, 3> random_corners(Dice& dice, std::array<WindowCorner, 3>& rounded) {
+std::array<WindowCorner, 3> random_corners(Rng& rng, std::array<WindowCorner, 3>& rounded) {
     const View view = wide_view();
-    const double size = std::exp2(dice.between(0, 10)), thin = std::exp2(-dice.between(0, 8));
-    const double x = dice.between(0, view.width), y = dice.between(0, view.height);
+    const double size = std::exp2(rng.between(0, 10)), thin = std::exp2(-rng.between(0, 8));
+    const double x = rng.between(0, view.width), y = rng.between(0, view.height);
     std::array<WindowCorner, 3> exact;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double across = dice.between(-size, size);
-        exact[i] = {float(x + across), float(y + dice.between(-size, size) * thin + across),
-                    dice.between(0.01, 1)};
+        const double across = rng.between(-size, size);
+        exact[i] = {float(x + across), float(y + rng.between(-size, size) * thin + across),
+                    rng.between(0.01, 1)};
         rounded[i] = exact[i];
-        rounded[i].z = float(exact[i].z * (1 + dice.between(-3, 3) * 0x1p-24));
+        rounded[i].z = float(exact[i].z * (1 + rng.between(-3, 3) * 0x1p-24));
     }
     return exact;
 }
@@ -67,15 +67,15 @@ std::array<WindowCorner, 3> random_corners(Dice& dice, std::array<WindowCorner, 
 double largest_share(double* largest_bound) {
     double largest = 0;
     for (std::uint32_t seed = 0; seed < 3000; ++seed) {
-        Dice dice(seed);
+        Rng rng(seed);
         std::array<WindowCorner, 3> rounded;
-        const auto exact = random_corners(dice, rounded);
+        const auto exact = random_corners(rng, rounded);
         const auto bounds = plane_equation_bounds(exact, {.snap_px = snap, .drift_px = 0}, wide_view());
         if (!std::isfinite(bounds.z_error)) continue;
         *largest_bound = std::max(*largest_bound, bounds.z_error);
         for (int k = 0; k < 200; ++k) {
-            const int x = int(exact[0].x + dice.between(-1, 1) * (exact[1].x - exact[0].x));
-            const int y = int(exact[0].y + dice.between(-1, 1) * (exact[2].y - exact[0].y));
+            const int x = int(exact[0].x + rng.between(-1, 1) * (exact[1].x - exact[0].x));
+            const int y = int(exact[0].y + rng.between(-1, 1) * (exact[2].y - exact[0].y));
             if (const auto z = true_z(exact, x, y))
                 largest = std::max(largest, std::abs(interpolated(rounded, x, y) - *z) / bounds.z_error);
         }

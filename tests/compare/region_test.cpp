@@ -14,8 +14,8 @@ namespace {
 using Exact = Line<Rational>;
 
 /// A random line through the square of half-side 4; whole numbers, so that corners meet often.
-Exact random_line(Dice& dice, int id) {
-    Rational a(dice.below(7) - 3), b(dice.below(7) - 3), c(dice.below(13) - 6);
+Exact random_line(Rng& rng, int id) {
+    Rational a(rng.below(7) - 3), b(rng.below(7) - 3), c(rng.below(13) - 6);
     if (a == 0 && b == 0) a = 1;
     return {{a, b, c}, id, {-1, -1}};
 }
@@ -26,7 +26,7 @@ class Sheet {
         for (const auto& [a, b] : {std::array{0, 1}, {-1, 0}, {0, -1}, {1, 0}})
             lines_.push_back({{Rational(a), Rational(b), Rational(4)}, -2 - int(lines_.size()), {-1, -1}});
     }
-    const Exact* add(Dice& dice) { return &lines_.emplace_back(random_line(dice, -2 - int(lines_.size()))); }
+    const Exact* add(Rng& rng) { return &lines_.emplace_back(random_line(rng, -2 - int(lines_.size()))); }
     Region<Rational> square() const {
         return Region<Rational>::square({&lines_[0], &lines_[1], &lines_[2], &lines_[3]}, Rational(4));
     }
@@ -43,12 +43,12 @@ TEST(Region, InsideIsEmptyExactlyWhereNoPointIsInAllHalfPlanes) {
     int empty = 0;
     for (std::uint32_t seed = 0; seed < 2000; ++seed) {
         SCOPED_TRACE(seed);
-        Dice dice(seed);
+        Rng rng(seed);
         Sheet sheet;
         std::optional<Region<Rational>> region = sheet.square();
         brute_force::Set set = plain_square();
         for (int i = 0; i < 4; ++i) {
-            const Exact* line = sheet.add(dice);
+            const Exact* line = sheet.add(rng);
             if (region) region = region->inside(*line);
             set.push_back(plain(*line));
             ASSERT_EQ(region.has_value(), !brute_force::is_empty(set));
@@ -63,10 +63,10 @@ TEST(Region, OutsideIsEmptyExactlyWhereTheClosedHalfPlaneHoldsAllOfTheRegion) {
     int empty = 0;
     for (std::uint32_t seed = 0; seed < 2000; ++seed) {
         SCOPED_TRACE(seed);
-        Dice dice(seed);
+        Rng rng(seed);
         Sheet sheet;
         brute_force::Set set = plain_square();
-        const Exact *a = sheet.add(dice), *b = sheet.add(dice), *c = sheet.add(dice);
+        const Exact *a = sheet.add(rng), *b = sheet.add(rng), *c = sheet.add(rng);
         auto region = sheet.square().inside(*a);
         if (region) region = region->inside(*b);
         if (!region) continue;
@@ -85,15 +85,15 @@ TEST(Region, NothingIsLeftExactlyWhereClosedSetsCoverTheSquare) {
     int covered = 0;
     for (std::uint32_t seed = 0; seed < 600; ++seed) {
         SCOPED_TRACE(seed);
-        Dice dice(seed);
+        Rng rng(seed);
         Sheet sheet;
         std::vector<Region<Rational>> left{sheet.square()};
         std::vector<brute_force::Set> sets;
-        const Exact* shared = sheet.add(dice);
+        const Exact* shared = sheet.add(rng);
         const Exact opposite{-shared->f, shared->id, {-1, -1}};
         for (int i = 0; i < 4; ++i) {
             HalfPlanes<Rational> hiding{i % 2 ? shared : &opposite};
-            if (dice.below(3)) hiding.push_back(sheet.add(dice));
+            if (rng.below(3)) hiding.push_back(sheet.add(rng));
             sets.emplace_back();
             for (const Exact* line : hiding) sets.back().push_back(plain(*line));
             left = without(left, hiding);
@@ -110,13 +110,13 @@ TEST(Region, NothingIsLeftExactlyWhereSetsOfTheSameLinesCoverTheSquare) {
     int covered = 0;
     for (std::uint32_t seed = 0; seed < 1500; ++seed) {
         SCOPED_TRACE(seed);
-        Dice dice(seed);
+        Rng rng(seed);
         Sheet sheet;
         std::vector<Exact> lines;  // and their opposites, of the same id
         lines.reserve(14);
-        const int x = dice.below(3) - 1, y = dice.below(3) - 1;
+        const int x = rng.below(3) - 1, y = rng.below(3) - 1;
         for (int i = 0; i < 7; ++i) {
-            Exact line = *sheet.add(dice);
+            Exact line = *sheet.add(rng);
             if (i > 1) line.f.c = -(line.f.a * x + line.f.b * y);
             lines.push_back(line);
             lines.push_back({-line.f, line.id, {-1, -1}});
@@ -126,8 +126,8 @@ TEST(Region, NothingIsLeftExactlyWhereSetsOfTheSameLinesCoverTheSquare) {
         for (int i = 0; i < 7; ++i) {
             HalfPlanes<Rational> hiding;
             sets.emplace_back();
-            for (int k = dice.below(2); k < 3; ++k) {
-                hiding.push_back(&lines[std::size_t(dice.below(int(lines.size())))]);
+            for (int k = rng.below(2); k < 3; ++k) {
+                hiding.push_back(&lines[std::size_t(rng.below(int(lines.size())))]);
                 sets.back().push_back(plain(*hiding.back()));
             }
             left = without(left, hiding);
@@ -140,7 +140,7 @@ TEST(Region, NothingIsLeftExactlyWhereSetsOfTheSameLinesCoverTheSquare) {
 }
 
 TEST(Region, ASquareWithoutSideIsItsCentre) {
-    Dice dice(1);
+    Rng rng(1);
     const Exact side{{1, 0, 0}, -2, {-1, -1}}, through{{1, 1, 0}, -3, {-1, -1}},
         beyond{{1, 1, -1}, -4, {-1, -1}};
     const auto point = Region<Rational>::square({&side, &side, &side, &side}, Rational(0));

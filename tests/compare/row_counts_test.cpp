@@ -14,32 +14,32 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// At random, at a bin's border or right beside it, far beyond the bound, or undecided.
-double some_error(Dice& dice) {
-    const double border = dice.below(22) / 20.0;
-    switch (dice.below(8)) {
+double some_error(Rng& rng) {
+    const double border = rng.below(22) / 20.0;
+    switch (rng.below(8)) {
         case 0:
             return -1;
         case 1:
-            return dice.below(2) ? 1e300 : inf;
+            return rng.below(2) ? 1e300 : inf;
         case 2:
             return border;
         case 3:
-            return std::max(0.0, std::nextafter(border, dice.below(2) ? -inf : inf));
+            return std::max(0.0, std::nextafter(border, rng.below(2) ? -inf : inf));
         case 4:
-            return dice.below(2) ? std::numeric_limits<double>::denorm_min() : 0;
+            return rng.below(2) ? std::numeric_limits<double>::denorm_min() : 0;
         default:
-            return dice.between(0, 1.1);
+            return rng.between(0, 1.1);
     }
 }
 
 /// Ids that are mostly the same, of triangles or of nothing.
-ComparedRow some_row(Dice& dice, bool is_decided) {
+ComparedRow some_row(Rng& rng, bool is_decided) {
     ComparedRow row;
     for (std::size_t i = 0; i < row_pixels; ++i) {
-        row.candidate[i] = dice.below(4) == 0 ? PrimitiveId::none : PrimitiveId(dice.below(3));
-        row.reference[i] = is_decided || dice.below(6) ? row.candidate[i] : PrimitiveId(dice.below(3));
+        row.candidate[i] = rng.below(4) == 0 ? PrimitiveId::none : PrimitiveId(rng.below(3));
+        row.reference[i] = is_decided || rng.below(6) ? row.candidate[i] : PrimitiveId(rng.below(3));
         for (double* error : {&row.candidate_error[i], &row.reference_error[i]}) {
-            *error = some_error(dice);
+            *error = some_error(rng);
             if (is_decided && *error < 0) *error = 0;
         }
     }
@@ -47,12 +47,12 @@ ComparedRow some_row(Dice& dice, bool is_decided) {
 }
 
 TEST(RowCounts, AreThoseOfPixelsOneByOne) {
-    Dice dice(1);
+    Rng rng(1);
     RowCounts counts;
     BoundRecord candidate, reference;
     int with_undecided = 0;
     for (int round = 0; round < 2000; ++round) {
-        const ComparedRow row = some_row(dice, round % 3 == 0);
+        const ComparedRow row = some_row(rng, round % 3 == 0);
         bool is_any_undecided = false;
         for (std::size_t i = 0; i < row_pixels; ++i) {
             const bool is_decided = row.candidate[i] == row.reference[i] && row.candidate_error[i] >= 0 &&

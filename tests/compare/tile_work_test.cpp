@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
@@ -12,14 +12,14 @@ class AQuery : public testing::Test {
   protected:
     View view = pixel_view(Projection::parallel, 16, 16);
     Scene scene = scene_of(view, {wall_left_of(8.75, 4), wall_right_of(8.75, 4), wall(8)});
-    Sights<double> rays{view};
+    ViewRays<double> rays{view};
     TriangleSearch search{scene, view};
     RuleOverride none;
-    TileWork::Setting setting{scene, view, rays, search, Asked::displacement, none};
+    TileWork::Setting setting{scene, view, rays, search, QueryDetail::displacement, none};
     std::uint32_t near[3] = {0, 1, 2};
     TileWork work{setting, near};
     ViewBounds coarse{view, RasterPrecision{.transform = Arithmetic::float64, .subpixel_bits = 0}};
-    Adjudicated adjudicated{{Admissibility::hole, true, 77}, 77};
+    QueryResult adjudicated{{Admissibility::hole, true, 77}, 77};
 };
 
 TEST_F(AQuery, IsLeftOpenWhereItLooksFartherThanWasSearched) {
@@ -39,7 +39,7 @@ TEST_F(AQuery, SaysHowFarItMovedOnlyWhereItIsVisible) {
 }
 
 TEST_F(AQuery, SaysHowFarItMovedOnlyWhereThatIsAsked) {
-    TileWork::Setting for_admissibility{scene, view, rays, search, Asked::admissibility, none};
+    TileWork::Setting for_admissibility{scene, view, rays, search, QueryDetail::admissibility, none};
     TileWork plain(for_admissibility, near);
     EXPECT_EQ(plain.decide({&coarse, PrimitiveId(1), 8, 8}, 2, adjudicated), 0);
     EXPECT_EQ(adjudicated.decision.admissibility, Admissibility::visible);
@@ -63,7 +63,7 @@ TEST_F(AQuery, IsDecidedTheSameWhateverWasDecidedBefore) {
         for (const std::uint32_t answer : {0u, 1u, 2u, std::uint32_t(PrimitiveId::none)})
             for (const int x : {8, 9}) queries.push_back({bounds, PrimitiveId(answer), x, 8});
     const auto decided_by = [&](TileWork& by, const PixelQuery& query, double searched_px) {
-        Adjudicated found;
+        QueryResult found;
         EXPECT_EQ(by.decide(query, searched_px, found), 0);
         return found;
     };
@@ -72,7 +72,7 @@ TEST_F(AQuery, IsDecidedTheSameWhateverWasDecidedBefore) {
             for (const double searched_px : {1.5, 2.0, 3.0}) {
                 TileWork fresh(setting, near), used(setting, near);
                 decided_by(used, before, 2);
-                const Adjudicated found = decided_by(used, query, searched_px),
+                const QueryResult found = decided_by(used, query, searched_px),
                                   expected = decided_by(fresh, query, 2);
                 EXPECT_EQ(found.decision.admissibility, expected.decision.admissibility);
                 EXPECT_EQ(found.decision.eps_px, expected.decision.eps_px);

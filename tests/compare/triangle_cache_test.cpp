@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "random_surroundings.h"
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
@@ -32,15 +32,15 @@ TEST(TriangleCache, KeepsRenderersApart) {
                                             ViewBounds(view, RasterPrecision{.subpixel_bits = 2})};
     const TriangleSearch search(scene, view);
     TriangleCache cache(scene, search, near);
-    Dice dice(1);
+    Rng rng(1);
     for (int i = 0; i < 60; ++i) {
-        const auto place = std::size_t(dice.below(3));
-        const ViewBounds& bounds = renderers[std::size_t(dice.below(3))];
+        const auto place = std::size_t(rng.below(3));
+        const ViewBounds& bounds = renderers[std::size_t(rng.below(3))];
         const BoundedTriangle found = cache.of(place, bounds),
                               expected(bounds, corners_of(scene, near[place]));
         EXPECT_EQ(found.p_world, expected.p_world);
         EXPECT_EQ(found.bounds.eps_base_px, expected.bounds.eps_base_px);
-        EXPECT_EQ(found.bounds.eps_per_nearness, expected.bounds.eps_per_nearness);
+        EXPECT_EQ(found.bounds.eps_per_inverse_depth, expected.bounds.eps_per_inverse_depth);
         EXPECT_EQ(found.bounds.depth_factor, expected.bounds.depth_factor);
         EXPECT_EQ(found.keeps_to_corners, expected.keeps_to_corners);
     }

@@ -9,7 +9,7 @@
 #include "compare/agree/depth_errors.h"
 #include "math/rational.h"
 #include "random_surroundings.h"
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
@@ -18,11 +18,11 @@ namespace {
 /// displacement, and (rasterizers) within the corners' depths, each with its rounding.
 bool admissible_in_rationals(const Surroundings& s, const ViewBounds& bounds, const CornersWorld& p,
                              float depth) {
-    const Neighbour n = neighbour_of(Sight<double>(s.view, s.x, s.y), bounds, p);
-    const auto image = image_of(Sight<Rational>(s.view, s.x, s.y), corners<Rational>(p));
+    const Neighbour n = neighbour_of(ViewRay<double>(s.view, s.x, s.y), bounds, p);
+    const auto image = image_of(ViewRay<Rational>(s.view, s.x, s.y), corners<Rational>(p));
     const Rational z{double(depth)}, r(n.bounds.depth_relative), a(n.bounds.depth_absolute), one(1);
     if (!image) return true;
-    const Rational shift(n.bounds.depth_eps_px * n.gradient), w = image->nearness.c;
+    const Rational shift(n.bounds.depth_eps_px * n.gradient), w = image->inverse_depth.c;
     if (s.view.camera.projection == Projection::parallel)
         return z + a >= -w - shift - abs(w + shift) * r && z - a <= shift - w + abs(shift - w) * r;
     if (w + shift <= 0) return false;
@@ -31,7 +31,7 @@ bool admissible_in_rationals(const Surroundings& s, const ViewBounds& bounds, co
 
 /// By the depth rule's exact arithmetic alone: of a triangle whose plane double precision does not know.
 bool is_admissible_exactly(const View& view, const ViewBounds& bounds, const CornersWorld& p,
-                           const PixelPlace& place, float z) {
+                           const PixelCoord& place, float z) {
     TriangleInView triangle(view, bounds, p);
     triangle.is_edge_on = false;
     triangle.own_error = unlimited;
@@ -82,7 +82,8 @@ TEST(DepthRule, DecidesAsRationalsDo) {
         const ViewBounds bounds(s.view, RayPrecision{});
         for (const Neighbour& n : s.around.neighbours) {
             if (!std::isfinite(n.bounds.depth_relative + n.bounds.depth_absolute)) continue;
-            const LocalBounds local = neighbour_of(Sight<double>(s.view, s.x, s.y), bounds, n.p_world).bounds;
+            const LocalBounds local =
+                neighbour_of(ViewRay<double>(s.view, s.x, s.y), bounds, n.p_world).bounds;
             if (!std::isfinite(local.depth_relative + local.depth_absolute)) continue;
             const TriangleDepth depth(TriangleInView(s.view, bounds, n.p_world), bounds);
             for (const float z : depths_around(depth.at(s.x, s.y))) {
@@ -99,7 +100,7 @@ TEST(DepthRule, DecidesAsRationalsDo) {
 }
 
 /// What a run of one pixel says of it.
-double certain_error(const TriangleDepth& depth, const PixelPlace& place, float z) {
+double certain_error(const TriangleDepth& depth, const PixelCoord& place, float z) {
     const float depths[errors_together] = {z};
     double errors[errors_together]{};
     find_depth_errors(depth, place.x, place.y, 1, depths, errors);
@@ -140,7 +141,7 @@ TEST_P(OwnError, KeepsADepthNearItsBoundFromBeingCertain) {
 TEST(TriangleDepth, HasNoDepthBeyondTheHorizonOfThePlane) {
     const View view = pixel_view(Projection::perspective, 16, 1);
     const ViewBounds bounds(view, ray_precision());
-    // nearness falls from 1 at x = 0 to 0 at x = 8
+    // inverse depth falls from 1 at x = 0 to 0 at x = 8
     const Scene scene = scene_of(view, {{{{0, -4, 1}, {4, -4, 2}, {0, 4, 1}}}});
     const TriangleDepth depth(TriangleInView(view, bounds, corners_of(scene, 0)), bounds);
     const DepthBound before = depth.at(6, 0), beyond = depth.at(9, 0);

@@ -10,7 +10,7 @@
 #include "brute_force.h"
 #include "math/rational.h"
 #include "random_surroundings.h"
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
@@ -18,8 +18,8 @@ namespace {
 /// Does the image of the triangle (in front of near) come within `reach_px` of the centre, in exact numbers?
 /// Triangles seen edge-on have a test of their own.
 bool comes_near(Neighbourhood around, double reach_px) {
-    const Sight<Rational> sight(around.view, around.x, around.y);
-    if (!image_of(sight, corners<Rational>(around.neighbours[0].p_world))) return false;
+    const ViewRay<Rational> ray(around.view, around.x, around.y);
+    if (!image_of(ray, corners<Rational>(around.neighbours[0].p_world))) return false;
     around.eps_px = reach_px;
     for (Neighbour& n : around.neighbours) n.near_slack = n.far_slack = 0;
     return brute_force::Picture(around).reaches(0);
@@ -30,23 +30,26 @@ TEST(NearbyTriangles, NoneThatComesWithinReachIsMissing) {
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
         const Surroundings s = random_surroundings(seed);
-        Dice dice(seed);
-        std::vector<Site> sites;
-        sites.reserve(4);
+        Rng rng(seed);
+        std::vector<SearchPixel> search_pixels;
+        search_pixels.reserve(4);
         for (int i = 0; i < 4; ++i)
-            sites.push_back({i ? dice.below(16) : s.x, i ? dice.below(16) : s.y, dice.below(2) * 0x1p-9, {}});
-        find_nearby_triangles(s.scene, s.view, sites);
+            search_pixels.push_back(
+                {i ? rng.below(16) : s.x, i ? rng.below(16) : s.y, rng.below(2) * 0x1p-9, {}});
+        find_nearby_triangles(s.scene, s.view, search_pixels);
         const ViewBounds bounds(s.view, RasterPrecision{});
-        for (const Site& site : sites) {
-            ASSERT_TRUE(std::ranges::is_sorted(site.triangles));
+        for (const SearchPixel& search_pixel : search_pixels) {
+            ASSERT_TRUE(std::ranges::is_sorted(search_pixel.triangles));
             for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
-                const Sight<Rational> sight(s.view, site.x, site.y);
-                if (!image_of(sight, corners<Rational>(corners_of(s.scene, t)))) continue;  // edge-on: below
-                const Site only{site.x, site.y, site.reach_px, {t}};
-                const Neighbourhood around = neighbourhood_of(s.scene, s.view, bounds, only, site.reach_px);
-                const bool found = std::ranges::count(site.triangles, t) == 1;
-                const bool near = comes_near(around, site.reach_px);
-                ASSERT_TRUE(found || !near) << "triangle " << t << " at " << site.x << ' ' << site.y;
+                const ViewRay<Rational> ray(s.view, search_pixel.x, search_pixel.y);
+                if (!image_of(ray, corners<Rational>(corners_of(s.scene, t)))) continue;  // edge-on: below
+                const SearchPixel only{search_pixel.x, search_pixel.y, search_pixel.reach_px, {t}};
+                const Neighbourhood around =
+                    neighbourhood_of(s.scene, s.view, bounds, only, search_pixel.reach_px);
+                const bool found = std::ranges::count(search_pixel.triangles, t) == 1;
+                const bool near = comes_near(around, search_pixel.reach_px);
+                ASSERT_TRUE(found || !near)
+                    << "triangle " << t << " at " << search_pixel.x << ' ' << search_pixel.y;
                 ++asked, near_ones += near, found_ones += found;
             }
         }
@@ -59,10 +62,10 @@ TEST(NearbyTriangles, EdgeOnTrianglesAreFound) {
     for (const Projection projection : {Projection::perspective, Projection::parallel}) {
         const View view = pixel_view(projection, 4, 4);
         const Scene scene = scene_of(view, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
-        std::vector<Site> sites{{1, 1, 0, {}}, {3, 3, 0x1p-9, {}}};
-        find_nearby_triangles(scene, view, sites);
-        EXPECT_EQ(sites[0].triangles, std::vector<std::uint32_t>{0});
-        EXPECT_TRUE(sites[1].triangles.empty());
+        std::vector<SearchPixel> search_pixels{{1, 1, 0, {}}, {3, 3, 0x1p-9, {}}};
+        find_nearby_triangles(scene, view, search_pixels);
+        EXPECT_EQ(search_pixels[0].triangles, std::vector<std::uint32_t>{0});
+        EXPECT_TRUE(search_pixels[1].triangles.empty());
     }
 }
 
@@ -80,11 +83,12 @@ Scene spread(const Scene& scene, std::uint32_t apart) {
 TEST(NearbyTriangles, AreTheSameHoweverFarApartTheirIndicesAre) {
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         const Surroundings s = random_surroundings(seed);
-        std::vector<Site> sites{{s.x, s.y, 0x1p-9, {}}, {1, 1, 0, {}}}, far_apart = sites;
-        find_nearby_triangles(s.scene, s.view, sites);
+        std::vector<SearchPixel> search_pixels{{s.x, s.y, 0x1p-9, {}}, {1, 1, 0, {}}},
+            far_apart = search_pixels;
+        find_nearby_triangles(s.scene, s.view, search_pixels);
         find_nearby_triangles(spread(s.scene, 100), s.view, far_apart);
-        for (std::size_t i = 0; i < sites.size(); ++i)
-            EXPECT_EQ(sites[i].triangles, far_apart[i].triangles) << "seed " << seed;
+        for (std::size_t i = 0; i < search_pixels.size(); ++i)
+            EXPECT_EQ(search_pixels[i].triangles, far_apart[i].triangles) << "seed " << seed;
     }
 }
 
@@ -96,7 +100,7 @@ TEST(NearbyTriangles, OfManyAreTheSameAsOfFew) {
         const auto count = std::uint32_t(s.scene.triangles.size());
         Scene crowd = s.scene;
         for (std::uint32_t t = count; t < many; ++t) crowd.triangles.push_back(s.scene.triangles[t % count]);
-        std::vector<Site> few{{s.x, s.y, 0x1p-9, {}}, {1, 1, 0, {}}}, all = few;
+        std::vector<SearchPixel> few{{s.x, s.y, 0x1p-9, {}}, {1, 1, 0, {}}}, all = few;
         find_nearby_triangles(s.scene, s.view, few);
         find_nearby_triangles(crowd, s.view, all);
         for (std::size_t i = 0; i < few.size(); ++i) {
@@ -117,11 +121,11 @@ TEST(NearbyTriangles, AreFoundFromSquaresThatNoFloatHolds) {
                                      {3e38, 0, -0.06F}, {3e38, 1, -0.06F}, {3e38, 0, -0.04F}};
     scene.triangles = {{0, 1, 2}, {3, 4, 5}};
     for (const double reach_px : {1e39, 1e42, 1e60}) {
-        std::vector<Site> sites{{32, 32, reach_px, {}}, {0, 63, reach_px, {}}};
-        find_nearby_triangles(scene, view, sites);
-        for (const Site& site : sites) {
-            EXPECT_EQ(std::ranges::count(site.triangles, 0u), 1) << reach_px;
-            EXPECT_TRUE(reach_px < 1e42 || std::ranges::count(site.triangles, 1u) == 1) << reach_px;
+        std::vector<SearchPixel> search_pixels{{32, 32, reach_px, {}}, {0, 63, reach_px, {}}};
+        find_nearby_triangles(scene, view, search_pixels);
+        for (const SearchPixel& search_pixel : search_pixels) {
+            EXPECT_EQ(std::ranges::count(search_pixel.triangles, 0u), 1) << reach_px;
+            EXPECT_TRUE(reach_px < 1e42 || std::ranges::count(search_pixel.triangles, 1u) == 1) << reach_px;
         }
     }
 }
@@ -129,28 +133,28 @@ TEST(NearbyTriangles, AreFoundFromSquaresThatNoFloatHolds) {
 TEST(NearbyTriangles, ManyChunksComeInOrder) {
     const View view = pixel_view(Projection::parallel, 4, 4);
     const Scene scene = scene_of(view, std::vector<Triangle>(10'000, wall(4)));
-    std::vector<Site> sites{{2, 3, 0, {7, 7}}};
-    find_nearby_triangles(scene, view, sites);
-    ASSERT_EQ(sites[0].triangles.size(), 10'000u);
-    EXPECT_TRUE(std::ranges::is_sorted(sites[0].triangles));
+    std::vector<SearchPixel> search_pixels{{2, 3, 0, {7, 7}}};
+    find_nearby_triangles(scene, view, search_pixels);
+    ASSERT_EQ(search_pixels[0].triangles.size(), 10'000u);
+    EXPECT_TRUE(std::ranges::is_sorted(search_pixels[0].triangles));
 }
 
 using Point = std::array<Rational, 2>;
 
 /// In the image; of a place that lies before the eye.
-Point raster_of(const Sight<Rational>& sight, const Vector3<Rational>& p_world, const PixelPlace& place) {
-    const auto v = p_world - sight.origin;
-    const Rational all = dot(sight.step_x, cross(sight.step_y, sight.direction));
-    const Rational t = dot(sight.step_x, cross(sight.step_y, v)) / all;
-    const Rational d = sight.projection == Projection::perspective ? t : Rational(1);
-    const Rational x = dot(v, cross(sight.step_y, sight.direction)) / all / d,
-                   y = dot(sight.step_x, cross(v, sight.direction)) / all / d;
+Point raster_of(const ViewRay<Rational>& ray, const Vector3<Rational>& p_world, const PixelCoord& place) {
+    const auto v = p_world - ray.origin;
+    const Rational all = dot(ray.step_x, cross(ray.step_y, ray.direction));
+    const Rational t = dot(ray.step_x, cross(ray.step_y, v)) / all;
+    const Rational d = ray.projection == Projection::perspective ? t : Rational(1);
+    const Rational x = dot(v, cross(ray.step_y, ray.direction)) / all / d,
+                   y = dot(ray.step_x, cross(v, ray.direction)) / all / d;
     return {x + Rational(place.x + 0.5), y + Rational(place.y + 0.5)};
 }
 
 /// The corners of what a triangle shows in front of near, exactly.
 std::vector<Point> shown_corners(const View& view, const CornersWorld& p_world) {
-    const Sight<Rational> sight(view, 0, 0);
+    const ViewRay<Rational> ray(view, 0, 0);
     const Corners<Rational> p = corners<Rational>(p_world);
     const Vector3<Rational> back = exactly<Rational>(view.camera.back);
     const Rational near(view.camera.near_depth);
@@ -161,35 +165,35 @@ std::vector<Point> shown_corners(const View& view, const CornersWorld& p_world) 
     for (std::size_t i = 0; i < 3; ++i) {
         const auto &a = p[i], &b = p[(i + 1) % 3];
         const Rational at_a = depth_of(a), at_b = depth_of(b);
-        if (at_a >= near) shown.push_back(raster_of(sight, a, {0, 0}));
+        if (at_a >= near) shown.push_back(raster_of(ray, a, {0, 0}));
         if ((at_a >= near) != (at_b >= near))
-            shown.push_back(raster_of(sight, a + Rational((near - at_a) / (at_b - at_a)) * (b - a), {0, 0}));
+            shown.push_back(raster_of(ray, a + Rational((near - at_a) / (at_b - at_a)) * (b - a), {0, 0}));
     }
     return shown;
 }
 
 /// A crowd in an image of several tiles: corners at 1e30 and slivers from tile to tile among them.
 struct Wide {
-    Dice dice;
+    Rng rng;
     View view;
     int x, y;
     Scene scene;
 
     explicit Wide(std::uint32_t seed)
-        : dice(seed), view(random_view(dice)), x(15 + dice.below(3)), y(31 + dice.below(3)), scene{} {
+        : rng(seed), view(random_view(rng)), x(15 + rng.below(3)), y(31 + rng.below(3)), scene{} {
         view.width = 56, view.height = 40;
-        scene = random_crowd(dice, view, x, y);
+        scene = random_crowd(rng, view, x, y);
         auto& p = scene.vertices.position_world;
-        glm::vec3& far = p[std::size_t(dice.below(3))];
-        if (dice.below(3) == 0) far = glm::vec3(1e30 * glm::normalize(glm::dvec3(far) + glm::dvec3(0x1p-9)));
-        if (dice.below(3) == 0) add_sliver();
+        glm::vec3& far = p[std::size_t(rng.below(3))];
+        if (rng.below(3) == 0) far = glm::vec3(1e30 * glm::normalize(glm::dvec3(far) + glm::dvec3(0x1p-9)));
+        if (rng.below(3) == 0) add_sliver();
     }
     /// From one pixel's centre to another's, as thin as may be.
     void add_sliver() {
         const auto first = std::uint32_t(scene.vertices.position_world.size());
         for (const double aside : {0.0, 0x1p-20, -0x1p-20}) {
-            const Sight<double> sight(view, dice.below(view.width), dice.below(view.height));
-            const auto p = sight.origin + 4.0 * sight.direction + aside * sight.step_x;
+            const ViewRay<double> ray(view, rng.below(view.width), rng.below(view.height));
+            const auto p = ray.origin + 4.0 * ray.direction + aside * ray.step_x;
             scene.vertices.position_world.emplace_back(float(p.x), float(p.y), float(p.z));
         }
         scene.vertices.position_world[first + 2] =
@@ -231,12 +235,13 @@ TEST(TriangleSearch, FindsAllThatMeetsWhatATileAsksFor) {
         const Tiles tiles(s.view);
         ASSERT_EQ(tiles.count(), 12u);
         const double reaches[] = {0, 0x1p-9, 0.5, 9, 40, 1e9};
-        std::vector<Site> sites{{s.x, s.y, 0x1p-9, {}}, {16, 31, 0, {}}};
+        std::vector<SearchPixel> search_pixels{{s.x, s.y, 0x1p-9, {}}, {16, 31, 0, {}}};
         for (int i = 0; i < 4; ++i)
-            sites.push_back({s.dice.below(56), s.dice.below(40), reaches[s.dice.below(6)], {}});
+            search_pixels.push_back({s.rng.below(56), s.rng.below(40), reaches[s.rng.below(6)], {}});
         std::vector<Box> asked(tiles.count());
-        for (const Site& site : sites)
-            asked[tiles.of(site.x, site.y)].add(square_around(site.x, site.y, site.reach_px));
+        for (const SearchPixel& search_pixel : search_pixels)
+            asked[tiles.of(search_pixel.x, search_pixel.y)].add(
+                square_around(search_pixel.x, search_pixel.y, search_pixel.reach_px));
         const TrianglesByTile found = TriangleSearch(s.scene, s.view).find(asked);
         for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
             ASSERT_TRUE(std::ranges::is_sorted(found.of(tile), std::less_equal{}) ||
@@ -244,13 +249,16 @@ TEST(TriangleSearch, FindsAllThatMeetsWhatATileAsksFor) {
             ASSERT_TRUE(!asked[tile].is_empty() || found.of(tile).empty());
         }
         const ViewBounds bounds(s.view, RasterPrecision{});
-        for (const Site& site : sites)
+        for (const SearchPixel& search_pixel : search_pixels)
             for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
-                const Site only{site.x, site.y, site.reach_px, {t}};
+                const SearchPixel only{search_pixel.x, search_pixel.y, search_pixel.reach_px, {t}};
                 const bool is_near =
-                    comes_near(neighbourhood_of(s.scene, s.view, bounds, only, site.reach_px), site.reach_px);
-                const bool is_found = std::ranges::count(found.of(tiles.of(site.x, site.y)), t) == 1;
-                ASSERT_TRUE(is_found || !is_near) << "triangle " << t << " at " << site.x << ' ' << site.y;
+                    comes_near(neighbourhood_of(s.scene, s.view, bounds, only, search_pixel.reach_px),
+                               search_pixel.reach_px);
+                const bool is_found =
+                    std::ranges::count(found.of(tiles.of(search_pixel.x, search_pixel.y)), t) == 1;
+                ASSERT_TRUE(is_found || !is_near)
+                    << "triangle " << t << " at " << search_pixel.x << ' ' << search_pixel.y;
                 ++asked_ones, near_ones += is_near, found_ones += is_found;
             }
     }
@@ -298,11 +306,11 @@ TEST(TriangleSearch, RulesOutWhatLiesBeyondOneSide) {
 
 /// Rounded to float, boxes hold those in double: of places that no float holds well, and far apart.
 TEST(TriangleSearch, BoxesAreRoundedOutwards) {
-    Dice dice(3);
+    Rng rng(3);
     const View view = pixel_view(Projection::parallel, 64, 64);
     for (int round = 0; round < 500; ++round) {
-        const double scale = std::exp2(dice.between(0, 30));
-        const auto place = [&] { return dice.between(-1, 1) * scale; };
+        const double scale = std::exp2(rng.between(0, 30));
+        const auto place = [&] { return rng.between(-1, 1) * scale; };
         const Scene scene =
             scene_of(view, {{{{place(), place(), 4}, {place(), place(), 4}, {place(), place(), 4}}}});
         const Box box = TriangleSearch(scene, view).box_of(0);

@@ -6,14 +6,14 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "stage.h"
+#include "test_scene.h"
 
 namespace zproof {
 namespace {
 
 /// A wall with one pixel of each of four classes and a background row that agrees.
-Trial mixed_trial() {
-    Trial t(Projection::parallel, 5, 3, {wall(4), wall(8)});
+TestScene mixed_scene() {
+    TestScene t(Projection::parallel, 5, 3, {wall(4), wall(8)});
     answer_everywhere(t.candidate, 0, 4);
     answer_everywhere(t.reference, 0, 4);
     answer_background(t.candidate, 3, 2);
@@ -25,7 +25,7 @@ Trial mixed_trial() {
 }
 
 TEST(Verdict, CountsEveryPixelOnce) {
-    const Verdict verdict = mixed_trial().verdict();
+    const Verdict verdict = mixed_scene().verdict();
     ClassCounts expected{};
     expected[std::size_t(PixelClass::agree)] = 10;
     for (const PixelClass c : {PixelClass::hole, PixelClass::hidden, PixelClass::wrong_depth,
@@ -37,7 +37,7 @@ TEST(Verdict, CountsEveryPixelOnce) {
 }
 
 TEST(Verdict, ListsFindingsInRasterOrderWithBothAnswers) {
-    const Verdict verdict = mixed_trial().verdict();
+    const Verdict verdict = mixed_scene().verdict();
     const std::vector<std::array<int, 2>> expected{{1, 0}, {4, 0}, {0, 1}, {2, 1}, {3, 2}};
     ASSERT_EQ(verdict.findings.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -52,7 +52,7 @@ TEST(Verdict, ListsFindingsInRasterOrderWithBothAnswers) {
 }
 
 TEST(Verdict, AFindingTellsTheSquareAndTheDepthBound) {
-    const Trial t = mixed_trial();
+    const TestScene t = mixed_scene();
     const Verdict verdict = t.verdict();
     const Finding &hidden = verdict.findings[1], &hole = verdict.findings[4];
     EXPECT_EQ(hidden.eps_px, t.candidate_eps_px(4, 0, 1));
@@ -65,13 +65,13 @@ TEST(Verdict, AFindingTellsTheSquareAndTheDepthBound) {
     EXPECT_TRUE(std::isnan(hole.error_over_bound));
 }
 
-TEST(Verdict, OnlyPixelsOfDifferentIdsAreAdjudicated) { EXPECT_EQ(mixed_trial().verdict().adjudicated, 4u); }
+TEST(Verdict, OnlyPixelsOfDifferentIdsAreAdjudicated) { EXPECT_EQ(mixed_scene().verdict().adjudicated, 4u); }
 
 /// A pixel is 1/3 unit wide, which no double holds: that the two walls meet at the centre of pixel 1, at 1/2,
 /// and leave nothing between them, only rationals see.
 TEST(Verdict, ExactRationalsAreCountedWhereTheyDecide) {
-    Trial t(Projection::parallel, 3, 1,
-            {wall_left_of(0.5, 4, -64, 64), wall_right_of(0.5, 4, -32, 96), wall(8)});
+    TestScene t(Projection::parallel, 3, 1,
+                {wall_left_of(0.5, 4, -64, 64), wall_right_of(0.5, 4, -32, 96), wall(8)});
     t.view.camera.window.right = 1;
     answer_everywhere(t.candidate, 2, 8);
     answer_everywhere(t.reference, 0, 4);
@@ -87,7 +87,7 @@ TEST(Verdict, ExactRationalsAreCountedWhereTheyDecide) {
 }
 
 TEST(Verdict, DepthsAreHeldAgainstTheBoundOnTheirSide) {
-    Trial t(Projection::parallel, 4, 1, {wall(4)});
+    TestScene t(Projection::parallel, 4, 1, {wall(4)});
     t.candidate_precision = RasterPrecision{.depth_roundings = 4};  // 2 ulps of float32
     answer_everywhere(t.candidate, 0, 4);
     answer_everywhere(t.reference, 0, 4);
@@ -109,7 +109,7 @@ TEST(Verdict, DepthsAreHeldAgainstTheBoundOnTheirSide) {
 }
 
 TEST(Verdict, DepthsOfDifferentIdsAreNotRecorded) {
-    Trial t(Projection::parallel, 1, 1, {wall(4), wall(8)});
+    TestScene t(Projection::parallel, 1, 1, {wall(4), wall(8)});
     answer(t.candidate, 0, 0, 0, 4);
     answer(t.reference, 0, 0, 1, 8);
     const BoundHistogram histogram = t.verdict().candidate_depth.histogram;
@@ -117,7 +117,7 @@ TEST(Verdict, DepthsOfDifferentIdsAreNotRecorded) {
 }
 
 TEST(Verdict, FramesOfAnotherSizeAreRefused) {
-    Trial t(Projection::parallel, 4, 4, {wall(4)});
+    TestScene t(Projection::parallel, 4, 4, {wall(4)});
     t.reference = Frame({4, 3});
     EXPECT_THROW(t.verdict(), std::invalid_argument);
     std::swap(t.candidate, t.reference);
@@ -127,7 +127,7 @@ TEST(Verdict, FramesOfAnotherSizeAreRefused) {
 }
 
 TEST(Verdict, DoesNotDependOnTheNumberOfThreads) {
-    const Trial t = mixed_trial();
+    const TestScene t = mixed_scene();
     const Verdict alone = tbb::task_arena(1).execute([&] { return t.verdict(); });
     const Verdict together = tbb::task_arena(3).execute([&] { return t.verdict(); });
     EXPECT_EQ(alone.counts, together.counts);

@@ -66,7 +66,7 @@ TEST(Waivers, OfATriangleDoNotSpeakOfBackground) {
     EXPECT_EQ(passing(waiver_of(AtPairs{{{PrimitiveId::none, PrimitiveId::none}}}), {hole}), Passes{true});
 }
 
-TEST(Waivers, SpeakOfTheirClassesAndNeverOfInvalidOrLawfulPixels) {
+TEST(Waivers, SpeakOfTheirClassesAndNeverOfInvalidOrPassingPixels) {
     Waiver all = waiver_of(Anywhere{});
     all.classes.clear();
     for (int i = 0; i < pixel_class_count; ++i) all.classes.push_back(PixelClass(i));
@@ -116,7 +116,7 @@ TEST(Waivers, DieWithTheSceneAndTheSizeTheyWereWrittenFor) {
     EXPECT_EQ(passing(waiver_of(AtPixels{{8, 7}, {{0, 0, 8, 6}}}), {defect_at(1, 0)}), Passes{false});
 }
 
-TEST(Waivers, OfOtherScenesAndViewsAreNotHeard) {
+TEST(Waivers, OfOtherScenesAndViewsAreIgnored) {
     Waiver other = waiver_of(Anywhere{});
     other.scene = "roo";
     EXPECT_TRUE(covered({other}, {defect_at(1, 0)}).uses.empty());

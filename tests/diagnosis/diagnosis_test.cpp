@@ -17,9 +17,9 @@ namespace zproof {
 namespace {
 
 /// One view of a suite scene before the judge.
-class Courtroom {
+class DiagnosisFixture {
   public:
-    Courtroom(const std::string& scene, std::size_t view)
+    DiagnosisFixture(const std::string& scene, std::size_t view)
         : loaded_(generate_suite_scene(scene, 480, 270)),
           view_(loaded_.views.at(view)),
           reference_(oracle::Embree(loaded_.scene).trace(view_)) {}
@@ -71,8 +71,8 @@ class PlantedRule : public testing::TestWithParam<Planted> {};
 
 TEST_P(PlantedRule, IsNamed) {
     const Planted& planted = GetParam();
-    const Courtroom court(planted.scene, planted.view);
-    expect_cause(court.diagnosis_of(court.drawn_by(planted.rules)), planted.cause);
+    const DiagnosisFixture fixture(planted.scene, planted.view);
+    expect_cause(fixture.diagnosis_of(fixture.drawn_by(planted.rules)), planted.cause);
 }
 
 Planted planted(const std::string& name, const std::string& scene, std::size_t view,
@@ -101,47 +101,48 @@ INSTANTIATE_TEST_SUITE_P(
 class InjectedFault : public testing::TestWithParam<FrameFault> {};
 
 TEST_P(InjectedFault, IsNamed) {
-    const Courtroom court(GetParam().scene, 0);
-    const Frame good = court.drawn_by(rasterizer::lawful_rules);
-    expect_cause(court.diagnosis_of(GetParam().inject(court.scene(), court.view(), good)), GetParam().cause);
+    const DiagnosisFixture fixture(GetParam().scene, 0);
+    const Frame good = fixture.drawn_by(rasterizer::correct_rules);
+    expect_cause(fixture.diagnosis_of(GetParam().inject(fixture.scene(), fixture.view(), good)),
+                 GetParam().cause);
 }
 
 INSTANTIATE_TEST_SUITE_P(Frame, InjectedFault, testing::ValuesIn(frame_faults()),
                          [](const auto& test) { return test.param.name; });
 
 TEST(Diagnosis, OfAFaultlessFrameIsNone) {
-    const Courtroom court("room", 0);
-    EXPECT_FALSE(court.diagnosis_of(court.drawn_by(rasterizer::lawful_rules)));
+    const DiagnosisFixture fixture("room", 0);
+    EXPECT_FALSE(fixture.diagnosis_of(fixture.drawn_by(rasterizer::correct_rules)));
 }
 
 const FrameFault& fault_named(const std::string& name) {
     return *std::ranges::find(frame_faults(), name, &FrameFault::name);
 }
 
-Frame faulty(const Courtroom& court, const std::string& fault) {
-    const Frame good = court.drawn_by(rasterizer::lawful_rules);
-    return fault_named(fault).inject(court.scene(), court.view(), good);
+Frame faulty(const DiagnosisFixture& fixture, const std::string& fault) {
+    const Frame good = fixture.drawn_by(rasterizer::correct_rules);
+    return fault_named(fault).inject(fixture.scene(), fixture.view(), good);
 }
 
 /// Rounding down displaces the whole picture by half a grid step, which 7 bits would explain as well.
 TEST(Diagnosis, TellsTruncationFromFewerBits) {
-    const Courtroom court("room", 0);
-    View view = court.view();
+    const DiagnosisFixture fixture("room", 0);
+    View view = fixture.view();
     Window& w = view.camera.window;
     const double du = (w.right - w.left) / view.width / 512, dv = (w.top - w.bottom) / view.height / 512;
     w = {w.left + du, w.right + du, w.bottom - dv, w.top - dv};
-    expect_cause(court.diagnosis_of(rasterizer::render(court.scene(), view)),
+    expect_cause(fixture.diagnosis_of(rasterizer::render(fixture.scene(), view)),
                  "vertices are snapped up and left");
 }
 
 TEST(Diagnosis, CountsWhatWasAsked) {
-    const Courtroom court("room", 0);
-    const auto few = court.diagnosis_of(faulty(court, "row_lost"));
+    const DiagnosisFixture fixture("room", 0);
+    const auto few = fixture.diagnosis_of(faulty(fixture, "row_lost"));
     ASSERT_TRUE(few && few->cause);
     EXPECT_EQ(few->defects, 480u);
     EXPECT_EQ(few->cause->asked, 480u);
     EXPECT_EQ(few->cause->explained, 480u);
-    const auto many = court.diagnosis_of(faulty(court, "shifted_up"));
+    const auto many = fixture.diagnosis_of(faulty(fixture, "shifted_up"));
     ASSERT_TRUE(many && many->cause);
     EXPECT_GT(many->defects, 100'000u);
     EXPECT_EQ(many->cause->asked, 1000u);
@@ -150,20 +151,20 @@ TEST(Diagnosis, CountsWhatWasAsked) {
 }
 
 TEST(Diagnosis, OneWrongPixelProvesNoRule) {
-    const Courtroom court("room", 0);
-    Frame frame = court.drawn_by(rasterizer::lawful_rules);
+    const DiagnosisFixture fixture("room", 0);
+    Frame frame = fixture.drawn_by(rasterizer::correct_rules);
     frame.camera_depth.at(240, 135) *= 1.001f;
-    const auto diagnosis = court.diagnosis_of(frame);
+    const auto diagnosis = fixture.diagnosis_of(frame);
     expect_cause(diagnosis, "");
     EXPECT_EQ(diagnosis->defects, 1u);
 }
 
 TEST(Diagnosis, DoesNotDependOnThreads) {
-    const Courtroom court("room", 0);
-    const Frame frame = court.drawn_by({.subpixel_bits = 5});
+    const DiagnosisFixture fixture("room", 0);
+    const Frame frame = fixture.drawn_by({.subpixel_bits = 5});
     std::string one, three;
-    tbb::task_arena(1).execute([&] { one = told(court.diagnosis_of(frame)); });
-    tbb::task_arena(3).execute([&] { three = told(court.diagnosis_of(frame)); });
+    tbb::task_arena(1).execute([&] { one = told(fixture.diagnosis_of(frame)); });
+    tbb::task_arena(3).execute([&] { three = told(fixture.diagnosis_of(frame)); });
     EXPECT_EQ(one, three);
 }
 

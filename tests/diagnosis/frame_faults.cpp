@@ -11,21 +11,21 @@ namespace {
 
 using Inject = std::function<Frame(const Scene&, const View&, const Frame&)>;
 
-struct Place {
+struct PixelPosition {
     int x, y;
 };
 
-bool is_inside(Resolution size, Place p) {
+bool is_inside(Resolution size, PixelPosition p) {
     return p.x >= 0 && p.y >= 0 && p.x < size.width && p.y < size.height;
 }
 
 /// Pixel p takes its answer from source(size, p); background where that lies outside.
-Inject taken_from(const std::function<Place(Resolution, Place)>& source) {
+Inject taken_from(const std::function<PixelPosition(Resolution, PixelPosition)>& source) {
     return [=](const Scene&, const View&, const Frame& good) {
         Frame frame(good.size());
         for (int y = 0; y < good.size().height; ++y)
             for (int x = 0; x < good.size().width; ++x) {
-                const Place from = source(good.size(), {x, y});
+                const PixelPosition from = source(good.size(), {x, y});
                 if (!is_inside(good.size(), from)) continue;
                 frame.primitive.at(x, y) = good.primitive.at(from.x, from.y);
                 frame.camera_depth.at(x, y) = good.camera_depth.at(from.x, from.y);
@@ -35,12 +35,12 @@ Inject taken_from(const std::function<Place(Resolution, Place)>& source) {
 }
 
 Inject moved(int dx, int dy) {
-    return taken_from([=](Resolution, Place p) { return Place{p.x - dx, p.y - dy}; });
+    return taken_from([=](Resolution, PixelPosition p) { return PixelPosition{p.x - dx, p.y - dy}; });
 }
 
-constexpr Place nowhere{-1, -1};
+constexpr PixelPosition nowhere{-1, -1};
 
-bool in_tile(Place p) { return p.x / 16 == 9 && p.y / 16 == 5; }
+bool in_tile(PixelPosition p) { return p.x / 16 == 9 && p.y / 16 == 5; }
 
 Inject each_id(const std::function<std::uint32_t(const Scene&, std::uint32_t)>& renamed) {
     return [=](const Scene& scene, const View&, const Frame& good) {
@@ -184,44 +184,44 @@ Frame with_random_faults(const Scene& scene, const View&, const Frame& good) {
 }
 
 std::vector<FrameFault> faults_of_place() {
-    const auto row = [](Resolution size, Place p) { return p.y == size.height / 2; };
+    const auto row = [](Resolution size, PixelPosition p) { return p.y == size.height / 2; };
     return {
-        {"flipped_y", "the image is flipped in y", taken_from([](Resolution s, Place p) {
-             return Place{p.x, s.height - 1 - p.y};
+        {"flipped_y", "the image is flipped in y", taken_from([](Resolution s, PixelPosition p) {
+             return PixelPosition{p.x, s.height - 1 - p.y};
          })},
-        {"flipped_x", "the image is flipped in x", taken_from([](Resolution s, Place p) {
-             return Place{s.width - 1 - p.x, p.y};
+        {"flipped_x", "the image is flipped in x", taken_from([](Resolution s, PixelPosition p) {
+             return PixelPosition{s.width - 1 - p.x, p.y};
          })},
-        {"turned", "the image is turned by half a turn", taken_from([](Resolution s, Place p) {
-             return Place{s.width - 1 - p.x, s.height - 1 - p.y};
+        {"turned", "the image is turned by half a turn", taken_from([](Resolution s, PixelPosition p) {
+             return PixelPosition{s.width - 1 - p.x, s.height - 1 - p.y};
          })},
-        {"transposed", "the image is transposed", taken_from([](Resolution, Place p) {
-             return Place{p.y, p.x};
+        {"transposed", "the image is transposed", taken_from([](Resolution, PixelPosition p) {
+             return PixelPosition{p.y, p.x};
          })},
         {"transposed_and_stretched", "the image is transposed and stretched",
-         taken_from([](Resolution s, Place p) {
-             return Place{p.y * s.width / s.height, p.x * s.height / s.width};
+         taken_from([](Resolution s, PixelPosition p) {
+             return PixelPosition{p.y * s.width / s.height, p.x * s.height / s.width};
          })},
         {"shifted_right", "the image is shifted by (+1, 0) px", moved(1, 0)},
         {"shifted_left", "the image is shifted by (-1, 0) px", moved(-1, 0)},
         {"shifted_down", "the image is shifted by (0, +1) px", moved(0, 1)},
         {"shifted_up", "the image is shifted by (0, -1) px", moved(0, -1)},
-        {"nothing_drawn", "nothing was drawn", taken_from([](Resolution, Place) { return nowhere; })},
+        {"nothing_drawn", "nothing was drawn", taken_from([](Resolution, PixelPosition) { return nowhere; })},
         {"row_lost", "rows are missing",
-         taken_from([=](Resolution s, Place p) { return row(s, p) ? nowhere : p; })},
+         taken_from([=](Resolution s, PixelPosition p) { return row(s, p) ? nowhere : p; })},
         {"column_lost", "columns are missing",
-         taken_from([](Resolution s, Place p) { return p.x == s.width / 2 ? nowhere : p; })},
+         taken_from([](Resolution s, PixelPosition p) { return p.x == s.width / 2 ? nowhere : p; })},
         {"tile_lost", "tiles of 16 px are missing",
-         taken_from([](Resolution, Place p) { return in_tile(p) ? nowhere : p; })},
-        {"row_moved", "some rows show the pixel to the left", taken_from([=](Resolution s, Place p) {
-             return row(s, p) ? Place{p.x - 1, p.y} : p;
+         taken_from([](Resolution, PixelPosition p) { return in_tile(p) ? nowhere : p; })},
+        {"row_moved", "some rows show the pixel to the left", taken_from([=](Resolution s, PixelPosition p) {
+             return row(s, p) ? PixelPosition{p.x - 1, p.y} : p;
          })},
-        {"rows_doubled", "some rows show the pixel above", taken_from([](Resolution, Place p) {
-             return Place{p.x, p.y & ~1};
+        {"rows_doubled", "some rows show the pixel above", taken_from([](Resolution, PixelPosition p) {
+             return PixelPosition{p.x, p.y & ~1};
          })},
         {"tile_of_the_neighbour", "a tile of 16 px shows the one to its left",
-         taken_from([](Resolution, Place p) {
-             return in_tile(p) ? Place{p.x - 16, p.y} : p;
+         taken_from([](Resolution, PixelPosition p) {
+             return in_tile(p) ? PixelPosition{p.x - 16, p.y} : p;
          })},
     };
 }

@@ -1,4 +1,5 @@
-/// No method of the catalogue is outside of its own law: on every ground, with every option that matters.
+/// No method of the catalogue is outside of its own filter reference: on every ground, with every option that
+/// matters.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -25,16 +26,16 @@ std::vector<Setting> settings() {
 
 class Clean : public testing::TestWithParam<Ground> {};
 
-TEST_P(Clean, EveryMethodWithALawKeepsToIt) {
-    const FilterStage stage = filter_stage(GetParam());
+TEST_P(Clean, EveryMethodWithAReferenceConformsToIt) {
+    const FilterFixture fixture = filter_fixture(GetParam());
     for (const texture::Method& method : texture::methods()) {
         if (oracle::find_filter_definition(method.name) == nullptr) continue;
         for (const Setting& setting : settings()) {
             const Picture picture = rasterizer::filtered(
-                stage.scene, stage.view, stage.frame,
+                fixture.scene, fixture.view, fixture.frame,
                 {.method = method, .options = setting.options, .derivatives = setting.derivatives});
             const Conformance found =
-                conformance_of(picture, stage, method.name, setting.options, setting.derivatives).found;
+                conformance_of(picture, fixture, method.name, setting.options, setting.derivatives).found;
             EXPECT_EQ(found.outside, 0u)
                 << method.name << ", " << setting.name << ": slack " << found.worst_slack << " at ("
                 << found.worst.x << ", " << found.worst.y << ")";

@@ -1,4 +1,4 @@
-/// Every planted filter defect is caught by the law of the method that it pretends to be.
+/// Every planted filter defect is caught by the filter reference of the method that it pretends to be.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -16,9 +16,9 @@ namespace {
 class PlantedFilterDefect : public testing::TestWithParam<FilterFault> {};
 
 TEST_P(PlantedFilterDefect, IsCaught) {
-    const FilterTrial trial = try_filter_fault(GetParam(), filter_stage(GetParam().ground));
-    EXPECT_TRUE(trial.is_caught());
-    std::cout << GetParam().name << ": " << in_words(trial) << "\n";
+    const ConformanceResult result = try_filter_fault(GetParam(), filter_fixture(GetParam().ground));
+    EXPECT_TRUE(result.is_caught());
+    std::cout << GetParam().name << ": " << in_words(result) << "\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Filters, PlantedFilterDefect, testing::ValuesIn(filter_faults()),
@@ -31,7 +31,7 @@ TEST(FilterFaults, AreManyAndHaveNamesOfTheirOwn) {
     EXPECT_GE(names.size(), 25u);
 }
 
-TEST(FilterFaults, EveryMethodHasALaw) {
+TEST(FilterFaults, EveryMethodHasAReference) {
     for (const texture::Method& method : texture::methods())
         EXPECT_NE(oracle::find_filter_definition(method.name), nullptr) << method.name;
 }

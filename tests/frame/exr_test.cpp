@@ -61,19 +61,19 @@ std::vector<std::uint32_t> numbers(const Plane<PrimitiveId>& plane) {
 }
 
 /// Channels of a file that another program may have written, all of one type, all values 0.
-struct Stranger {
+struct OtherWriter {
     std::vector<std::string> channels;
     std::vector<OIIO::TypeDesc> types;
     OIIO::ImageSpec spec{4, 3, 2, OIIO::TypeFloat};
 };
 
-void write_stranger(const std::filesystem::path& file, Stranger stranger) {
-    stranger.spec.nchannels = static_cast<int>(stranger.channels.size());
-    stranger.spec.channelnames = stranger.channels;
-    stranger.spec.channelformats = stranger.types;
+void write_other_writer(const std::filesystem::path& file, OtherWriter other_writer) {
+    other_writer.spec.nchannels = static_cast<int>(other_writer.channels.size());
+    other_writer.spec.channelnames = other_writer.channels;
+    other_writer.spec.channelformats = other_writer.types;
     const auto output = OIIO::ImageOutput::create("openexr");
-    ASSERT_TRUE(output->open(file.string(), stranger.spec)) << output->geterror();
-    const std::vector<std::byte> zeros(stranger.spec.image_bytes(true));
+    ASSERT_TRUE(output->open(file.string(), other_writer.spec)) << output->geterror();
+    const std::vector<std::byte> zeros(other_writer.spec.image_bytes(true));
     ASSERT_TRUE(output->write_image(OIIO::TypeUnknown, zeros.data())) << output->geterror();
     ASSERT_TRUE(output->close()) << output->geterror();
 }
@@ -141,14 +141,14 @@ TEST_F(Exr, KeepsNoiseThatDoesNotPack) {
 }
 
 TEST_F(Exr, ReadsAStrangersFileWithMoreChannels) {
-    write_stranger(file("more.exr"),
-                   {{"R", "G", "B", "Z", "id"},
-                    {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat, OIIO::TypeUInt32}});
+    write_other_writer(file("more.exr"),
+                       {{"R", "G", "B", "Z", "id"},
+                        {OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeHalf, OIIO::TypeFloat, OIIO::TypeUInt32}});
     EXPECT_EQ(read_exr(file("more.exr")).primitive.at(3, 2), PrimitiveId{0});
 }
 
 /// What another program makes of the ids and depths of a frame.
-void write_as_stranger(const std::filesystem::path& file, const Frame& frame, OIIO::ImageSpec spec) {
+void write_as_other_writer(const std::filesystem::path& file, const Frame& frame, OIIO::ImageSpec spec) {
     spec.width = spec.full_width = frame.size().width;
     spec.height = spec.full_height = frame.size().height;
     spec.nchannels = 2;
@@ -183,8 +183,8 @@ TEST_F(Exr, ReadsEveryLosslessCompressionOfAStrangerInRowsAndInTiles) {
             OIIO::ImageSpec spec(1, 1, 2, OIIO::TypeFloat);
             spec.attribute("compression", compression);
             spec.tile_width = tile, spec.tile_height = tile / 2;
-            write_as_stranger(file("stranger.exr"), frame, spec);
-            const Frame back = read_exr(file("stranger.exr"));
+            write_as_other_writer(file("other_writer.exr"), frame, spec);
+            const Frame back = read_exr(file("other_writer.exr"));
             EXPECT_EQ(numbers(back.primitive), numbers(frame.primitive));
             EXPECT_EQ(bits(back.camera_depth), bits(frame.camera_depth));
         }
@@ -194,7 +194,7 @@ TEST_F(Exr, ReadsAPictureWhoseWindowsDoNotBeginAtZero) {
     const Frame frame = wide_frame();
     OIIO::ImageSpec spec(1, 1, 2, OIIO::TypeFloat);
     spec.x = spec.full_x = -7, spec.y = spec.full_y = 100;
-    write_as_stranger(file("moved.exr"), frame, spec);
+    write_as_other_writer(file("moved.exr"), frame, spec);
     EXPECT_EQ(numbers(read_exr(file("moved.exr")).primitive), numbers(frame.primitive));
 }
 
@@ -254,26 +254,26 @@ TEST_F(Exr, TruncatedFileIsRefused) {
 }
 
 TEST_F(Exr, MissingChannelIsNamedTogetherWithThoseThatAreThere) {
-    write_stranger(file("a.exr"), {{"Z", "object"}, {OIIO::TypeFloat, OIIO::TypeUInt32}});
+    write_other_writer(file("a.exr"), {{"Z", "object"}, {OIIO::TypeFloat, OIIO::TypeUInt32}});
     EXPECT_THAT(refusal_to_read(file("a.exr")),
                 AllOf(HasSubstr("a.exr"), HasSubstr("'id' is missing"), HasSubstr("object")));
-    write_stranger(file("b.exr"), {{"id", "depth"}, {OIIO::TypeUInt32, OIIO::TypeFloat}});
+    write_other_writer(file("b.exr"), {{"id", "depth"}, {OIIO::TypeUInt32, OIIO::TypeFloat}});
     EXPECT_THAT(refusal_to_read(file("b.exr")), AllOf(HasSubstr("b.exr"), HasSubstr("'Z' is missing")));
 }
 
 TEST_F(Exr, ChannelOfAnotherTypeIsRefused) {
-    write_stranger(file("a.exr"), {{"id", "Z"}, {OIIO::TypeFloat, OIIO::TypeFloat}});
+    write_other_writer(file("a.exr"), {{"id", "Z"}, {OIIO::TypeFloat, OIIO::TypeFloat}});
     EXPECT_THAT(refusal_to_read(file("a.exr")),
                 AllOf(HasSubstr("'id' is of type float"), HasSubstr("expected uint")));
-    write_stranger(file("b.exr"), {{"id", "Z"}, {OIIO::TypeUInt32, OIIO::TypeHalf}});
+    write_other_writer(file("b.exr"), {{"id", "Z"}, {OIIO::TypeUInt32, OIIO::TypeHalf}});
     EXPECT_THAT(refusal_to_read(file("b.exr")),
                 AllOf(HasSubstr("'Z' is of type half"), HasSubstr("expected float")));
 }
 
 TEST_F(Exr, DataWindowThatLeavesPixelsOutIsRefused) {
-    Stranger stranger{{"id", "Z"}, {OIIO::TypeUInt32, OIIO::TypeFloat}};
-    stranger.spec.full_width = 8;
-    write_stranger(file("part.exr"), stranger);
+    OtherWriter other_writer{{"id", "Z"}, {OIIO::TypeUInt32, OIIO::TypeFloat}};
+    other_writer.spec.full_width = 8;
+    write_other_writer(file("part.exr"), other_writer);
     EXPECT_THAT(refusal_to_read(file("part.exr")), HasSubstr("data window"));
 }
 

@@ -10,7 +10,7 @@ namespace zproof::frozen {
 /// the frames are none of the view's.
 inline Verdict judged(const Case& c) {
     return judge(*c.scene, c.view, {c.candidate, c.candidate_precision}, {c.reference, c.reference_precision},
-                 all_evidence);
+                 full_detail);
 }
 
 }  // namespace zproof::frozen

@@ -6,9 +6,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "cli/renderers/roster.h"
+#include "cli/renderers/registry.h"
 #include "cli/scene_selection.h"
-#include "cli/selftest/theatre.h"
+#include "cli/selftest/test_scene.h"
 #include "oracle/oracle_error.h"
 #include "rasterizer/rasterizer.h"
 #include "scenes/scene_error.h"
@@ -64,7 +64,7 @@ std::vector<NamedView> wanted_views(const Wanted& wanted, const Source& source) 
 /// Two renderers that zproof knows by name.
 struct Pair {
     const char *candidate, *reference;
-    std::size_t most_triangles = WitnessChoice::unlimited_triangles;
+    std::size_t most_triangles = OracleChoice::unlimited_triangles;
 };
 
 RendererChoice renderer_named(const char* name) { return {.who = BuiltIn{name}, .precision_word = {}}; }
@@ -242,7 +242,7 @@ struct FaultGround {
     View view;
     Frame good, reference;
 
-    selftest::Stage stage() const {
+    selftest::Fixture fixture() const {
         return {*scene,
                 view,
                 good,
@@ -253,7 +253,7 @@ struct FaultGround {
 };
 
 FaultGround fault_ground() {
-    Loaded loaded = load(select_scene(selftest::stage_scene), size_of_views);
+    Loaded loaded = load(select_scene(selftest::fixture_scene), size_of_views);
     FaultGround ground{std::make_shared<const Scene>(std::move(loaded.scene)), loaded.views.front(), {}, {}};
     ground.good = rasterizer::render(*ground.scene, ground.view);
     ground.reference = open(renderer_named("embree"), *ground.scene).render(ground.view);
@@ -261,16 +261,16 @@ FaultGround fault_ground() {
 }
 
 Case case_of(const selftest::Fault& fault, const FaultGround& ground) {
-    const selftest::Stage stage = ground.stage();
+    const selftest::Fixture fixture = ground.fixture();
     const bool of_reference = fault.target == selftest::Target::reference;
-    const bool of_renderer = fault.promise == selftest::Promise::of_renderer;
-    Frame faulty = fault.inject(stage);
+    const bool of_renderer = fault.promise == selftest::PrecisionSource::of_renderer;
+    Frame faulty = fault.inject(fixture);
     return {ground.scene,
             ground.view,
             of_reference ? ground.good : faulty,
             of_reference ? faulty : ground.reference,
-            of_renderer ? stage.precision : stage.reference_precision,
-            stage.reference_precision};
+            of_renderer ? fixture.precision : fixture.reference_precision,
+            fixture.reference_precision};
 }
 
 void faults(const Wanted& wanted, const Take& take) {

@@ -7,11 +7,11 @@ namespace zproof::frozen {
 namespace {
 
 /// Camera space: p(t) = origin + t direction, t = camera depth (scenes/camera.h).
-struct LineOfSight {
+struct TrueRay {
     glm::dvec3 origin, direction;
 };
 
-LineOfSight line_of_sight(const View& view, const glm::dvec2& p_raster) {
+TrueRay true_ray(const View& view, const glm::dvec2& p_raster) {
     const Camera& c = view.camera;
     const double u = c.window.left + (c.window.right - c.window.left) * p_raster.x / view.width;
     const double v = c.window.top - (c.window.top - c.window.bottom) * p_raster.y / view.height;
@@ -23,7 +23,7 @@ double determinant(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
     return glm::dot(a, glm::cross(b, c));
 }
 
-/// Where a line of sight meets a triangle's plane.
+/// Where a view ray meets a triangle's plane.
 struct Meeting {
     double depth;
     glm::dvec3 weights;  ///< of the corners, times a common factor
@@ -34,7 +34,7 @@ struct Meeting {
 };
 
 std::optional<Meeting> meeting(const Scene& scene, const View& view, std::size_t triangle,
-                               const LineOfSight& line) {
+                               const TrueRay& line) {
     const Camera& c = view.camera;
     std::array<glm::dvec3, 3> p;
     for (int k = 0; k < 3; ++k) {
@@ -55,7 +55,7 @@ std::optional<Meeting> meeting(const Scene& scene, const View& view, std::size_t
 }  // namespace
 
 float depth_at(const Scene& scene, const View& view, PrimitiveId triangle, const glm::dvec2& p_raster) {
-    const auto met = meeting(scene, view, std::size_t(triangle), line_of_sight(view, p_raster));
+    const auto met = meeting(scene, view, std::size_t(triangle), true_ray(view, p_raster));
     return met ? float(met->depth) : 1.0f;
 }
 
@@ -67,7 +67,7 @@ void set_true_depths(const Scene& scene, const View& view, Frame& frame) {
 }
 
 PrimitiveId seen_at(const Scene& scene, const View& view, const glm::dvec2& p_raster) {
-    const LineOfSight line = line_of_sight(view, p_raster);
+    const TrueRay line = true_ray(view, p_raster);
     PrimitiveId seen = PrimitiveId::none;
     double nearest = view.camera.far_depth;
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
@@ -82,7 +82,7 @@ PrimitiveId seen_at(const Scene& scene, const View& view, const glm::dvec2& p_ra
 }
 
 std::vector<PrimitiveId> all_at(const Scene& scene, const View& view, const glm::dvec2& p_raster) {
-    const LineOfSight line = line_of_sight(view, p_raster);
+    const TrueRay line = true_ray(view, p_raster);
     std::vector<PrimitiveId> all;
     for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
         const auto met = meeting(scene, view, t, line);

@@ -10,7 +10,7 @@
 
 namespace zproof::frozen {
 
-/// Camera depth of the triangle's plane in the line of sight through a raster position; 1 where the plane is
+/// Camera depth of the triangle's plane in the view ray through a raster position; 1 where the plane is
 /// seen edge-on or lies behind the eye.
 float depth_at(const Scene& scene, const View& view, PrimitiveId triangle, const glm::dvec2& p_raster);
 

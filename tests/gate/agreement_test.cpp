@@ -1,8 +1,8 @@
-/// The lawful rasterizer and Embree on the whole suite, small: nothing unexplained at any size.
+/// The correct rasterizer and Embree on the whole suite, small: nothing unexplained at any size.
 #include <gtest/gtest.h>
 
 #include "scenes/suite.h"
-#include "tests/gate/trial.h"
+#include "tests/gate/suite_verdict.h"
 
 namespace zproof {
 namespace {
@@ -10,14 +10,15 @@ namespace {
 class EverySuiteScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(EverySuiteScene, HasNoUnexplainedPixelAndKeepsItsBounds) {
-    for (const Trial& trial : try_suite_scene(GetParam(), 500, 281)) {
-        SCOPED_TRACE(trial.name);
-        EXPECT_EQ(defect_count(trial.verdict), 0u) << name_of(commonest_defect(trial.verdict));
-        EXPECT_EQ(trial.verdict.reference_defects, 0u);
-        EXPECT_LE(trial.verdict.candidate_depth.max_error_over_bound, 1);
-        EXPECT_LE(trial.verdict.reference_depth.max_error_over_bound, 1);
-        EXPECT_LE(trial.verdict.candidate_edges.max_error_over_bound, 1);
-        EXPECT_LE(trial.verdict.reference_edges.max_error_over_bound, 1);
+    for (const SuiteVerdict& suite_verdict : try_suite_scene(GetParam(), 500, 281)) {
+        SCOPED_TRACE(suite_verdict.name);
+        EXPECT_EQ(defect_count(suite_verdict.verdict), 0u)
+            << name_of(commonest_defect(suite_verdict.verdict));
+        EXPECT_EQ(suite_verdict.verdict.reference_defects, 0u);
+        EXPECT_LE(suite_verdict.verdict.candidate_depth.max_error_over_bound, 1);
+        EXPECT_LE(suite_verdict.verdict.reference_depth.max_error_over_bound, 1);
+        EXPECT_LE(suite_verdict.verdict.candidate_edges.max_error_over_bound, 1);
+        EXPECT_LE(suite_verdict.verdict.reference_edges.max_error_over_bound, 1);
     }
 }
 

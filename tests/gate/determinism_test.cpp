@@ -9,7 +9,7 @@
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
 #include "scenes/suite.h"
-#include "tests/gate/trial.h"
+#include "tests/gate/suite_verdict.h"
 #include "tests/support/same_verdict.h"
 
 namespace zproof {
@@ -41,7 +41,7 @@ Outcome run_on(int threads, const Loaded& loaded) {
         const RenderedFrame ours{run.candidate, rasterizer::precision()},
             theirs{run.reference, oracle::embree_precision()};
         run.verdict = judge(loaded.scene, view, ours, theirs);
-        run.in_full = judge(loaded.scene, view, ours, theirs, all_evidence);
+        run.in_full = judge(loaded.scene, view, ours, theirs, full_detail);
     });
     return run;
 }

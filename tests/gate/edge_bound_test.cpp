@@ -11,7 +11,7 @@
 #include "rasterizer/pipeline.h"
 #include "rasterizer/rasterizer.h"
 #include "scenes/suite.h"
-#include "tests/gate/trial.h"
+#include "tests/gate/suite_verdict.h"
 
 namespace zproof {
 namespace {
@@ -85,7 +85,7 @@ TEST_P(EdgeBound, IsNeededByMoreThanHalfAndNeverByMoreThanAll) {
         SCOPED_TRACE(view.name);
         const Frame candidate = rasterizer::render(loaded.scene, view), reference = embree.trace(view);
         const Verdict verdict = judge(loaded.scene, view, {candidate, rasterizer::precision()},
-                                      {reference, oracle::embree_precision()}, all_evidence);
+                                      {reference, oracle::embree_precision()}, full_detail);
         EXPECT_LE(verdict.candidate_edges.max_error_over_bound, 1);
         EXPECT_LE(verdict.reference_edges.max_error_over_bound, 1);
         const ViewBounds bounds(view, rasterizer::precision());

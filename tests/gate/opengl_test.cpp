@@ -1,4 +1,4 @@
-/// OpenGL before the judge: as the candidate over the whole suite, small, and as the witness against our own.
+/// OpenGL before the judge: as the candidate over the whole suite, small, and as the oracle against our own.
 #include "oracle/opengl.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
 #include "scenes/suite.h"
-#include "tests/gate/trial.h"
+#include "tests/gate/suite_verdict.h"
 
 namespace zproof {
 namespace {
@@ -37,15 +37,15 @@ std::vector<std::string> suite_names() {
 INSTANTIATE_TEST_SUITE_P(Suite, OpenGlOnSuite, testing::ValuesIn(suite_names()),
                          [](const auto& scene) { return scene.param; });
 
-class OpenGlAsWitness : public testing::TestWithParam<std::string> {};
+class OpenGlAsOracle : public testing::TestWithParam<std::string> {};
 
-TEST_P(OpenGlAsWitness, AgreesWithTheLawfulRasterizerAndConvictsABrokenOne) {
+TEST_P(OpenGlAsOracle, AgreesWithTheCorrectRasterizerAndFailsABrokenOne) {
     const Loaded loaded = generate_suite_scene(GetParam(), 320, 180);
     const View& view = loaded.views.front();
-    const Frame witness = oracle::OpenGl(loaded.scene).render(view);
+    const Frame oracle = oracle::OpenGl(loaded.scene).render(view);
     const auto defects_of = [&](const Frame& frame) {
         return defect_count(judge(loaded.scene, view, {frame, rasterizer::precision()},
-                                  {witness, oracle::opengl_precision()}));
+                                  {oracle, oracle::opengl_precision()}));
     };
     Frame frame = rasterizer::render(loaded.scene, view);
     EXPECT_EQ(defects_of(frame), 0u);
@@ -54,7 +54,7 @@ TEST_P(OpenGlAsWitness, AgreesWithTheLawfulRasterizerAndConvictsABrokenOne) {
     EXPECT_EQ(defects_of(frame), 1u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Suite, OpenGlAsWitness, testing::Values("room", "deep_overdraw", "far_from_origin"),
+INSTANTIATE_TEST_SUITE_P(Suite, OpenGlAsOracle, testing::Values("room", "deep_overdraw", "far_from_origin"),
                          [](const auto& scene) { return scene.param; });
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "tests/gate/trial.h"
+#include "tests/gate/suite_verdict.h"
 #include "tests/support/planted_rules.h"
 
 namespace zproof {
@@ -27,12 +27,13 @@ class PlantedDefect : public testing::TestWithParam<Case> {};
 
 TEST_P(PlantedDefect, FailsTheGateWithTheRightClass) {
     const Case& planted = GetParam();
-    for (const Trial& trial : try_suite_scene(planted.scene, 480, 270, rules_of(planted.defect))) {
-        SCOPED_TRACE(trial.name);
-        EXPECT_GT(defect_count(trial.verdict), 0u);
+    for (const SuiteVerdict& suite_verdict :
+         try_suite_scene(planted.scene, 480, 270, rules_of(planted.defect))) {
+        SCOPED_TRACE(suite_verdict.name);
+        EXPECT_GT(defect_count(suite_verdict.verdict), 0u);
         for (const PixelClass expected : planted.expected)
-            EXPECT_GT(trial.verdict.counts[std::size_t(expected)], 0u) << name_of(expected);
-        EXPECT_EQ(trial.verdict.reference_defects, 0u);
+            EXPECT_GT(suite_verdict.verdict.counts[std::size_t(expected)], 0u) << name_of(expected);
+        EXPECT_EQ(suite_verdict.verdict.reference_defects, 0u);
     }
 }
 

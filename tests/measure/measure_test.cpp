@@ -26,9 +26,10 @@ TEST_P(EveryGrid, IsMeasuredAsItIs) {
         EXPECT_LE(found.grid->step_px.low, std::exp2(-bits));
         EXPECT_GE(found.grid->step_px.high, std::exp2(-bits));
         EXPECT_LT(found.grid->step_px.high - found.grid->step_px.low, std::exp2(-bits) / 100);
-        EXPECT_EQ(found.grid->snap, snap == Snap::nearest ? SnapWay::nearest : SnapWay::towards_smaller);
+        EXPECT_EQ(found.grid->snap,
+                  snap == Snap::nearest ? SnapRounding::nearest : SnapRounding::towards_smaller);
         if (snap == Snap::nearest) {
-            EXPECT_EQ(found.grid->ties, TieWay::to_even);
+            EXPECT_EQ(found.grid->ties, TieRounding::to_even);
         }
     }
 }
@@ -66,8 +67,8 @@ TEST(SubpixelGrid, TiesThatAllGoOneWayAreTold) {
     ASSERT_TRUE(x.grid && y.grid);
     EXPECT_LE(x.grid->step_px.low, 1.0 / 16);
     EXPECT_GE(x.grid->step_px.high, 1.0 / 16);
-    EXPECT_EQ(x.grid->ties, TieWay::towards_greater);
-    EXPECT_EQ(y.grid->ties, TieWay::towards_smaller);
+    EXPECT_EQ(x.grid->ties, TieRounding::towards_greater);
+    EXPECT_EQ(y.grid->ties, TieRounding::towards_smaller);
 }
 
 TEST(SubpixelGrid, SnapToTheGreaterLineIsTold) {
@@ -77,7 +78,7 @@ TEST(SubpixelGrid, SnapToTheGreaterLineIsTold) {
     });
     const Displacement x = displacement(renderer, Sample{}, Axis::x);
     ASSERT_TRUE(x.grid);
-    EXPECT_EQ(x.grid->snap, SnapWay::towards_greater);
+    EXPECT_EQ(x.grid->snap, SnapRounding::towards_greater);
     EXPECT_GT(x.at_least_px.high, 0.9 / 16);
     EXPECT_LE(x.at_least_px.high, 1.0 / 16);
 }
@@ -127,7 +128,7 @@ TEST(PixelCentre, IsFoundWhereverItIs) {
     }
 }
 
-TEST(FillSide, OfTheLawfulRasterizerIsTopLeft) {
+TEST(FillSide, OfTheCorrectRasterizerIsTopLeft) {
     for (const FillSide& side : fill_sides(by_rules({}), Sample{}))
         EXPECT_EQ(side.owns, side.dy < 0 || (side.dy == 0 && side.dx > 0)) << side.dx << " " << side.dy;
     const auto all = findings(measure(by_rules({})), rasterizer::precision());
@@ -188,14 +189,14 @@ TEST(Watertightness, CountsEveryPixelOfBothMeshes) {
     EXPECT_EQ(found.double_hits, 0u);
 }
 
-TEST(Findings, OfTheLawfulRasterizerAreAsDeclared) {
+TEST(Findings, OfTheCorrectRasterizerAreAsDeclared) {
     const auto all = findings(measure(by_rules({})), rasterizer::precision());
     EXPECT_FALSE(is_worse(all)) << worse_in(all).front();
     const Bracket bits = finding(all, "subpixel_bits_x").value.value();
     EXPECT_LE(bits.low, 8);
     EXPECT_GE(bits.high, 8);
     EXPECT_EQ(finding(all, "snap_y").words, "nearest, ties to even");
-    for (const Finding& f : all) EXPECT_EQ(f.standing, Standing::as_declared) << f.name;
+    for (const Finding& f : all) EXPECT_EQ(f.conformity, Conformity::as_declared) << f.name;
 }
 
 TEST(Findings, BetterThanDeclaredIsNotWorse) {
@@ -204,12 +205,12 @@ TEST(Findings, BetterThanDeclaredIsNotWorse) {
 
 TEST(Findings, PromiseOfAFinerGridIsNotKept) {
     const auto all = findings(measure(by_rules({})), RasterPrecision{.subpixel_bits = 9});
-    EXPECT_EQ(finding(all, "subpixel_bits_x").standing, Standing::worse);
+    EXPECT_EQ(finding(all, "subpixel_bits_x").conformity, Conformity::worse);
 }
 
 TEST(Findings, ARayCasterIsNotHeldToAGrid) {
     for (const Finding& f : findings(measure(by_rules({})), RayPrecision{}))
-        EXPECT_NE(f.standing, Standing::worse) << f.name;
+        EXPECT_NE(f.conformity, Conformity::worse) << f.name;
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ inline Renderer by_rules(const rasterizer::Rules& rules) {
             .declared = rasterizer::precision()};
 }
 
-/// The lawful rasterizer, with every vertex moved first: place(position, eye).
-template <class Place>
-Renderer with_moved_vertices(Place place) {
+/// The correct rasterizer, with every vertex moved first: place(position, eye).
+template <class VertexMap>
+Renderer with_moved_vertices(VertexMap place) {
     return {.name = "moved",
             .render =
                 [place](Scene scene, const View& view) {
@@ -39,7 +39,7 @@ inline const Finding& finding(const std::vector<Finding>& all, const std::string
 inline std::vector<std::string> worse_in(const std::vector<Finding>& all) {
     std::vector<std::string> names;
     for (const Finding& f : all) {
-        if (f.standing == Standing::worse) names.push_back(f.name);
+        if (f.conformity == Conformity::worse) names.push_back(f.name);
     }
     return names;
 }

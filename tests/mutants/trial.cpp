@@ -1,4 +1,4 @@
-// Puts this build's rasterizer on trial, for tests/mutants/score: a line of JSON per view, or per fault of
+// Runs this build's rasterizer, for tests/mutants/score: a line of JSON per view, or per fault of
 // the selftest's catalogue.
 //
 //     mutant_trial suite WIDTH HEIGHT FOLDER gate|all    every suite scene; gate: end at the first defect
@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/selftest/theatre.h"
+#include "cli/selftest/test_scene.h"
 #include "compare/diagnosis/diagnosis.h"
 #include "frame/exr.h"
 #include "oracle/embree.h"
@@ -104,9 +104,9 @@ enum class Task {
     rivals,  ///< say what rivals say, of every view that is named
 };
 
-class SuiteTrial {
+class SuiteRun {
   public:
-    SuiteTrial(Resolution size, const fs::path& folder, Task task)
+    SuiteRun(Resolution size, const fs::path& folder, Task task)
         : size_(size), folder_(folder), task_(task) {}
 
     /// No view named: every view.
@@ -148,36 +148,39 @@ class SuiteTrial {
     Task task_;
 };
 
-void try_fault(const selftest::Fault& fault, const selftest::Stage& stage, const fs::path& folder) {
-    const selftest::Trial trial = selftest::try_fault(fault, stage);
+void try_fault(const selftest::Fault& fault, const selftest::Fixture& fixture, const fs::path& folder) {
+    const selftest::FaultResult trial = selftest::try_fault(fault, fixture);
     ordered_json line{
-        {"name", fault.name},        {"sentence", fault.sentence},       {"control", is_control(fault)},
-        {"width", stage.view.width}, {"as_expected", trial.as_expected}, {"said", in_words(trial)}};
-    const Frame faulty = fault.inject(stage);
+        {"name", fault.name},          {"sentence", fault.sentence},       {"control", is_control(fault)},
+        {"width", fixture.view.width}, {"as_expected", trial.as_expected}, {"said", in_words(trial)}};
+    const Frame faulty = fault.inject(fixture);
     const bool of_reference = fault.target == selftest::Target::reference;
-    const Frame& candidate = of_reference ? stage.good : faulty;
-    const Frame& reference = of_reference ? faulty : stage.reference;
+    const Frame& candidate = of_reference ? fixture.good : faulty;
+    const Frame& reference = of_reference ? faulty : fixture.reference;
     if (trial.verdict) {
         add_gate(line, *trial.verdict);
-        add_cause(
-            line,
-            {stage.scene, stage.view, {candidate, stage.precision}, {reference, stage.reference_precision}},
-            *trial.verdict);
+        add_cause(line,
+                  {fixture.scene,
+                   fixture.view,
+                   {candidate, fixture.precision},
+                   {reference, fixture.reference_precision}},
+                  *trial.verdict);
     }
     add_rivals(line, candidate, reference);
     write_for_idiff(folder / fault.name, faulty);
-    const std::string size = std::to_string(stage.view.width);
-    write_for_idiff(folder / ("good-" + size), stage.good);
-    write_for_idiff(folder / ("reference-" + size), stage.reference);
+    const std::string size = std::to_string(fixture.view.width);
+    write_for_idiff(folder / ("good-" + size), fixture.good);
+    write_for_idiff(folder / ("reference-" + size), fixture.reference);
     line["candidate"] = (folder / (of_reference ? "good-" + size : fault.name)).string();
     line["reference"] = (folder / (of_reference ? fault.name : "reference-" + size)).string();
     std::cout << line << std::endl;
 }
 
 void try_faults(const fs::path& folder) {
-    const selftest::Theatre large(selftest::StageSize::large), small(selftest::StageSize::small);
+    const selftest::TestScene large(selftest::FixtureSize::large), small(selftest::FixtureSize::small);
     for (const selftest::Fault& fault : selftest::catalogue())
-        try_fault(fault, (fault.stage_size == selftest::StageSize::large ? large : small).stage(), folder);
+        try_fault(fault, (fault.fixture_size == selftest::FixtureSize::large ? large : small).fixture(),
+                  folder);
 }
 
 }  // namespace
@@ -194,7 +197,7 @@ int main(int argc, char** argv) {
     if (words.size() >= 5 && words[0] == "suite" && tasks.contains(words[4])) {
         fs::create_directories(words[3]);
         const Resolution size{.width = std::stoi(words[1]), .height = std::stoi(words[2])};
-        SuiteTrial(size, words[3], tasks.at(words[4])).run({words.begin() + 5, words.end()});
+        SuiteRun(size, words[3], tasks.at(words[4])).run({words.begin() + 5, words.end()});
         return 0;
     }
     if (words.size() == 2 && words[0] == "faults") {

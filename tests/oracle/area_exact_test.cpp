@@ -25,9 +25,9 @@ using namespace area;
 /// Scene and view as exact numbers, or as intervals that hold them.
 template <class Number>
 SeenTriangle<Number> seen_at(const Scene& scene, const View& view, std::uint32_t id, int x, int y) {
-    const LinesOfSight<Number> sight(view);
+    const RasterRays<Number> rays(view);
     const glm::uvec3 corners = scene.triangles[id];
-    const auto t = seen(sight, corners_world<Number>(scene, corners),
+    const auto t = seen(rays, corners_world<Number>(scene, corners),
                         corner_texels<Number>(scene, scene.materials[0], corners));
     return from(*t, Number(x + 0.5), Number(y + 0.5));
 }

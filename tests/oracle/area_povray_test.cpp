@@ -37,10 +37,10 @@ Plane<glm::dvec3> averaged(const Scene& scene, View view, const glm::dvec2& shif
 
 /// Every sample is uniform in its cell, so that each replicate is an unbiased estimate.
 std::vector<Plane<glm::dvec3>> estimates(const Scene& scene, const View& view) {
-    Dice dice(11);
+    Rng rng(11);
     std::vector<Plane<glm::dvec3>> pictures;
     for (int i = 0; i < replicates; ++i) {
-        const double right = dice.between(-0.5, 0.5), down = dice.between(-0.5, 0.5);
+        const double right = rng.between(-0.5, 0.5), down = rng.between(-0.5, 0.5);
         pictures.push_back(averaged(scene, view, {right, down}));
     }
     return pictures;

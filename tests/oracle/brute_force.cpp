@@ -29,8 +29,8 @@ struct Rounded {
     Vec at, size;
 };
 
-/// The line of sight by scenes/camera.h, in long double.
-struct Sight {
+/// The view ray by scenes/camera.h, in long double.
+struct ExactRay {
     Rounded origin, direction;
     Real origin_depth;
 };
@@ -39,7 +39,7 @@ struct Sight {
 /// them.
 Rounded rounded(const Vec& at, Real summands) { return {at, glm::abs(at) + 0x1p-27L * summands}; }
 
-Sight sight(const View& view, int x, int y) {
+ExactRay sight(const View& view, int x, int y) {
     const Camera& c = view.camera;
     const Real across = (Real(x) + 0.5L) / Real(view.width), down = (Real(y) + 0.5L) / Real(view.height);
     const Real u = c.window.left + (Real(c.window.right) - c.window.left) * across;
@@ -59,7 +59,7 @@ Sight sight(const View& view, int x, int y) {
 }
 
 /// A corner as seen from the ray's origin: 2 roundings, of the origin and of the difference.
-Rounded corner(const glm::vec3& position, const Sight& ray) {
+Rounded corner(const glm::vec3& position, const ExactRay& ray) {
     const Vec at = Vec(position) - ray.origin.at;
     return {at, glm::abs(at) + ray.origin.size};
 }
@@ -115,7 +115,7 @@ struct Meeting {
     Rough t;  ///< along the ray from its origin
 };
 
-Coverage within(const Rough& t, const Sight& ray, const Camera& camera) {
+Coverage within(const Rough& t, const ExactRay& ray, const Camera& camera) {
     const Real near = camera.near_depth - ray.origin_depth, far = camera.far_depth - ray.origin_depth;
     const Real near_error = u32 * std::abs(near), far_error = u32 * std::abs(far);
     if (t.high() < near - near_error || t.low() > far + far_error) return Coverage::none;
@@ -123,7 +123,7 @@ Coverage within(const Rough& t, const Sight& ray, const Camera& camera) {
 }
 
 /// None where the triangle is certainly not seen.
-std::optional<Meeting> meet(const Scene& scene, std::uint32_t triangle, const Sight& ray,
+std::optional<Meeting> meet(const Scene& scene, std::uint32_t triangle, const ExactRay& ray,
                             const Camera& camera) {
     const auto at = [&](int i) {
         return corner(scene.vertices.position_world[scene.triangles[triangle][i]], ray);
@@ -142,7 +142,7 @@ std::optional<Meeting> meet(const Scene& scene, std::uint32_t triangle, const Si
 }  // namespace
 
 std::optional<CertainAnswer> certain_answer(const Scene& scene, const View& view, int x, int y) {
-    const Sight ray = sight(view, x, y);
+    const ExactRay ray = sight(view, x, y);
     std::vector<Meeting> meetings;
     for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
         if (const auto meeting = meet(scene, i, ray, view.camera)) meetings.push_back(*meeting);

@@ -22,7 +22,7 @@ std::string story(const View& view, int x, int y) {
            " x " + std::to_string(view.height);
 }
 
-/// A witness on trial: what it sees, how many scenes it is shown, and whether its depths are better than
+/// An oracle under test: what it sees, how many scenes it is shown, and whether its depths are better than
 /// float32's own arithmetic.
 struct Caster {
     std::function<Frame(const Scene&, const View&)> cast;
@@ -53,13 +53,13 @@ void expect_certain_answers(const Caster& caster, const Scene& scene, const View
 }
 
 /// Where float32 cannot be mistaken, the caster is not.
-void expect_agreement(const Caster& caster, Lens lens) {
+void expect_agreement(const Caster& caster, ProjectionKind projection_kind) {
     Tally tally;
     for (std::uint32_t seed = 0; seed < caster.scenes; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
-        Dice dice(seed);
-        const View view = random_view(dice, lens);
-        expect_certain_answers(caster, random_soup(dice, view.camera, 40), view, tally);
+        Rng rng(seed);
+        const View view = random_view(rng, projection_kind);
+        expect_certain_answers(caster, random_soup(rng, view.camera, 40), view, tally);
         if (testing::Test::HasFatalFailure()) return;
     }
     EXPECT_GT(tally.certain, tally.pixels * 99 / 100) << "the bounds have become too loose to say anything";
@@ -67,7 +67,7 @@ void expect_agreement(const Caster& caster, Lens lens) {
         << "the scenes have become too empty to say anything";
 }
 
-class AgreesWith : public testing::TestWithParam<Lens> {};
+class AgreesWith : public testing::TestWithParam<ProjectionKind> {};
 
 TEST_P(AgreesWith, Embree) {
     const auto cast = [](const Scene& scene, const View& view) { return Embree(scene).trace(view); };
@@ -85,14 +85,14 @@ TEST_P(AgreesWith, PovRay) {
     expect_agreement({.cast = cast, .scenes = 4, .depth_error = depth_error}, GetParam());
 }
 
-std::string name_of(const testing::TestParamInfo<Lens>& lens) {
+std::string name_of(const testing::TestParamInfo<ProjectionKind>& projection_kind) {
     constexpr std::array names{"InPerspective", "OffAxis", "InOrthographicViews", "InObliqueViews"};
-    return names[std::size_t(lens.param)];
+    return names[std::size_t(projection_kind.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(BruteForce, AgreesWith,
-                         testing::Values(Lens::perspective, Lens::off_axis, Lens::orthographic,
-                                         Lens::oblique),
+                         testing::Values(ProjectionKind::perspective, ProjectionKind::off_axis,
+                                         ProjectionKind::orthographic, ProjectionKind::oblique),
                          name_of);
 
 }  // namespace

@@ -127,17 +127,17 @@ TEST(Embree, VerticesThatEmbreeWouldDropAreRefusedByNumber) {
 }
 
 /// A mesh whose vertices lie half a pixel above the pixel centres, each at a depth of its own from 2 to 4:
-/// every line of sight runs, as nearly as float32 can, through the middle of an edge.
+/// every view ray runs, as nearly as float32 can, through the middle of an edge.
 Scene mesh_with_edges_on_pixel_centres(View view) {
     const double half_a_pixel = (view.camera.window.top - view.camera.window.bottom) / view.height / 2;
     view.camera.window.top += half_a_pixel;
     view.camera.window.bottom += half_a_pixel;
-    Dice dice(11);
+    Rng rng(11);
     Corners vertices;
     for (int y = 0; y < view.height; ++y) {
         for (int x = 0; x < view.width; ++x) {
             const PrimaryRay ray = primary_ray(view, x, y);
-            vertices.push_back(ray.origin + static_cast<float>(dice.between(2, 4)) * ray.direction);
+            vertices.push_back(ray.origin + static_cast<float>(rng.between(2, 4)) * ray.direction);
         }
     }
     Scene scene = scene_of(vertices);
@@ -156,9 +156,10 @@ Scene mesh_with_edges_on_pixel_centres(View view) {
 /// Neighbours decide a shared edge alike: that is what Embree's robust flag is for. (Exactly at a vertex it
 /// promises nothing: there the signs of the edges around it may be rounded into a hole.)
 TEST(Embree, NoRaySlipsThroughAnEdgeThatTwoTrianglesShare) {
-    Dice dice(5);
-    for (const Lens lens : {Lens::perspective, Lens::off_axis, Lens::orthographic, Lens::oblique}) {
-        View view = random_view(dice, lens);
+    Rng rng(5);
+    for (const ProjectionKind projection_kind : {ProjectionKind::perspective, ProjectionKind::off_axis,
+                                                 ProjectionKind::orthographic, ProjectionKind::oblique}) {
+        View view = random_view(rng, projection_kind);
         view.width = view.height = 200;
         view.camera.near_depth = 1;
         const Scene mesh = mesh_with_edges_on_pixel_centres(view);
@@ -174,8 +175,8 @@ TEST(Embree, NoRaySlipsThroughAnEdgeThatTwoTrianglesShare) {
 /// 15 000 triangles of which each is there three times, exactly: the order in Embree's leaves decides who is
 /// seen.
 Scene crowded_ties(int triangles = 5'000) {
-    Dice dice(7);
-    const Scene once = random_soup(dice, Camera{}, triangles);
+    Rng rng(7);
+    const Scene once = random_soup(rng, Camera{}, triangles);
     const Positions& corners = once.vertices.position_world;
     Corners thrice;
     for (int copy = 0; copy < 3; ++copy) thrice.insert(thrice.end(), corners.begin(), corners.end());
@@ -221,8 +222,8 @@ TEST(Embree, LargeScenesGetACompactTreeAndEverySceneARobustOne) {
 
 TEST(Embree, ACompactTreeFindsWhatAnotherFinds) {
     const View view{.name = "soup", .camera = {}, .width = 301, .height = 203};
-    Dice dice(11);
-    const Scene scene = random_soup(dice, view.camera, 5'000);
+    Rng rng(11);
+    const Scene scene = random_soup(rng, view.camera, 5'000);
     Scene large = scene;
     const auto behind = std::uint32_t(large.vertices.position_world.size());
     for (const glm::vec3& corner : {glm::vec3{0, 0, 9}, {1, 0, 9}, {0, 1, 9}})

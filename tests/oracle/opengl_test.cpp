@@ -109,8 +109,8 @@ TEST(OpenGlTest, AnImageLargerThanTheDriverAllowsIsRefusedBySize) {
 
 /// More than one draw call's worth of the driver's own batches, most of them hidden.
 Scene crowd() {
-    Dice dice(7);
-    return random_soup(dice, Camera{}, 20'000);
+    Rng rng(7);
+    return random_soup(rng, Camera{}, 20'000);
 }
 
 View crowd_view(const std::string& name) {

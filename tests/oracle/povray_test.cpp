@@ -1,4 +1,4 @@
-// POV-Ray as a witness: against the triangle-by-triangle caster where they must agree, and with programs in
+// POV-Ray as an oracle: against the triangle-by-triangle caster where they must agree, and with programs in
 // its place that do not do as they are told. POV-Ray must be installed: without it these tests fail.
 #include "oracle/povray.h"
 
@@ -129,9 +129,9 @@ TEST(PovRay, AnEmptySceneIsBackground) {
 }
 
 /// A program in POV-Ray's place: a shell script of these lines.
-class Impostor {
+class FakeProgram {
   public:
-    explicit Impostor(const std::string& lines) {
+    explicit FakeProgram(const std::string& lines) {
         std::ofstream(path()) << "#!/bin/sh\n" << lines << "\n";
         std::filesystem::permissions(path(), std::filesystem::perms::owner_all);
     }
@@ -142,20 +142,20 @@ class Impostor {
     ScratchFolder scratch_;
 };
 
-/// What PovRay says of a program that is none, and that its scratch folder is gone. The impostor notes the
-/// folder in which it was run.
+/// What PovRay says of a program that is none, and that its scratch folder is gone. The fake program notes
+/// the folder in which it was run.
 std::string complaint_about(const std::string& lines,
                             std::chrono::milliseconds limit = std::chrono::minutes(1)) {
-    const Impostor impostor("pwd > \"$(dirname \"$0\")/where\"\n" + lines);
+    const FakeProgram fake_program("pwd > \"$(dirname \"$0\")/where\"\n" + lines);
     const Scene scene = wall_at(5);
     std::string complaint = "nothing was thrown";
     try {
-        PovRay(scene, {.program = impostor.path(), .time_limit = limit}).render(small_view());
+        PovRay(scene, {.program = fake_program.path(), .time_limit = limit}).render(small_view());
     } catch (const OracleError& error) {
         complaint = error.what();
     }
     std::string folder;
-    std::getline(std::ifstream(impostor.folder() + "/where"), folder);
+    std::getline(std::ifstream(fake_program.folder() + "/where"), folder);
     EXPECT_THAT(folder, HasSubstr("zproof-"));
     EXPECT_FALSE(std::filesystem::exists(folder)) << folder;
     return complaint;

@@ -14,9 +14,9 @@ namespace zproof::oracle {
 Scene scene_of(const std::vector<glm::vec3>& corners);
 
 /// Numbers that every standard library draws alike.
-class Dice {
+class Rng {
   public:
-    explicit Dice(std::uint32_t seed) : engine_(seed) {}
+    explicit Rng(std::uint32_t seed) : engine_(seed) {}
     double between(double low, double high) {
         return low + (high - low) * (static_cast<std::uint32_t>(engine_()) * 0x1p-32);
     }
@@ -26,12 +26,12 @@ class Dice {
 };
 
 /// Triangles of all sizes, some of them through the camera's plane, around a point 6 units before the eye.
-Scene random_soup(Dice& dice, const Camera& camera, int triangle_count);
+Scene random_soup(Rng& rng, const Camera& camera, int triangle_count);
 
 /// Which of the four families of camera.
-enum class Lens { perspective, off_axis, orthographic, oblique };
+enum class ProjectionKind { perspective, off_axis, orthographic, oblique };
 
 /// A camera somewhere, turned at random, near 2, far 9 (behind the eye in half of the parallel cases).
-View random_view(Dice& dice, Lens lens);
+View random_view(Rng& rng, ProjectionKind projection_kind);
 
 }  // namespace zproof::oracle

@@ -38,7 +38,7 @@ TEST(Subprocess, BothOutputsAndTheStatusComeBack) {
     EXPECT_EQ(outcome.ending, Ending::exited);
     EXPECT_EQ(outcome.code, 7);
     EXPECT_EQ(outcome.output, "said\n");
-    EXPECT_EQ(outcome.complaints, "complained\n");
+    EXPECT_EQ(outcome.error_output, "complained\n");
     EXPECT_FALSE(outcome.succeeded());
     EXPECT_TRUE(run_line("true").succeeded());
 }
@@ -68,7 +68,7 @@ TEST(Subprocess, ASignalHasItsNumber) {
     EXPECT_EQ(outcome.code, SIGSEGV);
 }
 
-TEST(Subprocess, AProgramThatHangsIsStoppedAndHeardOut) {
+TEST(Subprocess, AProgramThatHangsIsStoppedAndItsOutputKept) {
     const Outcome outcome = run_line("echo before; exec sleep 1000", milliseconds(200));
     EXPECT_EQ(outcome.ending, Ending::timed_out);
     EXPECT_EQ(outcome.output, "before\n");
@@ -79,19 +79,19 @@ TEST(Subprocess, AProgramThatIgnoresTermIsStoppedToo) {
               Ending::timed_out);
 }
 
-TEST(Subprocess, AProgramThatNeverStopsTalkingIsStopped) {
+TEST(Subprocess, AProgramThatNeverStopsWritingIsStopped) {
     EXPECT_EQ(run({.arguments = {"yes"}, .time_limit = milliseconds(200)}).ending, Ending::timed_out);
 }
 
 /// Hears who writes into a FIFO, until the last one who holds it open has ended.
-class Witnessed {
+class OracleFrame {
   public:
-    Witnessed() {
+    OracleFrame() {
         mkfifo(path().c_str(), 0600);
         reader_ = open(path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
         fcntl(reader_, F_SETFL, 0);
     }
-    ~Witnessed() { close(reader_); }
+    ~OracleFrame() { close(reader_); }
     std::string path() const { return scratch_.path() / "fifo"; }
 
     /// The first character, once somebody has opened the FIFO and written it.
@@ -114,7 +114,7 @@ class Witnessed {
 
 /// Killing the shell alone would leave its child, which then holds our pipes and writes its word.
 TEST(Subprocess, ATimeLimitEndsChildrenOfTheProgramAsWell) {
-    const Witnessed fifo;
+    const OracleFrame fifo;
     const std::string line =
         "exec 3>" + fifo.path() + "; echo started >&3; (sleep 20; echo survived >&3) & wait";
     EXPECT_EQ(run_line(line, milliseconds(500)).ending, Ending::timed_out);
@@ -122,14 +122,14 @@ TEST(Subprocess, ATimeLimitEndsChildrenOfTheProgramAsWell) {
 }
 
 TEST(Subprocess, AChildLeftBehindIsEndedAndNotWaitedFor) {
-    const Witnessed fifo;
+    const OracleFrame fifo;
     const std::string line = "exec 3>" + fifo.path() + "; echo started >&3; (sleep 20; echo survived >&3) &";
     EXPECT_TRUE(run_line(line).succeeded());
     EXPECT_EQ(fifo.all_that_was_written(), "started\n");
 }
 
 /// A process that runs the line and is killed, with no chance to tidy up, as soon as the line has begun.
-void kill_amid(const std::string& line, const Witnessed& fifo) {
+void kill_amid(const std::string& line, const OracleFrame& fifo) {
     const pid_t runner = fork();
     if (runner == 0) {
         run_line(line);
@@ -141,7 +141,7 @@ void kill_amid(const std::string& line, const Witnessed& fifo) {
 }
 
 TEST(Subprocess, NothingOutlivesTheProcessThatRanIt) {
-    const Witnessed fifo;
+    const OracleFrame fifo;
     kill_amid("exec 3>" + fifo.path() + "; echo started >&3; (sleep 20; echo survived >&3) & wait", fifo);
     EXPECT_EQ(fifo.all_that_was_written(), "tarted\n");
 }

@@ -28,11 +28,11 @@ Image checks(int side, int check) {
 }
 
 Image noise(int width, int height, std::uint32_t seed) {
-    Dice dice(seed);
+    Rng rng(seed);
     Image image{.name = "noise", .width = width, .height = height, .texels = {}};
     for (int i = 0; i < width * height; ++i)
         for (int channel = 0; channel < 4; ++channel)
-            image.texels.push_back(std::uint8_t(dice.between(0, 256)));
+            image.texels.push_back(std::uint8_t(rng.between(0, 256)));
     return image;
 }
 

@@ -44,6 +44,6 @@ struct Flaws {
 };
 void PrintTo(const Flaws& flaws, std::ostream* out);  ///< for GoogleTest
 
-Flaws flaws_of(const Front& front, const Rules& rules = lawful_rules);
+Flaws flaws_of(const Front& front, const Rules& rules = correct_rules);
 
 }  // namespace zproof::rasterizer

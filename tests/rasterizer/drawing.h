@@ -29,7 +29,7 @@ View raster_view(int width, int height);
 /// One digit per pixel: how many of the triangles, each drawn alone, cover it; '.' for none. Begins with a
 /// newline, as raw strings do.
 std::string picture(const std::vector<Triangle>& triangles, int width, int height,
-                    const Rules& rules = lawful_rules);
+                    const Rules& rules = correct_rules);
 std::string all_ones(int width, int height);
 
 /// The id of each pixel, one digit, '.' for background.

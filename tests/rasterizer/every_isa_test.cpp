@@ -73,9 +73,9 @@ void resolve(const ResolveWork& work) noexcept {
         for (int x = 0; x < work.columns; ++x) {
             const int from = place_in_tile(x, y);
             const std::size_t to = work.stride * std::size_t(y) + std::size_t(x);
-            const float nearness = work.pixels.nearness[from];
+            const float inverse_depth = work.pixels.inverse_depth[from];
             work.camera_depth[to] =
-                nearness == nothing_seen ? background_depth : work.depth.depth_of(nearness);
+                inverse_depth == nothing_seen ? background_depth : work.depth.depth_of(inverse_depth);
             work.primitive[to] = PrimitiveId{work.pixels.primitive[from]};
         }
 }
@@ -110,7 +110,7 @@ template <class Visit>
 void for_each_covered(const TileWork& work, Visit visit) {
     const int steps = 1 << work.samples.subpixel_bits;
     for (std::uint32_t i = 0; i < work.count; ++i) {
-        const auto [v, id] = at(work.triangles, work.places[i]);
+        const auto [v, id] = at(work.triangles, work.entries[i]);
         const auto area = double(edge(v[0]->p, v[1]->p, v[2]->p));
         const auto [left, right] = std::minmax({v[0]->p.x, v[1]->p.x, v[2]->p.x});
         const auto [top, bottom] = std::minmax({v[0]->p.y, v[1]->p.y, v[2]->p.y});
@@ -127,7 +127,7 @@ void for_each_covered(const TileWork& work, Visit visit) {
                     const SnappedPoint from = v[(k + 1) % 3]->p, to = v[(k + 2) % 3]->p;
                     const std::int64_t e = edge(from, to, p);
                     is_covered = is_covered && e >= least(from, to, work.samples);
-                    term[k] = double(e) * (v[k]->nearness / area);
+                    term[k] = double(e) * (v[k]->inverse_depth / area);
                 }
                 if (is_covered) visit(place_in_tile(x, y), id, float((term[0] + term[1]) + term[2]));
             }
@@ -136,9 +136,9 @@ void for_each_covered(const TileWork& work, Visit visit) {
 }
 
 void draw(const TileWork& work) noexcept {
-    for_each_covered(work, [&](int place, std::uint32_t id, float nearness) {
-        if (!(nearness > work.pixels.nearness[place])) return;
-        work.pixels.nearness[place] = nearness;
+    for_each_covered(work, [&](int place, std::uint32_t id, float inverse_depth) {
+        if (!(inverse_depth > work.pixels.inverse_depth[place])) return;
+        work.pixels.inverse_depth[place] = inverse_depth;
         work.pixels.primitive[place] = id;
     });
 }
@@ -148,7 +148,7 @@ void count(const TileWork& work) noexcept {
 }
 
 void clear(TilePixels& pixels, std::uint32_t primitive) noexcept {
-    std::ranges::fill(pixels.nearness, nothing_seen);
+    std::ranges::fill(pixels.inverse_depth, nothing_seen);
     std::ranges::fill(pixels.primitive, primitive);
 }
 
@@ -159,7 +159,7 @@ constexpr Kernel kernel{Isa::scalar, "plain", project, place, clear, resolve, pu
 }  // namespace plain
 
 /// Any kernel, on 1 to 3 threads.
-void expect_plain_bits(const Scene& scene, const View& view, const Rules& rules = lawful_rules) {
+void expect_plain_bits(const Scene& scene, const View& view, const Rules& rules = correct_rules) {
     const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 3);
     Pipeline in_scene_order(rules, plain::kernel, {.order = DrawOrder::as_stored});
     const Frame& expected = in_scene_order.render(scene, view);
@@ -173,8 +173,8 @@ void expect_plain_bits(const Scene& scene, const View& view, const Rules& rules 
                 EXPECT_TRUE(same_bits(expected, pipeline.render(scene, view))) << threads << " threads";
             });
         }
-        Pipeline nearest_first(rules, kernel, {.order = DrawOrder::nearest_first});
-        EXPECT_TRUE(same_bits(expected, nearest_first.render(scene, view))) << "the nearest first";
+        Pipeline front_to_back(rules, kernel, {.order = DrawOrder::front_to_back});
+        EXPECT_TRUE(same_bits(expected, front_to_back.render(scene, view))) << "the nearest first";
         Pipeline every_block(rules, kernel, {.hierarchical_z = HierarchicalZ::none});
         EXPECT_TRUE(same_bits(expected, every_block.render(scene, view))) << "without hierarchical z";
         EXPECT_TRUE(std::ranges::equal(fragments.pixels(), pipeline.count_fragments(scene, view).pixels()));
@@ -296,7 +296,7 @@ TEST(EveryIsa, DrawsWhatTiesWithTheFarthestPixelOfATileLikeThePlainScan) {
     for (glm::vec3& p : triangles[0]) p.z = -(1 + 63.5f / 64 + 63.5f / 128);
     for (int i = 0; i < 3 * batch_size - 1; ++i) triangles.push_back(on_plane(float(i), 0, 2));
     expect_plain_bits(scene_of(triangles), raster_view(64, 64));
-    const Frame frame = render_by(lawful_rules, scene_of(triangles), raster_view(64, 64), plain::kernel);
+    const Frame frame = render_by(correct_rules, scene_of(triangles), raster_view(64, 64), plain::kernel);
     EXPECT_EQ(frame.primitive.at(63, 63), PrimitiveId{0});
     EXPECT_EQ(frame.primitive.at(62, 63), PrimitiveId{1});
 }

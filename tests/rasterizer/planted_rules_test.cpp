@@ -36,16 +36,16 @@ class EveryPlantedRule : public testing::TestWithParam<PlantedRules> {};
 
 TEST_P(EveryPlantedRule, ChangesTheFrame) {
     const Scene scene = telltale();
-    const Frame lawful = render(scene, telltale_view());
-    EXPECT_FALSE(same_bits(lawful, render_by(GetParam().rules, scene, telltale_view())));
+    const Frame correct = render(scene, telltale_view());
+    EXPECT_FALSE(same_bits(correct, render_by(GetParam().rules, scene, telltale_view())));
 }
 
 INSTANTIATE_TEST_SUITE_P(PlantedRules, EveryPlantedRule, testing::ValuesIn(planted_rules),
                          [](const auto& suite) { return std::string(suite.param.name); });
 
-TEST(PlantedRules, LawfulRulesAreTheShippedRenderer) {
+TEST(PlantedRules, CorrectRulesAreTheShippedRenderer) {
     const Scene scene = telltale();
-    EXPECT_TRUE(same_bits(render(scene, telltale_view()), render_by(lawful_rules, scene, telltale_view())));
+    EXPECT_TRUE(same_bits(render(scene, telltale_view()), render_by(correct_rules, scene, telltale_view())));
 }
 
 TEST(PlantedRules, ExclusiveFillLeavesHolesAlongSharedEdges) {
@@ -91,9 +91,9 @@ TEST(PlantedRules, ReversedDepthTestKeepsTheFarthest) {
 
 TEST(PlantedRules, NoNearClipShowsWhatIsBeforeTheNearPlane) {
     const Scene scene = scene_of({{glm::vec3{-9, -9, -0.2f}, {9, -9, -0.2f}, {0, 9, -0.2f}}});
-    const Frame lawful = render(scene, telltale_view());
+    const Frame correct = render(scene, telltale_view());
     const Frame planted = render_by({.near_clip = NearClip::just_before_the_eye}, scene, telltale_view());
-    EXPECT_EQ(lawful.primitive.at(32, 32), PrimitiveId::none);
+    EXPECT_EQ(correct.primitive.at(32, 32), PrimitiveId::none);
     EXPECT_EQ(planted.primitive.at(32, 32), PrimitiveId{0});
     EXPECT_NEAR(planted.camera_depth.at(32, 32), 0.2, 1e-6);
 }

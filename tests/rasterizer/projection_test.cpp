@@ -37,7 +37,7 @@ TEST(Projection, CameraSpaceLooksDownMinusZ) {
 // The lesson's own program, line by line, with its canvas on the near plane.
 TEST(Projection, AgreesWithTheLessonsStages) {
     const Camera camera = turned_camera();
-    const ViewSetup setup({.name = "", .camera = camera, .width = 640, .height = 480}, lawful_rules);
+    const ViewSetup setup({.name = "", .camera = camera, .width = 640, .height = 480}, correct_rules);
     std::mt19937 random(3);
     for (int i = 0; i < 1000; ++i) {
         const glm::dvec3 p_camera{uniform(random, -5, 5), uniform(random, -5, 5), uniform(random, -50, -1)};

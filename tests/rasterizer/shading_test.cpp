@@ -101,7 +101,7 @@ TEST(Shading, LeavesBackgroundBlack) {
     EXPECT_EQ(shaded(scene, view, ambient_only).at(4, 4), (LinearRgb{1, 1, 1}));
 }
 
-/// Barycentrics against the point that they stand for: it must lie on the line of sight.
+/// Barycentrics against the point that they stand for: it must lie on the view ray.
 TEST(Surface, BarycentricsNameThePointOnTheLineOfSight) {
     std::mt19937 random{7};
     std::uniform_real_distribution<double> place{-4, 4};
@@ -112,8 +112,7 @@ TEST(Surface, BarycentricsNameThePointOnTheLineOfSight) {
             view.camera.projection = projection;
             view.camera.window = {-0.5, 1.5, -1, 0.25};
             if (projection == Projection::parallel) view.camera.shear = {0.5, -0.25};
-            const SightLine line =
-                sight_line(view, 64 * (place(random) + 4) / 8, 48 * (place(random) + 4) / 8);
+            const PixelRay line = pixel_ray(view, 64 * (place(random) + 4) / 8, 48 * (place(random) + 4) / 8);
             const std::array corners{point(), point(), point()};
             const Barycentrics b = barycentrics(line, corners);
             const glm::dvec3 on_triangle = blended(b, corners), from_line = on_triangle - line.from;

@@ -56,7 +56,7 @@ TEST(Snap, PixelsWithinAnIntervalAreThoseSampledInIt) {
 }
 
 TEST(Snap, CornersOfTheImageSnapToItsCorners) {
-    const ViewSetup setup(raster_view(640, 480), lawful_rules);
+    const ViewSetup setup(raster_view(640, 480), correct_rules);
     const auto upper_left = setup.snap(setup.clip_from_world({0, 0, -1}));
     const auto lower_right = setup.snap(setup.clip_from_world({640, -480, -1}));
     ASSERT_TRUE(upper_left && lower_right);

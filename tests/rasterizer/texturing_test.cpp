@@ -86,7 +86,7 @@ TEST_P(EveryProjection, PutsPointsOfTheTriangleOnTheirTexels) {
         const glm::dvec3 n =
             glm::cross(glm::dvec3{scene.vertices.position_world[1] - scene.vertices.position_world[0]},
                        glm::dvec3{scene.vertices.position_world[2] - scene.vertices.position_world[0]});
-        const SightLine line = sight_line(view, p_raster.x, p_raster.y);
+        const PixelRay line = pixel_ray(view, p_raster.x, p_raster.y);
         const double grazing = std::abs(glm::dot(glm::normalize(n), glm::normalize(line.to)));
         if (grazing < 1e-3) continue;  // the picture holds no more than 1 / grazing of the digits
         EXPECT_LE(glm::distance(at(*map, p_raster), texel), 1e-9 / grazing) << "triangle " << i;

@@ -26,9 +26,9 @@ Vec3 to_camera(const Camera& camera, const glm::vec3& p_world) {
     return {glm::dot(p, Vec3(camera.right)), glm::dot(p, Vec3(camera.up)), glm::dot(p, Vec3(camera.back))};
 }
 
-/// The weights of the triangle's corners on the line of sight, and depth or 1 / depth ("nearness" below): all
+/// The weights of the triangle's corners on the view ray, and depth or 1 / depth ("inverse depth" below): all
 /// affine.
-struct Sight {
+struct TrueRay {
     std::array<Affine, 3> weight;
     Affine functional;
 };
@@ -44,47 +44,47 @@ Window2 window_at(const View& view, int x, int y) {
 }
 
 /// Solve [v0 v1 v2] b = (u, v, -1); the sum of b is 1 / depth.
-Sight perspective_sight(const std::array<Vec3, 3>& p, const Window2& at) {
+TrueRay perspective_ray(const std::array<Vec3, 3>& p, const Window2& at) {
     const real volume = det(p[0], p[1], p[2]);
-    Sight sight{};
+    TrueRay ray{};
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3 n = glm::cross(p[(i + 1) % 3], p[(i + 2) % 3]) / volume;
-        sight.weight[i] = {glm::dot(n, Vec3(at.u, at.v, -1)), n.x * at.du, n.y * at.dv};
-        sight.functional.value += sight.weight[i].value;
-        sight.functional.dx += sight.weight[i].dx;
-        sight.functional.dy += sight.weight[i].dy;
+        ray.weight[i] = {glm::dot(n, Vec3(at.u, at.v, -1)), n.x * at.du, n.y * at.dv};
+        ray.functional.value += ray.weight[i].value;
+        ray.functional.dx += ray.weight[i].dx;
+        ray.functional.dy += ray.weight[i].dy;
     }
-    return sight;
+    return ray;
 }
 
-/// Slide every corner along the line of sight onto the plane through the eye; barycentrics there; depth is
+/// Slide every corner along the view ray onto the plane through the eye; barycentrics there; depth is
 /// affine.
-Sight parallel_sight(const std::array<Vec3, 3>& p, const Camera& camera, const Window2& at) {
+TrueRay parallel_ray(const std::array<Vec3, 3>& p, const Camera& camera, const Window2& at) {
     std::array<Vec3, 3> q;
     for (std::size_t i = 0; i < 3; ++i) {
         q[i] = {p[i].x + camera.shear.x * p[i].z, p[i].y + camera.shear.y * p[i].z, 1};
     }
     const real area = det(q[0], q[1], q[2]);
-    Sight sight{};
+    TrueRay ray{};
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3 n = glm::cross(q[(i + 1) % 3], q[(i + 2) % 3]) / area;
-        sight.weight[i] = {glm::dot(n, Vec3(at.u, at.v, 1)), n.x * at.du, n.y * at.dv};
-        sight.functional.value += sight.weight[i].value * -p[i].z;
-        sight.functional.dx += sight.weight[i].dx * -p[i].z;
-        sight.functional.dy += sight.weight[i].dy * -p[i].z;
+        ray.weight[i] = {glm::dot(n, Vec3(at.u, at.v, 1)), n.x * at.du, n.y * at.dv};
+        ray.functional.value += ray.weight[i].value * -p[i].z;
+        ray.functional.dx += ray.weight[i].dx * -p[i].z;
+        ray.functional.dy += ray.weight[i].dy * -p[i].z;
     }
-    return sight;
+    return ray;
 }
 
 enum class Hit { no, yes, uncertain };
 
 /// Inside all five half-planes for certain, outside one for certain, or neither.
-Hit meets(const Sight& sight, const Camera& camera, real reach) {
-    const Affine& f = sight.functional;
+Hit meets(const TrueRay& ray, const Camera& camera, real reach) {
+    const Affine& f = ray.functional;
     const bool perspective = camera.projection == Projection::perspective;
     const real low = perspective ? 1 / real(camera.far_depth) : real(camera.near_depth);
     const real high = perspective ? 1 / real(camera.near_depth) : real(camera.far_depth);
-    const std::array<Affine, 5> sides{sight.weight[0], sight.weight[1], sight.weight[2],
+    const std::array<Affine, 5> sides{ray.weight[0], ray.weight[1], ray.weight[2],
                                       Affine{f.value - low, f.dx, f.dy},
                                       Affine{high - f.value, -f.dx, -f.dy}};
     bool inside = true;
@@ -108,12 +108,12 @@ Seen seen(const Scene& scene, const View& view, std::size_t triangle, const Wind
         p[std::size_t(k)] = to_camera(camera, scene.vertices.position_world[scene.triangles[triangle][k]]);
     }
     const bool perspective = camera.projection == Projection::perspective;
-    const Sight sight = perspective ? perspective_sight(p, at) : parallel_sight(p, camera, at);
-    const Affine& f = sight.functional;
+    const TrueRay ray = perspective ? perspective_ray(p, at) : parallel_ray(p, camera, at);
+    const Affine& f = ray.functional;
     const real depth = perspective ? 1 / f.value : f.value;
     const real slope = (std::abs(f.dx) + std::abs(f.dy)) * (perspective ? depth * depth : 1);
     return {PrimitiveId(triangle), depth, slope, 2 * reach * slope + std::abs(depth) * 0x1p-22L,
-            meets(sight, camera, reach)};
+            meets(ray, camera, reach)};
 }
 
 }  // namespace

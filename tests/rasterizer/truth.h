@@ -1,4 +1,4 @@
-/// The truth at a pixel by brute force: every triangle against the line of sight, in long double, from the
+/// The truth at a pixel by brute force: every triangle against the view ray, in long double, from the
 /// camera's facts alone (scenes/camera.h). Shares no code with the renderer.
 #pragma once
 

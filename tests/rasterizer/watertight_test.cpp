@@ -13,9 +13,9 @@ namespace {
 
 constexpr Flaws none{};
 
-/// Lawful, and every grid and snap that rules may ask for.
+/// Correct, and every grid and snap that rules may ask for.
 std::vector<Rules> watertight_rules() {
-    std::vector<Rules> all{lawful_rules};
+    std::vector<Rules> all{correct_rules};
     for (const Snap snap : {Snap::nearest, Snap::truncate}) {
         for (int bits = 1; bits <= 12; ++bits) all.push_back({.subpixel_bits = bits, .snap = snap});
     }
@@ -110,7 +110,7 @@ TEST(CountFragments, CountsWhatIsHiddenToo) {
     Triangle far_one = near_one;
     for (glm::vec3& p : far_one) p.z = -2;
     const Scene scene = scene_of({near_one, far_one, near_one});
-    const Plane<std::uint32_t> hits = count_fragments(lawful_rules, scene, raster_view(8, 8));
+    const Plane<std::uint32_t> hits = count_fragments(correct_rules, scene, raster_view(8, 8));
     EXPECT_EQ(hits.at(0, 0), 3u);
     EXPECT_EQ(hits.at(7, 7), 0u);
 }
@@ -118,8 +118,8 @@ TEST(CountFragments, CountsWhatIsHiddenToo) {
 TEST(CountFragments, AgreesWithTheFrameOnWhatIsCovered) {
     std::mt19937 random(3);
     const Scene scene = scene_of(random_triangles(random, 20, {-20, -150, -9}, {150, 20, -1}));
-    const Frame frame = render_by(lawful_rules, scene, raster_view(128, 128));
-    const Plane<std::uint32_t> hits = count_fragments(lawful_rules, scene, raster_view(128, 128));
+    const Frame frame = render_by(correct_rules, scene, raster_view(128, 128));
+    const Plane<std::uint32_t> hits = count_fragments(correct_rules, scene, raster_view(128, 128));
     for (int y = 0; y < 128; ++y) {
         for (int x = 0; x < 128; ++x) {
             ASSERT_EQ(hits.at(x, y) > 0, frame.primitive.at(x, y) != PrimitiveId::none);

@@ -120,10 +120,10 @@ TEST(Html, TellsTheLikelyCauseAndWhatElseWasTested) {
     EXPECT_EQ(occurrences(to_html(results, "/nowhere"), "<h3>No single cause</h3>"), 1u);
 }
 
-TEST(Html, TellsWhatTheWitnessesSaidAndWhoAgrees) {
+TEST(Html, ShowsWhatTheOraclesAnsweredAndWhichAgree) {
     const std::string page = page_without_pictures();
     EXPECT_EQ(occurrences(page, "<strong>povray</strong>: 5 defects (5 hole)"), 1u);
-    EXPECT_EQ(occurrences(page, "The &lt;witness&gt; is wrong."), 1u);
+    EXPECT_EQ(occurrences(page, "The &lt;oracle&gt; is wrong."), 1u);
     EXPECT_EQ(occurrences(page, "<strong>opengl</strong>: no &lt;device&gt;"), 1u);
     EXPECT_EQ(occurrences(page, "agree RMS 0.5, largest 1 (7 pixels)"), 1u);
     EXPECT_EQ(occurrences(page, "no picture: no &lt;canvas&gt;"), 1u);

@@ -181,7 +181,7 @@ TEST(ErrorCode, NeverPutsBothSidesOfTheBoundIntoOneCode) {
     }
 }
 
-/// Planes over sample_view(), with a story and a witness.
+/// Planes over sample_view(), with a story and an oracle.
 struct SamplePlanes {
     SampleView sample = sample_view();
     ViewPlanes planes{.facts = {.scene = "room",
@@ -190,7 +190,7 @@ struct SamplePlanes {
                                 .explain_after = " --view corner"},
                       .candidate = {"zproof", sample.candidate, {}},
                       .reference = {"embree", sample.reference, {}},
-                      .witnesses = {},
+                      .oracles = {},
                       .verdict = sample.verdict,
                       .candidate_error = Plane<float>({8, 4}, 0.5f),
                       .reference_error = Plane<float>({8, 4}, NAN),
@@ -269,18 +269,18 @@ TEST(ViewPlanes, ListDefectsFirstWhereThereAreTooManyFindings) {
     EXPECT_EQ(words[0], 1u * 8 + 6);
 }
 
-TEST(ViewPlanes, HoldWitnessesColoursNamesAndStories) {
+TEST(ViewPlanes, HoldOraclesColoursNamesAndStories) {
     SamplePlanes s;
-    s.planes.witnesses.push_back({"povray", s.sample.reference, Picture({8, 4}, {1, 0, 0})});
+    s.planes.oracles.push_back({"povray", s.sample.reference, Picture({8, 4}, {1, 0, 0})});
     Story story{.story = {}, .text = "pixel (6, 1): hole, FAIL\n  </script>\n", .images = {}};
     story.story.finding = s.sample.verdict.findings[0];
     story.images.push_back({PrimitiveId(1), {}, {0, 0, 0.25}});
     s.planes.stories.push_back(story);
     const Container container = container_of(s.planes);
-    EXPECT_EQ(container.header.at("witnesses"), nlohmann::json({"povray"}));
-    const std::string colours = inflated(block_named(container, "witness.povray.colour").content, 96);
+    EXPECT_EQ(container.header.at("oracles"), nlohmann::json({"povray"}));
+    const std::string colours = inflated(block_named(container, "oracle.povray.colour").content, 96);
     EXPECT_EQ(colours.substr(0, 3), std::string("\xFF\0\0", 3)) << "red, each less its left neighbour";
-    EXPECT_NO_THROW(block_named(container, "witness.povray.id"));
+    EXPECT_NO_THROW(block_named(container, "oracle.povray.id"));
     const auto content = [&](const std::string& name) {
         return nlohmann::json::parse(inflated(block_named(container, name).content, 10'000));
     };

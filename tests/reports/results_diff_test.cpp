@@ -51,7 +51,7 @@ TEST(ResultsDiff, IsWorseWhereLessIsProven) {
     EXPECT_FALSE(is_worse(change(run_with(Outcome::unreadable, 0), two)));
 }
 
-TEST(ResultsDiff, DoesNotCountLawfulPixelsAsWorse) {
+TEST(ResultsDiff, DoesNotCountPassingPixelsAsWorse) {
     const ViewChange c = change(proven, run_with(Outcome::proven, 0, 7));
     EXPECT_FALSE(is_worse(c));
     EXPECT_TRUE(is_any_different(c));

@@ -72,16 +72,16 @@ ViewResult room() {
                   .cause = Explanation{"a row is <lost>", "Whole rows are & stay background.", 2, 2, 0, 90},
                   .runners_up = {{"only 4 sub-pixel bits", "Declared: 8.", 1, 2, 3, 1000}}};
     v.notes = {"3 lines were skipped."};
-    v.witnesses = {WitnessResult{.name = "povray", .absent = "", .worst = {v.worst[0]}},
-                   WitnessResult{.name = "opengl", .absent = "no <device>"}};
-    v.witnesses[0].worst[0].explanation = "The <witness> is wrong.";
-    v.witnesses[0].worst[0].command = "zproof explain room 812 344 --renderer povray";
-    v.witnesses[0].counts[std::size_t(PixelClass::hole)] = 5;
-    v.witnesses[0].picture.emplace();
-    v.witnesses[0].picture->at(0) = {.pixels = 7, .rms = 0.5, .mean = 0.25, .largest = 1};
-    v.witnesses[0].no_picture = "no <canvas>";
-    v.witnesses[0].depth.max_error_over_bound = 0.125;
-    v.accord = {.same = {{9, 8, 7}, {8, 9, 6}, {7, 6, 9}}, .unanimous = 5};
+    v.oracles = {OracleResult{.name = "povray", .absent = "", .worst = {v.worst[0]}},
+                 OracleResult{.name = "opengl", .absent = "no <device>"}};
+    v.oracles[0].worst[0].explanation = "The <oracle> is wrong.";
+    v.oracles[0].worst[0].command = "zproof explain room 812 344 --renderer povray";
+    v.oracles[0].counts[std::size_t(PixelClass::hole)] = 5;
+    v.oracles[0].picture.emplace();
+    v.oracles[0].picture->at(0) = {.pixels = 7, .rms = 0.5, .mean = 0.25, .largest = 1};
+    v.oracles[0].no_picture = "no <canvas>";
+    v.oracles[0].depth.max_error_over_bound = 0.125;
+    v.id_agreement = {.same = {{9, 8, 7}, {8, 9, 6}, {7, 6, 9}}, .unanimous = 5};
     v.folder = "scenes/room-corner";
     return v;
 }

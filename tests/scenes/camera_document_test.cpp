@@ -45,7 +45,7 @@ View some_view(Projection projection, NdcDepth ndc_depth, double far) {
     return view;
 }
 
-/// The point at camera depth t on the line of sight through raster position (x, y), from camera.h's formulas.
+/// The point at camera depth t on the view ray through raster position (x, y), from camera.h's formulas.
 glm::dvec3 point_at(const View& view, double x, double y, double t) {
     const Camera& c = view.camera;
     const double u = c.window.left + (c.window.right - c.window.left) * x / view.width;

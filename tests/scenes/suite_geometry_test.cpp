@@ -159,7 +159,8 @@ TEST(GuardBand, HasAPaneWhoseCornersRoundUpByAUnitRoundoffInOneOverDepth) {
     const Scene scene = generate_suite_scene("guard_band").scene;
     for (std::size_t t = scene.triangles.size() - 2; t < scene.triangles.size(); ++t)
         for (const glm::dvec3& p_world : corners(scene, t)) {
-            const double nearness = -1 / p_world.z, error = double(float(nearness)) / nearness - 1;
+            const double inverse_depth = -1 / p_world.z,
+                         error = double(float(inverse_depth)) / inverse_depth - 1;
             EXPECT_GT(error, 0.98 * 0x1p-24);
             EXPECT_LE(error, 0x1p-24);
         }

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <set>
 
-#include "cli/selftest/theatre.h"
+#include "cli/selftest/test_scene.h"
 
 namespace zproof::selftest {
 
@@ -14,18 +14,18 @@ void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.sentence; }
 
 namespace {
 
-const Theatre& theatre_of(StageSize size) {
-    static const Theatre small(StageSize::small);
-    if (size == StageSize::small) return small;
-    static const Theatre large(StageSize::large);
+const TestScene& test_scene_of(FixtureSize size) {
+    static const TestScene small(FixtureSize::small);
+    if (size == FixtureSize::small) return small;
+    static const TestScene large(FixtureSize::large);
     return large;
 }
 
 class Catalogue : public testing::TestWithParam<Fault> {};
 
 TEST_P(Catalogue, GetsItsVerdict) {
-    const Trial trial = try_fault(GetParam(), theatre_of(GetParam().stage_size).stage());
-    EXPECT_TRUE(trial.as_expected) << in_words(trial);
+    const FaultResult result = try_fault(GetParam(), test_scene_of(GetParam().fixture_size).fixture());
+    EXPECT_TRUE(result.as_expected) << in_words(result);
 }
 
 INSTANTIATE_TEST_SUITE_P(Selftest, Catalogue, testing::ValuesIn(catalogue()),
@@ -49,20 +49,20 @@ TEST(CatalogueAsAWhole, ExpectsEveryClassThatFailsTheGate) {
 TEST(CatalogueAsAWhole, InjectsWhatItSays) {
     for (const Fault& fault : catalogue()) {
         if (is_control(fault)) continue;
-        const Stage stage = theatre_of(fault.stage_size).stage();
-        const Frame faulty = fault.inject(stage);
-        const bool same_ids = std::ranges::equal(faulty.primitive.pixels(), stage.good.primitive.pixels());
+        const Fixture fixture = test_scene_of(fault.fixture_size).fixture();
+        const Frame faulty = fault.inject(fixture);
+        const bool same_ids = std::ranges::equal(faulty.primitive.pixels(), fixture.good.primitive.pixels());
         const bool same_depths =
-            std::ranges::equal(faulty.camera_depth.pixels(), stage.good.camera_depth.pixels());
+            std::ranges::equal(faulty.camera_depth.pixels(), fixture.good.camera_depth.pixels());
         EXPECT_FALSE(same_ids && same_depths) << fault.name << " changes nothing";
     }
 }
 
 /// A frame is judged by its own promise: to be like the reference is no excuse.
 TEST(EqualToReference, FailsWhereItsRendererPromisesMoreThanTheReferenceKeeps) {
-    const Stage stage = theatre_of(StageSize::large).stage();
-    const Verdict verdict = judge(stage.scene, stage.view, {stage.reference, stage.precision},
-                                  {stage.reference, stage.reference_precision});
+    const Fixture fixture = test_scene_of(FixtureSize::large).fixture();
+    const Verdict verdict = judge(fixture.scene, fixture.view, {fixture.reference, fixture.precision},
+                                  {fixture.reference, fixture.reference_precision});
     EXPECT_GT(verdict.counts[std::size_t(PixelClass::wrong_depth)], 0u);
     EXPECT_EQ(verdict.adjudicated, 0u);
     EXPECT_EQ(verdict.reference_defects, 0u);

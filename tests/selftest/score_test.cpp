@@ -10,10 +10,10 @@ namespace {
 
 using Answer = Expected::Answer;
 
-Frame good(const Stage& stage) { return stage.good; }
+Frame good(const Fixture& fixture) { return fixture.good; }
 
-Frame with_a_hole(const Stage& stage) {
-    Frame frame = stage.good;
+Frame with_a_hole(const Fixture& fixture) {
+    Frame frame = fixture.good;
     for (std::size_t i = frame.size().pixel_count() / 2;; ++i) {
         PrimitiveId& id = frame.primitive.pixels()[i];
         if (id == PrimitiveId::none) continue;
@@ -23,7 +23,7 @@ Frame with_a_hole(const Stage& stage) {
 }
 
 /// The line that the fault gets, and the score.
-std::pair<std::string, Score> told(Expected expected, std::function<Frame(const Stage&)> inject) {
+std::pair<std::string, Score> told(Expected expected, std::function<Frame(const Fixture&)> inject) {
     std::string lines;
     const Score score = try_all({{"x", "y", std::move(expected), std::move(inject)}},
                                 {.told = [&](const std::string& line) { lines += line; }});
@@ -65,7 +65,7 @@ TEST(Score, AVerdictWhereNoneIsPossibleIsAMiss) {
     EXPECT_FALSE(told({.answer = Answer::refuse, .classes = {}, .count = {}}, good).second.gate_works());
     EXPECT_FALSE(
         told({.answer = Answer::refuse, .classes = {}, .count = {}}, with_a_hole).second.gate_works());
-    const auto smaller = [](const Stage&) { return Frame({1, 1}); };
+    const auto smaller = [](const Fixture&) { return Frame({1, 1}); };
     EXPECT_TRUE(told({.answer = Answer::refuse, .classes = {}, .count = {}}, smaller).second.gate_works());
     EXPECT_FALSE(told({.classes = {}, .count = {}}, smaller).second.gate_works());
 }

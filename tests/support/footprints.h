@@ -10,9 +10,9 @@
 namespace zproof::texture {
 
 /// The same numbers from any standard library: uniform in [0, 1).
-class Dice {
+class Rng {
   public:
-    explicit Dice(std::uint32_t seed) : engine_{seed} {}
+    explicit Rng(std::uint32_t seed) : engine_{seed} {}
     double uniform() { return double(engine_()) / 0x1p32; }
     double between(double low, double high) { return low + (high - low) * uniform(); }
 
@@ -29,25 +29,25 @@ inline Footprint flat_footprint(const glm::dvec2& centre, const glm::dvec2& per_
 
 /// Of a plane in perspective, anywhere: steps of 2^-3 to 2^7 texels, any turn, anisotropy up to about 100.
 inline Footprint random_footprint(std::uint32_t seed) {
-    Dice dice{seed};
-    const double major = std::exp2(dice.between(-3, 7)), minor = major * std::exp2(-dice.between(0, 6)),
-                 texture = dice.between(0, 7), pixel = dice.between(0, 7);
+    Rng rng{seed};
+    const double major = std::exp2(rng.between(-3, 7)), minor = major * std::exp2(-rng.between(0, 6)),
+                 texture = rng.between(0, 7), pixel = rng.between(0, 7);
     const glm::dvec2 along{std::cos(texture), std::sin(texture)}, across{-along.y, along.x};
     const glm::dvec2 per_x = major * std::cos(pixel) * along + minor * std::sin(pixel) * across,
                      per_y = -major * std::sin(pixel) * along + minor * std::cos(pixel) * across;
-    const glm::dvec2 corner{dice.between(-300, 300), dice.between(-300, 300)};
+    const glm::dvec2 corner{rng.between(-300, 300), rng.between(-300, 300)};
     return footprint({{per_x.x, per_y.x, corner.x},
                       {per_x.y, per_y.y, corner.y},
-                      {dice.between(-0.1, 0.1), dice.between(-0.1, 0.1), 1}},
+                      {rng.between(-0.1, 0.1), rng.between(-0.1, 0.1), 1}},
                      0, 0, Derivatives::analytic);
 }
 
 /// Independent channels, uniform in [0, 1), any size.
 inline LinearImage random_image(int width, int height, std::uint32_t seed) {
-    Dice dice{seed};
+    Rng rng{seed};
     LinearImage image{width, height, {}};
     for (int i = 0; i < width * height; ++i) {
-        const glm::dvec2 first{dice.uniform(), dice.uniform()}, second{dice.uniform(), dice.uniform()};
+        const glm::dvec2 first{rng.uniform(), rng.uniform()}, second{rng.uniform(), rng.uniform()};
         image.texels.emplace_back(glm::vec4{glm::dvec4{first, second}});
     }
     return image;

@@ -1,5 +1,5 @@
-/// Known defects to plant into the rasterizer: rules that break the law in one way each. For tests only; the
-/// library's own render() knows lawful_rules alone.
+/// Known defects to plant into the rasterizer: rules that are wrong in one way each. For tests only; the
+/// library's own render() knows correct_rules alone.
 #pragma once
 
 #include <array>

@@ -17,7 +17,7 @@ namespace zproof::texture::worked {
 
 constexpr int side = 256, first_row = 56, check = 32, texture_side = 512;
 
-/// Affine in the raster position: a line of sight's three coordinates, and from them the plane's.
+/// Affine in the raster position: a view ray's three coordinates, and from them the plane's.
 inline Homography<double> texels_from_raster(double phi_degrees) {
     constexpr double degree = std::numbers::pi / 180;
     const double step = 2 * std::tan(30 * degree) / side, pitch = 20 * degree, phi = phi_degrees * degree;

@@ -14,9 +14,9 @@ namespace {
 
 template <class Code>
 std::vector<Code> random_codes(std::size_t count) {
-    std::mt19937 dice(17);
+    std::mt19937 rng(17);
     std::vector<Code> codes(count);
-    for (Code& code : codes) code = Code(dice());
+    for (Code& code : codes) code = Code(rng());
     return codes;
 }
 
@@ -104,15 +104,15 @@ TYPED_TEST(CodeSumsOf, EveryKernelsAreThatOfTheDefinition) {
 /// Direct sums over boxes, in 64 bits.
 template <class Code>
 void expect_boxes(const Codes<Code>& codes, const std::vector<std::uint32_t>& sums, int trials) {
-    std::mt19937 dice(23);
+    std::mt19937 rng(23);
     const CodeSums table{codes.width, codes.channels, sums};
     int exact = 0;
     for (int trial = 0; trial < trials; ++trial) {
-        const int left = int(dice() % std::uint32_t(codes.width)),
-                  top = int(dice() % std::uint32_t(codes.height)),
-                  right = left + 1 + int(dice() % std::uint32_t(codes.width - left)),
-                  bottom = top + 1 + int(dice() % std::uint32_t(codes.height - top)),
-                  channel = int(dice() % std::uint32_t(codes.channels));
+        const int left = int(rng() % std::uint32_t(codes.width)),
+                  top = int(rng() % std::uint32_t(codes.height)),
+                  right = left + 1 + int(rng() % std::uint32_t(codes.width - left)),
+                  bottom = top + 1 + int(rng() % std::uint32_t(codes.height - top)),
+                  channel = int(rng() % std::uint32_t(codes.channels));
         std::uint64_t sum = 0;
         for (int row = top; row < bottom; ++row)
             for (int column = left; column < right; ++column)

@@ -50,14 +50,14 @@ void expect_close(const Weights& expected, const Weights& found, const Extent& e
 class Coverage : public testing::TestWithParam<Wrap> {};
 
 TEST_P(Coverage, IsThatOfEveryTexelByItself) {
-    std::mt19937 dice(5);
+    std::mt19937 rng(5);
     std::uniform_real_distribution<double> place(-70, 70), length(0.01, 60);
     for (int trial = 0; trial < 20000 && !HasFailure(); ++trial) {
-        const int size = 1 + int(dice() % 20);
-        Extent extent{place(dice), 0};
+        const int size = 1 + int(rng() % 20);
+        Extent extent{place(rng), 0};
         if (trial % 3 == 0)
             extent.low = std::floor(extent.low);  // ends on texels' edges, and on the texture's
-        extent.high = extent.low + (trial % 5 == 0 ? double(1 + dice() % 40) : length(dice));
+        extent.high = extent.low + (trial % 5 == 0 ? double(1 + rng() % 40) : length(rng));
         const Weights expected = by_brute_force(extent, GetParam(), size);
         expect_close(expected, of_runs(extent, GetParam(), size), extent);
         expect_close(expected, of_prefixes(extent, GetParam(), size), extent);

@@ -121,9 +121,9 @@ TEST_P(EveryMethod, WrapsAsItIsTold) {
     const double slack = 1000 * unit_roundoff;
     for (std::uint32_t seed = 0; seed < footprints; ++seed) {
         SCOPED_TRACE(seed);
-        Dice dice{seed};
+        Rng rng{seed};
         const auto grid = [&](double most) {
-            return std::floor(dice.between(-most, most) * 0x1p10) * 0x1p-10;
+            return std::floor(rng.between(-most, most) * 0x1p10) * 0x1p-10;
         };
         const glm::dvec2 centre{grid(16), grid(16)}, x{grid(8), grid(8)}, y{grid(8), grid(8)};
         const auto seen = [&](const glm::dvec2& moved) { return flat_footprint(centre + moved, x, y); };
@@ -416,12 +416,11 @@ glm::dvec4 brute_ewa(const LinearImage& image, const Footprint& f) {
 TEST(Ewa, IsTheWeightedSumOverItsEllipse) {
     const LinearImage image = random_image(32, 32, 10);
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
-        Dice dice{seed};
-        const double turn = dice.between(0, 7), length = dice.between(1, 12);
+        Rng rng{seed};
+        const double turn = rng.between(0, 7), length = rng.between(1, 12);
         const glm::dvec2 along{std::cos(turn), std::sin(turn)}, across{-along.y, along.x};
         // The shorter radius is 1, so that level 0 alone is read.
-        const Footprint f =
-            flat_footprint({dice.between(0, 32), dice.between(0, 32)}, length * along, across);
+        const Footprint f = flat_footprint({rng.between(0, 32), rng.between(0, 32)}, length * along, across);
         const glm::dvec4 brute = brute_ewa(image, f);
         EXPECT_LE(distance(prepared("ewa-pbrt", image).colour(f), brute), 1e-12) << seed;
         EXPECT_LE(distance(prepared("ewa-true", image).colour(f), brute), 1e-12) << seed;

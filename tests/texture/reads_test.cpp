@@ -49,7 +49,7 @@ struct Read {
 };
 
 /// Edges of texels and of the image, many periods away, the ends of the line and beyond them.
-double place(Dice& dice, int size) {
+double place(Rng& rng, int size) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr double odd[] = {0.0,
                               -0.0,
@@ -70,28 +70,28 @@ double place(Dice& dice, int size) {
                               -0x1p51 - 1.5,
                               0x1p-1074,
                               std::numeric_limits<double>::quiet_NaN()};
-    switch (int(dice.between(0, 6))) {
+    switch (int(rng.between(0, 6))) {
         case 0:
-            return dice.between(0, size);
+            return rng.between(0, size);
         case 1:
-            return std::floor(dice.between(-3 * size, 3 * size)) / 2;
+            return std::floor(rng.between(-3 * size, 3 * size)) / 2;
         case 2:
-            return size * std::floor(dice.between(-5, 5)) + dice.between(-1, 1);
+            return size * std::floor(rng.between(-5, 5)) + rng.between(-1, 1);
         case 3:
-            return dice.between(-1e6, 1e6);
+            return rng.between(-1e6, 1e6);
         case 4:
-            return std::floor(dice.between(-0x1p52, 0x1p52));
+            return std::floor(rng.between(-0x1p52, 0x1p52));
         default:
-            return odd[std::size_t(dice.between(0, double(std::size(odd))))];
+            return odd[std::size_t(rng.between(0, double(std::size(odd))))];
     }
 }
 
-std::vector<Read> random_reads(const Images& chain, int count, Dice& dice) {
+std::vector<Read> random_reads(const Images& chain, int count, Rng& rng) {
     std::vector<Read> some;
     for (int i = 0; i < count; ++i) {
-        const int level = int(dice.between(0, read_images(chain.images)));
+        const int level = int(rng.between(0, read_images(chain.images)));
         const LinearImage& image = chain.images[std::size_t(level)];
-        some.push_back({level, {place(dice, image.width), place(dice, image.height)}, dice.between(-1, 1)});
+        some.push_back({level, {place(rng, image.width), place(rng, image.height)}, rng.between(-1, 1)});
     }
     return some;
 }
@@ -113,15 +113,15 @@ TEST_P(EveryReadKernel, SumsTheReadsOfEachLookupTapByTap) {
     const Images chain;
     for (std::uint32_t seed = 0; seed < 360; ++seed) {
         SCOPED_TRACE(seed);
-        Dice dice{seed};
+        Rng rng{seed};
         const Addressing wrap{every_wrap[seed % 3], every_wrap[seed / 3 % 3]};
         std::vector<std::vector<Read>> lookups;
         std::vector<glm::dvec4> sums(reads::Block::most, glm::dvec4{0});
         reads::Block block;
         block.begin[0] = 0;
-        for (int count = int(dice.between(0, 13)); block.count + count <= reads::Block::most - int(seed % 9);
-             count = int(dice.between(0, 13))) {
-            lookups.push_back(random_reads(chain, count, dice));
+        for (int count = int(rng.between(0, 13)); block.count + count <= reads::Block::most - int(seed % 9);
+             count = int(rng.between(0, 13))) {
+            lookups.push_back(random_reads(chain, count, rng));
             if (block.lookups == reads::Block::most) break;
             for (const Read& read : lookups.back()) {
                 block.x[block.count] = read.place.x, block.y[block.count] = read.place.y;
@@ -146,31 +146,31 @@ struct Line {
 };
 
 /// Of neighbours, three in four read the same levels, as they mostly do.
-std::vector<Line> random_lines(const Images& chain, int count, Dice& dice) {
+std::vector<Line> random_lines(const Images& chain, int count, Rng& rng) {
     const int images = read_images(chain.images);
     std::vector<Line> some;
     Line line;
     for (int i = 0; i < count; ++i) {
-        if (i % 8 == 0 || dice.uniform() < 0.25) line.finer = int(dice.between(0, images));
+        if (i % 8 == 0 || rng.uniform() < 0.25) line.finer = int(rng.between(0, images));
         const LinearImage& image = chain.images[0];
-        line.middle = {place(dice, image.width), place(dice, image.height)};
-        line.whole = {dice.between(-50, 50), dice.uniform() < 0.1 ? place(dice, 10) : dice.between(-50, 50)};
-        line.taps = int(dice.between(1, dice.uniform() < 0.5 ? 4 : 64));
-        line.share = dice.uniform() < 0.3 ? 0 : dice.uniform();
+        line.middle = {place(rng, image.width), place(rng, image.height)};
+        line.whole = {rng.between(-50, 50), rng.uniform() < 0.1 ? place(rng, 10) : rng.between(-50, 50)};
+        line.taps = int(rng.between(1, rng.uniform() < 0.5 ? 4 : 64));
+        line.share = rng.uniform() < 0.3 ? 0 : rng.uniform();
         line.coarser = line.share > 0 ? (line.finer + 1) % images : images;
         some.push_back(line);
     }
     return some;
 }
 
-glm::dvec4 tap_by_tap(const Images& chain, const Addressing& wrap, const reads::Places& places,
+glm::dvec4 tap_by_tap(const Images& chain, const Addressing& wrap, const reads::TapSpacing& spacing,
                       const Line& line) {
     const auto size = [&](int i) {
         return glm::dvec2{chain.images[std::size_t(i)].width, chain.images[std::size_t(i)].height};
     };
     std::vector<Read> all;
     for (int i = 0; i < line.taps; ++i) {
-        const double along = (i + places.first) / (line.taps + places.more) - 0.5, weight = 1.0 / line.taps;
+        const double along = (i + spacing.first) / (line.taps + spacing.more) - 0.5, weight = 1.0 / line.taps;
         const glm::dvec2 at = line.middle + along * line.whole;
         all.push_back({line.finer, at * (size(line.finer) / size(0)), weight * (1 - line.share)});
         if (line.share > 0)
@@ -183,13 +183,12 @@ TEST_P(EveryReadKernel, SumsTheLinesOfEachLookupTapByTap) {
     const Images chain;
     for (std::uint32_t seed = 0; seed < 180; ++seed) {
         SCOPED_TRACE(seed);
-        Dice dice{seed};
+        Rng rng{seed};
         const Addressing wrap{every_wrap[seed % 3], every_wrap[seed / 3 % 3]};
-        const std::vector<Line> some =
-            random_lines(chain, int(dice.between(0, reads::Lines::most + 1)), dice);
+        const std::vector<Line> some = random_lines(chain, int(rng.between(0, reads::Lines::most + 1)), rng);
         std::vector<glm::dvec4> sums(some.size(), glm::dvec4{0});
         reads::Lines lines;
-        lines.places = seed % 2 == 0 ? reads::Places{} : reads::Places{1, 1};
+        lines.spacing = seed % 2 == 0 ? reads::TapSpacing{} : reads::TapSpacing{1, 1};
         for (const Line& line : some) {
             const int i = lines.count++;
             lines.x[i] = line.middle.x, lines.y[i] = line.middle.y;
@@ -200,7 +199,7 @@ TEST_P(EveryReadKernel, SumsTheLinesOfEachLookupTapByTap) {
         }
         GetParam().add_lines(chain.tiles.chain(wrap), lines);
         for (std::size_t i = 0; i < some.size(); ++i)
-            ASSERT_EQ(bits(sums[i]), bits(tap_by_tap(chain, wrap, lines.places, some[i]))) << "lookup " << i;
+            ASSERT_EQ(bits(sums[i]), bits(tap_by_tap(chain, wrap, lines.spacing, some[i]))) << "lookup " << i;
     }
 }
 

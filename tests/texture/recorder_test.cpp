@@ -14,7 +14,7 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-constexpr Ground square{64, 64, {}};
+constexpr BaseLevel square{64, 64, {}};
 
 Kernel kernel_of(const char* method, const Footprint& footprint) {
     return record(find_method(method)->prepare(random_image(64, 64, 3), {}), footprint, square);

@@ -22,9 +22,9 @@ glm::vec4 texel_of(std::uint32_t bits) {
 TEST(SummedAreaFull, Of8192SquaredEqualsBruteForceBitByBit) {
     LinearImage image{side, side, {}};
     image.texels.reserve(std::size_t{side} * side);
-    std::mt19937 dice(29);
+    std::mt19937 rng(29);
     for (std::size_t i = 0; i < std::size_t{side} * side; ++i)
-        image.texels.push_back(texel_of(std::uint32_t(dice())));
+        image.texels.push_back(texel_of(std::uint32_t(rng())));
     const SummedArea table(image, SatStorage::integer);
     std::vector<Whole> columns(side, Whole(0));
     for (int row = 0; row < side; ++row) {

@@ -19,9 +19,9 @@ constexpr std::array storages{SatStorage::integer, SatStorage::float64, SatStora
 
 /// Decoded from random 8-bit codes.
 LinearImage noise(int width, int height, std::uint32_t seed = 7) {
-    std::mt19937 dice(seed);
+    std::mt19937 rng(seed);
     LinearImage image{width, height, {}};
-    const auto value = [&] { return float(linear_from_srgb(std::uint8_t(dice()))); };
+    const auto value = [&] { return float(linear_from_srgb(std::uint8_t(rng()))); };
     for (int i = 0; i < width * height; ++i) {
         const float red = value(), green = value(), blue = value();
         image.texels.emplace_back(red, green, blue, value());
@@ -42,11 +42,11 @@ TEST(SummedArea, EveryTexelOf8BitsIsAWholeNumberOfUnits) {
 TEST(SummedArea, SumsOfIntegersAreExact) {
     const LinearImage image = noise(67, 41);
     const SummedArea table(image, SatStorage::integer);
-    std::mt19937 dice(3);
+    std::mt19937 rng(3);
     for (int trial = 0; trial < 2000; ++trial) {
-        const int left = int(dice() % 67), top = int(dice() % 41),
-                  right = left + 1 + int(dice() % std::uint32_t(67 - left)),
-                  bottom = top + 1 + int(dice() % std::uint32_t(41 - top));
+        const int left = int(rng() % 67), top = int(rng() % 41),
+                  right = left + 1 + int(rng() % std::uint32_t(67 - left)),
+                  bottom = top + 1 + int(rng() % std::uint32_t(41 - top));
         glm::dvec4 expected{0};  // exact: fewer than 2^53 units
         for (int row = top; row < bottom; ++row)
             for (int column = left; column < right; ++column) expected += glm::dvec4(image.at(column, row));
@@ -101,14 +101,14 @@ TEST(SatMethods, OverOneTexelAreBilinear) {
 
 TEST(SatMethods, GiveTheMeanOfTheWrappedTextureOverTheirBox) {
     const LinearImage image = noise(8, 5);
-    std::mt19937 dice(11);
+    std::mt19937 rng(11);
     std::uniform_real_distribution<double> place(-20, 20), size(1, 30);
     for (const Wrap wrap : {Wrap::repeat, Wrap::clamp_to_edge, Wrap::mirrored_repeat}) {
         const Sampler sat =
             find_method("sat-affine")
                 ->prepare(image, {.addressing = {wrap, wrap}, .sat_storage = SatStorage::integer});
         for (int trial = 0; trial < 200; ++trial) {
-            const glm::dvec2 centre{place(dice), place(dice)}, extent{size(dice), size(dice)};
+            const glm::dvec2 centre{place(rng), place(rng)}, extent{size(rng), size(rng)};
             const glm::dvec2 low = centre - extent / 2.0, high = centre + extent / 2.0;
             double expected = 0;
             for (double row = std::floor(low.y); row < high.y; ++row)

@@ -8,14 +8,14 @@ import {choose, countColour, crc32, frames, makeFolder, openBrowser, openReport,
         says, shell, viewerShows, zproof} from './stage.mjs';
 
 const small = ['--width', '480', '--height', '270'];
-let folder, failing, lawful, browser;
+let folder, failing, admissible, browser;
 
 before(async () => {
     folder = makeFolder();
     failing = join(folder, 'failing');
-    lawful = join(folder, 'lawful');
+    admissible = join(folder, 'admissible');
     zproof(1, 'run', 'room', ...small, '--precision', 'raster,subpixel_bits=14', '--oracle', 'none', '--pictures', '--evidence', 'all', '-o', failing);
-    zproof(0, 'run', 'room', 'coplanar', ...small, '--oracle', 'none', '--evidence', 'all', '-o', lawful);
+    zproof(0, 'run', 'room', 'coplanar', ...small, '--oracle', 'none', '--evidence', 'all', '-o', admissible);
     browser = await openBrowser();
 });
 
@@ -64,7 +64,7 @@ describe('a page from disk', () => {
     });
 
     it('sorts its tables by a click on a heading and back by another', async () => {
-        const page = await openReport(browser, lawful);
+        const page = await openReport(browser, admissible);
         const column = () => page.$$eval('table.summary.sortable tbody tr', (rows) => rows.map((row) => Number(row.cells[4].textContent.replace(/,/g, ''))));
         await page.click('table.summary.sortable thead th:nth-child(5)');
         assert.deepEqual(await column(), (await column()).sort((a, b) => b - a));

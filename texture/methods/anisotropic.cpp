@@ -14,7 +14,7 @@ struct Line {
     double width = 0;  ///< texels that each tap covers: its LOD is the log2
 };
 
-constexpr reads::Places literal_places{.first = 1, .more = 1}, midpoints{.first = 0.5, .more = 0};
+constexpr reads::TapSpacing literal_places{.first = 1, .more = 1}, midpoints{.first = 0.5, .more = 0};
 
 int whole_taps(double ratio, double most) {
     return std::isfinite(ratio) ? std::max(1, int(std::ceil(std::min(ratio, most)))) : int(most);
@@ -38,9 +38,9 @@ Line ellipse_axis(const Footprint& f, int max_anisotropy) {
     return {axes.major * axes.major_direction, whole_taps(ratio, max_anisotropy), minor};
 }
 
-template <Line (*line_of)(const Footprint&, int), const reads::Places& on_line>
+template <Line (*line_of)(const Footprint&, int), const reads::TapSpacing& on_line>
 struct Taps {
-    static constexpr reads::Places places = on_line;
+    static constexpr reads::TapSpacing spacing = on_line;
 
     LineOfTaps line(const MipReads& mips, const Footprint& footprint) const {
         const Line line = line_of(footprint, mips.options.max_anisotropy);

@@ -31,7 +31,7 @@ template <reads_a_line Reads>
 void read_line(const Reads& reads, const MipReads& mips, const Footprint& footprint, auto&& read) {
     const LineOfTaps line = reads.line(mips, footprint);
     for (int i = 0; i < line.taps; ++i) {
-        const double along = (i + Reads::places.first) / (line.taps + Reads::places.more) - 0.5;
+        const double along = (i + Reads::spacing.first) / (line.taps + Reads::spacing.more) - 0.5;
         mips.trilinear(line.lod, footprint.centre + along * line.whole, 1.0 / line.taps, read);
     }
 }
@@ -76,7 +76,7 @@ class BilinearRule {
     void add_lines(const reads::Kernel& kernel, std::span<const Footprint> seen,
                    std::span<glm::dvec4> colours) const {
         reads::Lines lines;
-        lines.places = Reads::places;
+        lines.spacing = Reads::spacing;
         for (std::size_t i = 0; i < seen.size(); ++i) {
             const LineOfTaps line = Reads{}.line(mips_, seen[i]);
             const int finer = int(line.lod);  // rounded down: it is not negative

@@ -91,12 +91,12 @@ void read_ellipse(const MipReads& mips, int level, const LevelEllipse& ellipse, 
 
 /// The ellipse at the LOD of its shorter radius, made no longer than max_anisotropy times that. The user's
 /// bias scales the ellipse; an LOD above the user's greatest scales it down to that one.
-struct Chosen {
+struct EllipseLevel {
     Axes axes;
     double lod = 0;
 };
 
-Chosen chosen(Axes axes, double shorter, const FilterOptions& options) {
+EllipseLevel select_level(Axes axes, double shorter, const FilterOptions& options) {
     double scale = std::exp2(options.lod_bias), lod = std::log2(shorter) + options.lod_bias;
     if (lod > options.lod_max) {
         scale *= std::exp2(options.lod_max - lod);
@@ -110,7 +110,7 @@ Chosen chosen(Axes axes, double shorter, const FilterOptions& options) {
 /// The two levels around the LOD, weighted by its fraction. From the last level on, and where the footprint
 /// is not finite: the last level's one texel.
 template <Profile profile>
-void read_levels(const MipReads& mips, const Chosen& at, const glm::dvec2& place, auto&& read) {
+void read_levels(const MipReads& mips, const EllipseLevel& at, const glm::dvec2& place, auto&& read) {
     const glm::dvec2 extent = glm::abs(at.axes.longer) + glm::abs(at.axes.shorter);
     const bool measurable = std::isfinite(extent.x + extent.y) && at.lod < mips.coarsest();
     const double lod = measurable ? at.lod : mips.coarsest(), finer = std::floor(lod);
@@ -135,7 +135,7 @@ struct Pbrt {
             axes.shorter *= longer / (shorter * most);
             shorter = longer / most;
         }
-        read_levels<profile>(mips, chosen(axes, shorter, mips.options), footprint.centre, read);
+        read_levels<profile>(mips, select_level(axes, shorter, mips.options), footprint.centre, read);
     }
 };
 
@@ -145,7 +145,7 @@ struct TrueAxes {
         const glm::dvec2 along = axes.major_direction;
         const double minor = std::max(axes.minor, axes.major / mips.options.max_anisotropy);
         const Axes radii{axes.major * along, minor * glm::dvec2{-along.y, along.x}};
-        read_levels<gaussian>(mips, chosen(radii, minor, mips.options), footprint.centre, read);
+        read_levels<gaussian>(mips, select_level(radii, minor, mips.options), footprint.centre, read);
     }
 };
 

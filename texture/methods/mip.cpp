@@ -22,7 +22,7 @@ struct NearestLevel {
 /// One tap, in the middle.
 template <LodRule lod>
 struct Trilinear {
-    static constexpr reads::Places places{};
+    static constexpr reads::TapSpacing spacing{};
 
     LineOfTaps line(const MipReads& mips, const Footprint& footprint) const {
         return {.lod = mips.in_chain(lod(footprint))};

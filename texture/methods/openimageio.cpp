@@ -105,7 +105,7 @@ struct OwnAnisotropic {
     }
 };
 
-constexpr const char* level_law =
+constexpr const char* level_rule =
     "The width on a level is that fraction times min(width, height) of the level. The first level where it "
     "is at "
     "most 1 is blended with the finer one before it.";
@@ -117,7 +117,7 @@ std::vector<Method> openimageio_methods() {
         {.name = "trilinear-oiio",
          .card = {.footprint = "The largest absolute entry of the Jacobian, as a fraction of the texture's "
                                "width (s) or height (t): the conservative filter.",
-                  .lod = level_law,
+                  .lod = level_rule,
                   .taps = "Bilinear in both; the coarser level's share is 2 width - 1 there, within [0, 1]: "
                           "linear in the width, not in its logarithm.",
                   .source = "OpenImageIO, texture_lookup_trilinear_mipmap and compute_miplevels; bias and "
@@ -129,7 +129,7 @@ std::vector<Method> openimageio_methods() {
                   "The ellipse of the Jacobian's singular values in texture coordinates (width and height "
                   "1), s1 >= s2. Aspect s1 / s2, at most a, the maximum anisotropy; where it exceeds a, s1 "
                   "becomes (s1 + a s2) / 2 and s2 s1 / a: the conservative filter.",
-              .lod = std::string{"The width is s2. "} + level_law +
+              .lod = std::string{"The width is s2. "} + level_rule +
                      " On level 0 alone, with s2 max(width, height) < 1/2, the aspect is 2 s1 max(width, "
                      "height), 1 to a.",
               .taps =

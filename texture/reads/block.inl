@@ -12,7 +12,7 @@ void fill_up(Block& block) {
 template <Wrap wrap_u, Wrap wrap_v>
 void find_wrapped(const Chain& chain, Block& block) {
     for (int i = 0; i < block.count; i += lanes) {
-        const Images images{chain.levels, [&](const double* of) { return chosen(of, block.level + i); }};
+        const Images images{chain.levels, [&](const double* of) { return gather(of, block.level + i); }};
         const Taps taps{images, load(block.weight + i), surrounding<wrap_u>(load(block.x + i), images.u),
                         surrounding<wrap_v>(load(block.y + i), images.v)};
         for (int tap = 0; tap < 4; ++tap) {

@@ -47,14 +47,14 @@ struct Block {
 };
 
 /// Where equal taps lie on a line: the i-th of n, from 0, at (i + first) / (n + more) - 1/2 of its length.
-struct Places {
+struct TapSpacing {
     double first = 0.5, more = 0;
 };
 
 /// Lookups that are each the mean of trilinear taps on a line, linear about its middle.
 struct Lines {
     static constexpr int most = 128;         ///< lookups; a multiple of every kernel's lanes
-    Places places;                           ///< of all
+    TapSpacing spacing;                      ///< of all
     alignas(64) double x[most], y[most];     ///< the middle, in texels of level 0; any value
     alignas(64) double across[most];         ///< from one end to the other, in texels of level 0; any value
     alignas(64) double down[most];           ///< the same in y

@@ -13,7 +13,7 @@ constexpr int lanes = 4;
 typedef double Lanes __attribute__((vector_size(32)));
 typedef std::int64_t Bits __attribute__((vector_size(32)));
 
-Lanes chosen(const double* numbers, const std::int32_t* index) {
+Lanes gather(const double* numbers, const std::int32_t* index) {
     const __m128i at = _mm_loadu_si128(reinterpret_cast<const __m128i*>(index));
     return _mm256_i32gather_pd(numbers, _mm_slli_epi32(at, 3), 8);
 }

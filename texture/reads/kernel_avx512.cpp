@@ -13,7 +13,7 @@ constexpr int lanes = 8;
 typedef double Lanes __attribute__((vector_size(64)));
 typedef std::int64_t Bits __attribute__((vector_size(64)));
 
-Lanes chosen(const double* numbers, const std::int32_t* index) {
+Lanes gather(const double* numbers, const std::int32_t* index) {
     const __m256i at = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(index));
     return _mm512_i32gather_pd(_mm256_slli_epi32(at, 3), numbers, 8);
 }

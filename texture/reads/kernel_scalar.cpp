@@ -11,7 +11,7 @@ constexpr int lanes = 2;
 typedef double Lanes __attribute__((vector_size(16)));
 typedef std::int64_t Bits __attribute__((vector_size(16)));
 
-Lanes chosen(const double* numbers, const std::int32_t* index) {
+Lanes gather(const double* numbers, const std::int32_t* index) {
     return Lanes{numbers[std::ptrdiff_t{8} * index[0]], numbers[std::ptrdiff_t{8} * index[1]]};
 }
 

@@ -46,11 +46,11 @@ struct LineLevel {
     Lanes scale_x, scale_y, weight;
     Bits read;  ///< all bits, or none where the level is not read
 
-    template <class Chosen>
-    LineLevel(const Level* levels, Lanes of_level, const Chosen& chosen)
-        : images{levels, chosen},
-          scale_x{chosen(&levels->scale_x)},
-          scale_y{chosen(&levels->scale_y)},
+    template <class Gather>
+    LineLevel(const Level* levels, Lanes of_level, const Gather& gather)
+        : images{levels, gather},
+          scale_x{gather(&levels->scale_x)},
+          scale_y{gather(&levels->scale_y)},
           weight{of_level},
           read{of_level != 0} {}
 };
@@ -60,8 +60,8 @@ LineLevel line_level(const Level* levels, const std::int32_t* index, Lanes weigh
     bool are_same = true;
     for (int lane = 1; lane < lanes; ++lane) are_same &= index[lane] == index[0];
     if (are_same)
-        return {levels, weight, [&](const double* of) { return all(of[std::ptrdiff_t{8} * index[0]]); }};
-    return {levels, weight, [&](const double* of) { return chosen(of, index); }};
+        return {levels, weight, [&](const double* of) { return splat(of[std::ptrdiff_t{8} * index[0]]); }};
+    return {levels, weight, [&](const double* of) { return gather(of, index); }};
 }
 
 /// The largest of `lanes` numbers that are not negative.
@@ -101,7 +101,7 @@ class LineReader {
         const bool is_alone = largest(lines.share + i) == 0;  // the finer level is
         open(lines, i);
         const auto along = [&](double tap) {
-            return (tap + lines.places.first) / (group.taps + lines.places.more) - 0.5;
+            return (tap + lines.spacing.first) / (group.taps + lines.spacing.more) - 0.5;
         };
         Lanes next = along(0);
         for (double tap = 0; tap < most; ++tap) {

@@ -7,7 +7,7 @@
 
 Bits bits(Lanes x) { return reinterpret_cast<Bits>(x); }
 Lanes lanes_of(Bits b) { return reinterpret_cast<Lanes>(b); }
-Lanes all(double value) { return value + Lanes{}; }
+Lanes splat(double value) { return value + Lanes{}; }
 
 /// What is not finite or beyond 2^52 texels reads as 0.
 Lanes on_line(Lanes place) {
@@ -71,7 +71,7 @@ Lanes load(const double* from) {
 void store(double* to, Lanes values) { __builtin_memcpy(to, &values, sizeof values); }
 
 /// Whole numbers in [0, 2^52): with 2^52 added they stand in a double's lowest bits.
-Bits integers(Lanes whole) { return bits(whole + 0x1p52) ^ bits(all(0x1p52)); }
+Bits integers(Lanes whole) { return bits(whole + 0x1p52) ^ bits(splat(0x1p52)); }
 
 void store(std::int64_t* to, Bits values) { __builtin_memcpy(to, &values, sizeof values); }
 
@@ -83,12 +83,12 @@ struct Images {
     Axis u, v;
 
     /// `chosen` takes a column of the levels' numbers and gives that of each read.
-    template <class Chosen>
-    Images(const Level* levels, const Chosen& chosen)
-        : first{integers(chosen(&levels->first))},
-          row_of_tiles{integers(chosen(&levels->row_of_tiles))},
-          u{chosen(&levels->width), chosen(&levels->per_width)},
-          v{chosen(&levels->height), chosen(&levels->per_height)} {}
+    template <class Gather>
+    Images(const Level* levels, const Gather& gather)
+        : first{integers(gather(&levels->first))},
+          row_of_tiles{integers(gather(&levels->row_of_tiles))},
+          u{gather(&levels->width), gather(&levels->per_width)},
+          v{gather(&levels->height), gather(&levels->per_height)} {}
 
     /// Floats before a column's texels of a tile's first row: 4 a texel, 1024 a tile.
     Bits before_column(Lanes column) const {

@@ -4,12 +4,12 @@
 
 namespace zproof {
 
-std::vector<Hypothesis> all_hypotheses(const CaseFile& file) {
+std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input) {
     std::vector<Hypothesis> all;
     for (const auto family :
          {hypotheses_of_signs, hypotheses_of_place, hypotheses_of_depth, hypotheses_of_ids,
           hypotheses_of_drawing, hypotheses_of_parts, hypotheses_of_precision}) {
-        std::vector<Hypothesis> more = family(file);
+        std::vector<Hypothesis> more = family(input);
         all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }
     return all;

@@ -9,21 +9,21 @@
 namespace zproof {
 
 /// Answers that are none: a depth that is no number, a background that is not told as one.
-std::vector<Hypothesis> hypotheses_of_signs(const CaseFile& file);
+std::vector<Hypothesis> hypotheses_of_signs(const DiagnosisInput& input);
 /// The image is flipped, turned or shifted.
-std::vector<Hypothesis> hypotheses_of_place(const CaseFile& file);
+std::vector<Hypothesis> hypotheses_of_place(const DiagnosisInput& input);
 /// Depth is told in other units.
-std::vector<Hypothesis> hypotheses_of_depth(const CaseFile& file);
+std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input);
 /// Ids name other triangles.
-std::vector<Hypothesis> hypotheses_of_ids(const CaseFile& file);
+std::vector<Hypothesis> hypotheses_of_ids(const DiagnosisInput& input);
 /// Another depth test, fill rule, culling or clipping.
-std::vector<Hypothesis> hypotheses_of_drawing(const CaseFile& file);
+std::vector<Hypothesis> hypotheses_of_drawing(const DiagnosisInput& input);
 /// Part of the frame is missing or comes from elsewhere.
-std::vector<Hypothesis> hypotheses_of_parts(const CaseFile& file);
+std::vector<Hypothesis> hypotheses_of_parts(const DiagnosisInput& input);
 /// Less precision than was declared, the least loss first.
-std::vector<Hypothesis> hypotheses_of_precision(const CaseFile& file);
+std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input);
 
 /// All of them, the more specific first: of two that explain the same, the first is named.
-std::vector<Hypothesis> all_hypotheses(const CaseFile& file);
+std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input);
 
 }  // namespace zproof

@@ -37,9 +37,9 @@ struct Linear {
 };
 
 template <class Report>
-Hypothesis told_as(const CaseFile& file, const std::string& name, const std::string& description,
-                   Report report) {
-    Hypothesis h = as_declared(file, "depth is " + name, description);
+Hypothesis reported_as(const DiagnosisInput& input, const std::string& name, const std::string& description,
+                       Report report) {
+    Hypothesis h = as_declared(input, "depth is " + name, description);
     h.report = report;
     h.restate = [](Claim claim) -> std::optional<Claim> {
         if (claim.answer.primitive == PrimitiveId::none) claim.answer.camera_depth = background_depth;
@@ -49,30 +49,30 @@ Hypothesis told_as(const CaseFile& file, const std::string& name, const std::str
 }
 
 /// NDC z that is `at_near` on the near plane and `at_far` on the far one.
-Hypothesis ndc(const CaseFile& file, double at_near, double at_far, const std::string& convention) {
-    const Camera& c = file.view.camera;
+Hypothesis ndc(const DiagnosisInput& input, double at_near, double at_far, const std::string& convention) {
+    const Camera& c = input.view.camera;
     const std::string name = "NDC z (" + convention + ")";
     const std::string description = "Depth is what the projection matrix makes of it, after division by w.";
     if (c.projection == Projection::parallel) {
         const double slope = (at_far - at_near) / (c.far_depth - c.near_depth);
-        return told_as(file, name, description, Linear{at_near - slope * c.near_depth, slope});
+        return reported_as(input, name, description, Linear{at_near - slope * c.near_depth, slope});
     }
     const double b = (at_near - at_far) * c.near_depth / (1 - c.near_depth / c.far_depth);
-    return told_as(file, name, description, Reciprocal{at_far - b / c.far_depth, b});
+    return reported_as(input, name, description, Reciprocal{at_far - b / c.far_depth, b});
 }
 
-/// Length of the line of sight per unit of depth, at the pixel's centre.
-double sight_length(const View& view, int x, int y) {
-    const Vector3<double> d = Sight<double>(view, x, y).direction;
+/// Length of the view ray per unit of depth, at the pixel's centre.
+double ray_length_per_depth(const View& view, int x, int y) {
+    const Vector3<double> d = ViewRay<double>(view, x, y).direction;
     return std::sqrt(dot(d, d));
 }
 
-Hypothesis ray_length(const CaseFile& file) {
-    const auto report = [view = file.view](const DepthBound& bound, const Claim& claim) {
-        return Linear{0, sight_length(view, claim.x, claim.y)}(bound, claim);
+Hypothesis ray_length(const DiagnosisInput& input) {
+    const auto report = [view = input.view](const DepthBound& bound, const Claim& claim) {
+        return Linear{0, ray_length_per_depth(view, claim.x, claim.y)}(bound, claim);
     };
-    return told_as(file, "the ray's length",
-                   "Depth is the distance from the eye along the ray, not along the view axis.", report);
+    return reported_as(input, "the ray's length",
+                       "Depth is the distance from the eye along the ray, not along the view axis.", report);
 }
 
 std::string factor_text(double factor) {
@@ -81,10 +81,10 @@ std::string factor_text(double factor) {
 
 /// Depths lie elsewhere than the ids that they belong to; at the outline, where there is none to be had, they
 /// stay.
-Hypothesis apart_from_ids(const CaseFile& file, int dx, int dy, const std::string& where) {
-    Hypothesis h = as_declared(file, "depths lie one pixel " + where + " of their ids",
+Hypothesis apart_from_ids(const DiagnosisInput& input, int dx, int dy, const std::string& where) {
+    Hypothesis h = as_declared(input, "depths lie one pixel " + where + " of their ids",
                                "The depth of a pixel belongs to its neighbour's id.");
-    h.restate = [dx, dy, &frame = file.candidate.frame](Claim claim) -> std::optional<Claim> {
+    h.restate = [dx, dy, &frame = input.candidate.frame](Claim claim) -> std::optional<Claim> {
         const Claim moved{claim.x - dx, claim.y - dy, claim.answer};
         if (!holds(frame.size(), moved)) return std::nullopt;
         const PrimitiveId id = frame.primitive.at(moved.x, moved.y);
@@ -95,21 +95,21 @@ Hypothesis apart_from_ids(const CaseFile& file, int dx, int dy, const std::strin
 }
 
 /// Depth test and reported depth both go by depth that is interpolated linearly over the raster image.
-Hypothesis affine(const CaseFile& file) {
-    Hypothesis h = as_declared(file, "depth is affine instead of perspective-correct",
+Hypothesis affine(const DiagnosisInput& input) {
+    Hypothesis h = as_declared(input, "depth is affine instead of perspective-correct",
                                "Depth itself is interpolated linearly over the image, not 1/depth.");
-    h.report = [&scene = file.scene, view = file.view,
-                bounds = ViewBounds(file.view, file.candidate.precision)](const DepthBound&,
-                                                                          const Claim& claim) {
+    h.report = [&scene = input.scene, view = input.view,
+                bounds = ViewBounds(input.view, input.candidate.precision)](const DepthBound&,
+                                                                            const Claim& claim) {
         const CornersWorld p_world = corners_of(scene, std::uint32_t(claim.answer.primitive));
-        const Neighbour n = neighbour_of(Sight<double>(view, claim.x, claim.y), bounds, p_world);
+        const Neighbour n = neighbour_of(ViewRay<double>(view, claim.x, claim.y), bounds, p_world);
         return affine_depth(view, claim.x, claim.y, n);
     };
     h.amend = [](Neighbourhood& around, PrimitiveId) {
         for (Neighbour& n : around.neighbours) {
             const ReportedDepth depth = affine_depth(around.view, around.x, around.y, n);
-            n.least_nearness = -depth.high;
-            n.greatest_nearness = -depth.low;
+            n.least_inverse_depth = -depth.high;
+            n.greatest_inverse_depth = -depth.low;
             n.gradient = 0;
         }
     };
@@ -118,31 +118,31 @@ Hypothesis affine(const CaseFile& file) {
 
 }  // namespace
 
-std::vector<Hypothesis> hypotheses_of_depth(const CaseFile& file) {
-    const Camera& c = file.view.camera;
-    std::vector<Hypothesis> all{
-        ray_length(file), ndc(file, -1, 1, "-1 to 1"), ndc(file, 0, 1, "0 to 1"),
-        ndc(file, 1, 0, "1 to 0, reversed"),
-        told_as(file, "counted from the near plane", "Depth is depth - near.", Linear{-c.near_depth, 1})};
+std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input) {
+    const Camera& c = input.view.camera;
+    std::vector<Hypothesis> all{ray_length(input), ndc(input, -1, 1, "-1 to 1"), ndc(input, 0, 1, "0 to 1"),
+                                ndc(input, 1, 0, "1 to 0, reversed"),
+                                reported_as(input, "counted from the near plane", "Depth is depth - near.",
+                                            Linear{-c.near_depth, 1})};
     for (const double unit : {1000.0, 100.0, 10.0})
         for (const double factor : {unit, 1 / unit})
-            all.push_back(told_as(file, "in other units",
-                                  "Depth is " + factor_text(factor) + " times the depth.",
-                                  Linear{0, factor}));
+            all.push_back(reported_as(input, "in other units",
+                                      "Depth is " + factor_text(factor) + " times the depth.",
+                                      Linear{0, factor}));
     for (Hypothesis& h :
-         std::vector{apart_from_ids(file, 1, 0, "right"), apart_from_ids(file, -1, 0, "left"),
-                     apart_from_ids(file, 0, 1, "below"), apart_from_ids(file, 0, -1, "above")})
+         std::vector{apart_from_ids(input, 1, 0, "right"), apart_from_ids(input, -1, 0, "left"),
+                     apart_from_ids(input, 0, 1, "below"), apart_from_ids(input, 0, -1, "above")})
         all.push_back(std::move(h));
     if (c.projection == Projection::parallel) return all;
-    all.push_back(told_as(file, "1/depth", "Depth is what is linear over the image, its reciprocal.",
-                          Reciprocal{0, 1}));
+    all.push_back(reported_as(input, "1/depth", "Depth is what is linear over the image, its reciprocal.",
+                              Reciprocal{0, 1}));
     if (std::isfinite(c.far_depth)) {
         const double per_depth = 1 / (c.far_depth - c.near_depth);
-        all.push_back(told_as(file, "scaled to 0 at near and 1 at far",
-                              "Depth is (depth - near) / (far - near).",
-                              Linear{-c.near_depth * per_depth, per_depth}));
+        all.push_back(reported_as(input, "scaled to 0 at near and 1 at far",
+                                  "Depth is (depth - near) / (far - near).",
+                                  Linear{-c.near_depth * per_depth, per_depth}));
     }
-    all.push_back(affine(file));
+    all.push_back(affine(input));
     return all;
 }
 

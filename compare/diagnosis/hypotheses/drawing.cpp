@@ -11,21 +11,21 @@ namespace zproof {
 
 namespace {
 
-Hypothesis with_rule(const CaseFile& file, const std::string& name, const std::string& description,
+Hypothesis with_rule(const DiagnosisInput& input, const std::string& name, const std::string& description,
                      RuleOverride amend) {
-    Hypothesis h = as_declared(file, name, description);
+    Hypothesis h = as_declared(input, name, description);
     h.amend = std::move(amend);
     return h;
 }
 
-/// Who hides whom goes by range(neighbour), [least, greatest], instead of nearness; the greater hides.
+/// Who hides whom goes by range(neighbour), [least, greatest], instead of inverse depth; the greater hides.
 template <class Range>
 RuleOverride ordered_by(Range range) {
     return [range](Neighbourhood& around, PrimitiveId) {
         for (Neighbour& n : around.neighbours) {
             const auto [least, greatest] = range(n);
-            n.least_nearness = least;
-            n.greatest_nearness = greatest;
+            n.least_inverse_depth = least;
+            n.greatest_inverse_depth = greatest;
             n.gradient = 0;
         }
     };
@@ -33,17 +33,17 @@ RuleOverride ordered_by(Range range) {
 
 using Range = std::pair<double, double>;
 
-std::vector<Hypothesis> of_the_depth_test(const CaseFile& file) {
-    return {with_rule(file, "the depth test is reversed", "The farthest triangle is seen.",
+std::vector<Hypothesis> of_the_depth_test(const DiagnosisInput& input) {
+    return {with_rule(input, "the depth test is reversed", "The farthest triangle is seen.",
                       ordered_by([](const Neighbour& n) {
-                          return Range{-n.greatest_nearness, -n.least_nearness};
+                          return Range{-n.greatest_inverse_depth, -n.least_inverse_depth};
                       })),
-            with_rule(file, "the depth test is missing: the last drawn wins",
+            with_rule(input, "the depth test is missing: the last drawn wins",
                       "The triangle with the greatest index is seen, at whatever depth.",
                       ordered_by([](const Neighbour& n) {
                           return Range{n.triangle, n.triangle};
                       })),
-            with_rule(file, "the depth test is missing: the first drawn wins",
+            with_rule(input, "the depth test is missing: the first drawn wins",
                       "The triangle with the least index is seen, at whatever depth.",
                       ordered_by([](const Neighbour& n) {
                           return Range{-double(n.triangle), -double(n.triangle)};
@@ -55,11 +55,11 @@ enum class Facing { front, back, edge_on };
 /// Front faces run counter-clockwise (glTF).
 Facing facing_of(const View& view, const CornersWorld& p_world) {
     const auto decide = [&]<class Number>(Number) {
-        const Sight<Number> sight(view, 0, 0);
+        const ViewRay<Number> ray(view, 0, 0);
         const Corners<Number> p = corners<Number>(p_world);
         const auto normal = cross(p[1] - p[0], p[2] - p[0]);
         const bool perspective = view.camera.projection == Projection::perspective;
-        const int side = sign(dot(normal, perspective ? p[0] - sight.origin : sight.direction));
+        const int side = sign(dot(normal, perspective ? p[0] - ray.origin : ray.direction));
         return side < 0 ? Facing::front : side > 0 ? Facing::back : Facing::edge_on;
     };
     try {
@@ -69,8 +69,8 @@ Facing facing_of(const View& view, const CornersWorld& p_world) {
     }
 }
 
-Hypothesis dropped(const CaseFile& file, const std::string& which, Facing facing) {
-    return with_rule(file, which + " faces are dropped",
+Hypothesis dropped(const DiagnosisInput& input, const std::string& which, Facing facing) {
+    return with_rule(input, which + " faces are dropped",
                      "Triangles seen from the " + which + " are not drawn (counter-clockwise is front).",
                      [=](Neighbourhood& around, PrimitiveId) {
                          std::erase_if(around.neighbours, [&](const Neighbour& n) {
@@ -81,15 +81,15 @@ Hypothesis dropped(const CaseFile& file, const std::string& which, Facing facing
 
 /// Does an edge of the triangle pass the square?
 bool may_lie_on_edge(const Neighbourhood& around, const Neighbour& n) {
-    const auto image = image_of(Sight<double>(around.view, around.x, around.y), corners<double>(n.p_world));
+    const auto image = image_of(ViewRay<double>(around.view, around.x, around.y), corners<double>(n.p_world));
     return image && std::ranges::any_of(image->edge, [&](const Affine<double>& e) {
                return std::abs(e.c) <= around.eps_px * (std::abs(e.a) + std::abs(e.b));
            });
 }
 
-/// Holes only: a pixel that two neighbours both claim shows one of them, lawfully.
-Hypothesis without_fill_rule(const CaseFile& file) {
-    return with_rule(file, "the top-left rule is missing",
+/// Holes only: a pixel that two neighbours both claim shows one of them, admissibly.
+Hypothesis without_fill_rule(const DiagnosisInput& input) {
+    return with_rule(input, "the top-left rule is missing",
                      "A centre exactly on an edge belongs to no triangle: holes along shared edges.",
                      [](Neighbourhood& around, PrimitiveId answer) {
                          std::erase_if(around.neighbours, [&](const Neighbour& n) {
@@ -98,9 +98,9 @@ Hypothesis without_fill_rule(const CaseFile& file) {
                      });
 }
 
-Hypothesis clipped_at(const CaseFile& file, const std::string& name, const std::string& description,
+Hypothesis clipped_at(const DiagnosisInput& input, const std::string& name, const std::string& description,
                       double near_depth, double far_depth) {
-    Hypothesis h = as_declared(file, name, description);
+    Hypothesis h = as_declared(input, name, description);
     h.view.camera.near_depth = near_depth;
     h.view.camera.far_depth = far_depth;
     return h;
@@ -109,42 +109,42 @@ Hypothesis clipped_at(const CaseFile& file, const std::string& name, const std::
 /// A plane so near, or so far, that nothing of any size lies beyond.
 constexpr double next_to_nothing = 0x1p-20, out_of_the_way = 0x1p200;
 
-std::vector<Hypothesis> of_clipping(const CaseFile& file) {
-    const Camera& c = file.view.camera;
+std::vector<Hypothesis> of_clipping(const DiagnosisInput& input) {
+    const Camera& c = input.view.camera;
     const bool perspective = c.projection == Projection::perspective;
     std::vector<Hypothesis> all{
-        clipped_at(file, "the near clip is missing", "What lies between eye and near plane is drawn, too.",
+        clipped_at(input, "the near clip is missing", "What lies between eye and near plane is drawn, too.",
                    perspective ? c.near_depth * next_to_nothing : -out_of_the_way, c.far_depth)};
     if (perspective) {
         const double ratio = c.near_depth / c.far_depth;
-        all.push_back(clipped_at(file, "the near clip is that of z >= 0 (NDC z is -1 to 1)",
+        all.push_back(clipped_at(input, "the near clip is that of z >= 0 (NDC z is -1 to 1)",
                                  "Clipped where NDC z is 0 although it is -1 on the near plane.",
                                  2 * c.near_depth / (1 + ratio), c.far_depth));
-        all.push_back(clipped_at(file, "the near clip is that of z >= -w (NDC z is 0 to 1)",
+        all.push_back(clipped_at(input, "the near clip is that of z >= -w (NDC z is 0 to 1)",
                                  "Clipped where NDC z is -1 although it is 0 on the near plane.",
                                  c.near_depth / (2 - ratio), c.far_depth));
     }
     if (std::isfinite(c.far_depth))
-        all.push_back(clipped_at(file, "the far clip is missing",
+        all.push_back(clipped_at(input, "the far clip is missing",
                                  "What lies beyond the far plane is drawn, too.", c.near_depth,
                                  perspective ? std::numeric_limits<double>::infinity() : out_of_the_way));
     return all;
 }
 
 /// Seen by the reference and nowhere in the candidate's frame.
-std::unordered_set<std::uint32_t> never_drawn(const CaseFile& file) {
+std::unordered_set<std::uint32_t> never_drawn(const DiagnosisInput& input) {
     std::unordered_set<std::uint32_t> missing;
-    for (const PrimitiveId id : file.reference.frame.primitive.pixels())
+    for (const PrimitiveId id : input.reference.frame.primitive.pixels())
         if (id != PrimitiveId::none) missing.insert(std::uint32_t(id));
-    for (const PrimitiveId id : file.candidate.frame.primitive.pixels()) missing.erase(std::uint32_t(id));
+    for (const PrimitiveId id : input.candidate.frame.primitive.pixels()) missing.erase(std::uint32_t(id));
     return missing;
 }
 
-Hypothesis lost_triangles(const CaseFile& file) {
+Hypothesis lost_triangles(const DiagnosisInput& input) {
     Hypothesis h =
-        with_rule(file, "some triangles are not drawn",
+        with_rule(input, "some triangles are not drawn",
                   "Triangles that the reference sees, and this renderer nowhere, are taken for absent.",
-                  [missing = never_drawn(file)](Neighbourhood& around, PrimitiveId) {
+                  [missing = never_drawn(input)](Neighbourhood& around, PrimitiveId) {
                       std::erase_if(around.neighbours,
                                     [&](const Neighbour& n) { return missing.contains(n.triangle); });
                   });
@@ -154,13 +154,13 @@ Hypothesis lost_triangles(const CaseFile& file) {
 
 }  // namespace
 
-std::vector<Hypothesis> hypotheses_of_drawing(const CaseFile& file) {
-    std::vector<Hypothesis> all = of_clipping(file);
-    all.push_back(without_fill_rule(file));
-    all.push_back(dropped(file, "back", Facing::back));
-    all.push_back(dropped(file, "front", Facing::front));
-    for (Hypothesis& h : of_the_depth_test(file)) all.push_back(std::move(h));
-    all.push_back(lost_triangles(file));
+std::vector<Hypothesis> hypotheses_of_drawing(const DiagnosisInput& input) {
+    std::vector<Hypothesis> all = of_clipping(input);
+    all.push_back(without_fill_rule(input));
+    all.push_back(dropped(input, "back", Facing::back));
+    all.push_back(dropped(input, "front", Facing::front));
+    for (Hypothesis& h : of_the_depth_test(input)) all.push_back(std::move(h));
+    all.push_back(lost_triangles(input));
     return all;
 }
 

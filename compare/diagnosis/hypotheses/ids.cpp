@@ -13,10 +13,10 @@ constexpr std::uint32_t nobody = std::uint32_t(PrimitiveId::none);
 
 using Renamed = std::function<std::uint32_t(std::uint32_t id)>;
 
-Hypothesis with_ids(const CaseFile& file, const std::string& name, const std::string& description,
+Hypothesis with_ids(const DiagnosisInput& input, const std::string& name, const std::string& description,
                     const Renamed& meant) {
-    Hypothesis h = as_declared(file, name, description);
-    h.restate = [meant, count = file.scene.triangles.size()](Claim claim) -> std::optional<Claim> {
+    Hypothesis h = as_declared(input, name, description);
+    h.restate = [meant, count = input.scene.triangles.size()](Claim claim) -> std::optional<Claim> {
         if (claim.answer.primitive == PrimitiveId::none) return claim;
         const std::uint32_t id = meant(std::uint32_t(claim.answer.primitive));
         if (id >= count) return std::nullopt;
@@ -27,11 +27,11 @@ Hypothesis with_ids(const CaseFile& file, const std::string& name, const std::st
 }
 
 /// Where an id no longer tells which triangle it was, one is sought among those that the reference sees at
-/// the pixel and around it. Whether that one is lawful is for the judge to say.
-Hypothesis with_ids_told_as(const CaseFile& file, const std::string& name, const std::string& description,
-                            const Renamed& told) {
-    Hypothesis h = as_declared(file, name, description);
-    h.restate = [told, &seen = file.reference.frame.primitive](Claim claim) -> std::optional<Claim> {
+/// the pixel and around it. Whether that one is admissible is for the judge to say.
+Hypothesis with_ids_reported_as(const DiagnosisInput& input, const std::string& name,
+                                const std::string& description, const Renamed& told) {
+    Hypothesis h = as_declared(input, name, description);
+    h.restate = [told, &seen = input.reference.frame.primitive](Claim claim) -> std::optional<Claim> {
         if (claim.answer.primitive == PrimitiveId::none) return claim;
         for (const int dy : {0, -1, 1})
             for (const int dx : {0, -1, 1}) {
@@ -60,66 +60,66 @@ std::uint32_t in_part(const Scene& scene, std::uint32_t triangle, int step) {
     return triangle - scene.parts[part].first_triangle + scene.parts[part + std::size_t(step)].first_triangle;
 }
 
-std::vector<Hypothesis> of_parts(const CaseFile& file) {
-    const Scene& scene = file.scene;
+std::vector<Hypothesis> of_parts(const DiagnosisInput& input) {
+    const Scene& scene = input.scene;
     if (scene.parts.size() < 2) return {};
     const auto first_in = [&scene](std::uint32_t id) {
         return scene.parts[part_of(scene, id)].first_triangle;
     };
-    return {with_ids_told_as(file, "ids restart in every part",
-                             "An id counts triangles from the first of its part (a glTF primitive).",
-                             [=](std::uint32_t id) { return id - first_in(id); }),
-            with_ids_told_as(file, "ids are those of the next part",
-                             "An id names the triangle at the same place in the next part.",
-                             [&scene](std::uint32_t id) { return in_part(scene, id, 1); }),
-            with_ids_told_as(file, "ids are those of the part before",
-                             "An id names the triangle at the same place in the part before.",
-                             [&scene](std::uint32_t id) { return in_part(scene, id, -1); }),
-            with_ids_told_as(file, "the id is the part's", "An id is the index of the triangle's part.",
-                             [&scene](std::uint32_t id) { return std::uint32_t(part_of(scene, id)); })};
+    return {with_ids_reported_as(input, "ids restart in every part",
+                                 "An id counts triangles from the first of its part (a glTF primitive).",
+                                 [=](std::uint32_t id) { return id - first_in(id); }),
+            with_ids_reported_as(input, "ids are those of the next part",
+                                 "An id names the triangle at the same place in the next part.",
+                                 [&scene](std::uint32_t id) { return in_part(scene, id, 1); }),
+            with_ids_reported_as(input, "ids are those of the part before",
+                                 "An id names the triangle at the same place in the part before.",
+                                 [&scene](std::uint32_t id) { return in_part(scene, id, -1); }),
+            with_ids_reported_as(input, "the id is the part's", "An id is the index of the triangle's part.",
+                                 [&scene](std::uint32_t id) { return std::uint32_t(part_of(scene, id)); })};
 }
 
 /// Ids that kept this many low bits.
-Hypothesis of_low_bits(const CaseFile& file, int bits) {
-    return with_ids_told_as(file, "ids keep their low " + std::to_string(bits) + " bits",
-                            "An id is the triangle's modulo 2^" + std::to_string(bits) + ".",
-                            [=](std::uint32_t id) { return id & ((1u << bits) - 1); });
+Hypothesis of_low_bits(const DiagnosisInput& input, int bits) {
+    return with_ids_reported_as(input, "ids keep their low " + std::to_string(bits) + " bits",
+                                "An id is the triangle's modulo 2^" + std::to_string(bits) + ".",
+                                [=](std::uint32_t id) { return id & ((1u << bits) - 1); });
 }
 
 /// Ids that went through a float of this many significant bits, rounded to nearest, ties to even.
-Hypothesis of_float(const CaseFile& file, int bits) {
+Hypothesis of_float(const DiagnosisInput& input, int bits) {
     const auto rounded = [=](std::uint32_t id) {
         const double step = std::ldexp(1.0, std::max(0, int(std::bit_width(id)) - bits));
         return std::uint32_t(std::nearbyint(id / step) * step);
     };
-    return with_ids_told_as(
-        file, "ids went through a float of " + std::to_string(bits) + " bits",
+    return with_ids_reported_as(
+        input, "ids went through a float of " + std::to_string(bits) + " bits",
         "An id is the triangle's, rounded to " + std::to_string(bits) + " significant bits.", rounded);
 }
 
-std::vector<Hypothesis> of_lost_bits(const CaseFile& file) {
-    const int bits = int(std::bit_width(file.scene.triangles.size()));
+std::vector<Hypothesis> of_lost_bits(const DiagnosisInput& input) {
+    const int bits = int(std::bit_width(input.scene.triangles.size()));
     std::vector<Hypothesis> all;
     for (const int kept : {24, 16, 12, 8})
-        if (kept < bits) all.push_back(of_low_bits(file, kept));
+        if (kept < bits) all.push_back(of_low_bits(input, kept));
     for (const int kept : {24, 11})
-        if (kept < bits) all.push_back(of_float(file, kept));
+        if (kept < bits) all.push_back(of_float(input, kept));
     return all;
 }
 
-Hypothesis of_vertices(const CaseFile& file) {
-    const auto& triangles = file.scene.triangles;
-    return with_ids_told_as(
-        file, "the id is a vertex's", "An id is the index of the triangle's first vertex.",
+Hypothesis of_vertices(const DiagnosisInput& input) {
+    const auto& triangles = input.scene.triangles;
+    return with_ids_reported_as(
+        input, "the id is a vertex's", "An id is the index of the triangle's first vertex.",
         [&](std::uint32_t id) { return std::min(triangles[id].x, std::uint32_t(triangles.size()) - 1); });
 }
 
 /// Ids lie elsewhere than the depths that belong to them; at the outline, where there is none to be had,
 /// they stay.
-Hypothesis apart_from_depths(const CaseFile& file, int dx, int dy, const std::string& where) {
-    Hypothesis h = as_declared(file, "ids lie one pixel " + where + " of their depths",
+Hypothesis apart_from_depths(const DiagnosisInput& input, int dx, int dy, const std::string& where) {
+    Hypothesis h = as_declared(input, "ids lie one pixel " + where + " of their depths",
                                "The id of a pixel belongs to its neighbour's depth.");
-    h.restate = [dx, dy, &frame = file.candidate.frame](Claim claim) -> std::optional<Claim> {
+    h.restate = [dx, dy, &frame = input.candidate.frame](Claim claim) -> std::optional<Claim> {
         const Claim moved{claim.x - dx, claim.y - dy, claim.answer};
         if (!holds(frame.size(), moved)) return std::nullopt;
         const float depth = frame.camera_depth.at(moved.x, moved.y);
@@ -147,9 +147,9 @@ Ids most_often_with(std::span<const PrimitiveId> ids, std::span<const PrimitiveI
     return most;
 }
 
-Hypothesis exchanged(const CaseFile& file) {
-    const auto ours = file.candidate.frame.primitive.pixels(),
-               theirs = file.reference.frame.primitive.pixels();
+Hypothesis exchanged(const DiagnosisInput& input) {
+    const auto ours = input.candidate.frame.primitive.pixels(),
+               theirs = input.reference.frame.primitive.pixels();
     const auto meant = [there = most_often_with(ours, theirs),
                         back = most_often_with(theirs, ours)](std::uint32_t id) {
         const auto triangle = there.find(id);
@@ -157,7 +157,7 @@ Hypothesis exchanged(const CaseFile& file) {
         return back.at(triangle->second) == id ? triangle->second : id;
     };
     Hypothesis h = with_ids(
-        file, "ids are exchanged",
+        input, "ids are exchanged",
         "An id stands for one other triangle, and that for no other id, wherever they occur.", meant);
     h.kind = Kind::fitted;
     return h;
@@ -165,26 +165,27 @@ Hypothesis exchanged(const CaseFile& file) {
 
 }  // namespace
 
-std::vector<Hypothesis> hypotheses_of_ids(const CaseFile& file) {
-    const auto count = std::uint32_t(file.scene.triangles.size());
+std::vector<Hypothesis> hypotheses_of_ids(const DiagnosisInput& input) {
+    const auto count = std::uint32_t(input.scene.triangles.size());
     std::vector<Hypothesis> all{
-        with_ids(file, "ids are too large by one", "An id is the triangle's index plus 1.",
+        with_ids(input, "ids are too large by one", "An id is the triangle's index plus 1.",
                  [](std::uint32_t id) { return id - 1; }),
-        with_ids_told_as(file, "ids are too small by one", "An id is the triangle's index minus 1, 0 for 0.",
-                         [](std::uint32_t id) { return id == 0 ? 0 : id - 1; }),
-        with_ids(file, "even and odd ids change places",
+        with_ids_reported_as(input, "ids are too small by one",
+                             "An id is the triangle's index minus 1, 0 for 0.",
+                             [](std::uint32_t id) { return id == 0 ? 0 : id - 1; }),
+        with_ids(input, "even and odd ids change places",
                  "Of two triangles in a row, each bears the other's id.",
                  [](std::uint32_t id) { return id ^ 1; }),
-        with_ids(file, "ids count from the last triangle", "An id is N - 1 - i of the triangle i.",
+        with_ids(input, "ids count from the last triangle", "An id is N - 1 - i of the triangle i.",
                  [=](std::uint32_t id) { return count - 1 - id; }),
-        apart_from_depths(file, 1, 0, "right"),
-        apart_from_depths(file, -1, 0, "left"),
-        apart_from_depths(file, 0, 1, "below"),
-        apart_from_depths(file, 0, -1, "above")};
-    for (const auto& more : {of_parts(file), of_lost_bits(file)})
+        apart_from_depths(input, 1, 0, "right"),
+        apart_from_depths(input, -1, 0, "left"),
+        apart_from_depths(input, 0, 1, "below"),
+        apart_from_depths(input, 0, -1, "above")};
+    for (const auto& more : {of_parts(input), of_lost_bits(input)})
         all.insert(all.end(), more.begin(), more.end());
-    all.push_back(of_vertices(file));
-    all.push_back(exchanged(file));
+    all.push_back(of_vertices(input));
+    all.push_back(exchanged(input));
     return all;
 }
 

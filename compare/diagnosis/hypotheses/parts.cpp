@@ -21,19 +21,19 @@ bool is_blank(const Frame& frame, const Rectangle& r) {
 }
 
 /// Nothing was drawn in those cells of a grid that the candidate left blank altogether.
-Hypothesis blank(const CaseFile& file, const std::string& name, const std::string& description,
+Hypothesis blank(const DiagnosisInput& input, const std::string& name, const std::string& description,
                  Resolution cell) {
-    const Resolution size = file.candidate.frame.size();
+    const Resolution size = input.candidate.frame.size();
     const Resolution cells{(size.width + cell.width - 1) / cell.width,
                            (size.height + cell.height - 1) / cell.height};
     Plane<std::uint8_t> is_missing(cells);
     for (int y = 0; y < cells.height; ++y)
         for (int x = 0; x < cells.width; ++x)
             is_missing.at(x, y) =
-                is_blank(file.candidate.frame,
+                is_blank(input.candidate.frame,
                          {x * cell.width, y * cell.height, std::min(size.width, (x + 1) * cell.width),
                           std::min(size.height, (y + 1) * cell.height)});
-    Hypothesis h = as_declared(file, name, description);
+    Hypothesis h = as_declared(input, name, description);
     h.cell = cell;
     h.amend = [is_missing, cell](Neighbourhood& around, PrimitiveId) {
         if (is_missing.at(around.x / cell.width, around.y / cell.height)) around.neighbours.clear();
@@ -46,9 +46,9 @@ struct Step {
 };
 
 /// Cells that hold a defect hold what belongs a step back.
-Hypothesis moved(const CaseFile& file, const std::string& name, const std::string& description,
+Hypothesis moved(const DiagnosisInput& input, const std::string& name, const std::string& description,
                  Resolution cell, Step step) {
-    Hypothesis h = as_declared(file, name, description);
+    Hypothesis h = as_declared(input, name, description);
     h.cell = cell;
     h.restate = [=](Claim claim) -> std::optional<Claim> {
         claim.x -= step.dx;
@@ -58,22 +58,22 @@ Hypothesis moved(const CaseFile& file, const std::string& name, const std::strin
     return h;
 }
 
-std::vector<Hypothesis> moved_rows(const CaseFile& file) {
+std::vector<Hypothesis> moved_rows(const DiagnosisInput& input) {
     const auto rows = [&](const std::string& from, Step step) {
-        return moved(file, "some rows show the pixel " + from,
+        return moved(input, "some rows show the pixel " + from,
                      "Rows that hold a defect hold what belongs to the pixel " + from + ".",
-                     {file.view.width, 1}, step);
+                     {input.view.width, 1}, step);
     };
     return {rows("to the left", {1, 0}), rows("to the right", {-1, 0}), rows("above", {0, 1}),
             rows("below", {0, -1})};
 }
 
-std::vector<Hypothesis> moved_tiles(const CaseFile& file) {
+std::vector<Hypothesis> moved_tiles(const DiagnosisInput& input) {
     std::vector<Hypothesis> all;
     for (const int side : tile_sides) {
         const std::string px = std::to_string(side);
         const auto tile = [&](const std::string& which, Step step) {
-            return moved(file, "a tile of " + px + " px shows the one " + which,
+            return moved(input, "a tile of " + px + " px shows the one " + which,
                          "Tiles that hold a defect hold what belongs " + px + " px away.", {side, side},
                          step);
         };
@@ -86,16 +86,16 @@ std::vector<Hypothesis> moved_tiles(const CaseFile& file) {
 
 }  // namespace
 
-std::vector<Hypothesis> hypotheses_of_parts(const CaseFile& file) {
-    const Resolution size = file.candidate.frame.size();
+std::vector<Hypothesis> hypotheses_of_parts(const DiagnosisInput& input) {
+    const Resolution size = input.candidate.frame.size();
     std::vector<Hypothesis> all{
-        blank(file, "nothing was drawn", "The whole frame is background.", size),
-        blank(file, "rows are missing", "Whole rows are background.", {size.width, 1}),
-        blank(file, "columns are missing", "Whole columns are background.", {1, size.height})};
+        blank(input, "nothing was drawn", "The whole frame is background.", size),
+        blank(input, "rows are missing", "Whole rows are background.", {size.width, 1}),
+        blank(input, "columns are missing", "Whole columns are background.", {1, size.height})};
     for (const int side : tile_sides)
-        all.push_back(blank(file, "tiles of " + std::to_string(side) + " px are missing",
+        all.push_back(blank(input, "tiles of " + std::to_string(side) + " px are missing",
                             "Whole squares of the grid are background.", {side, side}));
-    for (const auto& more : {moved_rows(file), moved_tiles(file)})
+    for (const auto& more : {moved_rows(input), moved_tiles(input)})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }

@@ -18,11 +18,11 @@ std::string step_text(const glm::dvec2& step_px) {
     return text += step_text(step_px.x) + ", " + step_text(step_px.y) + ") px";
 }
 
-Hypothesis shifted(const CaseFile& file, const glm::dvec2& step_px) {
+Hypothesis shifted(const DiagnosisInput& input, const glm::dvec2& step_px) {
     Hypothesis h = as_declared(
-        file, "the image is shifted by " + step_text(step_px),
+        input, "the image is shifted by " + step_text(step_px),
         "Each pixel holds what belongs " + step_text(-step_px) + " from its centre (x right, y down).");
-    h.view = shifted_view(file.view, step_px);
+    h.view = shifted_view(input.view, step_px);
     return h;
 }
 
@@ -30,9 +30,9 @@ using Place = std::pair<int, int>;
 
 /// Pixel (x, y) holds what belongs to from(x, y).
 template <class From>
-Hypothesis rearranged(const CaseFile& file, const std::string& name, const std::string& description,
+Hypothesis rearranged(const DiagnosisInput& input, const std::string& name, const std::string& description,
                       From from) {
-    Hypothesis h = as_declared(file, name, description);
+    Hypothesis h = as_declared(input, name, description);
     h.restate = [from](const Claim& claim) -> std::optional<Claim> {
         const Place place = from(claim.x, claim.y);
         return Claim{place.first, place.second, claim.answer};
@@ -51,27 +51,27 @@ View shifted_view(const View& view, const glm::dvec2& step_px) {
     return shifted;
 }
 
-std::vector<Hypothesis> hypotheses_of_place(const CaseFile& file) {
-    const int right = file.view.width - 1, lowest = file.view.height - 1;
+std::vector<Hypothesis> hypotheses_of_place(const DiagnosisInput& input) {
+    const int right = input.view.width - 1, lowest = input.view.height - 1;
     std::vector<Hypothesis> all{
-        rearranged(file, "the image is flipped in y", "Row y holds what belongs to row H - 1 - y.",
+        rearranged(input, "the image is flipped in y", "Row y holds what belongs to row H - 1 - y.",
                    [=](int x, int y) {
                        return Place{x, lowest - y};
                    }),
-        rearranged(file, "the image is flipped in x", "Column x holds what belongs to column W - 1 - x.",
+        rearranged(input, "the image is flipped in x", "Column x holds what belongs to column W - 1 - x.",
                    [=](int x, int y) {
                        return Place{right - x, y};
                    }),
-        rearranged(file, "the image is turned by half a turn",
+        rearranged(input, "the image is turned by half a turn",
                    "Pixel (x, y) holds what belongs to (W - 1 - x, H - 1 - y).",
                    [=](int x, int y) {
                        return Place{right - x, lowest - y};
                    }),
-        rearranged(file, "the image is transposed", "Pixel (x, y) holds what belongs to (y, x).",
+        rearranged(input, "the image is transposed", "Pixel (x, y) holds what belongs to (y, x).",
                    [](int x, int y) {
                        return Place{y, x};
                    })};
-    all.push_back(rearranged(file, "the image is transposed and stretched",
+    all.push_back(rearranged(input, "the image is transposed and stretched",
                              "Pixel (x, y) holds what belongs to (y W / H, x H / W).",
                              [w = right + 1, h = lowest + 1](int x, int y) {
                                  return Place{y * w / h, x * h / w};
@@ -79,7 +79,7 @@ std::vector<Hypothesis> hypotheses_of_place(const CaseFile& file) {
     for (const double size : {1.0, 0.5})
         for (const int dy : {0, -1, 1})
             for (const int dx : {0, -1, 1})
-                if (dx != 0 || dy != 0) all.push_back(shifted(file, size * glm::dvec2(dx, dy)));
+                if (dx != 0 || dy != 0) all.push_back(shifted(input, size * glm::dvec2(dx, dy)));
     return all;
 }
 

@@ -12,63 +12,63 @@ std::string bits_text(int bits) {
     return std::to_string(bits) + (bits == 1 ? " sub-pixel bit" : " sub-pixel bits");
 }
 
-/// Pixels that agree stay lawful under wider bounds: none need be asked.
-Hypothesis widening(const CaseFile& file, const std::string& name, const std::string& description) {
-    Hypothesis h = as_declared(file, name, description);
-    h.kind = Kind::lenient;
+/// Pixels that agree stay admissible under wider bounds: none need be asked.
+Hypothesis widening(const DiagnosisInput& input, const std::string& name, const std::string& description) {
+    Hypothesis h = as_declared(input, name, description);
+    h.kind = Kind::widening_only;
     h.cell = {1, 1};
     return h;
 }
 
-Hypothesis as_precise_as(const CaseFile& file, const std::string& name, const std::string& description,
+Hypothesis as_precise_as(const DiagnosisInput& input, const std::string& name, const std::string& description,
                          const RasterPrecision& precision) {
-    Hypothesis h = widening(file, name, description);
+    Hypothesis h = widening(input, name, description);
     h.precision = precision;
     return h;
 }
 
 /// Rounding down is rounding to nearest of an image that stands half a step further up and left.
-Hypothesis truncating(const CaseFile& file, const RasterPrecision& declared, double direction,
+Hypothesis truncating(const DiagnosisInput& input, const RasterPrecision& declared, double direction,
                       const std::string& how) {
-    Hypothesis h = as_declared(file, "vertices are snapped " + how,
+    Hypothesis h = as_declared(input, "vertices are snapped " + how,
                                "Vertices go to the next grid point " + how + " instead of the nearest.");
     const double half_step = std::ldexp(0.5, -declared.subpixel_bits);
-    h.kind = Kind::lenient;
-    h.view = shifted_view(file.view, glm::dvec2(direction * half_step));
+    h.kind = Kind::widening_only;
+    h.view = shifted_view(input.view, glm::dvec2(direction * half_step));
     return h;
 }
 
 /// How far a triangle may be displaced, its distance from the eye apart.
-double eps_base_px(const CaseFile& file, const Precision& precision) {
-    return ViewBounds(file.view, precision).of(corners_of(file.scene, 0)).eps_base_px;
+double eps_base_px(const DiagnosisInput& input, const Precision& precision) {
+    return ViewBounds(input.view, precision).of(corners_of(input.scene, 0)).eps_base_px;
 }
 
 /// Fewer bits and lesser arithmetic, the least displacement first.
-std::vector<Hypothesis> of_coordinates(const CaseFile& file, const RasterPrecision& declared) {
+std::vector<Hypothesis> of_coordinates(const DiagnosisInput& input, const RasterPrecision& declared) {
     std::vector<Hypothesis> all;
     if (declared.transform == Arithmetic::float64) {
         RasterPrecision p = declared;
         p.transform = Arithmetic::float32;
-        all.push_back(as_precise_as(file, "vertices are transformed in float32",
+        all.push_back(as_precise_as(input, "vertices are transformed in float32",
                                     "Matrix, division and viewport run in float32 instead of float64.", p));
     }
     for (int bits = declared.subpixel_bits - 1; bits >= 0; --bits) {
         RasterPrecision p = declared;
         p.subpixel_bits = bits;
-        all.push_back(as_precise_as(file, "only " + bits_text(bits),
+        all.push_back(as_precise_as(input, "only " + bits_text(bits),
                                     "Vertices snap to a grid of 2^-" + std::to_string(bits) +
                                         " px, declared " + std::to_string(declared.subpixel_bits) + " bits.",
                                     p));
     }
-    std::ranges::stable_sort(all, {}, [&](const Hypothesis& h) { return eps_base_px(file, h.precision); });
+    std::ranges::stable_sort(all, {}, [&](const Hypothesis& h) { return eps_base_px(input, h.precision); });
     return all;
 }
 
-/// Depth in whole steps of a fixed-point buffer. What the buffer holds is affine in nearness, so a step is
-/// one everywhere there.
+/// Depth in whole steps of a fixed-point buffer. What the buffer holds is affine in inverse depth, so a step
+/// is one everywhere there.
 struct FixedPoint {
     View view;
-    double step;  ///< of nearness
+    double step;  ///< of inverse depth
 
     FixedPoint(const View& v, int bits) : view(v) {
         const Camera& c = view.camera;
@@ -88,21 +88,22 @@ struct FixedPoint {
     }
 };
 
-Hypothesis stored_in(const CaseFile& file, int bits) {
-    const FixedPoint format(file.view, bits);
+Hypothesis stored_in(const DiagnosisInput& input, int bits) {
+    const FixedPoint format(input.view, bits);
     Hypothesis h =
-        widening(file, "depth has " + std::to_string(bits) + " bits, fixed point",
+        widening(input, "depth has " + std::to_string(bits) + " bits, fixed point",
                  "Depth went through a buffer of " + std::to_string(bits) + " bits between near and far.");
     h.report = format;
     h.amend = [step = format.step](Neighbourhood& around, PrimitiveId) {
-        for (Neighbour& n : around.neighbours) n.least_nearness -= step, n.greatest_nearness += step;
+        for (Neighbour& n : around.neighbours)
+            n.least_inverse_depth -= step, n.greatest_inverse_depth += step;
     };
     return h;
 }
 
 /// Depth as a float of fewer significant bits, rounded either way.
-Hypothesis stored_as_float(const CaseFile& file, int bits) {
-    Hypothesis h = widening(file, "depth is a float of " + std::to_string(bits) + " bits",
+Hypothesis stored_as_float(const DiagnosisInput& input, int bits) {
+    Hypothesis h = widening(input, "depth is a float of " + std::to_string(bits) + " bits",
                             "Depth was rounded to " + std::to_string(bits) + " significant bits.");
     const double r = std::ldexp(1.0, 1 - bits);
     h.report = [r](const DepthBound& bound, const Claim&) {
@@ -113,16 +114,16 @@ Hypothesis stored_as_float(const CaseFile& file, int bits) {
 
 }  // namespace
 
-std::vector<Hypothesis> hypotheses_of_precision(const CaseFile& file) {
-    std::vector<Hypothesis> all{stored_in(file, 32), stored_in(file, 24), stored_in(file, 16),
-                                stored_as_float(file, 16), stored_as_float(file, 11)};
-    const auto* declared = std::get_if<RasterPrecision>(&file.candidate.precision);
+std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input) {
+    std::vector<Hypothesis> all{stored_in(input, 32), stored_in(input, 24), stored_in(input, 16),
+                                stored_as_float(input, 16), stored_as_float(input, 11)};
+    const auto* declared = std::get_if<RasterPrecision>(&input.candidate.precision);
     if (!declared) return all;
     if (declared->snap == Snap::nearest) {
-        all.push_back(truncating(file, *declared, -1, "up and left"));
-        all.push_back(truncating(file, *declared, 1, "down and right"));
+        all.push_back(truncating(input, *declared, -1, "up and left"));
+        all.push_back(truncating(input, *declared, 1, "down and right"));
     }
-    for (Hypothesis& h : of_coordinates(file, *declared)) all.push_back(std::move(h));
+    for (Hypothesis& h : of_coordinates(input, *declared)) all.push_back(std::move(h));
     return all;
 }
 

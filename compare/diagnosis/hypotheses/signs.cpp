@@ -17,9 +17,9 @@ ReportedDepth anything(const DepthBound&, const Claim&) {
 
 /// Triangles' depths that are `wrong` say nothing; their ids are judged.
 template <class IsWrong>
-Hypothesis no_depth(const CaseFile& file, const std::string& name, const std::string& description,
+Hypothesis no_depth(const DiagnosisInput& input, const std::string& name, const std::string& description,
                     IsWrong is_wrong) {
-    Hypothesis h = as_declared(file, name, description);
+    Hypothesis h = as_declared(input, name, description);
     h.cell = single_pixel;
     h.restate = [is_wrong](Claim claim) -> std::optional<Claim> {
         if (is_background(claim) || !is_wrong(claim.answer.camera_depth)) return std::nullopt;
@@ -30,8 +30,8 @@ Hypothesis no_depth(const CaseFile& file, const std::string& name, const std::st
     return h;
 }
 
-Hypothesis negated(const CaseFile& file) {
-    Hypothesis h = as_declared(file, "depth has the wrong sign",
+Hypothesis negated(const DiagnosisInput& input) {
+    Hypothesis h = as_declared(input, "depth has the wrong sign",
                                "Depth is z in camera space, which is negative ahead, instead of -z.");
     h.restate = [](Claim claim) -> std::optional<Claim> {
         if (!is_background(claim)) claim.answer.camera_depth = -claim.answer.camera_depth;
@@ -40,8 +40,8 @@ Hypothesis negated(const CaseFile& file) {
     return h;
 }
 
-Hypothesis background_with_depth(const CaseFile& file) {
-    Hypothesis h = as_declared(file, "background has a depth",
+Hypothesis background_with_depth(const DiagnosisInput& input) {
+    Hypothesis h = as_declared(input, "background has a depth",
                                "Where nothing is seen, the id says so and the depth is not +infinity.");
     h.cell = single_pixel;
     h.restate = [](Claim claim) -> std::optional<Claim> {
@@ -52,8 +52,8 @@ Hypothesis background_with_depth(const CaseFile& file) {
     return h;
 }
 
-Hypothesis background_with_id(const CaseFile& file) {
-    Hypothesis h = as_declared(file, "background has an id",
+Hypothesis background_with_id(const DiagnosisInput& input) {
+    Hypothesis h = as_declared(input, "background has an id",
                                "Where nothing is seen, the depth is +infinity and the id is not 0xFFFFFFFF.");
     h.cell = single_pixel;
     h.restate = [](Claim claim) -> std::optional<Claim> {
@@ -66,12 +66,12 @@ Hypothesis background_with_id(const CaseFile& file) {
 
 }  // namespace
 
-std::vector<Hypothesis> hypotheses_of_signs(const CaseFile& file) {
-    return {no_depth(file, "depth is not a number", "The id is right, the depth is NaN.",
+std::vector<Hypothesis> hypotheses_of_signs(const DiagnosisInput& input) {
+    return {no_depth(input, "depth is not a number", "The id is right, the depth is NaN.",
                      [](float depth) { return std::isnan(depth); }),
-            no_depth(file, "depth is infinite", "The id of a triangle is right, its depth is infinite.",
+            no_depth(input, "depth is infinite", "The id of a triangle is right, its depth is infinite.",
                      [](float depth) { return std::isinf(depth); }),
-            background_with_depth(file), background_with_id(file), negated(file)};
+            background_with_depth(input), background_with_id(input), negated(input)};
 }
 
 }  // namespace zproof

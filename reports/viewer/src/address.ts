@@ -1,6 +1,6 @@
 // The address of what is open: in the address bar, and as a link to give away.
 import {hashOf} from './link';
-import type {Place} from './link';
+import type {LinkTarget} from './link';
 import type {OpenView} from './open_view';
 import type {Panes} from './panes';
 
@@ -24,7 +24,7 @@ export class Address {
         return location.href.replace(/#.*$/s, '') + hashOf(place);
     }
 
-    private place(): Place {
+    private place(): LinkTarget {
         const {entry, look} = this.current, view = entry?.link ?? '';
         return look.hasCross ? {view, x: look.crossX, y: look.crossY} : {view};
     }

@@ -10,8 +10,8 @@ import {Help} from './help';
 import {Inspector} from './inspector';
 import {layersOf} from './layers';
 import {Library} from './library';
-import {readPlace} from './link';
-import type {Place} from './link';
+import {readLinkTarget} from './link';
+import type {LinkTarget} from './link';
 import {Look} from './look';
 import {Notice} from './notice';
 import {counted} from './numbers';
@@ -64,7 +64,7 @@ export class App {
 
     /// Goes where the address says; without a place in it, nowhere.
     async follow(): Promise<void> {
-        const place = readPlace(location.hash);
+        const place = readLinkTarget(location.hash);
         if (!place) {
             if (this.isOpen && location.hash) this.close();
             return;
@@ -75,7 +75,7 @@ export class App {
     }
 
     /// Shows the viewer, and in it a view; of several calls the last one wins.
-    private async open(index: number, place: Place | null = null): Promise<void> {
+    private async open(index: number, place: LinkTarget | null = null): Promise<void> {
         const view = this.run.views[index];
         if (!view) return;
         this.root.hidden = false;
@@ -87,7 +87,7 @@ export class App {
         }
     }
 
-    private async reach(view: ViewEntry, index: number, place: Place | null): Promise<void> {
+    private async reach(view: ViewEntry, index: number, place: LinkTarget | null): Promise<void> {
         const ticket = ++this.opening;
         performance.mark('open');
         if (index !== this.current.index || !this.current.planes) {
@@ -121,7 +121,7 @@ export class App {
         current.look.fit(this.panes.size);
         const offered = new Set([...planes.names(), ...view.leftOut]);
         await Promise.all([
-            this.panes.open(planes, layersOf(this.run.classes, offered, planes.header.witnesses), current.look),
+            this.panes.open(planes, layersOf(this.run.classes, offered, planes.header.oracles), current.look),
             ...shownAtOnce.filter((name) => planes.has(name)).map((name) => planes.plane(name)),
         ]);
         setTimeout(() => void this.showRest(planes, view), 30);
@@ -132,7 +132,7 @@ export class App {
         const stale = () => this.current.planes !== planes;
         await this.drawer.showHistograms(planes);
         if (stale()) return;
-        for (const name of planes.names().filter((name) => /^witness\..*\.(id|depth)$|^reference\.error$/.test(name))) await planes.plane(name);
+        for (const name of planes.names().filter((name) => /^oracle\..*\.(id|depth)$|^reference\.error$/.test(name))) await planes.plane(name);
         if (stale()) return;
         if (this.current.look.hasCross) this.crosshair.inspect();
         this.root.dataset.complete = view.link;
@@ -176,7 +176,7 @@ export class App {
         this.notice.tell(`${name}: all planes of ${scene}/${view}.`);
     }
 
-    private goTo(place: Place): void {
+    private goTo(place: LinkTarget): void {
         const {planes, look} = this.current;
         if (!planes) return;
         if (place.layers) place.layers.slice(0, 4).forEach((id, i) => void this.panes.setLayer(i, id));

@@ -7,7 +7,7 @@ export type BlockFacts = {
 
 export type Header = {
     width: number; height: number; scene: string; view: string; candidate: string; reference: string;
-    witnesses: string[]; explain: [string, string]; nearness: [number | null, number | null]; perspective: boolean;
+    oracles: string[]; explain: [string, string]; inverse_depth: [number | null, number | null]; perspective: boolean;
     blocks: BlockFacts[];
 };
 

@@ -4,17 +4,17 @@ import {fittedCanvas} from './element';
 import {rounded} from './numbers';
 import type {Affine, Image, Story} from './story';
 
-export type NearnessRange = {least: number; greatest: number};  // at far and near
+export type InverseDepthRange = {least: number; greatest: number};  // at far and near
 
 type Point = [x: number, y: number];
 
 function at(f: Affine, x: number, y: number): number { return f[0] * x + f[1] * y + f[2]; }
 
 /// Which triangle is nearest at an offset from the centre, px; -1 for background.
-export function seenAt(images: Image[], range: NearnessRange, x: number, y: number): number {
+export function seenAt(images: Image[], range: InverseDepthRange, x: number, y: number): number {
     let seen = -1, nearest = -Infinity;
     for (let i = 0; i < images.length; ++i) {
-        const [, edges, nearness] = images[i], near = at(nearness, x, y);
+        const [, edges, inverse_depth] = images[i], near = at(inverse_depth, x, y);
         if (near <= nearest || near < range.least || near > range.greatest) continue;
         if (at(edges[0], x, y) < 0 || at(edges[1], x, y) < 0 || at(edges[2], x, y) < 0) continue;
         seen = i;
@@ -39,7 +39,7 @@ export function clipped(image: Image, reach: number): Point[] {
 }
 
 /// Sampled coarsely enough to be quick, and enlarged. Returns which images are seen somewhere.
-function paintSeen(context: CanvasRenderingContext2D, images: Image[], range: NearnessRange, reach: number): Set<number> {
+function paintSeen(context: CanvasRenderingContext2D, images: Image[], range: InverseDepthRange, reach: number): Set<number> {
     const side = 180, sampled = document.createElement('canvas');
     sampled.width = sampled.height = side;
     const small = sampled.getContext('2d')!, memory = small.createImageData(side, side);
@@ -113,7 +113,7 @@ function scaleBar(context: CanvasRenderingContext2D, reach: number, scale: numbe
 }
 
 /// The square |x|, |y| <= reach px around the pixel's centre, with the square that the answer was judged in.
-export function drawSurroundings(canvas: HTMLCanvasElement, story: Story, range: NearnessRange, reach: number): void {
+export function drawSurroundings(canvas: HTMLCanvasElement, story: Story, range: InverseDepthRange, reach: number): void {
     const {context, scale} = fittedCanvas(canvas), middle = canvas.width / 2;
     const seen = paintSeen(context, story.images, range, reach), near = new Set(story.candidates.map((c) => c.id));
     drawEdges(context, story.images.filter((image, i) => seen.has(i) || near.has(image[0])).reverse(), reach, 1.2 * scale);

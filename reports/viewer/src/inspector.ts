@@ -1,14 +1,14 @@
 // All that is known of the pixel under the crosshair.
 import {cssOf, idColour} from './colours';
 import {drawSurroundings} from './drawing';
-import type {NearnessRange} from './drawing';
+import type {InverseDepthRange} from './drawing';
 import {element, replaceChildren} from './element';
 import {background, floatOf, hexBits, idText, numberOf, rounded, shortestFloat, ulpsBetween} from './numbers';
 import type {Planes} from './planes';
 import type {ClassStyle} from './run';
 import {ratioOf} from './layers';
 import {nameOf, shortNameOf} from './story';
-import type {Candidate, Standing, Story} from './story';
+import type {Candidate, Admissibility, Story} from './story';
 
 type Answer = {who: string; id: number; depth: number | null; error: string};  // depth: bits
 
@@ -26,7 +26,7 @@ export class Inspector {
         const style = this.classes[planes.classes[pixel]];
         replaceChildren(this.root,
             element('h2', {}, `Pixel ${x}, ${y}`), badge(style), ' ',
-            element('span', {class: style.passes ? 'quiet' : 'defective'}, style.passes ? 'lawful' : 'defect'),
+            element('span', {class: style.passes ? 'quiet' : 'defective'}, style.passes ? 'admissible' : 'defect'),
             element('p', {class: 'why'}, story ? sentenceOf(story) : style.meaning),
             this.answersTable(planes, pixel), this.bound(planes, pixel, story),
             story ? this.storyOf(planes, story) : this.noStory(planes),
@@ -78,7 +78,7 @@ export class Inspector {
         const lines: (HTMLElement | string)[] = [];
         if (!Number.isNaN(truth))
             lines.push(element('dt', {}, 'true depth'), element('dd', {}, String(truth)),
-                       element('dt', {}, 'lawful'), element('dd', {}, `${low} to ${high}`));
+                       element('dt', {}, 'admissible'), element('dd', {}, `${low} to ${high}`));
         if (eps > 0)
             lines.push(element('dt', {}, 'judged within'),
                        element('dd', {}, `${rounded(eps)} px = ${rounded(256 * eps)}/256 px of the centre`));
@@ -95,7 +95,7 @@ export class Inspector {
                 picture('eps', 'Around the square that it was judged in (dashed)')),
             element('h3', {}, 'Triangles within eps, nearest first'),
             story.candidates.length ? this.candidates(planes, story) : element('p', {class: 'quiet'}, 'None.'),
-            element('p', {class: 'fine'}, 'Background here: ', standing(story.background)),
+            element('p', {class: 'fine'}, 'Background here: ', admissibility(story.background)),
             element('details', {}, element('summary', {}, 'What ', element('code', {}, 'zproof explain'), ' prints'),
                 element('pre', {class: 'story'}, story.text)));
     }
@@ -107,11 +107,11 @@ export class Inspector {
             element('td', {class: 'n'}, ...c.edges.map((d) => element('div', {}, edgeText(numberOf(d))))),
             element('td', {class: 'n', title: `${c.depth[0]} to ${c.depth[2]}`}, rounded9(numberOf(c.depth[1])),
                 element('div', {class: 'fine'}, '± ' + rounded((numberOf(c.depth[2]) - numberOf(c.depth[0])) / 2))),
-            element('td', {}, standing(c.standing)));
+            element('td', {}, admissibility(c.admissibility)));
         return element('table', {class: 'candidates'},
             element('thead', {}, element('tr', {}, element('th', {}, 'triangle'),
                 element('th', {class: 'n'}, 'edges, 1/256 px'), element('th', {class: 'n'}, 'depth'),
-                element('th', {}, 'standing'))),
+                element('th', {}, 'admissibility'))),
             element('tbody', {}, ...story.candidates.map(row)));
     }
 
@@ -132,15 +132,15 @@ export class Inspector {
     }
 
     private draw(planes: Planes, story: Story): void {
-        const [least, greatest] = planes.header.nearness;
-        const range: NearnessRange = {least: least ?? -Infinity, greatest: greatest ?? Infinity};
+        const [least, greatest] = planes.header.inverse_depth;
+        const range: InverseDepthRange = {least: least ?? -Infinity, greatest: greatest ?? Infinity};
         const eps = story.eps > 0 ? story.eps : 1 / 512;
         this.root.querySelectorAll<HTMLCanvasElement>('canvas.surroundings').forEach((canvas) =>
             drawSurroundings(canvas, story, range, canvas.dataset.reach === 'pixel' ? 0.95 : 4 * eps));
     }
 }
 
-/// Of candidate, reference and witnesses, as far as planes are decoded or the finding is listed.
+/// Of candidate, reference and oracles, as far as planes are decoded or the finding is listed.
 function answersAt(planes: Planes, pixel: number): Answer[] {
     const f = planes.findings, row = planes.finding(pixel), {header} = planes;
     const word = (name: string): number | null => (planes.now(name) as Uint32Array | null)?.[pixel] ?? null;
@@ -156,8 +156,8 @@ function answersAt(planes: Planes, pixel: number): Answer[] {
     const ours = answer(header.candidate, 'candidate', listed ? [f.candidate[row], f.candidateDepth[row]] : null);
     if (listed) ours.error = rounded(f.error[row]);
     const answers = [ours, answer(header.reference, 'reference', listed ? [f.reference[row], f.referenceDepth[row]] : null)];
-    for (const name of header.witnesses)
-        if (planes.now(`witness.${name}.id`)) answers.push(answer(name, `witness.${name}`, null));
+    for (const name of header.oracles)
+        if (planes.now(`oracle.${name}.id`)) answers.push(answer(name, `oracle.${name}`, null));
     return answers;
 }
 
@@ -182,9 +182,9 @@ function swatch(id: number): HTMLElement {
     return element('i', {class: 'swatch', style: `background:${cssOf(idColour(id))}`});
 }
 
-function standing(s: Standing): HTMLElement {
-    return element('span', {class: s.lawful ? 'proven' : 'defective'},
-        (s.lawful ? '✓ ' : '✗ ') + s.word, s.exact && ' (exact rationals)');
+function admissibility(s: Admissibility): HTMLElement {
+    return element('span', {class: s.admissible ? 'proven' : 'defective'},
+        (s.admissible ? '✓ ' : '✗ ') + s.word, s.exact && ' (exact rationals)');
 }
 
 function edgeText(distance: number): string {

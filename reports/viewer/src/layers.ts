@@ -156,7 +156,7 @@ function colourLayer(plane: string, title: string): Layer {
 }
 
 /// Every layer of a view, the most asked for first. `offered` are the names of planes that exist, in the page or not.
-export function layersOf(classes: ClassStyle[], offered: Set<string>, witnesses: string[]): Layer[] {
+export function layersOf(classes: ClassStyle[], offered: Set<string>, oracles: string[]): Layer[] {
     const layers = [
         classLayer(classes), errorLayer('candidate.error', 'depth error / bound, candidate'),
         idLayer('candidate.id', 'candidate id'), idLayer('reference.id', 'reference id'),
@@ -164,9 +164,9 @@ export function layersOf(classes: ClassStyle[], offered: Set<string>, witnesses:
         ulpLayer(), wireframeLayer(), colourLayer('candidate.colour', 'colour'),
         errorLayer('reference.error', 'depth error / bound, reference'),
     ];
-    for (const name of witnesses)
-        layers.push(idLayer(`witness.${name}.id`, `${name} id`), depthLayer(`witness.${name}.depth`, `${name} depth`),
-                    colourLayer(`witness.${name}.colour`, `${name} colour`));
+    for (const name of oracles)
+        layers.push(idLayer(`oracle.${name}.id`, `${name} id`), depthLayer(`oracle.${name}.depth`, `${name} depth`),
+                    colourLayer(`oracle.${name}.colour`, `${name} colour`));
     return layers.filter((layer) => layer.needs.every((name) => offered.has(name)));
 }
 

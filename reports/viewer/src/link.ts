@@ -1,8 +1,8 @@
 // Addresses of pixels: what comes after # in report.html. They work from disk, for nothing is asked of a server.
 
-export type Place = {view: string; x?: number; y?: number; zoom?: number; layers?: string[]};
+export type LinkTarget = {view: string; x?: number; y?: number; zoom?: number; layers?: string[]};
 
-export function readPlace(hash: string): Place | null {
+export function readLinkTarget(hash: string): LinkTarget | null {
     const words = new URLSearchParams(hash.replace(/^#/, ''));
     const view = words.get('view');
     if (!view) return null;
@@ -15,7 +15,7 @@ export function readPlace(hash: string): Place | null {
             layers: words.get('layers')?.split(',')};
 }
 
-export function hashOf(place: Place): string {
+export function hashOf(place: LinkTarget): string {
     const words = ['view=' + encodeURIComponent(place.view)];
     if (place.x !== undefined && place.y !== undefined) words.push(`x=${place.x}`, `y=${place.y}`);
     if (place.zoom !== undefined) words.push('zoom=' + Number(place.zoom.toPrecision(4)));

@@ -61,7 +61,7 @@ export class SceneList {
 
     private entry(view: ViewEntry, i: number): HTMLElement {
         const wrong = defects(view, this.run.classes);
-        const line = wrong ? counted(wrong, 'defect') : view.planes ? grouped(differing(view)) + ' lawful differences'
+        const line = wrong ? counted(wrong, 'defect') : view.planes ? grouped(differing(view)) + ' admissible differences'
             : view.message || 'not judged';
         return element('li', {}, element('button', {
             type: 'button', class: 'view-entry', 'aria-current': i === this.current && 'true', onclick: () => this.open(i),

@@ -1,15 +1,15 @@
 // One pixel's story, as reports/planes/stories.cpp writes it.
 
-export type Standing = {word: string; lawful: boolean; exact: boolean};
+export type Admissibility = {word: string; admissible: boolean; exact: boolean};
 export type Affine = [number, number, number];  // value(x, y) = a x + b y + c, offsets from the centre in px
-export type Image = [id: number, edges: [Affine, Affine, Affine], nearness: Affine];
+export type Image = [id: number, edges: [Affine, Affine, Affine], inverse_depth: Affine];
 export type Candidate = {
-    id: number; edges: (number | string)[]; depth: (number | string)[]; standing: Standing;
+    id: number; edges: (number | string)[]; depth: (number | string)[]; admissibility: Admissibility;
 };
 export type Story = {
     x: number; y: number; class: number; text: string; eps: number; reference_eps: number;
-    depth: (number | string)[]; error: number | string; background: Standing; standing?: Standing;
-    reference_standing?: Standing; candidates: Candidate[]; images: Image[];
+    depth: (number | string)[]; error: number | string; background: Admissibility; admissibility?: Admissibility;
+    reference_admissibility?: Admissibility; candidates: Candidate[]; images: Image[];
 };
 
 export type TriangleRange = [first: number, count: number, node: string, mesh: string, primitive: number];

@@ -21,7 +21,7 @@ int main() {
     const Verdict verdict =
         judge(room.scene, view, {ours, rasterizer::precision()}, {theirs, oracle::embree_precision()});
     const std::string results = to_json(Results{});
-    const study::StudyResults cards = study::begun({.contestants = {}});
+    const study::StudyResults cards = study::begun({.methods = {}});
     const auto findings = measure::findings(measure::Measurement{}, Precision{RasterPrecision{}});
     std::cout << verdict.classes.size().width << " " << cards.metrics.size() << " "
               << texture::methods().size() << " " << findings.size() << " " << gamma(3, unit_roundoff_float32)

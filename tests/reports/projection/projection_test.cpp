@@ -13,7 +13,7 @@ using namespace study::projection;
 
 Wireframe two_lines() {
     return {{{0, 1, {0}}, {1, 2, {0}}},
-            {{{{1, 2}, {7.25, 2}}, 0, Sight::seen}, {{{1, 5}, {7, 5}}, 1, Sight::hidden}}};
+            {{{{1, 2}, {7.25, 2}}, 0, Visibility::seen}, {{{1, 5}, {7, 5}}, 1, Visibility::hidden}}};
 }
 
 ProjectedView sample() {

@@ -92,15 +92,15 @@ TEST(CostDocument, HoldsTogetherAndShowsWhatIsNotDetermined) {
     Prediction prediction{"a scene", "a view", {1, 2, 3, 4, 5}, {5, 4, 6, 3}, 5, {}};
     prediction.share.assign(constant_names().size(), 0.1);
     const Loaded loaded = generate_suite_scene("closed_surfaces", 64, 36);
-    const TrickStudy tricks = study_tricks(loaded.scene, loaded.views.front(), 1);
+    const OptimizationStudy optimizations = study_optimizations(loaded.scene, loaded.views.front(), 1);
     auto document = with(cost_document(model), prediction_sections({prediction}));
-    document = with(std::move(document), {trick_section(tricks, "closed")});
+    document = with(std::move(document), {optimization_section(optimizations, "closed")});
     EXPECT_NO_THROW(document::require_sound(document));
     const document::Table& constants = table_of(document, "constants");
     EXPECT_EQ(std::get<std::string>(constants.rows[0][0]), "k_bus");
     EXPECT_NEAR(std::get<double>(constants.rows[0][3]), 1.0 / 3, 1e-3);
     EXPECT_TRUE(std::isnan(std::get<double>(constants.rows[0][2])));
-    EXPECT_EQ(table_of(document, "closed-tricks").rows.size(), tricks.runs.size());
+    EXPECT_EQ(table_of(document, "closed-optimizations").rows.size(), optimizations.runs.size());
     EXPECT_TRUE(prediction_sections({}).empty());
 }
 

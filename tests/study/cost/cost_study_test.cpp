@@ -77,15 +77,15 @@ Loaded two_spheres() {
                                                 {.half_height = 0.5, .near_depth = 0.5, .far_depth = 20})});
 }
 
-TEST(CostTricks, KeepThePictureOfAClosedSceneAndSaveWork) {
+TEST(CostOptimizations, KeepThePictureOfAClosedSceneAndSaveWork) {
     const Loaded loaded = two_spheres();
-    const TrickStudy study = study_tricks(loaded.scene, loaded.views.front(), 1);
+    const OptimizationStudy study = study_optimizations(loaded.scene, loaded.views.front(), 1);
     EXPECT_EQ(study.open_edges, 0u);
-    for (const TrickRun& run : study.runs) EXPECT_EQ(run.same.defects, 0u) << run.name;
-    const auto named = [&](const char* name) -> const TrickRun& {
-        return *std::ranges::find(study.runs, name, &TrickRun::name);
+    for (const OptimizationRun& run : study.runs) EXPECT_EQ(run.same.defects, 0u) << run.name;
+    const auto named = [&](const char* name) -> const OptimizationRun& {
+        return *std::ranges::find(study.runs, name, &OptimizationRun::name);
     };
-    const TrickRun& plain = named("plain z-buffer");
+    const OptimizationRun& plain = named("plain z-buffer");
     EXPECT_EQ(plain.same.other_ids + plain.same.other_depths, 0u);
     EXPECT_EQ(named("hierarchical z").same.other_ids, 0u);
     EXPECT_EQ(named("frustum culling").same.other_ids, 0u);
@@ -98,11 +98,11 @@ TEST(CostTricks, KeepThePictureOfAClosedSceneAndSaveWork) {
 }
 
 // The gate is not deaf: what culling does to an open surface is a hole.
-TEST(CostTricks, TheGateHearsBackFaceCullingOfAnOpenMesh) {
+TEST(CostOptimizations, TheGateFindsBackFaceCullingOfAnOpenMesh) {
     const Loaded loaded = generate_suite_scene("back_faces", 160, 120);
-    const TrickStudy study = study_tricks(loaded.scene, loaded.views.front(), 1);
+    const OptimizationStudy study = study_optimizations(loaded.scene, loaded.views.front(), 1);
     EXPECT_GT(study.open_edges, 0u);
-    const auto culled = std::ranges::find(study.runs, "back-face culling", &TrickRun::name);
+    const auto culled = std::ranges::find(study.runs, "back-face culling", &OptimizationRun::name);
     EXPECT_GT(culled->same.defects, 0u);
     EXPECT_EQ(study.runs.front().same.defects, 0u);
 }

@@ -42,15 +42,14 @@ constexpr Row rows[] = {{"nearest", "nearest", 4, 1.0, 13.88},
                         {"ewa-pbrt", "ewa-pbrt", 4, 40.2, 28.28},
                         {"supersample-nearest:n=8", "supersample-nearest", 8, 64.0, 32.08}};
 
-const Audience nobody{.begins = [](const std::string&) {},
-                      .is_shown = [](const std::string&, const Picture&) {},
-                      .wants_to_stop = [] { return false; }};
+const ProgressSink nobody{.begins = [](const std::string&) {},
+                          .is_shown = [](const std::string&, const Picture&) {},
+                          .wants_to_stop = [] { return false; }};
 
 Plan worked_plan() {
-    Plan plan{
-        .contestants = {}, .truth = oracle::Reconstruction::nearest, .flicker_steps = 0, .first_row = 56};
+    Plan plan{.methods = {}, .truth = oracle::Reconstruction::nearest, .flicker_steps = 0, .first_row = 56};
     for (const Row& row : rows)
-        plan.contestants.push_back(
+        plan.methods.push_back(
             {row.label,
              {.method = *texture::find_method(row.method), .options = {.subdivisions = row.subdivisions}}});
     return plan;
@@ -74,7 +73,7 @@ TEST(WorkedSetup, EveryFigureToATenthOfADecibel) {
         const MethodScore& method = view.methods[i];
         EXPECT_EQ(find_score(method, "interior")->pixels, 51'200u);
         EXPECT_NEAR(value_of(results, method, "interior", "psnr"), rows[i].psnr, 0.1) << rows[i].label;
-        const Cost cost = cost_of(plan.contestants[i].texturing, textures, counted);
+        const Cost cost = cost_of(plan.methods[i].texturing, textures, counted);
         if (rows[i].texels == not_held) continue;
         EXPECT_NEAR(cost.texels, rows[i].texels, 0.1) << rows[i].label;
     }
@@ -84,7 +83,7 @@ TEST(WorkedSetup, EveryFigureToATenthOfADecibel) {
 TEST(WorkedSetup, ThreadsDoNotMatter) {
     const Loaded loaded = generate_filter_scene("worked", 64, 64);
     Plan plan = worked_plan();
-    plan.contestants.resize(3);
+    plan.methods.resize(3);
     plan.flicker_steps = 1;
     plan.first_row = 14;
     const auto scores_on = [&](int threads) {
@@ -103,12 +102,12 @@ TEST(WorkedSetup, ThreadsDoNotMatter) {
     EXPECT_EQ(scores_on(1), scores_on(2));
 }
 
-TEST(WorkedSetup, AnAudienceMayStopItBetweenMethods) {
+TEST(WorkedSetup, AProgressSinkMayStopItBetweenMethods) {
     const Loaded loaded = generate_filter_scene("worked", 16, 16);
     int begun_units = 0;
-    const Audience impatient{.begins = [&](const std::string&) { ++begun_units; },
-                             .is_shown = [](const std::string&, const Picture&) {},
-                             .wants_to_stop = [&] { return begun_units == 3; }};
+    const ProgressSink impatient{.begins = [&](const std::string&) { ++begun_units; },
+                                 .is_shown = [](const std::string&, const Picture&) {},
+                                 .wants_to_stop = [&] { return begun_units == 3; }};
     EXPECT_EQ(study_view(loaded.scene, loaded.views[0], worked_plan(), impatient).methods.size(), 2u);
 }
 

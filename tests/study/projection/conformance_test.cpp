@@ -22,7 +22,7 @@ TEST(RouteFindings, WhatTheLessonsMeanIsTheProjection) {
         EXPECT_EQ(f.is_projection(), f.card.kind == RouteKind::lesson) << f.card.name;
         if (!f.is_projection()) continue;
         EXPECT_EQ(f.worst_px, 0) << f.card.name;
-        EXPECT_EQ(f.lenses_kept, f.lenses) << f.card.name;
+        EXPECT_EQ(f.cameras_kept, f.cameras) << f.card.name;
         ++right;
     }
     EXPECT_EQ(right, 5);
@@ -32,8 +32,8 @@ TEST(RouteFindings, RasterFromScreenIsWrongInItsLastStageAndUnseenOnTheLessonsOw
     const RouteFinding f = finding_of("raster-from-screen");
     EXPECT_EQ(f.first_wrong_stage, "NDC to raster");
     EXPECT_EQ(f.space, "raster");
-    EXPECT_EQ(f.lens, "canvas 2 x 2, near 1/10");  // not the first: there screen space is NDC space
-    EXPECT_EQ(f.lenses_kept, 1);
+    EXPECT_EQ(f.camera, "canvas 2 x 2, near 1/10");  // not the first: there screen space is NDC space
+    EXPECT_EQ(f.cameras_kept, 1);
     EXPECT_GT(f.worst_px, 100);
 }
 
@@ -41,46 +41,47 @@ TEST(RouteFindings, DividingByZIsWrongInScreenSpace) {
     const RouteFinding f = finding_of("divided-by-z");
     EXPECT_EQ(f.first_wrong_stage, "camera to screen");
     EXPECT_EQ(f.operation, "divide by z");
-    EXPECT_EQ(f.lenses_kept, 0);
+    EXPECT_EQ(f.cameras_kept, 0);
 }
 
 TEST(RouteFindings, TheCanvasAboutTheAxisIsTriedWhereThereIsOne) {
-    EXPECT_EQ(finding_of("canvas").lenses, 3);
-    EXPECT_EQ(finding_of("stages").lenses, int(probe_lenses().size()));
+    EXPECT_EQ(finding_of("canvas").cameras, 3);
+    EXPECT_EQ(finding_of("stages").cameras, int(probe_cameras().size()));
 }
 
-/// Of an off-axis canvas its formula would be wrong: the law sees that.
-TEST(Law, ACentredFormulaOffAxisIsNotLawful) {
-    for (const ProbeLens& probe : probe_lenses()) {
+/// Of an off-axis canvas its formula would be wrong: the check sees that.
+TEST(ExactProjection, ACentredFormulaOffAxisMissesTheViewRay) {
+    for (const ProbeCamera& probe : probe_cameras()) {
         if (probe.name != "off axis, near 1/2") continue;
-        const Vector3<Rational> p = probe_points(probe.lens).front();
-        const Vector3<Rational> p_screen = camera_to_screen(probe.lens, world_to_camera(probe.lens, p));
+        const Vector3<Rational> p = probe_points(probe.camera).front();
+        const Vector3<Rational> p_screen = camera_to_screen(probe.camera, world_to_camera(probe.camera, p));
         const auto travel = [](const Vector3<Rational>& q) {
             return Travel<Rational>{{q.x, q.y, q.z, 1}, {}};
         };
-        const Canvas<Rational>& c = probe.lens.on_near;
-        EXPECT_TRUE(is_lawful(Space::screen, probe.lens, p, travel(p_screen)));
-        EXPECT_TRUE(is_lawful(Space::unit_ndc, probe.lens, p, travel(screen_to_unit_ndc(c, p_screen))));
-        EXPECT_FALSE(
-            is_lawful(Space::unit_ndc, probe.lens, p, travel(centred_screen_to_unit_ndc(c, p_screen))));
+        const Canvas<Rational>& c = probe.camera.on_near;
+        EXPECT_TRUE(is_on_view_ray(Space::screen, probe.camera, p, travel(p_screen)));
+        EXPECT_TRUE(
+            is_on_view_ray(Space::unit_ndc, probe.camera, p, travel(screen_to_unit_ndc(c, p_screen))));
+        EXPECT_FALSE(is_on_view_ray(Space::unit_ndc, probe.camera, p,
+                                    travel(centred_screen_to_unit_ndc(c, p_screen))));
         return;
     }
     FAIL() << "no off-axis probe";
 }
 
-TEST(Law, EverySpaceNoticesAPointThatIsElsewhere) {
-    for (const ProbeLens& probe : probe_lenses())
-        for (const Route<Rational>& route : routes(probe.lens)) {
+TEST(ExactProjection, EverySpaceNoticesAPointThatIsElsewhere) {
+    for (const ProbeCamera& probe : probe_cameras())
+        for (const Route<Rational>& route : routes(probe.camera)) {
             if (route.card.kind == RouteKind::slip) continue;
-            const Vector3<Rational> p = probe_points(probe.lens)[1];
+            const Vector3<Rational> p = probe_points(probe.camera)[1];
             Travel<Rational> travel = departure(p);
             for (const Operation<Rational>& operation : route.operations) {
                 travel = operation.apply(travel);
                 if (!operation.arrives) continue;
-                EXPECT_TRUE(is_lawful(*operation.arrives, probe.lens, p, travel)) << route.card.name;
+                EXPECT_TRUE(is_on_view_ray(*operation.arrives, probe.camera, p, travel)) << route.card.name;
                 Travel<Rational> beside = travel;
                 beside.at[1] += Rational(1) / 1'000'000'000;
-                EXPECT_FALSE(is_lawful(*operation.arrives, probe.lens, p, beside))
+                EXPECT_FALSE(is_on_view_ray(*operation.arrives, probe.camera, p, beside))
                     << in_words(*operation.arrives);
             }
         }

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "study/projection/lens.h"
+#include "study/projection/camera.h"
 
 namespace zproof::study::projection::test {
 

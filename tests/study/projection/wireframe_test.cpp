@@ -80,10 +80,10 @@ TEST(Lines, BehindAnotherSurfaceAreHidden) {
     scene.triangles.push_back({5, 6, 7}), scene.triangles.push_back({5, 9, 8});
     scene.parts[0].triangle_count = 4;
     const Wireframe w = wireframe_of(scene, front());
-    const Wireframe told = told_apart(w, rasterizer::render(scene, front()).primitive);
+    const Wireframe told = split_by_visibility(w, rasterizer::render(scene, front()).primitive);
     for (const WireLine& line : told.lines) {
         const bool is_behind = told.edges[line.edge].triangles.front() < 2;
-        EXPECT_EQ(line.sight, is_behind ? Sight::hidden : Sight::seen);
+        EXPECT_EQ(line.visibility, is_behind ? Visibility::hidden : Visibility::seen);
     }
 }
 

@@ -14,20 +14,20 @@ namespace {
 constexpr double third = 1.0 / 3;
 
 TEST(Reflection, IsTheFormula) {
-    const Lamp lamp{Lamp::Kind::directional, {0, 0, 1}};
+    const LightSource light_source{LightSource::Kind::directional, {0, 0, 1}};
     const Finish finish{.ambient = 0.1, .diffuse = 0.5, .specular = 0.4, .exponent = 10};
-    EXPECT_NEAR(intensity({{0, 0, 0}, {0, 0, 1}, {0, 0, 1}}, lamp, finish), 1, 1e-15);
+    EXPECT_NEAR(intensity({{0, 0, 0}, {0, 0, 1}, {0, 0, 1}}, light_source, finish), 1, 1e-15);
     // The normal turned by 10 degrees: r . v is the cosine of 20, n . h that of 10.
     const double a = 10 * std::acos(-1.0) / 180;
-    const Spot turned{{0, 0, 0}, {std::sin(a), 0, std::cos(a)}, {0, 0, 1}};
-    EXPECT_NEAR(intensity(turned, lamp, finish),
+    const SurfacePoint turned{{0, 0, 0}, {std::sin(a), 0, std::cos(a)}, {0, 0, 1}};
+    EXPECT_NEAR(intensity(turned, light_source, finish),
                 0.1 + 0.5 * std::cos(a) + 0.4 * std::pow(std::cos(2 * a), 10), 1e-15);
     Finish blinn = finish;
     blinn.highlight = Highlight::blinn_phong;
-    EXPECT_NEAR(intensity(turned, lamp, blinn), 0.1 + 0.5 * std::cos(a) + 0.4 * std::pow(std::cos(a), 10),
-                1e-15);
-    EXPECT_EQ(intensity({{0, 0, 0}, {0, 0, -1}, {0, 0, 1}}, lamp, finish), 0.1) << "turned away";
-    const Lamp point{Lamp::Kind::point, {0, 0, 5}};
+    EXPECT_NEAR(intensity(turned, light_source, blinn),
+                0.1 + 0.5 * std::cos(a) + 0.4 * std::pow(std::cos(a), 10), 1e-15);
+    EXPECT_EQ(intensity({{0, 0, 0}, {0, 0, -1}, {0, 0, 1}}, light_source, finish), 0.1) << "turned away";
+    const LightSource point{LightSource::Kind::point, {0, 0, 5}};
     EXPECT_NEAR(intensity({{0, 0, 0}, {0, 0, 1}, {0, 0, 1}}, point, finish), 1, 1e-15);
 }
 

@@ -1,0 +1,123 @@
+#include "cli/renderer_words.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+
+#include "cli/nearest_word.h"
+#include "cli/renderers/registry.h"
+#include "cli/usage_error.h"
+
+namespace zproof {
+namespace {
+
+/// For oracles that nobody asked for.
+constexpr std::size_t affordable_triangles = 100'000;
+constexpr std::chrono::seconds patience{30};
+constexpr const char* nobody = "none";
+
+/// The oracles of a run that names none.
+std::vector<std::string> default_oracles() { return {"povray"}; }
+
+RendererChoice stored_frame(const std::string& file, const std::string& precision) {
+    return {.who = StoredFrame{file}, .precision_word = precision};
+}
+
+RendererChoice oracle_named(const std::string& name) {
+    if (std::ranges::count(renderer_names(), name) > 0) return renderer_from_word(name);
+    std::string names = nobody;
+    for (const std::string& known : renderer_names()) names += ", " + known;
+    throw UsageError{"oracle '" + name + "': expected one of " + names +
+                     did_you_mean(name, renderer_names())};
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::count(names, name) > 0;
+}
+
+/// The names, each once, in their order; "none" is no name.
+std::vector<std::string> each_once(const std::vector<std::string>& names) {
+    std::vector<std::string> once;
+    for (const std::string& name : names)
+        if (name != nobody && !contains(once, name)) once.push_back(name);
+    return once;
+}
+
+std::vector<std::string> oracle_names(const RendererWords& words) {
+    std::vector<std::string> names = words.oracles.value_or(default_oracles());
+    names.insert(names.end(), words.required.begin(), words.required.end());
+    return each_once(names);
+}
+
+OracleChoice oracle_choice(const std::string& name, const RendererWords& words) {
+    const bool required = contains(words.required, name);
+    const bool asked = required || (words.oracles && contains(*words.oracles, name));
+    OracleChoice choice{.renderer = oracle_named(name)};
+    choice.renderer.time_limit = std::chrono::seconds{words.time_limit_s};
+    if (!asked) {
+        choice.most_triangles = affordable_triangles;
+        choice.renderer.time_limit = std::min(choice.renderer.time_limit, patience);
+    }
+    if (required) choice.need = OracleChoice::Need::required;
+    return choice;
+}
+
+}  // namespace
+
+void add_precision_options(CLI::App& app, RendererWords& words) {
+    app.add_option("--precision", words.precision,
+                   "what the renderer promises: a JSON file, or e.g. raster,subpixel_bits=4");
+    app.add_option("--time-limit", words.time_limit_s,
+                   "seconds for a picture of a renderer that is a program")
+        ->check(CLI::Range(1, 86400))
+        ->capture_default_str();
+}
+
+void add_renderer_options(CLI::App& app, RendererWords& words) {
+    app.add_option(
+           "--renderer", words.renderer,
+           "who is judged: zproof, embree, opengl, povray, or 'CMD {scene} {camera} {width} {height} {out}'")
+        ->capture_default_str();
+    add_precision_options(app, words);
+}
+
+void add_stored_frame_options(CLI::App& app, RendererWords& words) {
+    app.add_option("--candidate", words.candidate, "a stored frame (.exr) in the renderer's place");
+    app.add_option("--reference", words.reference, "a stored frame (.exr) in Embree's place");
+    add_reference_precision(app, words);
+}
+
+void add_reference_precision(CLI::App& app, RendererWords& words) {
+    app.add_option("--reference-precision", words.reference_precision,
+                   "what the renderer of a stored reference promises");
+}
+
+void add_oracle_options(CLI::App& app, RendererWords& words) {
+    app.add_option("--oracle", words.oracles,
+                   "oracles beside Embree, each judged as well: povray,opengl; or none")
+        ->delimiter(',')
+        ->allow_extra_args(false);  // the next word is a scene
+    app.add_option("--require", words.required, "oracles without which nothing is proven")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+}
+
+RendererChoice candidate_of(const RendererWords& words) {
+    RendererChoice choice =
+        words.candidate.empty() ? renderer_from_word(words.renderer) : stored_frame(words.candidate, "");
+    choice.precision_word = words.precision;
+    choice.time_limit = std::chrono::seconds{words.time_limit_s};
+    return choice;
+}
+
+ChosenRenderers chosen_renderers(const RendererWords& words) {
+    ChosenRenderers renderers{.candidate = candidate_of(words), .oracles = {}};
+    if (!words.reference.empty())
+        renderers.reference = stored_frame(words.reference, words.reference_precision);
+    for (const std::string& name : oracle_names(words))
+        if (name != name_of(renderers.candidate) && name != name_of(renderers.reference))
+            renderers.oracles.push_back(oracle_choice(name, words));
+    return renderers;
+}
+
+}  // namespace zproof

@@ -1,0 +1,38 @@
+/// The options that choose renderers: --renderer, --precision, --oracle and so on.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/renderers/choice.h"
+
+namespace CLI {
+class App;
+}
+
+namespace zproof {
+
+/// As typed.
+struct RendererWords {
+    std::string renderer = "zproof", precision;             ///< of the candidate
+    std::string candidate, reference, reference_precision;  ///< stored frames
+    std::optional<std::vector<std::string>> oracles;        ///< nothing: the usual ones
+    std::vector<std::string> required;
+    std::string filter;  ///< of textures; empty: none
+    int time_limit_s = 600;
+};
+
+void add_renderer_options(CLI::App& app, RendererWords& words);   ///< --renderer, --precision, --time-limit
+void add_precision_options(CLI::App& app, RendererWords& words);  ///< --precision, --time-limit
+void add_stored_frame_options(CLI::App& app, RendererWords& words);  ///< --candidate, --reference
+void add_reference_precision(CLI::App& app, RendererWords& words);
+void add_oracle_options(CLI::App& app, RendererWords& words);  ///< --oracle, --require
+
+/// The renderer that the words call the candidate. Throws UsageError.
+RendererChoice candidate_of(const RendererWords& words);
+
+/// Everybody. Throws UsageError.
+ChosenRenderers chosen_renderers(const RendererWords& words);
+
+}  // namespace zproof

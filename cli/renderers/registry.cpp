@@ -1,0 +1,158 @@
+#include "cli/renderers/registry.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "cli/version.h"
+#include "frame/exr.h"
+#include "frame/frame_error.h"
+#include "frame/precision_text.h"
+#include "oracle/embree.h"
+#include "oracle/external.h"
+#include "oracle/opengl.h"
+#include "oracle/oracle_error.h"
+#include "oracle/povray.h"
+#include "rasterizer/rasterizer.h"
+
+namespace zproof {
+namespace {
+
+/// What it does once it has met a scene.
+struct Answers {
+    std::function<Frame(const View&)> render;
+    std::function<Picture(const View&, const Light&)> paint{};  ///< empty: has no colours of its own
+};
+
+/// One that zproof knows by name. A new one is a row in `known`.
+struct Known {
+    const char* name;
+    std::string (*absence)();  ///< why it cannot be asked on this machine; empty: it can
+    std::string (*version)();
+    Precision (*precision)();
+    Answers (*on)(const Scene& scene, std::chrono::seconds time_limit);
+};
+
+std::string never_absent() { return ""; }
+
+Precision rasterizer_precision() { return rasterizer::precision(); }
+
+Answers rasterizer_on(const Scene& scene, std::chrono::seconds) {
+    return {[&scene](const View& view) { return rasterizer::render(scene, view); }};
+}
+
+Answers embree_on(const Scene& scene, std::chrono::seconds) {
+    const auto embree = std::make_shared<const oracle::Embree>(scene);
+    return {[embree](const View& view) { return embree->trace(view); }};
+}
+
+/// Asked once: it starts a driver.
+std::string opengl_absence() {
+    static const std::string why = oracle::opengl_is_missing().value_or("");
+    return why;
+}
+
+/// Opened when first asked for, and once: a driver takes longer to start than a picture to draw.
+const oracle::OpenGlDriver& opengl_driver() {
+    static const oracle::OpenGlDriver driver;
+    return driver;
+}
+
+std::string opengl_version() { return opengl_driver().version(); }
+
+Precision opengl_precision() { return opengl_driver().precision(); }
+
+Answers opengl_on(const Scene& scene, std::chrono::seconds) {
+    const auto opengl = std::make_shared<const oracle::OpenGl>(scene, opengl_driver());
+    return {[opengl](const View& view) { return opengl->render(view); }};
+}
+
+/// Asked once: it runs the program. Empty where that is not installed.
+std::string povray_version_words() {
+    static const std::string version = oracle::povray_version().value_or("");
+    return version;
+}
+
+std::string povray_absence() {
+    return povray_version_words().empty() ? "not installed (Debian's package povray)" : "";
+}
+
+Answers povray_on(const Scene& scene, std::chrono::seconds time_limit) {
+    const auto povray =
+        std::make_shared<const oracle::PovRay>(scene, oracle::PovRayOptions{.time_limit = time_limit});
+    return {[povray](const View& view) { return povray->render(view); },
+            [povray](const View& view, const Light& light) { return povray->picture(view, light); }};
+}
+
+constexpr std::array known{
+    Known{"zproof", never_absent, version_number, rasterizer_precision, rasterizer_on},
+    Known{"embree", never_absent, oracle::embree_version, oracle::embree_precision, embree_on},
+    Known{"opengl", opengl_absence, opengl_version, opengl_precision, opengl_on},
+    Known{"povray", povray_absence, povray_version_words, oracle::povray_precision, povray_on},
+};
+
+const Known& known_as(const BuiltIn& built_in) {
+    return *std::ranges::find(known, built_in.name, [](const Known& k) { return std::string{k.name}; });
+}
+
+Precision own_promise(const RendererChoice& choice) {
+    if (const auto* built_in = std::get_if<BuiltIn>(&choice.who)) return known_as(*built_in).precision();
+    return RasterPrecision{};
+}
+
+Answers stored(const std::filesystem::path& file) {
+    const auto frame = std::make_shared<const Frame>(read_exr(file));
+    return {[frame, file](const View& view) {
+        const Resolution size = frame->size();
+        if (size == Resolution{view.width, view.height}) return *frame;
+        throw FrameError{file.string() + ": " + std::to_string(size.width) + " x " +
+                         std::to_string(size.height) + " pixels; the view '" + view.name + "' has " +
+                         std::to_string(view.width) + " x " + std::to_string(view.height)};
+    }};
+}
+
+Answers program(const Program& program, const Scene& scene, std::chrono::seconds time_limit) {
+    const auto external = std::make_shared<const oracle::External>(scene, program.command, time_limit);
+    return {[external](const View& view) { return external->render(view); }};
+}
+
+Answers answers_on(const RendererChoice& choice, const Scene& scene) {
+    if (const auto* built_in = std::get_if<BuiltIn>(&choice.who))
+        return known_as(*built_in).on(scene, choice.time_limit);
+    if (const auto* file = std::get_if<StoredFrame>(&choice.who)) return stored(file->file);
+    return program(std::get<Program>(choice.who), scene, choice.time_limit);
+}
+
+}  // namespace
+
+std::vector<std::string> renderer_names() {
+    std::vector<std::string> names;
+    for (const Known& one : known) names.emplace_back(one.name);
+    return names;
+}
+
+std::string absence_of(const RendererChoice& choice) {
+    const auto* built_in = std::get_if<BuiltIn>(&choice.who);
+    return built_in == nullptr ? "" : known_as(*built_in).absence();
+}
+
+Precision declared_precision(const RendererChoice& choice) {
+    return choice.precision_word.empty() ? own_promise(choice) : precision_from_word(choice.precision_word);
+}
+
+RendererFacts facts_of(const RendererChoice& choice) {
+    const auto* built_in = std::get_if<BuiltIn>(&choice.who);
+    return {.name = name_of(choice),
+            .version = built_in == nullptr ? "" : known_as(*built_in).version(),
+            .precision = precision_to_json(declared_precision(choice))};
+}
+
+Renderer open(const RendererChoice& choice, const Scene& scene) {
+    if (const std::string absent = absence_of(choice); !absent.empty())
+        throw OracleError{name_of(choice) + ": " + absent};
+    Answers answers = answers_on(choice, scene);
+    return {name_of(choice), declared_precision(choice), std::move(answers.render), std::move(answers.paint)};
+}
+
+}  // namespace zproof

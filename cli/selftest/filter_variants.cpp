@@ -1,0 +1,179 @@
+#include "cli/selftest/filter_variants.h"
+
+#include <cmath>
+#include <utility>
+
+#include "texture/methods/tap_rule.h"
+#include "texture/summed_area.h"
+
+namespace zproof::selftest {
+
+namespace {
+
+using texture::FilterOptions;
+using texture::LinearImage;
+
+glm::dvec4 bilinear(const LinearImage& image, const texture::Addressing& wrap, const glm::dvec2& place) {
+    glm::dvec4 sum{0};
+    texture::read_bilinear(
+        image, wrap, place, {.image = 0, .column = 0, .row = 0, .weight = 1},
+        [&](const texture::Tap& tap) { sum += tap.weight * glm::dvec4{image.at(tap.column, tap.row)}; });
+    return sum;
+}
+
+glm::dvec2 size_of(const LinearImage& image) { return {image.width, image.height}; }
+
+double longer_step(const Footprint& f) { return std::max(glm::length(f.per_x), glm::length(f.per_y)); }
+
+double clamped_lod(double lod, const FilterOptions& o) {
+    return std::clamp(lod + o.lod_bias, o.lod_min, o.lod_max);
+}
+
+/// Each texel of the smaller image from the 2 x 2 (or fewer) that it covers.
+LinearImage halved(const LinearImage& finer, glm::ivec2 size,
+                   const std::function<glm::vec4(const std::array<glm::vec4, 4>&)>& mix) {
+    LinearImage image{size.x, size.y, {}};
+    for (int row = 0; row < size.y; ++row)
+        for (int column = 0; column < size.x; ++column) {
+            const auto texel = [&](int right, int down) {
+                return finer.at(std::min(2 * column + right, finer.width - 1),
+                                std::min(2 * row + down, finer.height - 1));
+            };
+            image.texels.push_back(mix({texel(0, 0), texel(1, 0), texel(0, 1), texel(1, 1)}));
+        }
+    return image;
+}
+
+template <class Mix>
+std::vector<LinearImage> chain_by(const LinearImage& image, int rounding, Mix mix) {
+    std::vector<LinearImage> levels{image};
+    const auto half = [&](int size) { return std::max(1, (size + rounding) / 2); };
+    while (levels.back().width > 1 || levels.back().height > 1)
+        levels.push_back(halved(levels.back(), {half(levels.back().width), half(levels.back().height)}, mix));
+    return levels;
+}
+
+glm::vec4 mean(const std::array<glm::vec4, 4>& t) { return (t[0] + t[1] + t[2] + t[3]) / 4.0f; }
+
+/// IEC 61966-2-1, both ways.
+float encoded(float x) { return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f; }
+float decoded(float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); }
+
+glm::vec4 each(const glm::vec4& t, float (*f)(float)) { return {f(t.r), f(t.g), f(t.b), t.a}; }
+
+}  // namespace
+
+texture::Method made_of(std::function<Colour(const LinearImage&, const FilterOptions&)> prepare) {
+    return {
+        .name = "faulty",
+        .card = {},
+        .prepare = [prepare = std::move(prepare)](const LinearImage& image, const FilterOptions& options) {
+            return texture::Sampler{.colour = prepare(image, options), .taps = {}, .stored = {}};
+        }};
+}
+
+texture::Method distorted(const texture::Method& method, Distortion distortion) {
+    return made_of(
+        [method, distortion = std::move(distortion)](const LinearImage& image, const FilterOptions& options) {
+            return Colour{[sampler = method.prepare(image, options), distortion, size = size_of(image)](
+                              const Footprint& f) { return sampler.colour(distortion(f, size)); }};
+        });
+}
+
+texture::Method trilinear(const Trilinear& parts) {
+    return made_of([parts](const LinearImage& image, const FilterOptions& o) -> Colour {
+        auto levels =
+            parts.chain ? parts.chain(image) : texture::mip_chain(image, o.mip_kernel, o.addressing);
+        return [levels = std::move(levels), parts, o](const Footprint& f) {
+            const double raw = std::log2(longer_step(f)),
+                         biased = parts.adjusted ? parts.adjusted(raw, o) : clamped_lod(raw, o);
+            const double within = std::clamp(biased, 0.0, double(levels.size()) - 1),
+                         lod = parts.level ? parts.level(within) : within;
+            const auto read = [&](double level) {
+                const LinearImage& at = levels[std::size_t(std::min(level, double(levels.size()) - 1))];
+                return bilinear(at, o.addressing,
+                                f.centre * size_of(at) / size_of(levels[0]) + parts.level_shift);
+            };
+            return glm::mix(read(std::floor(lod)), read(std::floor(lod) + 1),
+                            parts.share(lod - std::floor(lod)));
+        };
+    });
+}
+
+std::vector<LinearImage> averaged_as_stored(const LinearImage& image) {
+    return chain_by(image, 0, [](const std::array<glm::vec4, 4>& t) {
+        return each(
+            mean({each(t[0], encoded), each(t[1], encoded), each(t[2], encoded), each(t[3], encoded)}),
+            decoded);
+    });
+}
+
+std::vector<LinearImage> sizes_rounded_up(const LinearImage& image) { return chain_by(image, 1, mean); }
+
+std::vector<LinearImage> by_one_texel_of_four(const LinearImage& image) {
+    return chain_by(image, 0, [](const std::array<glm::vec4, 4>& t) { return t[0]; });
+}
+
+texture::Method elliptical(const Ellipse& parts) {
+    return made_of([parts](const LinearImage& image, const FilterOptions& o) -> Colour {
+        return
+            [levels = texture::mip_chain(image, o.mip_kernel, o.addressing), parts, o](const Footprint& f) {
+                glm::dvec2 longer = f.per_x * parts.radius, shorter = f.per_y * parts.radius;
+                if (glm::length(longer) < glm::length(shorter)) std::swap(longer, shorter);
+                const double ratio = glm::length(longer) / (glm::length(shorter) * o.max_anisotropy);
+                if (ratio > 1) shorter *= ratio;
+                const double coarsest = double(levels.size()) - 1;
+                const double lod = std::clamp(std::log2(glm::length(shorter)), 0.0, coarsest);
+                const auto read = [&](double at) {
+                    const LinearImage& level = levels[std::size_t(std::min(at, coarsest))];
+                    const glm::dvec2 scale = size_of(level) / size_of(levels[0]), p = longer * scale,
+                                     q = shorter * scale;
+                    const glm::dvec2 centre = f.centre * scale - 0.5;
+                    const double a = p.y * p.y + q.y * q.y + parts.widening,
+                                 c = p.x * p.x + q.x * q.x + parts.widening, b = -2 * (p.x * p.y + q.x * q.y),
+                                 whole = a * c - b * b / 4;
+                    const glm::dvec2 reach{std::sqrt(c), std::sqrt(a)};
+                    glm::dvec4 sum{0};
+                    double weights = 0;
+                    for (double row = std::ceil(centre.y - reach.y); row <= centre.y + reach.y; ++row)
+                        for (double column = std::ceil(centre.x - reach.x); column <= centre.x + reach.x;
+                             ++column) {
+                            const double du = column - centre.x, dv = row - centre.y,
+                                         r2 = (a * du * du + b * du * dv + c * dv * dv) / whole;
+                            if (r2 >= 1) continue;
+                            const double k = std::floor(128 * r2) / 127;
+                            const double weight = std::exp(-parts.steepness * k) - std::exp(-parts.steepness);
+                            weights += weight;
+                            sum += weight *
+                                   glm::dvec4{level.at(
+                                       texture::wrapped(o.addressing.u, std::int64_t(column), level.width),
+                                       texture::wrapped(o.addressing.v, std::int64_t(row), level.height))};
+                        }
+                    // The mean of the weight over a unit circle is what a whole ellipse of area pi
+                    // sqrt(whole) holds.
+                    const double expected =
+                        std::sqrt(whole) * 3.141592653589793 * ((1 - std::exp(-2.0)) / 2 - std::exp(-2.0));
+                    return sum / (parts.weights == Ellipse::Weights::normalised ? weights : expected);
+                };
+                return glm::mix(read(std::floor(lod)), read(std::floor(lod) + 1), lod - std::floor(lod));
+            };
+    });
+}
+
+texture::Method summed_box(const SummedBox& parts) {
+    return made_of([parts](const LinearImage& image, const FilterOptions& o) -> Colour {
+        const auto table = std::make_shared<const texture::SummedArea>(image, o.sat_storage);
+        return [table, parts, o](const Footprint& f) {
+            const glm::dvec2 side =
+                glm::max((glm::abs(f.per_x) + glm::abs(f.per_y)) * parts.scale, parts.least);
+            const glm::dvec2 low = f.centre - side / 2.0, high = f.centre + side / 2.0;
+            const double kept = std::max(side.y - parts.rows_left_out, 0x1p-10);
+            const glm::dvec4 mean =
+                table->mean(texture::covered({low.x, high.x}, o.addressing.u, table->width()),
+                            texture::covered({low.y, low.y + kept}, o.addressing.v, table->height()));
+            return mean * (kept / (side.y + parts.rows_counted));
+        };
+    });
+}
+
+}  // namespace zproof::selftest

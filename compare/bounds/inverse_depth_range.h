@@ -1,0 +1,47 @@
+/// The inverse depth that a faultless renderer may hold for a triangle at a pixel. An estimate in double of
+/// numbers that are bounds themselves.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/bounds/bounds.h"
+
+namespace zproof {
+
+struct InverseDepthRange {
+    double least, greatest;
+};
+
+/// Of everything.
+inline constexpr InverseDepthRange any_inverse_depth{-unlimited, unlimited};
+
+/// A triangle's plane at a pixel.
+struct PlaneHere {
+    double inverse_depth, gradient;  ///< |d/dx| + |d/dy| per px
+    double error;                    ///< of our own inverse depth; `unlimited` where the plane is not known
+};
+
+/// From the plane's slope over eps, kept to the corners' inverse depth where the renderer keeps to them.
+inline InverseDepthRange on_plane(const PlaneHere& plane, const LocalBounds& bounds,
+                                  const InverseDepthRange& corners, bool keeps_to_corners) {
+    const double shift =
+        bounds.depth_eps_px * (plane.gradient + plane.error) + plane.error + bounds.inverse_depth_error;
+    const double low = plane.inverse_depth - shift, high = plane.inverse_depth + shift;
+    const double least = std::clamp(low, corners.least, corners.greatest);
+    const double greatest = std::clamp(high, least, corners.greatest);
+    return {keeps_to_corners ? least : low, keeps_to_corners ? greatest : high};
+}
+
+/// Widened by what rounding does to depth; divisions come first and what they give is chosen afterwards.
+inline InverseDepthRange rounded(const InverseDepthRange& range, const LocalBounds& bounds,
+                                 bool perspective) {
+    const double r = bounds.depth_relative, a = bounds.depth_absolute;
+    const double least_abs = std::abs(range.least), greatest_abs = std::abs(range.greatest);
+    if (!perspective) return {range.least - least_abs * r - a, range.greatest + greatest_abs * r + a};
+    const double share = r + a * greatest_abs;
+    const double greatest = range.greatest + greatest_abs * share / (1 - share);
+    return {range.least - least_abs * (r + a * least_abs), share < 1 ? greatest : unlimited};
+}
+
+}  // namespace zproof

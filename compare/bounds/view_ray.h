@@ -1,0 +1,75 @@
+/// The view rays around one pixel, exact: what scenes/camera.h says, in the number type asked for.
+///
+/// Offsets (x, y) are in pixels from the pixel's centre, y down. A point at camera depth t on the line of
+/// sight is
+///     p_world = origin(x, y) + t direction(x, y).
+/// Perspective: origin is the eye, direction is affine in (x, y). Parallel: origin is affine, direction
+/// constant.
+#pragma once
+
+#include "math/vector3.h"
+#include "scenes/view.h"
+
+namespace zproof {
+
+template <class Number>
+struct ViewRay {
+    Projection projection;
+    Vector3<Number> origin, direction;  ///< at the pixel's centre
+    Vector3<Number> step_x, step_y;     ///< change of direction (perspective) or origin (parallel) per pixel
+
+    ViewRay() = default;
+    ViewRay(const View& view, int pixel_x, int pixel_y);
+};
+
+/// The view rays of one view: what they have in common is worked out once.
+template <class Number>
+class ViewRays {
+  public:
+    explicit ViewRays(const View& view)
+        : left_(view.camera.window.left),
+          top_(view.camera.window.top),
+          u_per_px_((Number(view.camera.window.right) - left_) / Number(view.width)),
+          v_per_px_((Number(view.camera.window.bottom) - top_) / Number(view.height)),
+          right_(exactly<Number>(view.camera.right)),
+          up_(exactly<Number>(view.camera.up)),
+          back_(exactly<Number>(view.camera.back)) {
+        const Camera& camera = view.camera;
+        common_.projection = camera.projection;
+        common_.step_x = u_per_px_ * right_;
+        common_.step_y = v_per_px_ * up_;
+        common_.origin = exactly<Number>(glm::dvec3(camera.eye_world));
+        if (camera.projection == Projection::parallel)
+            common_.direction = Number(camera.shear.x) * right_ + Number(camera.shear.y) * up_ - back_;
+    }
+
+    ViewRay<Number> at(int pixel_x, int pixel_y) const {
+        ViewRay<Number> ray = common_;
+        if (ray.projection == Projection::perspective)
+            ray.direction = direction_at(pixel_x, pixel_y);
+        else
+            ray.origin = ray.origin + on_plane(pixel_x, pixel_y);
+        return ray;
+    }
+    /// Of a perspective.
+    Vector3<Number> direction_at(int pixel_x, int pixel_y) const {
+        return on_plane(pixel_x, pixel_y) - back_;
+    }
+
+  private:
+    Vector3<Number> on_plane(int pixel_x, int pixel_y) const {
+        const Number u = left_ + u_per_px_ * Number(pixel_x + 0.5);
+        const Number v = top_ + v_per_px_ * Number(pixel_y + 0.5);
+        return u * right_ + v * up_;
+    }
+
+    Number left_, top_, u_per_px_, v_per_px_;
+    Vector3<Number> right_, up_, back_;
+    ViewRay<Number> common_{};
+};
+
+template <class Number>
+ViewRay<Number>::ViewRay(const View& view, int pixel_x, int pixel_y)
+    : ViewRay(ViewRays<Number>(view).at(pixel_x, pixel_y)) {}
+
+}  // namespace zproof

@@ -1,0 +1,94 @@
+#include "compare/explanation/explainer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "compare/adjudicate/pixel_check.h"
+#include "compare/adjudicate/triangle_search.h"
+#include "compare/bounds/triangle_depth.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Remembered at one pixel.
+constexpr std::size_t coplanar_pairs = 64;
+
+std::array<double, 3> edge_distances(const ViewRay<double>& ray, const CornersWorld& p_world) {
+    const auto image = image_of(ray, corners<double>(p_world));
+    std::array<double, 3> distance{nan, nan, nan};
+    for (std::size_t i = 0; image && i < 3; ++i) {
+        const Affine<double>& edge = image->edge[i];
+        distance[i] = 256 * edge.c / std::hypot(edge.a, edge.b);
+    }
+    return distance;
+}
+
+std::vector<Candidate> candidates_in(const View& view, const ViewBounds& bounds, const Neighbourhood& around,
+                                     CoplanarCache& coplanar) {
+    const ViewRay<double> ray(view, around.x, around.y);
+    std::vector<Candidate> candidates;
+    for (const Neighbour& n : around.neighbours) {
+        const Decision decision = decide(around, PrimitiveId(n.triangle), coplanar);
+        if (decision.admissibility == Admissibility::outside) continue;
+        const TriangleDepth depth(TriangleInView(view, bounds, n.p_world), bounds);
+        candidates.push_back({PrimitiveId(n.triangle), edge_distances(ray, n.p_world),
+                              depth.at(around.x, around.y), decision});
+    }
+    std::ranges::stable_sort(candidates, {}, [](const Candidate& c) { return c.depth.truth; });
+    return candidates;
+}
+
+/// A pixel before its surroundings are looked into: everything but `candidates` and `background`.
+PixelExplanation partial_explanation(const FramePair& frames, const PixelCheck& pixel,
+                                     const PixelCoord& place) {
+    PixelExplanation explanation{finding_of(frames, pixel, place),
+                                 pixel.candidate_decision.decision,
+                                 pixel.reference_decision.decision,
+                                 pixel.ids_differ(),
+                                 {},
+                                 {}};
+    if (!pixel.ids_differ() && !pixel.candidate.is_invalid)
+        explanation.finding.eps_px = own_eps_px(frames.scene, frames.view, frames.candidate.bounds, place,
+                                                pixel.candidate.answer.primitive);
+    return explanation;
+}
+
+void require_inside(const View& view, const PixelCoord& place) {
+    if (place.x < 0 || place.y < 0 || place.x >= view.width || place.y >= view.height)
+        throw std::out_of_range("explain: the pixel lies outside the view");
+}
+
+}  // namespace
+
+std::vector<PixelExplanation> Explainer::begin(std::span<const PixelCoord> places) const {
+    for (const PixelCoord& place : places) require_inside(frames_.view, place);
+    std::vector<UndecidedPixel> undecided;
+    for (const PixelCoord& place : places) undecided.push_back({place});
+    std::vector<PixelExplanation> explanations(places.size());
+    check_pixels(frames_, undecided, [&](std::size_t i, const PixelCheck& pixel) {
+        explanations[i] = partial_explanation(frames_, pixel, places[i]);
+    });
+    return explanations;
+}
+
+void Explainer::finish(PixelExplanation& explanation, const SearchPixel& search_pixel) const {
+    const auto& [scene, view, candidate, reference] = frames_;
+    Neighbourhood around =
+        neighbourhood_of(scene, view, candidate.bounds, search_pixel, search_pixel.reach_px);
+    around.eps_px = search_pixel.reach_px;
+    CoplanarCache coplanar(coplanar_pairs);
+    explanation.candidates = candidates_in(view, candidate.bounds, around, coplanar);
+    explanation.background = decide(around, PrimitiveId::none, coplanar);
+}
+
+SearchPixel search_pixel_of(const PixelExplanation& explanation, double reach_px) {
+    const Finding& f = explanation.finding;
+    return {f.x, f.y, std::max(f.eps_px, reach_px), {}};
+}
+
+}  // namespace zproof

@@ -1,0 +1,120 @@
+#include "oracle/filter_reference/line_of_taps.h"
+
+namespace zproof::oracle::filter_reference {
+
+namespace {
+
+/// N equal trilinear taps along a line, all at one LOD.
+struct Line {
+    TexelInterval whole;  ///< texels, from one end to the other
+    int taps = 1;
+    Interval width;  ///< its log2 is the LOD
+};
+
+/// Where tap i = 1 .. n stands, in lengths of the line.
+using Placement = double (*)(int i, int n);
+
+double to_the_letter(int i, int n) { return double(i) / (n + 1) - 0.5; }
+double midpoints(int i, int n) { return (i - 0.5) / n - 0.5; }
+
+ColourRange read_line(const Levels& levels, const FilterQuery& q, const Line& line, Placement placement) {
+    const TexelInterval centre = q.footprint().centre;
+    const Interval level = level_of(log2(line.width), levels.settings(), levels.count(), q.precision);
+    const double error = std::exp2(-q.precision.tap_bits);
+    std::vector<LineTap> taps;
+    for (int i = 1; i <= line.taps; ++i) {
+        const double at = placement(i, line.taps);
+        taps.push_back({widen(Interval{at}, error + 0x1p-52), Interval{1}});
+    }
+    return mean_along(centre, line.whole, taps, [&](const TexelInterval& place) {
+        return levels.trilinear(level, place, q.precision);
+    });
+}
+
+/// EXT_texture_filter_anisotropic: N = min(ceil(P_max / P_min), most), LOD = log2(P_max / N). Where it is
+/// unclear which step is longer, or what the ceiling is, every case is a candidate.
+std::vector<Line> along_longer_step(const PixelFootprint& f, int most) {
+    const Interval x = length(f.per_x.u, f.per_x.v), y = length(f.per_y.u, f.per_y.v);
+    std::vector<Line> lines;
+    const auto add = [&](const TexelInterval& step, const Interval& longer, const Interval& shorter) {
+        const Interval ratio = larger(longer / shorter, Interval{1});
+        for (const int n : ceilings(ratio, most)) lines.push_back({step, n, longer / Interval{double(n)}});
+    };
+    if (x.high() >= y.low()) add(f.per_x, x, y);
+    if (y.high() >= x.low()) add(f.per_y, y, x);
+    return lines;
+}
+
+/// Direct3D 11.3, 7.18.11: the ellipse's axes; a ratio beyond the limit widens the minor one; a minor axis
+/// below one texel asks for fewer taps.
+std::vector<Line> along_ellipse(const PixelFootprint& f, int most) {
+    const Axes axes_of = axes(f);
+    const Interval limit{double(most)}, one{1};
+    const Interval raw = axes_of.major / axes_of.minor;
+    const Interval minor = larger(axes_of.minor, axes_of.major / limit), ratio = smaller(raw, limit);
+    const Interval taps = larger(one, smaller(ratio, ratio * minor));
+    const TexelInterval direction = major_direction(f);
+    std::vector<Line> lines;
+    for (const int n : ceilings(taps, most))
+        lines.push_back({{axes_of.major * direction.u, axes_of.major * direction.v}, n, minor});
+    return lines;
+}
+
+using Lines = std::vector<Line> (*)(const PixelFootprint&, int);
+
+Definition anisotropic(const std::string& name, Lines lines, Placement placement) {
+    return {"aniso-" + name, over_levels([=](const Levels& levels, const FilterQuery& q) {
+                PermittedColours all;
+                for (const Line& line : lines(q.footprint(), levels.settings().max_anisotropy))
+                    all.push_back(read_line(levels, q, line, placement));
+                return all;
+            })};
+}
+
+/// McCormack, Perry, Farkas and Jouppi 1999: Gaussian-weighted probes along the longer axis.
+ColourRange probed(const Levels& levels, const FilterQuery& q, int count, const Interval& major,
+                   const Interval& minor_as_is) {
+    const PixelFootprint f = q.footprint();
+    const Interval wanted = Interval{2} * (major / minor_as_is) - Interval{1}, n{double(count)};
+    // Fewer probes than wanted must each be wider. At count = wanted both are the same.
+    Interval minor = minor_as_is;
+    const Interval widened_minor = Interval{2} * major / (n + Interval{1});
+    if (wanted.high() > count) minor = wanted.low() > count ? widened_minor : hull(minor, widened_minor);
+    const Interval level = level_of(log2(minor), levels.settings(), levels.count(), q.precision);
+    const TexelInterval direction = major_direction(f);
+    const Interval length_of_line = Interval{2} * (major - minor);
+    const TexelInterval whole{length_of_line * direction.u, length_of_line * direction.v};
+    std::vector<LineTap> taps;
+    for (int i = 0; i < count; ++i) {
+        const double at = count > 1 ? double(i) / (count - 1) - 0.5 : 0;
+        const Interval along = widen(Interval{at}, std::exp2(-q.precision.tap_bits) + 0x1p-52);
+        const Interval d = along * length_of_line / major;
+        taps.push_back({along, exp(Interval{-2} * square(d))});
+    }
+    return mean_along(f.centre, whole, taps, [&](const TexelInterval& place) {
+        return levels.trilinear(level, place, q.precision);
+    });
+}
+
+PermittedColours feline(const Levels& levels, const FilterQuery& q) {
+    const Axes axes_of = axes(q.footprint());
+    const Interval one{1}, major = larger(axes_of.major, one), minor = larger(axes_of.minor, one);
+    const Interval wanted = Interval{2} * (major / minor) - one;
+    const int most = 2 * levels.settings().max_anisotropy - 1;
+    const auto count_of = [&](double w) { return int(std::min(std::floor(w + 0.5), double(most))); };
+    PermittedColours all;
+    for (int n = count_of(std::max(wanted.low(), 1.0)); n <= count_of(wanted.high()); ++n)
+        all.push_back(probed(levels, q, n, major, minor));
+    return all;
+}
+
+}  // namespace
+
+std::vector<Definition> anisotropic_definitions() {
+    return {anisotropic("ext", along_longer_step, to_the_letter),
+            anisotropic("midpoint", along_longer_step, midpoints),
+            anisotropic("d3d11", along_ellipse, midpoints),
+            {"aniso-feline", over_levels(feline)}};
+}
+
+}  // namespace zproof::oracle::filter_reference

@@ -1,0 +1,52 @@
+/// What a definition is asked, and what it reads.
+#pragma once
+
+#include <functional>
+
+#include "oracle/filter_reference/interval_image.h"
+
+namespace zproof::oracle::filter_reference {
+
+/// How the smaller levels of a mip chain are made.
+enum class ChainKernel { box, polyphase, lanczos3 };
+
+/// What a user may set of a method.
+struct Settings {
+    WrapRules wrap;
+    ChainKernel kernel = ChainKernel::polyphase;
+    double lod_bias = 0;                 ///< added before clamping
+    double lod_min = 0, lod_max = 1000;  ///< clamp of the biased LOD
+    int max_anisotropy = 16;
+    int subdivisions = 4;
+    double texel_error =
+        0;  ///< stored texels of level 0 are rounded by at most this much (a table of integers)
+};
+
+/// One pixel of a surface.
+struct FilterQuery {
+    const SeenTexture& seen;
+    int x = 0, y = 0;
+    StepRule steps = StepRule::analytic;
+    const FilterPrecision& precision;
+
+    PixelFootprint footprint() const { return seen.footprint(x, y, steps); }
+};
+
+/// A texture made ready for one definition. Throws UndecidedSign where intervals cannot tell.
+using MethodReference = std::function<PermittedColours(const FilterQuery&)>;
+
+struct Definition {
+    std::string name;
+    std::function<MethodReference(const texture::LinearImage&, const Settings&)> prepare;
+};
+
+std::vector<Definition> point_definitions();
+std::vector<Definition> mip_definitions();
+std::vector<Definition> ripmap_definitions();
+std::vector<Definition> anisotropic_definitions();
+std::vector<Definition> openimageio_definitions();
+std::vector<Definition> ewa_definitions();
+std::vector<Definition> sat_definitions();
+std::vector<Definition> supersample_definitions();
+
+}  // namespace zproof::oracle::filter_reference

@@ -1,0 +1,86 @@
+#include "oracle/filter_reference/filter_reference.h"
+
+#include <algorithm>
+
+#include "math/rounding.h"
+#include "oracle/filter_reference/colour_range_sums.h"
+
+namespace zproof::oracle {
+
+namespace {
+
+using namespace filter_reference;
+
+texture::LinearImage linear(const Image& image) {
+    return texture::linear_image({image.width, image.height, image.texels});
+}
+
+/// What the sums over texels may cost, theirs and ours; no definition adds more terms than this, and no sum
+/// of absolute weights exceeds 2 (bicubic: 1.5625) where texels lie in [0, 1].
+constexpr int most_terms = 4096;
+
+/// Factor, sum and the picture's format.
+ColourRange as_shown(const ColourRange& filtered, const glm::dvec3& factor,
+                     const FilterPrecision& precision) {
+    const double sums =
+        2 * (gamma(precision.sum_roundings, std::exp2(-precision.sum_bits)) + gamma(most_terms, 0x1p-53));
+    const glm::dvec3 low = factor * (filtered.low - sums), high = factor * (filtered.high + sums);
+    // The factor's product in double, and one rounding to the picture's numbers.
+    const double rounding = std::exp2(-precision.colour_bits) * (1 + 0x1p-50);
+    return {low - rounding * glm::abs(low) - 0x1p-149, high + rounding * glm::abs(high) + 0x1p-149};
+}
+
+PermittedColours anything() {
+    const double inf = std::numeric_limits<double>::infinity();
+    return {{glm::dvec3{-inf}, glm::dvec3{inf}}};
+}
+
+}  // namespace
+
+std::span<const Definition> filter_definitions() {
+    static const std::vector<Definition> all = [] {
+        std::vector<Definition> list;
+        for (const auto& family :
+             {point_definitions, mip_definitions, ripmap_definitions, anisotropic_definitions,
+              openimageio_definitions, ewa_definitions, sat_definitions, supersample_definitions})
+            for (Definition& definition : family()) list.push_back(std::move(definition));
+        return list;
+    }();
+    return all;
+}
+
+const Definition* find_filter_definition(std::string_view name) {
+    const auto found = std::ranges::find(filter_definitions(), name, &Definition::name);
+    return found == filter_definitions().end() ? nullptr : &*found;
+}
+
+FilterReference::FilterReference(const Scene& scene, const View& view, const Definition& definition,
+                                 const FilterSettings& settings, StepRule steps)
+    : scene_(scene), view_(view), steps_(steps) {
+    for (const Material& material : scene.materials) {
+        const Texture& texture = material.base_color;
+        FilterSettings own = settings;
+        own.wrap = {texture.sampler.wrap_u, texture.sampler.wrap_v};
+        by_material_.push_back(is_textured(scene, material)
+                                   ? definition.prepare(linear(scene.images[std::size_t(texture.image)]), own)
+                                   : MethodReference{});
+    }
+}
+
+PermittedColours FilterReference::at(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const {
+    if (seen == PrimitiveId::none) return {ColourRange{}};
+    const Material& material = material_of(scene_, std::uint32_t(seen));
+    const MethodReference& reference = by_material_[std::size_t(&material - scene_.materials.data())];
+    const glm::dvec3 factor{glm::vec3{material.base_color_factor}};
+    if (!reference) return {as_shown({glm::dvec3{1}, glm::dvec3{1}}, factor, precision)};
+    try {
+        const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
+        PermittedColours permitted = reference({texture, x, y, steps_, precision});
+        for (ColourRange& range : permitted) range = as_shown(range, factor, precision);
+        return permitted;
+    } catch (const UndecidedSign&) {
+        return anything();
+    }
+}
+
+}  // namespace zproof::oracle

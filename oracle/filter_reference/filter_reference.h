@@ -1,0 +1,44 @@
+/// The filter reference: what each method's own definition permits at a pixel, given what arithmetic
+/// may cost. Written from the definitions (docs/texture-filters.md, docs/filter-conformance.md) and never
+/// from the methods, which it judges.
+///
+/// Judged is the albedo: base colour factor x filtered texture, no light, no vertex colour, alpha ignored,
+/// black where nothing is seen. Which triangle is seen is taken as given.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "frame/frame.h"
+#include "oracle/filter_reference/filter_query.h"
+
+namespace zproof::oracle {
+
+using FilterSettings = filter_reference::Settings;
+
+/// Every method that has a filter reference, by the name of the catalogue.
+std::span<const filter_reference::Definition> filter_definitions();
+/// Null where there is none of that name.
+const filter_reference::Definition* find_filter_definition(std::string_view name);
+
+/// One method on one view of a scene; wraps are those of the textures' samplers. The scene and the view must
+/// outlive it. May be asked from many threads.
+class FilterReference {
+  public:
+    FilterReference(const Scene& scene, const View& view, const filter_reference::Definition& definition,
+                    const FilterSettings& settings, StepRule steps = StepRule::analytic);
+
+    /// What pixel (x, y) may show where it sees that triangle. Everything is permitted where even intervals
+    /// cannot tell (a pixel on the plane's horizon).
+    PermittedColours at(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const;
+
+  private:
+    const Scene& scene_;
+    const View& view_;
+    StepRule steps_;
+    std::vector<filter_reference::MethodReference> by_material_;  ///< empty where a material has no texture
+};
+
+}  // namespace zproof::oracle

@@ -1,0 +1,85 @@
+/// The filter reference's own way from a pixel to a place on a texture: derived from the scene's floats and
+/// the camera's facts in intervals, for perspective and parallel projections. Nothing is shared with the
+/// rasterizer.
+///
+/// With corners v_i relative to the eye and the view ray d through (x, y), b_i = (v_j x v_k) . d are
+/// homogeneous barycentrics, affine in (x, y); texel coordinates are sum b_i t_i / sum b_i.
+#pragma once
+
+#include <array>
+
+#include "frame/filter_precision.h"
+#include "math/homography.h"
+#include "math/interval_functions.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace zproof::oracle::filter_reference {
+
+/// Of a sum and of products, with every term in absolute value: what rounding errors are relative to.
+struct Magnitude {
+    double value = 0;
+    Magnitude(double of = 0) : value(std::abs(of)) {}
+
+    friend Magnitude operator+(Magnitude a, Magnitude b) { return {a.value + b.value}; }
+    friend Magnitude operator-(Magnitude a, Magnitude b) { return {a.value + b.value}; }
+    friend Magnitude operator-(Magnitude a) { return a; }
+    friend Magnitude operator*(Magnitude a, Magnitude b) { return {a.value * b.value}; }
+    friend Magnitude operator/(Magnitude a, Magnitude b) { return {a.value / b.value}; }  ///< b exact
+};
+
+/// Texels of level 0; texel i covers [i, i + 1).
+struct TexelInterval {
+    Interval u, v;
+};
+
+/// What the pixel's centre sees and the change per pixel of raster x and y.
+struct PixelFootprint {
+    TexelInterval centre, per_x, per_y;
+};
+
+/// A triangle and its texture, as the scene has them.
+struct TexturedTriangle {
+    std::array<glm::vec3, 3> corners_world;
+    std::array<glm::vec2, 3> uv;
+    UvTransform transform;
+    glm::ivec2 texture_size;
+};
+
+/// The material of a triangle, and the triangle with its texture; the material must have one.
+const Material& material_of(const Scene& scene, std::uint32_t triangle);
+TexturedTriangle textured_triangle(const Scene& scene, std::uint32_t triangle);
+/// Does the material have a texture, and do the scene's vertices have coordinates for it?
+bool is_textured(const Scene& scene, const Material& material);
+
+class SeenTexture {
+  public:
+    SeenTexture(const View& view, const TexturedTriangle& triangle, const FilterPrecision& precision);
+
+    /// Throws UndecidedSign where the plane's horizon comes too close to tell.
+    TexelInterval at(double x_raster, double y_raster) const;
+    PixelFootprint footprint(int x, int y, StepRule rule) const;
+    /// How far 1 / depth at the pixel's centre exceeds its fall to the farthest corner, in units of its own:
+    /// positive where the whole pixel lies before the plane's horizon.
+    Interval before_horizon(int x, int y) const;
+
+  private:
+    /// Of a functional's three terms, with what arithmetic may cost them.
+    struct Functional {
+        Affine<Interval> exact;
+        Affine<Magnitude> size;
+    };
+    Interval value(const Functional& f, double x, double y) const;
+    /// Change of the place per pixel in x or in y, where the place and W are known.
+    TexelInterval step(const TexelInterval& place, const Interval& w, Interval Affine<Interval>::*along,
+                       Magnitude Affine<Magnitude>::*along_size) const;
+    TexelInterval undisplaced(double x, double y) const;
+
+    Functional u_, v_, w_;
+    double rounding_;  ///< relative to the terms' size
+    double displacement_px_;
+    double step_error_;  ///< in lengths of the steps' longest coordinate
+    double coordinate_unit_;
+};
+
+}  // namespace zproof::oracle::filter_reference
