@@ -1,11 +1,11 @@
 #include "frame/precision_text.h"
 
-#include <array>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "frame/frame_error.h"
@@ -16,20 +16,56 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class T>
-using Words = std::array<std::pair<std::string_view, T>, 2>;
+// The words of a declaration. Values run from 0; behind the last of a type there is no word.
 
-constexpr Words<Arithmetic> arithmetics{{{"float32", Arithmetic::float32}, {"float64", Arithmetic::float64}}};
-constexpr Words<Origin> origins{{{"world", Origin::world}, {"eye", Origin::eye}}};
-constexpr Words<Clipping> clippings{
-    {{"guard_band", Clipping::guard_band}, {"view_volume", Clipping::view_volume}}};
-constexpr Words<DepthBuffer> depth_buffers{
-    {{"camera_depth", DepthBuffer::camera_depth}, {"reversed_z", DepthBuffer::reversed_z}}};
-constexpr Words<Snap> snaps{{{"nearest", Snap::nearest}, {"truncate", Snap::truncate}}};
+constexpr std::string_view word_of(Arithmetic value) {
+    switch (value) {
+        case Arithmetic::float32:
+            return "float32";
+        case Arithmetic::float64:
+            return "float64";
+    }
+    return {};
+}
 
-template <class T>
-std::string word_for(const Words<T>& words, T value) {
-    return std::string(value == words[0].second ? words[0].first : words[1].first);
+constexpr std::string_view word_of(Origin value) {
+    switch (value) {
+        case Origin::world:
+            return "world";
+        case Origin::eye:
+            return "eye";
+    }
+    return {};
+}
+
+constexpr std::string_view word_of(Snap value) {
+    switch (value) {
+        case Snap::nearest:
+            return "nearest";
+        case Snap::truncate:
+            return "truncate";
+    }
+    return {};
+}
+
+constexpr std::string_view word_of(Clipping value) {
+    switch (value) {
+        case Clipping::guard_band:
+            return "guard_band";
+        case Clipping::view_volume:
+            return "view_volume";
+    }
+    return {};
+}
+
+constexpr std::string_view word_of(DepthBuffer value) {
+    switch (value) {
+        case DepthBuffer::camera_depth:
+            return "camera_depth";
+        case DepthBuffer::reversed_z:
+            return "reversed_z";
+    }
+    return {};
 }
 
 /// A JSON object whose keys are taken out one by one; what is left over at the end is refused.
@@ -39,14 +75,18 @@ class Declaration {
         if (!object_.is_object()) refuse("", "expected an object such as {\"kind\": \"raster\"}");
     }
 
+    /// One of the words of an enumeration.
     template <class T>
-    void take(const std::string& key, const Words<T>& words, T& value) {
+    requires std::is_enum_v<T>
+    void take(const std::string& key, T& value) {
         const Json found = take(key);
         if (found.is_null()) return;
-        for (const auto& [word, meaning] : words)
-            if (found == word) return void(value = meaning);
-        refuse(key, "expected \"" + std::string(words[0].first) + "\" or \"" + std::string(words[1].first) +
-                        "\", found " + found.dump());
+        std::string words;
+        for (int i = 0; !word_of(T(i)).empty(); ++i) {
+            if (found == word_of(T(i))) return void(value = T(i));
+            words += (i == 0 ? "\"" : " or \"") + std::string(word_of(T(i))) + "\"";
+        }
+        refuse(key, "expected " + words + ", found " + found.dump());
     }
 
     void take(const std::string& key, int low, int high, int& value) {
@@ -92,13 +132,13 @@ class Declaration {
 
 RasterPrecision raster(Declaration& declaration) {
     RasterPrecision p;
-    declaration.take("transform", arithmetics, p.transform);
-    declaration.take("origin", origins, p.origin);
+    declaration.take("transform", p.transform);
+    declaration.take("origin", p.origin);
     declaration.take("subpixel_bits", 0, 16, p.subpixel_bits);
-    declaration.take("snap", snaps, p.snap);
-    declaration.take("clipping", clippings, p.clipping);
-    declaration.take("depth_buffer", depth_buffers, p.depth_buffer);
-    declaration.take("interpolation", arithmetics, p.interpolation);
+    declaration.take("snap", p.snap);
+    declaration.take("clipping", p.clipping);
+    declaration.take("depth_buffer", p.depth_buffer);
+    declaration.take("interpolation", p.interpolation);
     declaration.take("depth_roundings", 0, 1000, p.depth_roundings);
     declaration.refuse_what_is_left(
         "transform, origin, subpixel_bits, snap, clipping, depth_buffer, interpolation, depth_roundings");
@@ -107,7 +147,7 @@ RasterPrecision raster(Declaration& declaration) {
 
 RayPrecision ray(Declaration& declaration) {
     RayPrecision p;
-    declaration.take("arithmetic", arithmetics, p.arithmetic);
+    declaration.take("arithmetic", p.arithmetic);
     declaration.refuse_what_is_left("arithmetic");
     return p;
 }
@@ -140,19 +180,17 @@ Json object_of(const PlaneRayPrecision& p) {
 
 Json object_of(const RasterPrecision& p) {
     return {{"kind", "raster"},
-            {"transform", word_for(arithmetics, p.transform)},
-            {"origin", word_for(origins, p.origin)},
+            {"transform", word_of(p.transform)},
+            {"origin", word_of(p.origin)},
             {"subpixel_bits", p.subpixel_bits},
-            {"snap", word_for(snaps, p.snap)},
-            {"clipping", word_for(clippings, p.clipping)},
-            {"depth_buffer", word_for(depth_buffers, p.depth_buffer)},
-            {"interpolation", word_for(arithmetics, p.interpolation)},
+            {"snap", word_of(p.snap)},
+            {"clipping", word_of(p.clipping)},
+            {"depth_buffer", word_of(p.depth_buffer)},
+            {"interpolation", word_of(p.interpolation)},
             {"depth_roundings", p.depth_roundings}};
 }
 
-Json object_of(const RayPrecision& p) {
-    return {{"kind", "ray"}, {"arithmetic", word_for(arithmetics, p.arithmetic)}};
-}
+Json object_of(const RayPrecision& p) { return {{"kind", "ray"}, {"arithmetic", word_of(p.arithmetic)}}; }
 
 Precision declared(Json object, const std::string& place) {
     Declaration declaration(std::move(object), place);

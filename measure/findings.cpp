@@ -46,25 +46,41 @@ double unit_of(Arithmetic arithmetic) {
 /// from the window's centre.
 constexpr double from_origin_px = 128, from_origin_depth = 1.25, reach_px = 64;
 
+/// Relative roundings from a corner's depth to a pixel's, beside depth_roundings.
+double interpolation_factor(const RasterPrecision& p) {
+    switch (p.depth_buffer) {
+        case DepthBuffer::camera_depth:
+            return gamma(8, unit_of(p.interpolation));
+        case DepthBuffer::reversed_z:  // of triangles that face the camera: 4 at a corner, 8 at a pixel
+            return gamma(12, unit_roundoff_float32);
+    }
+    return 0;
+}
+
+/// The same of z = (far - depth) / (far - near) under a parallel projection, as a multiple of far.
+double parallel_units(const RasterPrecision& p) {
+    switch (p.depth_buffer) {
+        case DepthBuffer::camera_depth:
+            return 0;
+        case DepthBuffer::reversed_z:  // z is at most 1
+            return gamma(12, unit_roundoff_float32) + gamma(6, unit_roundoff_float32);
+    }
+    return 0;
+}
+
 Allowed allowed_by(const RasterPrecision& p) {
     const double u = unit_of(p.transform);
     const int eye = p.origin == Origin::eye ? 1 : 0;
     const double transform =
         gamma((p.transform == Arithmetic::float64 ? 13 : 5) + eye, u);  // the axes are exact
     const double corner_depth = transform * from_origin_depth;
-    const bool is_reversed = p.depth_buffer == DepthBuffer::reversed_z;
-    // reversed z of triangles that face the camera: 4 at a corner, 8 at a pixel; z is at most 1
-    const double interpolation =
-        gamma(p.depth_roundings, unit_roundoff_float32) +
-        (is_reversed ? gamma(12, unit_roundoff_float32) : gamma(8, unit_of(p.interpolation)));
-    Allowed allowed{.subpixel_bits = p.subpixel_bits,
-                    .snap = p.snap,
-                    .eps_px = transform * from_origin_px + gamma(8, u) * reach_px,
-                    .depth_relative = corner_depth + interpolation,
-                    .limit_relative = corner_depth + gamma(8, u) * from_origin_depth};
-    if (is_reversed)
-        allowed.parallel_units = gamma(12, unit_roundoff_float32) + gamma(6, unit_roundoff_float32);
-    return allowed;
+    const double interpolation = gamma(p.depth_roundings, unit_roundoff_float32) + interpolation_factor(p);
+    return {.subpixel_bits = p.subpixel_bits,
+            .snap = p.snap,
+            .eps_px = transform * from_origin_px + gamma(8, u) * reach_px,
+            .depth_relative = corner_depth + interpolation,
+            .limit_relative = corner_depth + gamma(8, u) * from_origin_depth,
+            .parallel_units = parallel_units(p)};
 }
 
 Allowed allowed_by(const RayPrecision&) { return {}; }

@@ -9,7 +9,7 @@
 
 #include "frame/exr.h"
 #include "frame/png_kinds.h"
-#include "reports/class_style.h"
+#include "reports/class_colour.h"
 #include "reports/depth_colours.h"
 #include "reports/id_colours.h"
 #include "reports/pictures.h"
@@ -61,7 +61,7 @@ void write_class_map(const fs::path& file, const Plane<PixelClass>& classes) {
     std::ranges::transform(classes.pixels(), indices.pixels().begin(),
                            [](PixelClass c) { return std::uint8_t(c); });
     std::array<Rgb8, pixel_class_count> colours;
-    for (std::size_t c = 0; c < colours.size(); ++c) colours[c] = style_of(PixelClass(c)).colour;
+    for (std::size_t c = 0; c < colours.size(); ++c) colours[c] = colour_of(PixelClass(c));
     write_png(file, indices, colours);
 }
 

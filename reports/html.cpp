@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "reports/class_style.h"
+#include "reports/class_colour.h"
 #include "reports/document/page.h"
 #include "reports/extent.h"
 #include "reports/html_parts.h"
@@ -36,7 +36,7 @@ std::string_view ink_on(Rgb8 c) {
 std::string class_colours() {
     std::string css;
     for (int i = 0; i < pixel_class_count; ++i) {
-        const Rgb8 colour = style_of(PixelClass(i)).colour;
+        const Rgb8 colour = colour_of(PixelClass(i));
         css += ".c" + std::to_string(i) + "{background:" + colour_text(colour) +
                ";color:" + std::string(ink_on(colour)) + "}\n";
     }
@@ -75,14 +75,20 @@ std::string count_cell(const ViewResult& v, PixelClass c) {
     return "<td class=\"n" + std::string(count == 0 ? " zero" : "") + "\">" + grouped(count) + "</td>";
 }
 
+/// The columns of measured_cells(): two before the classes, three behind.
+int measured_columns() {
+    int columns = 5;
+    for (int i = 0; i < pixel_class_count; ++i) columns += has_column(PixelClass(i));
+    return columns;
+}
+
 std::string measured_cells(const ViewResult& v) {
     const std::uint64_t pixels = std::uint64_t(v.width) * std::uint64_t(v.height),
                         defects = unwaived_defects(v);
     std::string cells =
         "<td class=\"n\">" + grouped(v.triangles) + "</td><td class=\"n\">" + grouped(pixels) + "</td>";
-    for (const PixelClass c : {PixelClass::edge, PixelClass::depth_tie, PixelClass::abutting_edges,
-                               PixelClass::clip, PixelClass::reference_wrong})
-        cells += count_cell(v, c);
+    for (int i = 0; i < pixel_class_count; ++i)
+        if (has_column(PixelClass(i))) cells += count_cell(v, PixelClass(i));
     return cells + "<td class=\"n defects" + (defects == 0 ? " zero" : "") + "\">" + grouped(defects) +
            (waived_count(v) == 0 ? "" : "<br>" + grouped(waived_count(v)) + " waived") +
            "</td><td class=\"n\">" + rounded(v.candidate_depth.max_error_over_bound) +
@@ -94,8 +100,16 @@ std::string summary_row(const PageView& page) {
     return "<tr><td>" + outcome_badge(v.outcome) + "</td><td><a href=\"#" + page.anchor + "\">" +
            escaped(v.scene) + " <span class=\"view\">" + escaped(v.view) + "</span></a></td>" +
            (was_judged(v) ? measured_cells(v)
-                          : "<td colspan=\"10\" class=\"message\">" + escaped(v.message) + "</td>") +
+                          : "<td colspan=\"" + std::to_string(measured_columns()) + "\" class=\"message\">" +
+                                escaped(v.message) + "</td>") +
            "<td class=\"n\">" + fixed(seconds(v.times), 2) + "</td></tr>\n";
+}
+
+/// Its name, broken at each underscore.
+std::string heading_of(PixelClass c) {
+    std::string name;
+    for (const char letter : name_of(c)) name += letter == '_' ? std::string("<br>") : std::string(1, letter);
+    return "<th class=\"n\">" + name + "</th>";
 }
 
 std::string summary(const std::vector<PageView>& pages) {
@@ -103,9 +117,9 @@ std::string summary(const std::vector<PageView>& pages) {
     std::string rows;
     for (const PageView& page : pages) rows += summary_row(page);
     std::string classes;
-    for (const std::string_view name :
-         {"edge", "depth<br>tie", "abutting<br>edges", "clip", "reference<br>wrong", "defects"})
-        classes += "<th class=\"n\">" + std::string(name) + "</th>";
+    for (int i = 0; i < pixel_class_count; ++i)
+        if (has_column(PixelClass(i))) classes += heading_of(PixelClass(i));
+    classes += "<th class=\"n\">defects</th>";
     return "<div class=\"wide\"><table class=\"summary sortable\"><thead><tr><th>verdict</th><th>scene, "
            "view</th>"
            "<th class=\"n\">triangles</th><th class=\"n\">pixels</th>" +
@@ -121,7 +135,7 @@ std::string legend_rows(bool admissible) {
     for (int i = 0; i < pixel_class_count; ++i)
         if (passes(PixelClass(i)) == admissible)
             rows += "<dt>" + class_badge(PixelClass(i)) + "</dt><dd>" +
-                    std::string(style_of(PixelClass(i)).meaning) + "</dd>\n";
+                    std::string(facts_of(PixelClass(i)).meaning) + "</dd>\n";
     return "<dl>" + rows + "</dl>";
 }
 

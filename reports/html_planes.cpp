@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "reports/class_style.h"
+#include "reports/class_colour.h"
 #include "reports/deep_link.h"
 #include "reports/html_parts.h"
 #include "reports/planes/container.h"
@@ -129,11 +129,11 @@ std::string colour_text(Rgb8 c) {
 json classes() {
     json all = json::array();
     for (int i = 0; i < pixel_class_count; ++i) {
-        const ClassStyle& style = style_of(PixelClass(i));
-        all.push_back({{"name", name_of(PixelClass(i))},
-                       {"glyph", style.glyph},
-                       {"colour", colour_text(style.colour)},
-                       {"meaning", style.meaning},
+        const ClassFacts facts = facts_of(PixelClass(i));
+        all.push_back({{"name", facts.name},
+                       {"glyph", facts.glyph},
+                       {"colour", colour_text(colour_of(PixelClass(i)))},
+                       {"meaning", facts.meaning},
                        {"passes", passes(PixelClass(i))}});
     }
     return all;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reports/class_style.h"
 #include "reports/diagnosis_words.h"
 #include "reports/html_parts.h"
 #include "reports/wording.h"
@@ -198,9 +197,8 @@ std::string judgement(const PageView& page) {
 }  // namespace
 
 std::string class_badge(PixelClass c) {
-    const ClassStyle& style = style_of(c);
     return "<span class=\"class\"><i class=\"c" + std::to_string(int(c)) + "\" aria-hidden=\"true\">" +
-           escaped(style.glyph) + "</i>" + std::string(name_of(c)) + "</span>";
+           escaped(facts_of(c).glyph) + "</i>" + std::string(name_of(c)) + "</span>";
 }
 
 std::string outcome_badge(Outcome outcome) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "reports/class_style.h"
+#include "reports/class_colour.h"
 #include "reports/depth_colours.h"
 #include "reports/id_colours.h"
 #include "reports/viridis.h"
@@ -77,9 +77,7 @@ Plane<Rgb8> picture_of_difference(const Picture& a, const Picture& b) {
     return picture;
 }
 
-Plane<Rgb8> picture_of_classes(const Plane<PixelClass>& classes) {
-    return coloured(classes, [](PixelClass c) { return style_of(c).colour; });
-}
+Plane<Rgb8> picture_of_classes(const Plane<PixelClass>& classes) { return coloured(classes, colour_of); }
 
 int shrink_factor(Resolution size) {
     return std::max(1, (std::max(size.width, size.height) + small_side - 1) / small_side);

@@ -17,7 +17,7 @@ Plane<Rgb8> picture_of_ids(const Plane<PrimitiveId>& ids);
 /// what is no depth (NaN, zero, negative) is magenta.
 Plane<Rgb8> picture_of_depths(const Plane<float>& depths);
 
-/// style_of(class).colour at every pixel.
+/// colour_of(class) at every pixel.
 Plane<Rgb8> picture_of_classes(const Plane<PixelClass>& classes);
 
 /// Linear light as sRGB; beyond [0, 1] it is cut, what is no number is magenta.

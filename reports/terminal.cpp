@@ -1,7 +1,7 @@
 #include "reports/terminal.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "reports/diagnosis_words.h"
 #include "reports/extent.h"
@@ -19,20 +19,18 @@ struct Column {
     Align align;
 };
 
-constexpr std::array<Column, 13> columns{{{"verdict", Align::left},
-                                          {"scene/view", Align::left},
-                                          {"triangles", Align::right},
-                                          {"pixels", Align::right},
-                                          {"edge", Align::right},
-                                          {"tie", Align::right},
-                                          {"abut", Align::right},
-                                          {"clip", Align::right},
-                                          {"ref", Align::right},
-                                          {"defects", Align::right},
-                                          {"err/bound", Align::right},
-                                          {"ref e/b", Align::right},
-                                          {"seconds", Align::right}}};
-using Row = std::array<std::string, columns.size()>;
+const std::vector<Column> columns = [] {
+    std::vector<Column> all{{"verdict", Align::left},
+                            {"scene/view", Align::left},
+                            {"triangles", Align::right},
+                            {"pixels", Align::right}};
+    for (int i = 0; i < pixel_class_count; ++i)
+        if (has_column(PixelClass(i))) all.push_back({facts_of(PixelClass(i)).column, Align::right});
+    for (const std::string_view title : {"defects", "err/bound", "ref e/b", "seconds"})
+        all.push_back({title, Align::right});
+    return all;
+}();
+using Row = std::vector<std::string>;  ///< a text for each column
 constexpr std::size_t longest_name = 40;
 
 std::string_view glyph_of(Outcome outcome) {
@@ -103,33 +101,28 @@ std::string defects_cell(const ViewResult& v) {
     return waived_count(v) == 0 ? failing : failing + " (" + grouped(waived_count(v)) + " waived)";
 }
 
-std::string cell(const ViewResult& v, PixelClass c) { return grouped(v.counts[std::size_t(c)]); }
-
 Row row_of(const ViewResult& v) {
     Row row{verdict_text(v.outcome), shortened(title_of(v))};
     const bool was_begun = v.outcome != Outcome::not_judged || seconds(v.times) > 0;
-    if (was_begun) row[12] = fixed(seconds(v.times), 2);
-    if (!was_judged(v)) return row;
-    const std::uint64_t pixels = std::uint64_t(v.width) * std::uint64_t(v.height);
-    return {row[0],
-            row[1],
-            grouped(v.triangles),
-            grouped(pixels),
-            cell(v, PixelClass::edge),
-            cell(v, PixelClass::depth_tie),
-            cell(v, PixelClass::abutting_edges),
-            cell(v, PixelClass::clip),
-            cell(v, PixelClass::reference_wrong),
-            defects_cell(v),
-            rounded(v.candidate_depth.max_error_over_bound),
-            rounded(v.reference_depth.max_error_over_bound),
-            row[12]};
+    const std::string time = was_begun ? fixed(seconds(v.times), 2) : "";
+    if (was_judged(v)) {
+        row.push_back(grouped(v.triangles));
+        row.push_back(grouped(std::uint64_t(v.width) * std::uint64_t(v.height)));
+        for (int i = 0; i < pixel_class_count; ++i)
+            if (has_column(PixelClass(i))) row.push_back(grouped(v.counts[std::size_t(i)]));
+        row.push_back(defects_cell(v));
+        row.push_back(rounded(v.candidate_depth.max_error_over_bound));
+        row.push_back(rounded(v.reference_depth.max_error_over_bound));
+    }
+    row.resize(columns.size() - 1);
+    row.push_back(time);
+    return row;
 }
 
-using Widths = std::array<std::size_t, columns.size()>;
+using Widths = std::vector<std::size_t>;
 
 Widths widths_of(const std::vector<Row>& rows) {
-    Widths widths{};
+    Widths widths(columns.size());
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = width_of(columns[i].title);
     for (const Row& row : rows)
         for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));

@@ -1,6 +1,7 @@
 #include "compare/admissible/admissibility.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "compare/admissible/admissible_set.h"
 #include "compare/admissible/conservative_test.h"
@@ -65,27 +66,24 @@ Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& 
 }
 
 PixelClass class_of(Admissibility candidate, Admissibility reference) {
-    switch (candidate) {
+    if (is_admissible(candidate) && !is_admissible(reference)) return PixelClass::reference_wrong;
+    switch (is_admissible(candidate) ? std::max(candidate, reference) : candidate) {
+        case Admissibility::visible:
+            return PixelClass::edge;
+        case Admissibility::clipped:
+            return PixelClass::clip;
+        case Admissibility::tied:
+            return PixelClass::depth_tie;
+        case Admissibility::through_a_crack:
+            return PixelClass::abutting_edges;
         case Admissibility::hole:
             return PixelClass::hole;
         case Admissibility::outside:
             return PixelClass::outside;
         case Admissibility::hidden:
             return PixelClass::hidden;
-        default:
-            break;
     }
-    if (!is_admissible(reference)) return PixelClass::reference_wrong;
-    switch (std::max(candidate, reference)) {
-        case Admissibility::through_a_crack:
-            return PixelClass::abutting_edges;
-        case Admissibility::tied:
-            return PixelClass::depth_tie;
-        case Admissibility::clipped:
-            return PixelClass::clip;
-        default:
-            return PixelClass::edge;
-    }
+    throw std::logic_error{"class_of: an admissibility without a class"};
 }
 
 }  // namespace zproof

@@ -31,6 +31,28 @@ class Gammas {
 const Gammas single_gammas(unit_roundoff_float32), double_gammas(unit_roundoff_float64);
 const Gammas& gammas_of(double unit) { return unit == unit_roundoff_float32 ? single_gammas : double_gammas; }
 
+/// Is depth itself interpolated, and so never beyond the corners' depths?
+bool interpolates_depth(const RasterPrecision& precision) {
+    switch (precision.depth_buffer) {
+        case DepthBuffer::camera_depth:
+            return true;
+        case DepthBuffer::reversed_z:
+            return false;
+    }
+    return false;
+}
+
+/// What interpolation costs as a share of the depth.
+double interpolation_factor(const RasterPrecision& precision) {
+    switch (precision.depth_buffer) {
+        case DepthBuffer::camera_depth:
+            return gammas_of(unit_of(precision.interpolation))[8];
+        case DepthBuffer::reversed_z:
+            return 0;  // it is counted in z: set_reversed_z()
+    }
+    return unlimited;
+}
+
 glm::dvec3 abs_cross(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 p = glm::abs(a), q = glm::abs(b);
     return {p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x};
@@ -153,7 +175,7 @@ auto ViewBounds::corner_depths(const TriangleExtent& extent) const -> CornerDept
 
 bool ViewBounds::keeps_to_corners() const {
     const auto* raster = std::get_if<RasterPrecision>(&precision_);
-    return raster && raster->depth_buffer == DepthBuffer::camera_depth;
+    return raster && interpolates_depth(*raster);
 }
 
 /// Relative to the size of what is transformed.
@@ -176,7 +198,7 @@ CommonTerms ViewBounds::common_terms() const {
         return ray_terms(*ray);
     } else if (const auto* raster = std::get_if<RasterPrecision>(&precision_)) {
         if (raster->transform == Arithmetic::float64 && raster->clipping == Clipping::guard_band &&
-            raster->depth_buffer == DepthBuffer::camera_depth)
+            interpolates_depth(*raster))
             return raster_terms(*raster, transform_error(*raster, 0), double_gammas[8] * guard_band_px);
     }
     return {};
@@ -194,21 +216,25 @@ TriangleBounds ViewBounds::bounds_by(const TriangleExtent& extent, const RasterP
     bounds.eps_base_px = bounds.depth_eps_base_px;
     bounds.eps_per_inverse_depth = bounds.depth_eps_per_inverse_depth;
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gammas_of(u)[8] * extent.largest_depth();
-    if (precision.depth_buffer == DepthBuffer::reversed_z) set_reversed_z(bounds, extent);
+    switch (precision.depth_buffer) {
+        case DepthBuffer::camera_depth:
+            break;
+        case DepthBuffer::reversed_z:
+            set_reversed_z(bounds, extent);
+    }
     return bounds;
 }
 
 RasterTerms ViewBounds::raster_terms(const RasterPrecision& precision, double transform,
                                      double viewport) const {
-    const bool is_camera_depth = precision.depth_buffer == DepthBuffer::camera_depth;
-    return {.scale = scale_,
-            .projection = view_.camera.projection,
-            .base_px = background_eps_px_ + viewport,  // snapping first
-            .transform = transform,
-            .factor = gamma(precision.depth_roundings, unit_roundoff_float32) +
-                      (is_camera_depth ? gammas_of(unit_of(precision.interpolation))[8] : 0),
-            .size = precision.origin == Origin::eye ? RasterTerms::Size::from_eye
-                                                    : RasterTerms::Size::from_origin};
+    return {
+        .scale = scale_,
+        .projection = view_.camera.projection,
+        .base_px = background_eps_px_ + viewport,  // snapping first
+        .transform = transform,
+        .factor = gamma(precision.depth_roundings, unit_roundoff_float32) + interpolation_factor(precision),
+        .size =
+            precision.origin == Origin::eye ? RasterTerms::Size::from_eye : RasterTerms::Size::from_origin};
 }
 
 void ViewBounds::set_reversed_z(TriangleBounds& bounds, const TriangleExtent& extent) const {

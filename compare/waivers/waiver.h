@@ -60,10 +60,6 @@ struct Waiver {
 /// Has it run out by that day?
 bool is_expired(const Waiver& waiver, Day today);
 
-/// Can a waiver speak of the class at all? Not of admissible pixels, nor of `invalid`: a renderer that breaks
-/// its contract has said nothing that could be let pass.
-constexpr bool is_waivable(PixelClass c) { return !passes(c) && c != PixelClass::invalid; }
-
 /// "2026-04-10"; std::nullopt for what is no day of the calendar.
 std::optional<Day> day_from(std::string_view text);
 std::string in_words(Day day);

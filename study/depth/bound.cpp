@@ -15,8 +15,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double g(int roundings) { return gamma(roundings, u); }
 
-bool is_z(Coding coding) { return coding == Coding::z || coding == Coding::reversed; }
-
 /// a + b / d, before the window.
 double z_ndc(const Constants& c, double depth) { return c.a + c.b / depth; }
 
@@ -32,18 +30,32 @@ double excess_of_means(const DepthSample& p) {
 /// By how much s changes where d changes by a share of itself.
 double s_of_share(const Coder& coder, double depth, double share) {
     const Constants& c = coder.constants();
-    if (is_z(coder.format().coding)) return c.half * std::abs(c.b) / depth * share;
-    if (coder.format().coding == Coding::w) return c.k * depth * share;
-    return c.k * share / std::numbers::ln2;
+    switch (coder.format().coding) {
+        case Coding::z:
+        case Coding::reversed:
+            return c.half * std::abs(c.b) / depth * share;
+        case Coding::w:
+            return c.k * depth * share;
+        case Coding::logarithmic:
+            return c.k * share / std::numbers::ln2;
+    }
+    return infinite;
 }
 
 /// By the rounding of a, b, k, n and 1/n.
 double common_error(const Coder& coder, double depth) {
     const Constants& c = coder.constants();
     const double s = std::abs(coder.ideal(depth));
-    if (is_z(coder.format().coding)) return c.half * g(1) * (std::abs(c.a) + std::abs(c.b) / depth);
-    if (coder.format().coding == Coding::w) return g(1) * c.near * c.k + g(1) * s;
-    return c.k * g(1) / std::numbers::ln2 + g(1) * s;
+    switch (coder.format().coding) {
+        case Coding::z:
+        case Coding::reversed:
+            return c.half * g(1) * (std::abs(c.a) + std::abs(c.b) / depth);
+        case Coding::w:
+            return g(1) * c.near * c.k + g(1) * s;
+        case Coding::logarithmic:
+            return c.k * g(1) / std::numbers::ln2 + g(1) * s;
+    }
+    return infinite;
 }
 
 /// The window's sum comes after NDC's last rounding, which then is not the last.
@@ -56,12 +68,18 @@ double inner_rounding(const Coder& coder, double depth) {
 double corner_error(const Coder& coder, double depth) {
     const Constants& c = coder.constants();
     const double s = std::abs(coder.ideal(depth));
-    if (is_z(coder.format().coding))
-        return c.half *
-                   (g(2) * std::abs(c.b) / depth + g(2) * std::abs(c.a) + g(3) * std::abs(z_ndc(c, depth))) +
-               (c.half < 1 ? g(1) * s : 0);
-    if (coder.format().coding == Coding::w) return g(2) * depth * c.k + g(2) * s;
-    return c.k * (g(3) / std::numbers::ln2 + 2 * u * binary_logarithm(c, depth)) + g(1) * s;
+    switch (coder.format().coding) {
+        case Coding::z:
+        case Coding::reversed:
+            return c.half * (g(2) * std::abs(c.b) / depth + g(2) * std::abs(c.a) +
+                             g(3) * std::abs(z_ndc(c, depth))) +
+                   (c.half < 1 ? g(1) * s : 0);
+        case Coding::w:
+            return g(2) * depth * c.k + g(2) * s;
+        case Coding::logarithmic:
+            return c.k * (g(3) / std::numbers::ln2 + 2 * u * binary_logarithm(c, depth)) + g(1) * s;
+    }
+    return infinite;
 }
 
 /// Each coding is monotone in depth, and so is each term above in |s|, |z| or 1/d: an end decides.
@@ -77,9 +95,16 @@ double largest_s(const Coder& coder, const DepthSample& p) {
 double coded_at_pixel(const Coder& coder, double depth, double share) {
     const Constants& c = coder.constants();
     const double carried = s_of_share(coder, depth, share);
-    if (is_z(coder.format().coding)) return carried + inner_rounding(coder, depth);
-    if (coder.format().coding == Coding::w) return carried + g(1) * std::abs(coder.ideal(depth));
-    return carried + c.k * 2 * u * binary_logarithm(c, depth);
+    switch (coder.format().coding) {
+        case Coding::z:
+        case Coding::reversed:
+            return carried + inner_rounding(coder, depth);
+        case Coding::w:
+            return carried + g(1) * std::abs(coder.ideal(depth));
+        case Coding::logarithmic:
+            return carried + c.k * 2 * u * binary_logarithm(c, depth);
+    }
+    return infinite;
 }
 
 /// 1/d: corner, its reciprocal, weight, product and two sums are 6 roundings; b times it, or 1 / it and the
@@ -123,8 +148,14 @@ double own_error(const Coder& coder, Interpolation interpolation, const DepthSam
 
 /// The distance between neighbours in the store, at values up to s.
 double step_of(Store store, double s) {
-    if (store != Store::float32) return 1 / (std::ldexp(1.0, bits_of(store)) - 1);
-    return s > 0 ? std::ldexp(1.0, std::max(std::ilogb(s), -126) - 23) : 0;
+    switch (store) {
+        case Store::float32:
+            return s > 0 ? std::ldexp(1.0, std::max(std::ilogb(s), -126) - 23) : 0;
+        case Store::unorm24:
+        case Store::unorm16:
+            return 1 / (std::ldexp(1.0, bits_of(store)) - 1);
+    }
+    return infinite;
 }
 
 DepthSample place_around(double depth, double spread) {
@@ -147,7 +178,7 @@ enum class GapSide { behind, before };
 
 /// Where s has changed by `difference`; nothing where that is beyond the planes.
 double moved(const Coder& coder, double depth, double difference, GapSide side) {
-    const bool s_grows = (side == GapSide::behind) == (coder.format().coding != Coding::reversed);
+    const bool s_grows = (side == GapSide::behind) == grows_with_depth(coder.format().coding);
     const double s = coder.ideal(depth) + (s_grows ? difference : -difference);
     if (s < 0 || s > 1) return infinite;
     return coder.depth_of(s);

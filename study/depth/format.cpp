@@ -29,7 +29,7 @@ constexpr std::array all_formats{
     Format{"log-float32", logarithmic, zero_to_one, float32},
 };
 
-double largest_code(Store store) { return store == unorm24 ? 0x1p24 - 1 : 0x1p16 - 1; }
+double largest_code(Store store) { return std::exp2(bits_of(store)) - 1; }
 
 }  // namespace
 
@@ -41,7 +41,17 @@ const Format& format_named(const std::string& name) {
     return *found;
 }
 
-int bits_of(Store store) { return store == float32 ? 32 : store == unorm24 ? 24 : 16; }
+int bits_of(Store store) {
+    switch (store) {
+        case float32:
+            return 32;
+        case unorm24:
+            return 24;
+        case unorm16:
+            return 16;
+    }
+    return 0;
+}
 
 std::string definition_of(const Format& format) {
     const std::string bits =
@@ -60,8 +70,32 @@ std::string definition_of(const Format& format) {
     return bits;
 }
 
+bool is_affine_in_image(Coding coding) {
+    switch (coding) {
+        case z:
+        case reversed:
+            return true;
+        case w:
+        case logarithmic:
+            return false;
+    }
+    return false;
+}
+
+bool grows_with_depth(Coding coding) {
+    switch (coding) {
+        case z:
+        case w:
+        case logarithmic:
+            return true;
+        case reversed:
+            return false;
+    }
+    return false;
+}
+
 bool can_hold(Coding coding, const Planes& planes) {
-    return coding == z || coding == reversed || std::isfinite(planes.far);
+    return is_affine_in_image(coding) || std::isfinite(planes.far);
 }
 
 /// n / f is 0 for an infinite far plane, and nothing else has f in it.
@@ -101,35 +135,60 @@ float Coder::in_window(float z_ndc) const {
 }
 
 float Coder::of_depth(float depth) const {
-    if (format_.coding == w) return (depth - near_) * k_;
-    if (format_.coding == logarithmic) return std::log2(depth * inverse_near_) * k_;
-    return in_window((a_ * depth + b_) / depth);
+    switch (format_.coding) {
+        case z:
+        case reversed:
+            return in_window((a_ * depth + b_) / depth);
+        case w:
+            return (depth - near_) * k_;
+        case logarithmic:
+            return std::log2(depth * inverse_near_) * k_;
+    }
+    return 0;
 }
 
 float Coder::of_inverse(float inverse) const {
-    if (format_.coding == w || format_.coding == logarithmic) return of_depth(1 / inverse);
-    return in_window(a_ + b_ * inverse);
+    return is_affine_in_image(format_.coding) ? in_window(a_ + b_ * inverse) : of_depth(1 / inverse);
 }
 
 double Coder::stored(float s) const {
-    if (format_.store == float32) return std::isnan(s) ? s : std::clamp(s, 0.0f, 1.0f);
-    if (std::isnan(s)) return 0;
     const double most = largest_code(format_.store);
-    return std::nearbyint(std::clamp(double(s), 0.0, 1.0) * most) / most;
+    switch (format_.store) {
+        case float32:
+            return std::isnan(s) ? s : std::clamp(s, 0.0f, 1.0f);
+        case unorm24:
+        case unorm16:
+            return std::isnan(s) ? 0 : std::nearbyint(std::clamp(double(s), 0.0, 1.0) * most) / most;
+    }
+    return 0;
 }
 
 double Coder::ideal(double depth) const {
     const Constants& c = exact_;
-    if (format_.coding == w) return (depth - c.near) * c.k;
-    if (format_.coding == logarithmic) return std::log2(depth / c.near) * c.k;
-    return (c.a + c.b / depth) * c.half + (1 - c.half);
+    switch (format_.coding) {
+        case z:
+        case reversed:
+            return (c.a + c.b / depth) * c.half + (1 - c.half);
+        case w:
+            return (depth - c.near) * c.k;
+        case logarithmic:
+            return std::log2(depth / c.near) * c.k;
+    }
+    return 0;
 }
 
 double Coder::depth_of(double s) const {
     const Constants& c = exact_;
-    if (format_.coding == w) return c.near + s / c.k;
-    if (format_.coding == logarithmic) return c.near * std::exp2(s / c.k);
-    return c.b / ((s - (1 - c.half)) / c.half - c.a);
+    switch (format_.coding) {
+        case z:
+        case reversed:
+            return c.b / ((s - (1 - c.half)) / c.half - c.a);
+        case w:
+            return c.near + s / c.k;
+        case logarithmic:
+            return c.near * std::exp2(s / c.k);
+    }
+    return 0;
 }
 
 }  // namespace zproof::study::depth

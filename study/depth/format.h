@@ -52,7 +52,14 @@ struct Planes {
     double near = 0.1, far = 1000;
 };
 
-/// Does the coding mean something between these planes? w and logarithmic need a far plane that is finite.
+/// Is it affine in 1 / d, and so, under perspective, in the image?
+bool is_affine_in_image(Coding coding);
+
+/// Does s grow with depth? Then the smaller s is the nearer one.
+bool grows_with_depth(Coding coding);
+
+/// Does the coding mean something between these planes? Those that are not affine in 1 / d need a
+/// finite far plane.
 bool can_hold(Coding coding, const Planes& planes);
 
 /// The coding's constants. d and s as above: s = a + b v (z, reversed), (d - n) k (w), log2(d / n) k
@@ -78,7 +85,7 @@ class Coder {
     double stored(float s) const;
     /// Of two stored values, is the first one nearer for certain? Never where one is NaN.
     bool is_nearer(double first, double second) const {
-        return format_.coding == Coding::reversed ? first > second : first < second;
+        return grows_with_depth(format_.coding) ? first < second : first > second;
     }
 
     /// s of a depth and depth of s by the formula itself, in double.

@@ -60,8 +60,16 @@ const char* definition_of(Interpolation interpolation) {
 }
 
 bool is_right_for(Interpolation interpolation, Coding coding) {
-    if (interpolation == Interpolation::reciprocal) return true;
-    return interpolation != Interpolation::affine && (coding == Coding::z || coding == Coding::reversed);
+    switch (interpolation) {
+        case Interpolation::reciprocal:
+            return true;
+        case Interpolation::ndc:
+        case Interpolation::forward:
+            return is_affine_in_image(coding);
+        case Interpolation::affine:
+            return false;
+    }
+    return false;
 }
 
 double Drawn::doubled_area() const {

@@ -11,7 +11,7 @@
 #include <set>
 #include <tuple>
 
-#include "reports/class_style.h"
+#include "reports/class_colour.h"
 #include "reports/depth_colours.h"
 #include "reports/id_colours.h"
 
@@ -220,13 +220,13 @@ TEST(Pictures, ADepthlessFrameIsNoReasonToFail) {
     EXPECT_NE(picture_of_depths(Plane<float>({1, 1}, 5.0f)).at(0, 0), picture.at(0, 0));
 }
 
-TEST(ClassStyle, ColoursAndGlyphsDiffer) {
+TEST(ClassFacts, ColoursAndGlyphsDiffer) {
     std::set<std::tuple<int, int, int>> colours;
     std::set<std::string_view> glyphs;
     for (int i = 0; i < pixel_class_count; ++i) {
-        const ClassStyle& style = style_of(PixelClass(i));
-        colours.insert({style.colour.r, style.colour.g, style.colour.b});
-        glyphs.insert(style.glyph);
+        const Rgb8 colour = colour_of(PixelClass(i));
+        colours.insert({colour.r, colour.g, colour.b});
+        glyphs.insert(facts_of(PixelClass(i)).glyph);
     }
     EXPECT_EQ(colours.size(), std::size_t(pixel_class_count));
     EXPECT_EQ(glyphs.size(), std::size_t(pixel_class_count));
