@@ -8,6 +8,10 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3 -g1")
 
 add_library(zproof_strict INTERFACE)
 target_include_directories(zproof_strict INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/zproof>)
+option(ZPROOF_TBB_STAND_IN "loops run on tests/threads/tbb in TBB's stead, whose hand-overs ThreadSanitizer sees" OFF)
+if(ZPROOF_TBB_STAND_IN)
+    target_include_directories(zproof_strict BEFORE INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/tests/threads>)
+endif()
 # Warnings are ours alone, not those of a project that has us as a subfolder; the floating-point rules also hold for
 # whoever compiles our headers.
 if(PROJECT_IS_TOP_LEVEL)
