@@ -71,7 +71,7 @@ ReportedFinding reported(const Json& json) {
                         .error_over_bound = number(json.at("error_over_bound"))},
             .explanation = json.at("explanation"),
             .command = json.at("command"),
-            .waiver = json.value("waiver", "")};  // since 1.3
+            .waiver = json.value("waiver", "")};
 }
 
 ClassCounts counts_by_name(const Json& json) {
@@ -83,17 +83,12 @@ ClassCounts counts_by_name(const Json& json) {
 
 BoundRecord bound_record(const Json& json) {
     BoundRecord record{.max_error_over_bound = number(json.at("max_error_over_bound"))};
-    if (!json.contains("histogram")) return record;  // since 1.4
+    if (!json.contains("histogram")) return record;
     const Json& bins = json.at("histogram");
     if (bins.size() != record.histogram.size())
         refuse("expected a histogram of " + std::to_string(record.histogram.size()) + " bins");
     for (std::size_t i = 0; i < record.histogram.size(); ++i) record.histogram[i] = count(bins.at(i));
     return record;
-}
-
-/// Since 1.2.
-BoundRecord edges(const Json& view, const char* whose) {
-    return view.contains(whose) ? bound_record(view.at(whose)) : BoundRecord{};
 }
 
 StageTimes stage_times(const Json& json) {
@@ -102,7 +97,7 @@ StageTimes stage_times(const Json& json) {
             .reference_build = number(json.at("reference_build")),
             .reference = number(json.at("reference")),
             .judge = number(json.at("judge")),
-            .oracles = json.contains("oracles") ? number(json.at("oracles")) : 0,  // since 1.2
+            .oracles = number(json.at("oracles")),
             .write = number(json.at("write"))};
 }
 
@@ -115,13 +110,12 @@ Explanation explanation(const Json& json) {
             .checked = count(json.at("checked"))};
 }
 
-/// Since 1.1; null or absent: none was made.
-std::optional<Diagnosis> diagnosis(const Json& view) {
-    const auto found = view.find("diagnosis");
-    if (found == view.end() || found->is_null()) return std::nullopt;
-    Diagnosis d{.defects = count(found->at("defects")), .cause = std::nullopt, .runners_up = {}};
-    if (const Json& cause = found->at("cause"); !cause.is_null()) d.cause = explanation(cause);
-    for (const Json& one : found->at("runners_up")) d.runners_up.push_back(explanation(one));
+/// null: none was made.
+std::optional<Diagnosis> diagnosis(const Json& json) {
+    if (json.is_null()) return std::nullopt;
+    Diagnosis d{.defects = count(json.at("defects")), .cause = std::nullopt, .runners_up = {}};
+    if (const Json& cause = json.at("cause"); !cause.is_null()) d.cause = explanation(cause);
+    for (const Json& one : json.at("runners_up")) d.runners_up.push_back(explanation(one));
     return d;
 }
 
@@ -147,20 +141,16 @@ OracleResult oracle_result(const Json& json) {
     return w;
 }
 
-/// Since 1.3: what waivers did, and what shards are put together by.
+/// What waivers did, and what shards are put together by.
 void read_gate(const Json& json, ViewResult& v) {
-    if (json.contains("waived"))
-        for (const auto& [name, pixels] : json.at("waived").items())
-            v.waived[std::size_t(class_named(name))] = count(pixels);
-    if (json.contains("waivers"))
-        for (const Json& one : json.at("waivers")) v.waivers.push_back(waiver_use_from(one));
-    if (json.contains("place")) v.place = count(json.at("place"));
-    v.scene_sha256 = json.value("scene_sha256", "");
+    for (const auto& [name, pixels] : json.at("waived").items())
+        v.waived[std::size_t(class_named(name))] = count(pixels);
+    for (const Json& one : json.at("waivers")) v.waivers.push_back(waiver_use_from(one));
+    v.place = count(json.at("place"));
+    v.scene_sha256 = json.at("scene_sha256");
 }
 
-/// Since 1.2; absent: none was asked.
 void read_oracles(const Json& json, ViewResult& v) {
-    if (!json.contains("oracles")) return;
     for (const Json& one : json.at("oracles")) v.oracles.push_back(oracle_result(one));
     v.id_agreement = {.same = json.at("id_agreement").at("same"),
                       .unanimous = count(json.at("id_agreement").at("unanimous"))};
@@ -181,12 +171,12 @@ ViewResult view(const Json& json) {
                  .counts = counts_by_name(json.at("counts")),
                  .candidate_depth = bound_record(json.at("candidate_depth")),
                  .reference_depth = bound_record(json.at("reference_depth")),
-                 .candidate_edges = edges(json, "candidate_edges"),
-                 .reference_edges = edges(json, "reference_edges"),
+                 .candidate_edges = bound_record(json.at("candidate_edges")),
+                 .reference_edges = bound_record(json.at("reference_edges")),
                  .reference_defects = count(json.at("reference_defects")),
                  .adjudicated = count(json.at("adjudicated")),
                  .exact = count(json.at("exact")),
-                 .diagnosis = diagnosis(json),
+                 .diagnosis = diagnosis(json.at("diagnosis")),
                  .oracles = {},
                  .id_agreement = {},
                  .worst = {},
@@ -199,10 +189,8 @@ ViewResult view(const Json& json) {
     return v;
 }
 
-/// Since 1.3.
 void read_gate(const Json& root, Results& results) {
     const Json& run = root.at("run");
-    if (!run.contains("argv")) return;
     results.argv = run.at("argv");
     results.shard = {run.at("shard").at("number"), run.at("shard").at("count")};
     results.ending = run.at("ending") == "complete" ? Ending::complete : Ending::interrupted;
@@ -234,11 +222,9 @@ Results results_from_json(const std::string& text) try {
                     .threads = run.at("threads"),
                     .renderers = {},
                     .views = {}};
-    if (run.contains("renderers"))  // since 1.2
-        for (const Json& one : run.at("renderers"))
-            results.renderers.push_back({.name = one.at("name"),
-                                         .version = one.at("version"),
-                                         .precision = one.at("precision").dump()});
+    for (const Json& one : run.at("renderers"))
+        results.renderers.push_back(
+            {.name = one.at("name"), .version = one.at("version"), .precision = one.at("precision").dump()});
     read_gate(root, results);
     for (const Json& one : root.at("views")) results.views.push_back(view(one));
     return results;

@@ -123,7 +123,7 @@ enum class Ending { complete, interrupted };
 
 /// A whole run.
 struct Results {
-    static constexpr const char* schema_version = "1.4";
+    static constexpr const char* schema_version = "2.0";
     std::string version;              ///< zproof's
     std::string command;              ///< as typed, quoted for a shell
     std::vector<std::string> argv{};  ///< as typed, word by word, without "zproof"
