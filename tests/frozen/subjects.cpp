@@ -263,7 +263,7 @@ FaultGround fault_ground() {
 Case case_of(const selftest::Fault& fault, const FaultGround& ground) {
     const selftest::Fixture fixture = ground.fixture();
     const bool of_reference = fault.target == selftest::Target::reference;
-    const bool of_renderer = fault.promise == selftest::PrecisionSource::of_renderer;
+    const bool of_renderer = fault.precision_source == selftest::PrecisionSource::of_renderer;
     Frame faulty = fault.inject(fixture);
     return {ground.scene,
             ground.view,
