@@ -1,14 +1,18 @@
 #include "scenes/glb_writer.h"
 
+#include <tiny_gltf.h>
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <sstream>
 #include <system_error>
 
-#include "scenes/glb_buffer.h"
 #include "scenes/png_encoder.h"
 #include "scenes/scene_error.h"
 #include "scenes/view_document.h"
@@ -17,7 +21,13 @@ namespace zproof {
 
 namespace {
 
-using nlohmann::json;
+static_assert(std::endian::native == std::endian::little,
+              "GLB is little-endian, and so must this machine be");
+
+/// A run of elements of an attribute.
+struct ElementRange {
+    std::size_t first = 0, count = 0;
+};
 
 /// The vertices that a part may use: all from its own first one to the next part's first one, where the
 /// parts' vertices follow one another as the parts do, so that a loader counts them as they are counted here;
@@ -47,64 +57,109 @@ std::vector<ElementRange> vertex_ranges(const Scene& scene) {
     return ranges;
 }
 
-/// bufferViews of the whole scene's attributes; a part's accessors are windows into them.
-struct AttributeViews {
-    int position = 0, index = 0, normal = -1, color = -1;
-    std::vector<int> uv;
+template <class Element, class Allocator>
+std::span<const unsigned char> bytes_of(const std::vector<Element, Allocator>& elements) {
+    return {reinterpret_cast<const unsigned char*>(elements.data()), elements.size() * sizeof(Element)};
+}
+
+/// The text with U+FFFD in place of what is not UTF-8, which tinygltf refuses to write.
+std::string utf8(const std::string& text) {
+    using nlohmann::json;
+    return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
+}
+
+/// How the elements of an attribute are read, and where they begin in the buffer.
+struct Attribute {
+    std::size_t first_byte = 0;
+    int component_type = TINYGLTF_COMPONENT_TYPE_FLOAT, type = TINYGLTF_TYPE_VEC3;
+    std::size_t element_bytes = 0;
+    int target = TINYGLTF_TARGET_ARRAY_BUFFER;
 };
 
-class GlbDocument {
+/// The scene in tinygltf's structures.
+class GlbModel {
   public:
-    explicit GlbDocument(const Scene& scene) : scene_(scene) {
-        add_attributes();
+    explicit GlbModel(const Scene& scene) : scene_(scene) {
+        model_.asset.version = "2.0";
+        model_.asset.generator = "zproof";
+        model_.defaultScene = 0;
+        model_.scenes.emplace_back().nodes = {0};
+        model_.nodes.emplace_back().name = utf8(scene.name);
+        model_.buffers.emplace_back();
         add_mesh();
         for (const Image& image : scene.images) add_image(image);
         for (const Material& material : scene.materials) add_material(material);
+        if (buffer().empty()) model_.buffers.clear();
     }
 
-    /// Header, JSON chunk, BIN chunk: glTF 2.0, section 4.4.
-    std::string bytes() {
-        document_["asset"] = {{"version", "2.0"}, {"generator", "zproof"}};
-        document_["scene"] = 0;
-        document_["scenes"] = json::array({{{"nodes", {0}}}});
-        if (!buffer_.bytes().empty()) {
-            document_["buffers"] = json::array({{{"byteLength", buffer_.bytes().size()}}});
-            document_["bufferViews"] = buffer_.views();
-        }
-        if (!buffer_.accessors().empty()) document_["accessors"] = buffer_.accessors();
-        std::string text = document_.dump(-1, ' ', false, json::error_handler_t::replace);
-        text.resize((text.size() + 3) / 4 * 4, ' ');
-        const std::size_t size = 12 + 8 + text.size() + 8 + buffer_.bytes().size();
-        if (size > std::numeric_limits<std::uint32_t>::max())
-            throw SceneError("scene '" + scene_.name + "': " + std::to_string(size) +
-                             " bytes do not fit a GLB, which ends at 4 GiB; split the scene");
-        return "glTF" + word(2) + word(size) + word(text.size()) + "JSON" + text +
-               word(buffer_.bytes().size()) + std::string("BIN\0", 4) + buffer_.bytes();
-    }
+    const tinygltf::Model& model() const { return model_; }
 
   private:
-    static std::string word(std::size_t value) {
-        const auto little_endian = static_cast<std::uint32_t>(value);
-        return {reinterpret_cast<const char*>(&little_endian), 4};
+    std::vector<unsigned char>& buffer() { return model_.buffers.front().data; }
+
+    /// Appends bytes at a multiple of 4 and returns where they begin.
+    std::size_t append(std::span<const unsigned char> bytes) {
+        const std::size_t first = buffer().size();
+        buffer().insert(buffer().end(), bytes.begin(), bytes.end());
+        buffer().resize((buffer().size() + 3) / 4 * 4);
+        return first;
+    }
+
+    int add_view(std::size_t first_byte, std::size_t bytes) {
+        tinygltf::BufferView& view = model_.bufferViews.emplace_back();
+        view.buffer = 0;
+        view.byteOffset = first_byte;
+        view.byteLength = bytes;
+        return static_cast<int>(model_.bufferViews.size()) - 1;
+    }
+
+    /// A view and an accessor of some elements of an attribute.
+    int add_accessor(const Attribute& attribute, ElementRange range) {
+        tinygltf::Accessor& accessor = model_.accessors.emplace_back();
+        accessor.bufferView = add_view(attribute.first_byte + range.first * attribute.element_bytes,
+                                       range.count * attribute.element_bytes);
+        accessor.componentType = attribute.component_type;
+        accessor.type = attribute.type;
+        accessor.count = range.count;
+        model_.bufferViews.back().target = attribute.target;
+        return static_cast<int>(model_.accessors.size()) - 1;
     }
 
     template <class Element, class Allocator>
-    int vertex_view(const std::vector<Element, Allocator>& attribute) {
-        return buffer_.add_view(bytes_of(std::span(attribute)),
-                                {{"target", 34962}, {"byteStride", sizeof(Element)}});
-    }
-
-    void add_attributes() {
-        const Vertices& vertices = scene_.vertices;
-        if (vertices.position_world.empty()) return;
-        views_.position = vertex_view(vertices.position_world);
-        if (!vertices.normal_world.empty()) views_.normal = vertex_view(vertices.normal_world);
-        for (const auto& uv : vertices.uv) views_.uv.push_back(vertex_view(uv));
-        if (!vertices.color.empty()) views_.color = vertex_view(vertices.color);
+    Attribute vertex_attribute(const std::vector<Element, Allocator>& elements, int type) {
+        return {.first_byte = append(bytes_of(elements)), .type = type, .element_bytes = sizeof(Element)};
     }
 
     void add_mesh() {
         const std::vector<ElementRange> ranges = vertex_ranges(scene_);
+        const std::vector<std::uint32_t> indices = indices_within(ranges);
+        if (indices.empty()) return;
+        const Vertices& vertices = scene_.vertices;
+        position_ = vertex_attribute(vertices.position_world, TINYGLTF_TYPE_VEC3);
+        normal_ = vertex_attribute(vertices.normal_world, TINYGLTF_TYPE_VEC3);
+        color_ = vertex_attribute(vertices.color, TINYGLTF_TYPE_VEC4);
+        for (const auto& uv : vertices.uv) uv_.push_back(vertex_attribute(uv, TINYGLTF_TYPE_VEC2));
+        const Attribute index{append(bytes_of(indices)), TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                              TINYGLTF_TYPE_SCALAR, sizeof(std::uint32_t),
+                              TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER};
+        model_.nodes.front().mesh = 0;
+        tinygltf::Mesh& mesh = model_.meshes.emplace_back();
+        mesh.name = utf8(scene_.name);
+        std::size_t first_index = 0;
+        for (std::size_t p = 0; p < ranges.size(); ++p) {
+            const std::size_t count = 3 * std::size_t{scene_.parts[p].triangle_count};
+            if (count == 0) continue;
+            tinygltf::Primitive& primitive = mesh.primitives.emplace_back();
+            primitive.mode = TINYGLTF_MODE_TRIANGLES;
+            primitive.indices = add_accessor(index, {first_index, count});
+            primitive.material = scene_.parts[p].material;
+            add_attributes(ranges[p], primitive);
+            first_index += count;
+        }
+    }
+
+    /// The corners of all parts, counted from the first vertex of the part's range.
+    std::vector<std::uint32_t> indices_within(const std::vector<ElementRange>& ranges) const {
         std::vector<std::uint32_t> indices;
         indices.reserve(3 * scene_.triangles.size());
         for (std::size_t p = 0; p < ranges.size(); ++p)
@@ -112,127 +167,129 @@ class GlbDocument {
                 for (const int corner : {0, 1, 2})
                     indices.push_back(scene_.triangles[scene_.parts[p].first_triangle + i][corner] -
                                       static_cast<std::uint32_t>(ranges[p].first));
-        json node = {{"name", scene_.name}};
-        if (!indices.empty()) {
-            views_.index =
-                buffer_.add_view(bytes_of(std::span<const std::uint32_t>(indices)), {{"target", 34963}});
-            add_primitives(ranges);
-            node["mesh"] = 0;
-        }
-        document_["nodes"] = json::array({node});
+        return indices;
     }
 
-    void add_primitives(const std::vector<ElementRange>& ranges) {
-        json primitives = json::array();
-        std::size_t first_index = 0;
-        for (std::size_t p = 0; p < ranges.size(); ++p) {
-            const std::size_t count = 3 * std::size_t{scene_.parts[p].triangle_count};
-            if (count == 0) continue;
-            const int indices = buffer_.add_accessor(
-                views_.index, {.component_type = 5125, .type = "SCALAR", .bytes = 4}, {first_index, count});
-            primitives.push_back({{"attributes", attributes(ranges[p])},
-                                  {"indices", indices},
-                                  {"material", scene_.parts[p].material}});
-            first_index += count;
-        }
-        document_["meshes"] = json::array({{{"name", scene_.name}, {"primitives", primitives}}});
-    }
-
-    json attributes(ElementRange range) {
-        json accessors = {{"POSITION", position_accessor(range)}};
-        if (views_.normal >= 0 && any_normal(range))
-            accessors["NORMAL"] = buffer_.add_accessor(views_.normal, {.type = "VEC3", .bytes = 12}, range);
-        for (std::size_t set = 0; set < views_.uv.size(); ++set)
-            accessors["TEXCOORD_" + std::to_string(set)] =
-                buffer_.add_accessor(views_.uv[set], {.type = "VEC2", .bytes = 8}, range);
-        if (views_.color >= 0)
-            accessors["COLOR_0"] = buffer_.add_accessor(views_.color, {.type = "VEC4", .bytes = 16}, range);
-        return accessors;
+    void add_attributes(ElementRange range, tinygltf::Primitive& primitive) {
+        primitive.attributes["POSITION"] = add_accessor(position_, range);
+        add_bounds(range);
+        if (any_normal(range)) primitive.attributes["NORMAL"] = add_accessor(normal_, range);
+        for (std::size_t set = 0; set < uv_.size(); ++set)
+            primitive.attributes["TEXCOORD_" + std::to_string(set)] = add_accessor(uv_[set], range);
+        if (!scene_.vertices.color.empty()) primitive.attributes["COLOR_0"] = add_accessor(color_, range);
     }
 
     /// Vertices without a normal hold 0, which glTF does not allow as a normal.
     bool any_normal(ElementRange range) const {
+        if (scene_.vertices.normal_world.empty()) return false;
         const auto normals = std::span(scene_.vertices.normal_world).subspan(range.first, range.count);
         return std::ranges::any_of(normals, [](const glm::vec3& n) { return n != glm::vec3(0); });
     }
 
-    int position_accessor(ElementRange range) {
+    /// Positions must have them.
+    void add_bounds(ElementRange range) {
         const auto positions = std::span(scene_.vertices.position_world).subspan(range.first, range.count);
         glm::vec3 low = positions.front(), high = low;
         for (const glm::vec3& p_world : positions) {
             low = glm::min(low, p_world);
             high = glm::max(high, p_world);
         }
-        return buffer_.add_bounded_accessor(views_.position, range, std::span(&low.x, 3),
-                                            std::span(&high.x, 3));
+        model_.accessors.back().minValues = {low.x, low.y, low.z};
+        model_.accessors.back().maxValues = {high.x, high.y, high.z};
     }
 
     void add_image(const Image& image) {
-        const int view = buffer_.add_view(encode_png(image), json::object());
-        document_["images"].push_back(
-            {{"name", image.name}, {"mimeType", "image/png"}, {"bufferView", view}});
+        const std::string png = encode_png(image);
+        tinygltf::Image& written = model_.images.emplace_back();
+        written.name = utf8(image.name);
+        written.mimeType = "image/png";
+        written.bufferView =
+            add_view(append({reinterpret_cast<const unsigned char*>(png.data()), png.size()}), png.size());
     }
 
     void add_material(const Material& material) {
         const glm::vec4& c = material.base_color_factor;
-        json surface = {
-            {"baseColorFactor", {c.r, c.g, c.b, c.a}}, {"metallicFactor", 0}, {"roughnessFactor", 1}};
-        if (material.base_color.image != Texture::none)
-            surface["baseColorTexture"] = add_texture(material.base_color);
+        tinygltf::Material& written = model_.materials.emplace_back();
+        written.name = utf8(material.name);
         // Double-sided: zproof draws both faces of every triangle, and so must whoever reads this file.
-        document_["materials"].push_back(
-            {{"name", material.name}, {"doubleSided", true}, {"pbrMetallicRoughness", surface}});
+        written.doubleSided = true;
+        written.pbrMetallicRoughness.baseColorFactor = {c.r, c.g, c.b, c.a};
+        written.pbrMetallicRoughness.metallicFactor = 0;
+        if (material.base_color.image != Texture::none)
+            written.pbrMetallicRoughness.baseColorTexture = add_texture(material.base_color);
     }
 
-    json add_texture(const Texture& texture) {
-        document_["samplers"].push_back(sampler(texture.sampler));
-        document_["textures"].push_back(
-            {{"sampler", document_["samplers"].size() - 1}, {"source", texture.image}});
-        json use = {{"index", document_["textures"].size() - 1}, {"texCoord", texture.uv_set}};
-        const json transform = uv_transform(texture.transform);
-        if (!transform.empty()) {
-            use["extensions"] = {{"KHR_texture_transform", transform}};
-            document_["extensionsUsed"] = {"KHR_texture_transform"};
+    tinygltf::TextureInfo add_texture(const Texture& texture) {
+        tinygltf::Texture& written = model_.textures.emplace_back();
+        written.sampler = static_cast<int>(model_.samplers.size());
+        written.source = texture.image;
+        model_.samplers.push_back(sampler(texture.sampler));
+        tinygltf::TextureInfo use;
+        use.index = static_cast<int>(model_.textures.size()) - 1;
+        use.texCoord = texture.uv_set;
+        if (auto transform = uv_transform(texture.transform); !transform.empty()) {
+            use.extensions["KHR_texture_transform"] = tinygltf::Value(std::move(transform));
+            model_.extensionsUsed = {"KHR_texture_transform"};
         }
         return use;
     }
 
-    static json sampler(const Sampler& sampler) {
+    static tinygltf::Sampler sampler(const Sampler& sampler) {
         const auto wrap = [](Wrap w) {
-            return w == Wrap::repeat ? 10497 : w == Wrap::clamp_to_edge ? 33071 : 33648;
+            return w == Wrap::repeat          ? TINYGLTF_TEXTURE_WRAP_REPEAT
+                   : w == Wrap::clamp_to_edge ? TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE
+                                              : TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT;
         };
         constexpr std::array minification{9728, 9729, 9984,
                                           9985, 9986, 9987};  // in the order of the enumeration
-        return {{"wrapS", wrap(sampler.wrap_u)},
-                {"wrapT", wrap(sampler.wrap_v)},
-                {"magFilter", sampler.magnification == Magnification::nearest ? 9728 : 9729},
-                {"minFilter", minification.at(static_cast<std::size_t>(sampler.minification))}};
+        tinygltf::Sampler written;
+        written.wrapS = wrap(sampler.wrap_u);
+        written.wrapT = wrap(sampler.wrap_v);
+        written.magFilter = sampler.magnification == Magnification::nearest ? TINYGLTF_TEXTURE_FILTER_NEAREST
+                                                                            : TINYGLTF_TEXTURE_FILTER_LINEAR;
+        written.minFilter = minification.at(static_cast<std::size_t>(sampler.minification));
+        return written;
+    }
+
+    static tinygltf::Value pair(double x, double y) {
+        return tinygltf::Value(tinygltf::Value::Array{tinygltf::Value(x), tinygltf::Value(y)});
     }
 
     /// Offset, rotation and scale whose product is the transform; exact where nothing is rotated, otherwise
     /// within a few ulps. KHR_texture_transform: the columns are scale.x (cos, -sin) and scale.y (sin, cos).
-    static json uv_transform(const UvTransform& transform) {
+    static tinygltf::Value::Object uv_transform(const UvTransform& transform) {
         const glm::dmat2& m = transform.linear;
-        json written = json::object();
+        tinygltf::Value::Object written;
         if (transform.translation != glm::dvec2(0))
-            written["offset"] = {transform.translation.x, transform.translation.y};
+            written["offset"] = pair(transform.translation.x, transform.translation.y);
         if (m == glm::dmat2(1.0)) return written;
         if (m[0][1] == 0 && m[1][0] == 0) {
-            written["scale"] = {m[0][0], m[1][1]};
+            written["scale"] = pair(m[0][0], m[1][1]);
             return written;
         }
-        const double scale_x = std::hypot(m[0][0], m[0][1]),
-                     determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
-        written["rotation"] = std::atan2(-m[0][1], m[0][0]);
-        written["scale"] = {scale_x, std::copysign(std::hypot(m[1][0], m[1][1]), determinant)};
+        const double determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+        written["rotation"] = tinygltf::Value(std::atan2(-m[0][1], m[0][0]));
+        written["scale"] =
+            pair(std::hypot(m[0][0], m[0][1]), std::copysign(std::hypot(m[1][0], m[1][1]), determinant));
         return written;
     }
 
     const Scene& scene_;
-    GlbBuffer buffer_;
-    AttributeViews views_;
-    json document_;
+    tinygltf::Model model_;
+    Attribute position_, normal_, color_;
+    std::vector<Attribute> uv_;
 };
+
+/// The bytes of a GLB.
+std::string glb_bytes(const Scene& scene) {
+    std::ostringstream out;
+    tinygltf::TinyGLTF().WriteGltfSceneToStream(&GlbModel(scene).model(), out, false, true);
+    std::string bytes = std::move(out).str();
+    if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
+        throw SceneError("scene '" + scene.name + "': " + std::to_string(bytes.size()) +
+                         " bytes do not fit a GLB, which ends at 4 GiB; split the scene");
+    return bytes;
+}
 
 /// Writes the file under another name first, so that a reader sees the old file or the whole new one.
 void write_atomically(const std::filesystem::path& file, const std::string& content) {
@@ -257,8 +314,8 @@ void require_file_name(const std::string& name) {
         throw SceneError("scene '" + name +
                          "': expected a name that can be a file's: no slash, no leading dot");
     try {
-        json(name).dump();
-    } catch (const json::exception&) {
+        nlohmann::json(name).dump();
+    } catch (const nlohmann::json::exception&) {
         throw SceneError("scene '" + name + "': expected a name in UTF-8");
     }
 }
@@ -266,7 +323,7 @@ void require_file_name(const std::string& name) {
 }  // namespace
 
 void write_glb_file(const std::filesystem::path& file, const Scene& scene) {
-    write_atomically(file, GlbDocument(scene).bytes());
+    write_atomically(file, glb_bytes(scene));
 }
 
 void write_glb(const std::filesystem::path& folder, const Loaded& loaded) {

@@ -21,11 +21,6 @@ T load(const unsigned char* from) {
     return value;
 }
 
-std::size_t component_bytes(int component_type) {
-    return static_cast<std::size_t>(
-        tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type)));
-}
-
 std::size_t element_bytes(const Elements& elements) {
     return static_cast<std::size_t>(elements.components) * component_bytes(elements.component_type);
 }
@@ -37,9 +32,12 @@ double integer(const Elements& elements, const unsigned char* from) {
     return elements.is_normalized ? std::max(value / std::numeric_limits<T>::max(), -1.0) : value;
 }
 
-std::string accessor_at(int accessor) { return "/accessors/" + std::to_string(accessor); }
-
 }  // namespace
+
+std::size_t component_bytes(int component_type) {
+    return static_cast<std::size_t>(
+        tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(component_type)));
+}
 
 double component(const Elements& elements, std::size_t i, int c) {
     const unsigned char* from = elements.first + i * elements.stride +
@@ -134,7 +132,8 @@ const Elements& Accessors::elements(int accessor) {
     if (model_.gltf.accessors[static_cast<std::size_t>(accessor)].sparse.isSparse)
         elements = with_sparse(accessor, elements);
     if (elements.first == nullptr)
-        refuse(model_.file, accessor_at(accessor), "has neither bufferView nor sparse; its data is missing");
+        refuse(model_.file, pointer("accessors", accessor),
+               "has neither bufferView nor sparse; its data is missing");
     if (elements.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT) check_finite(accessor, elements);
     return known_.emplace(accessor, elements).first->second;
 }
@@ -152,12 +151,13 @@ Elements Accessors::packed(int accessor) const {
 
 Elements Accessors::view_of(int buffer_view, std::size_t offset, const Elements& type) const {
     const tinygltf::BufferView& view = model_.gltf.bufferViews[static_cast<std::size_t>(buffer_view)];
-    const std::span<const unsigned char> bytes = model_.buffers[static_cast<std::size_t>(view.buffer)];
+    const std::span<const unsigned char> bytes =
+        model_.gltf.buffers[static_cast<std::size_t>(view.buffer)].data;
     Elements elements = type;
     elements.stride = view.byteStride != 0 ? view.byteStride : element_bytes(type);
     elements.first = bytes.data() + view.byteOffset + offset;
     if (view.byteOffset + offset + elements.stride * (type.count - 1) + element_bytes(type) > bytes.size())
-        refuse(model_.file, "/bufferViews/" + std::to_string(buffer_view), "runs past the end of its buffer");
+        refuse(model_.file, pointer("bufferViews", buffer_view), "runs past the end of its buffer");
     return elements;
 }
 
@@ -167,7 +167,7 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
     written_bytes_ += size * base.count;
     if (written_bytes_ > limits::sparse_bytes)
         refuse(
-            model_.file, accessor_at(accessor),
+            model_.file, pointer("accessors", accessor),
             "sparse accessors need more than " + std::to_string(limits::sparse_bytes) + " bytes written out");
     Bytes& bytes = written_out_.emplace_back(size * base.count, 0);
     for (std::size_t i = 0; base.first != nullptr && i < base.count; ++i)
@@ -181,7 +181,7 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t index = index_at(indices, i);
         if (index >= base.count || (i > 0 && index <= index_at(indices, i - 1)))
-            refuse(model_.file, accessor_at(accessor) + "/sparse/indices",
+            refuse(model_.file, pointer("accessors", accessor, "/sparse/indices"),
                    "index " + std::to_string(index) + " at " + std::to_string(i) +
                        "; expected rising indices below " + std::to_string(base.count));
         std::memcpy(bytes.data() + index * size, values.first + i * values.stride, size);
@@ -202,7 +202,7 @@ void Accessors::check_finite(int accessor, const Elements& elements) const {
         for (std::size_t c = 0; c < components; ++c)
             is_finite &= std::isfinite(load<float>(elements.first + i * elements.stride + c * sizeof(float)));
         if (!is_finite)
-            refuse(model_.file, accessor_at(accessor),
+            refuse(model_.file, pointer("accessors", accessor),
                    "element " + std::to_string(i) + " is not finite; expected finite numbers");
     }
 }

@@ -22,6 +22,9 @@ struct Elements {
     bool is_normalized = false;
 };
 
+/// The size of a component of glTF's number.
+std::size_t component_bytes(int component_type);
+
 /// Component c of element i as glTF defines it: normalized integers are mapped to [0, 1] or [-1, 1].
 double component(const Elements& elements, std::size_t i, int c);
 

@@ -1,151 +1,213 @@
 #include "scenes/gltf_check.h"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
-#include <array>
 #include <numbers>
+#include <optional>
 
-#include "scenes/gltf_schema.h"
+#include "scenes/gltf_accessor.h"
+#include "scenes/gltf_limits.h"
 #include "scenes/refusal.h"
 
 namespace zproof {
 namespace {
 
-using nlohmann::json;
-using Path = std::filesystem::path;
+const auto& at(const auto& list, int index) { return list[static_cast<std::size_t>(index)]; }
 
-/// Extensions that change nothing that is baked, or that the loader follows.
-constexpr std::array known_extensions{"KHR_texture_transform",      "KHR_mesh_quantization",
-                                      "KHR_materials_unlit",        "KHR_lights_punctual",
-                                      "KHR_materials_ior",          "KHR_materials_sheen",
-                                      "KHR_materials_clearcoat",    "KHR_materials_specular",
-                                      "KHR_materials_iridescence",  "KHR_materials_anisotropy",
-                                      "KHR_materials_transmission", "KHR_materials_volume",
-                                      "KHR_materials_dispersion",   "KHR_materials_emissive_strength"};
-
-bool is_known(const std::string& extension) {
-    return std::ranges::find(known_extensions, extension) != known_extensions.end();
+std::size_t components_of(const tinygltf::Accessor& accessor) {
+    return static_cast<std::size_t>(
+        tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
 }
 
-std::string pointer(const char* list, std::size_t index, const char* member = "") {
-    return std::string("/") + list + "/" + std::to_string(index) + member;
-}
+/// Elements in a row within a buffer view.
+struct Run {
+    int view = -1;
+    std::size_t offset = 0, size = 0, count = 0;
+};
 
-void check_perspective(const Path& file, const std::string& place, const json& intrinsics) {
-    const double yfov = intrinsics["yfov"], near = intrinsics["znear"];
-    if (!(yfov > 0 && yfov < std::numbers::pi))
-        refuse(file, place + "/yfov", "expected an angle between 0 and pi");
-    if (!(near > 0)) refuse(file, place + "/znear", "expected a distance above 0");
-    if (intrinsics.contains("zfar") && !(intrinsics["zfar"].get<double>() > near))
-        refuse(file, place + "/zfar", "expected a distance above znear");
-    if (intrinsics.contains("aspectRatio") && !(intrinsics["aspectRatio"].get<double>() > 0))
-        refuse(file, place + "/aspectRatio", "expected a ratio above 0");
-}
+class Check {
+  public:
+    Check(const std::filesystem::path& file, const tinygltf::Model& model) : file_(file), model_(model) {}
 
-void check_orthographic(const Path& file, const std::string& place, const json& intrinsics) {
-    const double near = intrinsics["znear"], far = intrinsics["zfar"];
-    for (const char* side : {"/xmag", "/ymag"})
-        if (!(intrinsics[json::json_pointer(side)].get<double>() > 0))
-            refuse(file, place + side, "expected a magnification above 0");
-    if (!(near >= 0)) refuse(file, place + "/znear", "expected a distance of 0 or more");
-    if (!(far > near)) refuse(file, place + "/zfar", "expected a distance above znear");
-}
-
-void check_data_uri(const Path& file, const std::string& place, const std::string& uri) {
-    const std::size_t first = uri.find(',') + 1;
-    if (!tinygltf::IsDataURI(uri))
-        refuse(file, place, "expected data:TYPE;base64, with an octet-stream, gltf-buffer, PNG or JPEG type");
-    const std::size_t end = std::min(uri.find('=', first), uri.size());
-    const auto is_base64 = [](char c) {
-        return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' ||
-               c == '/';
-    };
-    for (std::size_t i = first; i < end; ++i)
-        if (!is_base64(uri[i])) refuse(file, place, "not base64 at character " + std::to_string(i - first));
-}
-
-bool is_data(const std::string& uri) { return uri.starts_with("data:"); }
-
-void admit_buffer(Admitted& admitted, const Path& file, const Container& container, const json& gltf,
-                  std::size_t i) {
-    const json& buffer = gltf["buffers"][i];
-    const std::uint64_t bytes = buffer["byteLength"];
-    const std::string place = pointer("buffers", i);
-    if (!buffer.contains("uri")) {
-        if (i > 0 || !container.bin)
-            refuse(file, place, "has no uri; only the first buffer of a GLB with a BIN chunk may lack it");
-        if (container.bin->size() < bytes)
-            refuse(file, place + "/byteLength",
-                   "the BIN chunk has only " + std::to_string(container.bin->size()) + " bytes");
-        return;
+    void accessor(std::size_t i) const {
+        const tinygltf::Accessor& accessor = model_.accessors[i];
+        const std::string place = pointer("accessors", i);
+        const std::size_t components = components_of(accessor);
+        for (const auto& [bound, values] :
+             {std::pair("/min", &accessor.minValues), {"/max", &accessor.maxValues}})
+            if (!values->empty() && values->size() != components)
+                refuse(file_, place + bound, "expected " + std::to_string(components) + " numbers");
+        const std::size_t size = components * component_bytes(accessor.componentType);
+        if (accessor.bufferView >= 0)
+            run(place, {accessor.bufferView, accessor.byteOffset, size, accessor.count});
+        if (accessor.sparse.isSparse) sparse(place + "/sparse", accessor, size);
     }
-    const std::string uri = buffer["uri"];
-    if (!is_data(uri)) return admitted.admit_buffer(place + "/uri", uri, bytes);
-    check_data_uri(file, place + "/uri", uri);
-    const std::size_t first = uri.find(',') + 1, end = std::min(uri.find('=', first), uri.size());
-    if ((end - first) * 3 / 4 != bytes)
-        refuse(file, place + "/byteLength",
-               "the data URI holds " + std::to_string((end - first) * 3 / 4) + " bytes");
-}
 
-void admit_image(Admitted& admitted, const Path& file, const json& gltf, std::size_t i) {
-    const json& image = gltf["images"][i];
-    if (!image.contains("uri")) return;
-    const std::string uri = image["uri"];
-    if (is_data(uri)) return check_data_uri(file, pointer("images", i, "/uri"), uri);
-    admitted.admit_image(pointer("images", i, "/uri"), uri);
-}
+    void primitive(const std::string& place, const tinygltf::Primitive& primitive) const {
+        std::optional<std::size_t> count;
+        for (const auto& [name, index] : primitive.attributes) {
+            const tinygltf::Accessor& accessor = at(model_.accessors, index);
+            if (count.value_or(accessor.count) != accessor.count)
+                refuse(file_, place + "/attributes/" + name,
+                       "expected as many elements as the other attributes");
+            count = accessor.count;
+            attribute(place + "/attributes/" + name, name, accessor);
+        }
+        if (primitive.indices >= 0) indices(place + "/indices", at(model_.accessors, primitive.indices));
+    }
+
+    void camera(std::size_t i) const {
+        const tinygltf::Camera& camera = model_.cameras[i];
+        const std::string place = pointer("cameras", i, "/" + camera.type);
+        if (camera.type == "perspective") {
+            const tinygltf::PerspectiveCamera& intrinsics = camera.perspective;
+            if (!(intrinsics.yfov < std::numbers::pi))
+                refuse(file_, place + "/yfov", "expected an angle between 0 and pi");
+            if (intrinsics.zfar != 0 && !(intrinsics.zfar > intrinsics.znear))
+                refuse(file_, place + "/zfar", "expected a distance above znear");
+        } else {
+            const tinygltf::OrthographicCamera& intrinsics = camera.orthographic;
+            if (!(intrinsics.znear >= 0)) refuse(file_, place + "/znear", "expected a distance of 0 or more");
+            if (!(intrinsics.zfar > intrinsics.znear))
+                refuse(file_, place + "/zfar", "expected a distance above znear");
+        }
+    }
+
+    /// Visits every node after all its parents (Kahn 1962): what is left is on or below a cycle. The ways
+    /// that lead to a node, once each of which it is drawn, are summed up, never enumerated.
+    void nodes(const std::vector<int>& parents) const {
+        std::vector<int> waiting_for = parents;
+        std::vector<std::size_t> open, depth(parents.size(), 1), ways(parents.size(), 0);
+        for (std::size_t node = 0; node < parents.size(); ++node) {
+            if (parents[node] > 0) continue;
+            open.push_back(node);
+            ways[node] = 1;
+        }
+        std::size_t placed = 0;
+        for (std::size_t next = 0; next < open.size(); ++next) {
+            const std::size_t node = open[next];
+            within_limits(node, depth[node], placed += ways[node]);
+            for (const int each : model_.nodes[node].children) {
+                const auto child = static_cast<std::size_t>(each);
+                depth[child] = std::max(depth[child], depth[node] + 1);
+                ways[child] += ways[node];
+                if (--waiting_for[child] == 0) open.push_back(child);
+            }
+        }
+        for (std::size_t node = 0; node < parents.size(); ++node)
+            if (waiting_for[node] != 0)
+                refuse(file_, pointer("nodes", node), "is its own ancestor; expected a tree");
+    }
+
+    void scene_roots(std::size_t scene, const std::vector<int>& parents) const {
+        std::vector<bool> is_listed(parents.size(), false);
+        for (const int node : model_.scenes[scene].nodes) {
+            const auto index = static_cast<std::size_t>(node);
+            if (parents[index] > 0 || is_listed[index])
+                refuse(file_, pointer("scenes", scene, "/nodes"),
+                       "node " + std::to_string(node) +
+                           (is_listed[index] ? " is listed twice" : " has a parent; expected roots"));
+            is_listed[index] = true;
+        }
+    }
+
+  private:
+    void within_limits(std::size_t node, std::size_t depth, std::size_t placed) const {
+        if (depth > limits::node_depth)
+            refuse(file_, pointer("nodes", node),
+                   "nested too deep: at most " + std::to_string(limits::node_depth) + " nodes");
+        if (placed > limits::placed_nodes)
+            refuse(file_, pointer("nodes", node),
+                   "nodes with several parents draw more than " + std::to_string(limits::placed_nodes) +
+                       " nodes; expected a tree");
+    }
+
+    /// Offsets, counts and sizes are integers below 2^31 and the stride is at most 252: no sum or product
+    /// wraps.
+    void run(const std::string& place, const Run& run) const {
+        const tinygltf::BufferView& view = at(model_.bufferViews, run.view);
+        const std::size_t stride = view.byteStride != 0 ? view.byteStride : run.size;
+        if (stride < run.size)
+            refuse(file_, place,
+                   "byteStride " + std::to_string(stride) + " is less than an element's " +
+                       std::to_string(run.size) + " bytes");
+        if (run.offset + stride * (run.count - 1) + run.size > view.byteLength)
+            refuse(file_, place,
+                   std::to_string(run.count) + " elements of " + std::to_string(run.size) +
+                       " bytes from byteOffset " + std::to_string(run.offset) +
+                       " run past the end of their buffer view of " + std::to_string(view.byteLength) +
+                       " bytes");
+    }
+
+    void sparse(const std::string& place, const tinygltf::Accessor& accessor, std::size_t size) const {
+        const auto& [count, is_sparse, indices, values] = accessor.sparse;
+        if (static_cast<std::size_t>(count) > accessor.count)
+            refuse(file_, place + "/count", "expected at most the accessor's count");
+        const auto packed = [&](const std::string& part, int view, int offset, std::size_t bytes) {
+            if (at(model_.bufferViews, view).byteStride != 0)
+                refuse(file_, place + part, "expected a buffer view without byteStride");
+            run(place + part,
+                {view, static_cast<std::size_t>(offset), bytes, static_cast<std::size_t>(count)});
+        };
+        packed("/indices", indices.bufferView, indices.byteOffset, component_bytes(indices.componentType));
+        packed("/values", values.bufferView, values.byteOffset, size);
+    }
+
+    void attribute(const std::string& place, const std::string& name,
+                   const tinygltf::Accessor& accessor) const {
+        const int component = accessor.componentType;
+        const bool is_float = component == TINYGLTF_COMPONENT_TYPE_FLOAT;
+        const bool is_quantized = is_quantized_ && component <= TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+        const bool is_unit = accessor.normalized && (component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                                                     component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
+        const auto expect = [&](bool is_met, const char* expected) {
+            if (!is_met) refuse(file_, place, std::string("expected ") + expected);
+        };
+        if (name == "POSITION" || name == "NORMAL")
+            expect(accessor.type == TINYGLTF_TYPE_VEC3 && (is_float || is_quantized),
+                   "VEC3 of FLOAT, or 8 and 16 bit integers with KHR_mesh_quantization");
+        else if (name.starts_with("TEXCOORD_"))
+            expect(accessor.type == TINYGLTF_TYPE_VEC2 && (is_float || is_unit || is_quantized),
+                   "VEC2 of FLOAT or of normalized UNSIGNED_BYTE or UNSIGNED_SHORT");
+        else if (name.starts_with("COLOR_"))
+            expect((accessor.type == TINYGLTF_TYPE_VEC3 || accessor.type == TINYGLTF_TYPE_VEC4) &&
+                       (is_float || is_unit),
+                   "VEC3 or VEC4 of FLOAT or of normalized UNSIGNED_BYTE or UNSIGNED_SHORT");
+    }
+
+    void indices(const std::string& place, const tinygltf::Accessor& accessor) const {
+        const int component = accessor.componentType;
+        const bool is_unsigned = component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                                 component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+                                 component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+        if (accessor.type != TINYGLTF_TYPE_SCALAR || !is_unsigned || accessor.normalized)
+            refuse(file_, place, "expected SCALAR of UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT");
+    }
+
+    const std::filesystem::path& file_;
+    const tinygltf::Model& model_;
+    const bool is_quantized_ =
+        std::ranges::find(model_.extensionsUsed, "KHR_mesh_quantization") != model_.extensionsUsed.end();
+};
 
 }  // namespace
 
-std::vector<std::string> check_extensions(const Path& file, const json& gltf) {
-    const json& needed = list_of(gltf, "extensionsRequired");
-    for (std::size_t i = 0; i < needed.size(); ++i)
-        if (const std::string name = needed[i]; !is_known(name))
-            refuse(file, pointer("extensionsRequired", i),
-                   "extension " + name + " is not supported; export the file without it");
-    std::string ignored;
-    for (const std::string name : list_of(gltf, "extensionsUsed"))
-        if (!is_known(name)) ignored += (ignored.empty() ? "" : ", ") + name;
-    if (ignored.empty()) return {};
-    return {on_one_line("extensions ignored: " + ignored)};
-}
-
-void check_cameras(const Path& file, const json& gltf) {
-    const json& cameras = list_of(gltf, "cameras");
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        const std::string type = cameras[i]["type"];
-        const std::string place = pointer("cameras", i, "/") + type;
-        if (type != "perspective" && type != "orthographic")
-            refuse(file, pointer("cameras", i, "/type"), "expected \"perspective\" or \"orthographic\"");
-        if (!cameras[i].contains(type)) refuse(file, place, "is missing; a camera of this type requires it");
-        type == "perspective" ? check_perspective(file, place, cameras[i][type])
-                              : check_orthographic(file, place, cameras[i][type]);
-    }
-}
-
-std::set<int> images_in_use(const json& gltf) {
-    std::set<int> images;
-    for (const json& material : list_of(gltf, "materials")) {
-        const json::json_pointer index("/pbrMetallicRoughness/baseColorTexture/index");
-        if (!material.contains(index)) continue;
-        const json& texture = gltf["textures"][material[index].get<std::size_t>()];
-        if (texture.contains("source")) images.insert(texture["source"].get<int>());
-    }
-    return images;
-}
-
-Admitted admit_files(const Path& file, const json& gltf, const Container& container) {
-    Admitted admitted(file);
-    for (std::size_t i = 0; i < list_of(gltf, "buffers").size(); ++i)
-        admit_buffer(admitted, file, container, gltf, i);
-    const json& images = list_of(gltf, "images");
-    for (std::size_t i = 0; i < images.size(); ++i)
-        if (images[i].contains("uri") == images[i].contains("bufferView"))
-            refuse(file, pointer("images", i), "expected either uri or bufferView");
-    for (const int i : images_in_use(gltf)) admit_image(admitted, file, gltf, static_cast<std::size_t>(i));
-    return admitted;
+std::vector<std::string> check_model(const std::filesystem::path& file, const tinygltf::Model& model) {
+    const Check check(file, model);
+    std::vector<int> parents(model.nodes.size(), 0);
+    for (const tinygltf::Node& node : model.nodes)
+        for (const int child : node.children) ++parents[static_cast<std::size_t>(child)];
+    check.nodes(parents);
+    for (std::size_t i = 0; i < model.scenes.size(); ++i) check.scene_roots(i, parents);
+    for (std::size_t i = 0; i < model.accessors.size(); ++i) check.accessor(i);
+    for (std::size_t mesh = 0; mesh < model.meshes.size(); ++mesh)
+        for (std::size_t i = 0; i < model.meshes[mesh].primitives.size(); ++i)
+            check.primitive(pointer("meshes", mesh, pointer("primitives", i)),
+                            model.meshes[mesh].primitives[i]);
+    for (std::size_t i = 0; i < model.cameras.size(); ++i) check.camera(i);
+    const auto shared = std::ranges::count_if(parents, [](int count) { return count > 1; });
+    if (shared == 0) return {};
+    return {"nodes with several parents, against glTF's rules, drawn once for each: " +
+            std::to_string(shared)};
 }
 
 }  // namespace zproof

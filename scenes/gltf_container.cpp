@@ -30,37 +30,33 @@ void check_header(const std::filesystem::path& file, const Bytes& bytes) {
                    std::to_string(length) + std::string(again));
 }
 
-struct Chunk {
-    std::uint32_t type = 0;
-    std::size_t first = 0, length = 0;
-};
-
-Chunk chunk_at(const std::filesystem::path& file, const Bytes& bytes, std::size_t at) {
+/// The length of the chunk whose header is there.
+std::size_t chunk_length(const std::filesystem::path& file, const Bytes& bytes, std::size_t at) {
     if (bytes.size() - at < 8)
         refuse(file, at_byte(at), "expected a chunk header of 8 bytes" + std::string(again));
-    const Chunk chunk{read_u32(bytes, at + 4), at + 8, read_u32(bytes, at)};
-    if (chunk.length > bytes.size() - chunk.first)
+    const std::size_t length = read_u32(bytes, at);
+    if (length > bytes.size() - at - 8)
         refuse(file, at_byte(at),
-               "chunk of " + std::to_string(chunk.length) + " bytes runs past the file's end" +
-                   std::string(again));
-    if (chunk.length % 4 != 0)
+               "chunk of " + std::to_string(length) + " bytes runs past the file's end" + std::string(again));
+    if (length % 4 != 0)
         refuse(file, at_byte(at), "expected a chunk length that is a multiple of 4" + std::string(again));
-    return chunk;
+    return length;
 }
 
 Container open_glb(const std::filesystem::path& file, const Bytes& bytes) {
     check_header(file, bytes);
-    const Chunk json = chunk_at(file, bytes, 12);
-    if (json.type != chunk_json)
-        refuse(file, at_byte(16), "expected a JSON chunk first" + std::string(again));
-    Container glb{{reinterpret_cast<const char*>(bytes.data()) + json.first, json.length}, {}};
-    std::size_t at = json.first + json.length;
-    for (int number = 1; at < bytes.size(); ++number) {
-        const Chunk chunk = chunk_at(file, bytes, at);
-        if (chunk.type == chunk_json || (chunk.type == chunk_bin && number > 1))
-            refuse(file, at_byte(at), "expected one JSON chunk and at most one BIN chunk, in this order");
-        if (chunk.type == chunk_bin) glb.bin = std::span(bytes).subspan(chunk.first, chunk.length);
-        at = chunk.first + chunk.length;
+    Container glb;
+    std::size_t at = 12;
+    for (int number = 0; number == 0 || at < bytes.size(); ++number) {
+        const std::size_t length = chunk_length(file, bytes, at);
+        const std::uint32_t type = read_u32(bytes, at + 4);
+        if ((type == chunk_json) != (number == 0) || (type == chunk_bin && number > 1))
+            refuse(file, at_byte(at),
+                   "expected one JSON chunk, then at most one BIN chunk" + std::string(again));
+        const std::span<const unsigned char> content = std::span(bytes).subspan(at + 8, length);
+        if (type == chunk_json) glb.json = {reinterpret_cast<const char*>(content.data()), length};
+        if (type == chunk_bin) glb.bin = content;
+        at += 8 + length;
     }
     return glb;
 }

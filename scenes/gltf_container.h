@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -13,7 +12,7 @@ namespace zproof {
 /// Views of the bytes that were opened.
 struct Container {
     std::string_view json;
-    std::optional<std::span<const unsigned char>> bin;  ///< the GLB's BIN chunk, where it has one
+    std::span<const unsigned char> bin;  ///< the GLB's BIN chunk, empty where it has none
 };
 
 /// Tells GLB from JSON by its first bytes and checks magic, version, lengths and order of chunks.

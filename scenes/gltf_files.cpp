@@ -1,15 +1,11 @@
 #include "scenes/gltf_files.h"
 
-#include <fcntl.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
-#include <cerrno>
-#include <span>
+#include <fstream>
 
 #include "scenes/gltf_limits.h"
 #include "scenes/refusal.h"
@@ -57,49 +53,6 @@ std::string quoted(const std::string& path) {
     return text;
 }
 
-/// A file that is open for reading, by several threads.
-class OpenFile {
-  public:
-    explicit OpenFile(const fs::path& file) : descriptor_(open(file.c_str(), O_RDONLY | O_CLOEXEC)) {}
-    ~OpenFile() {
-        if (is_open()) close(descriptor_);
-    }
-    OpenFile(const OpenFile&) = delete;
-    OpenFile& operator=(const OpenFile&) = delete;
-
-    bool is_open() const { return descriptor_ >= 0; }
-
-    /// Fills the span with what the file has from byte `at` on; false where that is less.
-    bool read(std::size_t at, std::span<unsigned char> to) const {
-        while (!to.empty()) {
-            const ssize_t bytes = pread(descriptor_, to.data(), to.size(), static_cast<off_t>(at));
-            if (bytes < 0 && errno == EINTR) continue;
-            if (bytes <= 0) return false;
-            at += static_cast<std::size_t>(bytes);
-            to = to.subspan(static_cast<std::size_t>(bytes));
-        }
-        return true;
-    }
-
-  private:
-    int descriptor_;
-};
-
-/// The first bytes of a file, on all threads: most of the time goes by in fetching memory for them.
-Bytes read_first(const fs::path& file, std::uint64_t bytes) {
-    constexpr std::size_t worth_a_task = std::size_t{1} << 20;
-    const OpenFile source(file);
-    std::atomic<bool> is_whole = source.is_open();
-    Bytes content(is_whole ? bytes : 0);
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, content.size(), worth_a_task), [&](const auto& some) {
-            if (!source.read(some.begin(), std::span(content).subspan(some.begin(), some.size())))
-                is_whole = false;
-        });
-    if (!is_whole) refuse(file, "file", "cannot be read to its end; check its permissions");
-    return content;
-}
-
 /// The size of a regular file.
 std::uint64_t size_of(const fs::path& file) {
     std::error_code error;
@@ -116,7 +69,21 @@ std::uint64_t size_of(const fs::path& file) {
 Bytes read_file(const fs::path& file, std::uint64_t limit) {
     const std::uint64_t bytes = size_of(file);
     if (bytes > limit) refuse(file, "file", "too large: at most " + std::to_string(limit) + " bytes");
-    return read_first(file, bytes);
+    Bytes content(bytes);
+    read_first(file, content);
+    return content;
+}
+
+void read_first(const fs::path& file, std::span<unsigned char> to) {
+    constexpr std::size_t worth_a_task = std::size_t{1} << 20;
+    std::atomic<bool> is_whole = true;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, to.size(), worth_a_task), [&](const auto& some) {
+        std::ifstream source(file, std::ios::binary);
+        source.seekg(static_cast<std::streamoff>(some.begin()));
+        source.read(reinterpret_cast<char*>(&to[some.begin()]), static_cast<std::streamsize>(some.size()));
+        if (!source) is_whole = false;
+    });
+    if (!is_whole) refuse(file, "file", "cannot be read to its end; check its permissions");
 }
 
 std::string percent_decoded(const std::string& uri) {
@@ -146,37 +113,23 @@ fs::path beneath_folder_of(const fs::path& from, const std::string& place, const
     return file;
 }
 
-void Admitted::admit(const std::string& place, const std::string& uri, Entry entry) {
-    if (entry.bytes > limits::file_bytes)
+AdmittedFile Admission::admit(const std::string& place, const std::string& uri,
+                              std::optional<std::uint64_t> declared) {
+    if (uri.starts_with("data:"))
         refuse(scene_file_, place,
-               "too large: at most " + std::to_string(limits::file_bytes) + " bytes a file");
-    total_bytes_ += entry.bytes;
-    if (total_bytes_ > limits::total_bytes)
-        refuse(scene_file_, place,
-               "too large: at most " + std::to_string(limits::total_bytes) + " bytes in all");
-    const auto [known, is_new] = files_.try_emplace(percent_decoded(uri), entry);
-    if (!is_new && (known->second.bytes != entry.bytes || known->second.file != entry.file))
-        refuse(scene_file_, place, "the same file is named twice with different lengths; name it once");
-}
-
-void Admitted::admit_buffer(const std::string& place, const std::string& uri, std::uint64_t bytes) {
+               "expected data:TYPE;base64, with an octet-stream, gltf-buffer, PNG or JPEG type");
     const fs::path file = beneath_folder_of(scene_file_, place, percent_decoded(uri));
-    const std::uint64_t there = size_of(file);
+    const std::uint64_t there = size_of(file), bytes = declared.value_or(there);
     if (there < bytes)
         refuse(scene_file_, place,
                "expected a file of at least byteLength = " + std::to_string(bytes) + " bytes, found " +
                    std::to_string(there));
-    admit(place, uri, {file, bytes});
-}
-
-void Admitted::admit_image(const std::string& place, const std::string& uri) {
-    const fs::path file = beneath_folder_of(scene_file_, place, percent_decoded(uri));
-    admit(place, uri, {file, size_of(file)});
-}
-
-Bytes Admitted::read(const std::string& uri) const {
-    const Entry& entry = files_.at(percent_decoded(uri));
-    return read_first(entry.file, entry.bytes);
+    total_bytes_ += bytes;
+    if (bytes > limits::file_bytes || total_bytes_ > limits::total_bytes)
+        refuse(scene_file_, place,
+               "too large: at most " + std::to_string(limits::file_bytes) + " bytes a file and " +
+                   std::to_string(limits::total_bytes) + " in all");
+    return {file, bytes};
 }
 
 }  // namespace zproof

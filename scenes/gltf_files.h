@@ -3,7 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "math/bulk.h"
@@ -15,6 +16,10 @@ using Bytes = Bulk<unsigned char>;
 /// Reads a regular file of at most limit bytes. Throws SceneError for anything else.
 Bytes read_file(const std::filesystem::path& file, std::uint64_t limit);
 
+/// Fills the span with the file's first bytes, on all threads: most of the time goes by in fetching memory
+/// for them. Throws SceneError where there are fewer.
+void read_first(const std::filesystem::path& file, std::span<unsigned char> to);
+
 /// The file that a relative path names beneath the folder of `from`: no scheme, not absolute, no step
 /// outside, neither by ".." nor by a symbolic link, and a regular file. Throws SceneError, naming from and
 /// place.
@@ -24,28 +29,24 @@ std::filesystem::path beneath_folder_of(const std::filesystem::path& from, const
 /// A URI without its %XX escapes.
 std::string percent_decoded(const std::string& uri);
 
-/// The external files that one scene may open, admitted before anything is read.
-class Admitted {
+/// An external file that a scene may open, and how many of its bytes it takes.
+struct AdmittedFile {
+    std::filesystem::path path;
+    std::uint64_t bytes = 0;
+};
+
+/// Says which external files one scene may open.
+class Admission {
   public:
-    explicit Admitted(std::filesystem::path scene_file) : scene_file_(std::move(scene_file)) {}
+    explicit Admission(std::filesystem::path scene_file) : scene_file_(std::move(scene_file)) {}
 
-    /// Admits the first `bytes` bytes of a buffer's file. Throws SceneError where it is missing or shorter.
-    void admit_buffer(const std::string& place, const std::string& uri, std::uint64_t bytes);
-    /// Admits an image's whole file. Throws SceneError where it is missing.
-    void admit_image(const std::string& place, const std::string& uri);
-
-    /// The bytes of an admitted file.
-    Bytes read(const std::string& uri) const;
+    /// The file that the URI names, of which the scene takes the first `declared` bytes, or all. Throws
+    /// SceneError where it is missing, shorter, outside the scene's folder or beyond limits.
+    AdmittedFile admit(const std::string& place, const std::string& uri,
+                       std::optional<std::uint64_t> declared = {});
 
   private:
-    struct Entry {
-        std::filesystem::path file;
-        std::uint64_t bytes = 0;
-    };
-    void admit(const std::string& place, const std::string& uri, Entry entry);
-
     std::filesystem::path scene_file_;
-    std::map<std::string, Entry> files_;
     std::uint64_t total_bytes_ = 0;
 };
 

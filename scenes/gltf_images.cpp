@@ -2,20 +2,17 @@
 
 #include <tbb/parallel_for.h>
 
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "scenes/gltf_check.h"
 #include "scenes/gltf_image.h"
 #include "scenes/gltf_limits.h"
-#include "scenes/gltf_schema.h"
 #include "scenes/refusal.h"
 
 namespace zproof {
 namespace {
-
-using nlohmann::json;
 
 std::string image_place(int index) { return "/images/" + std::to_string(index); }
 
@@ -30,23 +27,32 @@ struct Encoded {
     std::string refusal;  ///< why it cannot be used
 };
 
-/// What stands in the URI, or in the file that it names; only the former says of what type it is.
-void read_uri(const std::string& uri, const Admitted& admitted, Encoded& image) {
-    if (tinygltf::IsDataURI(uri)) {
-        std::vector<unsigned char> bytes;
-        tinygltf::DecodeDataURI(&bytes, image.declared_type, uri, 0, false);
-        image.own.assign(bytes.begin(), bytes.end());
-    } else {
-        image.own = admitted.read(uri);
+/// By glTF index: the only images that are read.
+std::set<int> images_in_use(const tinygltf::Model& gltf) {
+    std::set<int> images;
+    for (const tinygltf::Material& material : gltf.materials) {
+        const int texture = material.pbrMetallicRoughness.baseColorTexture.index;
+        const int source = texture < 0 ? -1 : gltf.textures[static_cast<std::size_t>(texture)].source;
+        if (source >= 0) images.insert(source);
     }
-    image.bytes = image.own;
+    return images;
 }
 
-void read_view(const json& declared, const GltfModel& model, Encoded& image) {
-    const tinygltf::BufferView& view = model.gltf.bufferViews[declared["bufferView"].get<std::size_t>()];
-    image.declared_type = declared.value("mimeType", std::string());
-    image.bytes =
-        model.buffers[static_cast<std::size_t>(view.buffer)].subspan(view.byteOffset, view.byteLength);
+/// The bytes stand in a buffer, in a file, or in a data URI, which tinygltf has decoded.
+void read_bytes(const tinygltf::Image& declared, Admission& admission, const GltfModel& model,
+                Encoded& image) {
+    image.declared_type = declared.mimeType;
+    image.bytes = declared.image;
+    if (declared.bufferView >= 0) {
+        const auto& view = model.gltf.bufferViews[static_cast<std::size_t>(declared.bufferView)];
+        const auto& buffer = model.gltf.buffers[static_cast<std::size_t>(view.buffer)];
+        image.bytes = std::span(buffer.data).subspan(view.byteOffset, view.byteLength);
+    } else if (!declared.uri.empty()) {
+        const AdmittedFile file = admission.admit(image_place(image.index) + "/uri", declared.uri);
+        image.own.resize(file.bytes);
+        read_first(file.path, image.own);
+        image.bytes = image.own;
+    }
 }
 
 void note_type(const Encoded& image, GltfModel& model) {
@@ -77,16 +83,15 @@ void decode(Encoded& image) {
 }
 
 /// The images in use, up to the first whose header is at fault.
-std::vector<Encoded> encoded_images(const json& gltf, const Admitted& admitted, GltfModel& model) {
+std::vector<Encoded> encoded_images(Admission& admission, GltfModel& model) {
     std::vector<Encoded> images;
     std::uint64_t texels = 0;
-    for (const int index : images_in_use(gltf)) {
-        const json& declared = gltf["images"][static_cast<std::size_t>(index)];
+    for (const int index : images_in_use(model.gltf)) {
+        const tinygltf::Image& declared = model.gltf.images[static_cast<std::size_t>(index)];
         Encoded& image = images.emplace_back();
         image.index = index;
-        image.name = declared.value("name", std::string());
-        const auto uri = declared.find("uri");
-        uri == declared.end() ? read_view(declared, model, image) : read_uri(*uri, admitted, image);
+        image.name = declared.name;
+        read_bytes(declared, admission, model, image);
         image.refusal = fault_of(image, texels);
         if (!image.refusal.empty()) break;
         note_type(image, model);
@@ -96,14 +101,14 @@ std::vector<Encoded> encoded_images(const json& gltf, const Admitted& admitted, 
 
 }  // namespace
 
-void read_images(const json& gltf, const Admitted& admitted, GltfModel& model) {
-    std::vector<Encoded> images = encoded_images(gltf, admitted, model);
+void read_images(Admission& admission, GltfModel& model) {
+    std::vector<Encoded> images = encoded_images(admission, model);
     tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t i) { decode(images[i]); });
     for (Encoded& image : images) {
         if (!image.refusal.empty()) refuse(model.file, image_place(image.index), image.refusal);
         model.images.emplace(image.index, std::move(image.decoded));
     }
-    if (const std::size_t unread = list_of(gltf, "images").size() - images.size(); unread > 0)
+    if (const std::size_t unread = model.gltf.images.size() - images.size(); unread > 0)
         model.notes.push_back("images not read, since no base colour texture uses them: " +
                               std::to_string(unread));
 }

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "scenes/refusal.h"
-
 namespace zproof {
 namespace {
 
@@ -35,42 +33,27 @@ Sampler sampler_of(const tinygltf::Sampler& gl) {
             gl.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST ? Magnification::nearest : Magnification::linear};
 }
 
-/// A number of the KHR_texture_transform object; the core schema does not know it, so it is checked here.
-double number(const GltfModel& model, const tinygltf::Value& value) {
-    if (!value.IsNumber() || !std::isfinite(value.GetNumberAsDouble()))
-        refuse(model.file, "KHR_texture_transform", "expected a finite number");
-    return value.GetNumberAsDouble();
-}
-
-glm::dvec2 pair_or(const GltfModel& model, const tinygltf::Value& of, const char* name,
-                   const glm::dvec2& otherwise) {
+glm::dvec2 pair_or(const tinygltf::Value& of, const char* name, const glm::dvec2& otherwise) {
     if (!of.Has(name)) return otherwise;
     const tinygltf::Value& pair = of.Get(name);
-    if (pair.ArrayLen() != 2)
-        refuse(model.file, std::string("KHR_texture_transform/") + name, "expected an array of 2 numbers");
-    return {number(model, pair.Get(0)), number(model, pair.Get(1))};
+    return {pair.Get(0).GetNumberAsDouble(), pair.Get(1).GetNumberAsDouble()};
 }
 
 /// translation * rotation * scale as KHR_texture_transform defines them; rotation runs counter-clockwise in
 /// uv with v down: (u, v) -> (u cos + v sin, -u sin + v cos).
-UvTransform uv_transform(const GltfModel& model, const tinygltf::Value& extension) {
-    const glm::dvec2 scale = pair_or(model, extension, "scale", glm::dvec2(1));
-    const double angle = extension.Has("rotation") ? number(model, extension.Get("rotation")) : 0;
+UvTransform uv_transform(const tinygltf::Value& extension) {
+    const glm::dvec2 scale = pair_or(extension, "scale", glm::dvec2(1));
+    const double angle = extension.Has("rotation") ? extension.Get("rotation").GetNumberAsDouble() : 0;
     const double c = std::cos(angle), s = std::sin(angle);
     return {glm::dmat2(c * scale.x, -s * scale.x, s * scale.y, c * scale.y),
-            pair_or(model, extension, "offset", glm::dvec2(0))};
+            pair_or(extension, "offset", glm::dvec2(0))};
 }
 
-void apply_transform(const GltfModel& model, const tinygltf::TextureInfo& use, Texture& texture) {
+void apply_transform(const tinygltf::TextureInfo& use, Texture& texture) {
     const auto found = use.extensions.find("KHR_texture_transform");
     if (found == use.extensions.end()) return;
-    if (!found->second.IsObject()) refuse(model.file, "KHR_texture_transform", "expected an object");
-    texture.transform = uv_transform(model, found->second);
-    if (!found->second.Has("texCoord")) return;
-    const double uv_set = number(model, found->second.Get("texCoord"));
-    if (!(uv_set >= 0 && uv_set < 1000))
-        refuse(model.file, "KHR_texture_transform/texCoord", "expected a uv set");
-    texture.uv_set = static_cast<int>(uv_set);
+    texture.transform = uv_transform(found->second);
+    if (found->second.Has("texCoord")) texture.uv_set = found->second.Get("texCoord").GetNumberAsInt();
 }
 
 Texture texture_of(const GltfModel& model, const tinygltf::TextureInfo& use,
@@ -83,7 +66,7 @@ Texture texture_of(const GltfModel& model, const tinygltf::TextureInfo& use,
     if (declared.sampler >= 0)
         texture.sampler = sampler_of(model.gltf.samplers[static_cast<std::size_t>(declared.sampler)]);
     texture.uv_set = use.texCoord;
-    apply_transform(model, use, texture);
+    apply_transform(use, texture);
     return texture;
 }
 

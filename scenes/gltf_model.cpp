@@ -1,65 +1,74 @@
 #include "scenes/gltf_model.h"
 
+#include <span>
+
 #include "scenes/gltf_check.h"
+#include "scenes/gltf_guard.h"
 #include "scenes/gltf_images.h"
 #include "scenes/gltf_limits.h"
-#include "scenes/gltf_schema.h"
-#include "scenes/gltf_structure.h"
 #include "scenes/json_text.h"
+#include "scenes/refusal.h"
 
 namespace zproof {
 namespace {
 
-using nlohmann::json;
-using Path = std::filesystem::path;
+using Files = std::span<const AdmittedFile>;
 
-const Bytes& keep(GltfModel& model, Bytes bytes) {
-    return *model.bytes.emplace_back(std::make_unique<const Bytes>(std::move(bytes)));
+/// tinygltf asks for the buffers' files first, in order, and then for those of the images, which it is told
+/// are not there: only images in use are read, and later. The names that it asks by are not looked at.
+tinygltf::FsCallbacks in_order(Files& files) {
+    return {.FileExists = [](const std::string&, void* user) { return !static_cast<Files*>(user)->empty(); },
+            .ExpandFilePath = [](const std::string& path, void*) { return path; },
+            .ReadWholeFile =
+                [](std::vector<unsigned char>* to, std::string*, const std::string&, void* user) {
+                    Files& left = *static_cast<Files*>(user);
+                    to->resize(left.front().bytes);
+                    read_first(left.front().path, *to);
+                    left = left.subspan(1);
+                    return true;
+                },
+            .WriteWholeFile = nullptr,
+            .user_data = &files};
 }
 
-Bytes decoded(const std::string& data_uri) {
-    std::vector<unsigned char> bytes;
-    std::string type;
-    tinygltf::DecodeDataURI(&bytes, type, data_uri, 0, false);
-    return {bytes.begin(), bytes.end()};
+/// Keeps what a data URI holds; decodes nothing.
+bool keep_encoded(tinygltf::Image* image, int, std::string*, std::string*, int, int,
+                  const unsigned char* bytes, int size, void*) {
+    if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
+    return true;
 }
 
-/// The bytes of a buffer, which were found to be there when its file was admitted.
-std::span<const unsigned char> buffer_of(const json& buffer, const Container& container,
-                                         const Admitted& admitted, GltfModel& model) {
-    const auto uri = buffer.find("uri");
-    if (uri == buffer.end()) return *container.bin;
-    const std::string& place = uri->get_ref<const std::string&>();
-    return keep(model, tinygltf::IsDataURI(place) ? decoded(place) : admitted.read(place));
-}
-
-void add_notes(std::vector<std::string> notes, GltfModel& model) {
-    for (std::string& note : notes) model.notes.push_back(std::move(note));
-}
-
-/// Throws SceneError for anything that may not be relied on from here on.
-void check(const json& gltf, GltfModel& model) {
-    check_schema(model.file, gltf);
-    add_notes(check_extensions(model.file, gltf), model);
-    add_notes(check_nodes(model.file, gltf), model);
-    check_ranges(model.file, gltf);
-    check_cameras(model.file, gltf);
+/// A GLB without bytes in a BIN chunk is given as text, since tinygltf refuses an empty or unknown second
+/// chunk.
+tinygltf::Model parsed(const std::filesystem::path& file, const Bytes& bytes, const Container& container,
+                       Files files) {
+    tinygltf::TinyGLTF parser;
+    parser.SetFsCallbacks(in_order(files));
+    parser.SetImageLoader(keep_encoded, nullptr);
+    tinygltf::Model model;
+    std::string error, warning;
+    const bool is_read = container.bin.empty()
+                             ? parser.LoadASCIIFromString(&model, &error, &warning, container.json.data(),
+                                                          static_cast<unsigned>(container.json.size()), "")
+                             : parser.LoadBinaryFromMemory(&model, &error, &warning, bytes.data(),
+                                                           static_cast<unsigned>(bytes.size()));
+    if (!is_read) refuse(file, "glTF", "tinygltf cannot read it: " + error.substr(0, error.find('\n')));
+    return model;
 }
 
 }  // namespace
 
-GltfModel read_gltf(const Path& file) {
-    GltfModel model;
-    model.file = file;
-    const Bytes& bytes = keep(model, read_file(file, limits::file_bytes));
+GltfModel read_gltf(const std::filesystem::path& file) {
+    const Bytes bytes = read_file(file, limits::file_bytes);
     const Container container = open_container(file, bytes);
-    const json gltf = parse_json(file, container.json);
-    check(gltf, model);
-    const Admitted admitted = admit_files(file, gltf, container);
-    model.gltf = structure_of(gltf);
-    for (const json& buffer : list_of(gltf, "buffers"))
-        model.buffers.push_back(buffer_of(buffer, container, admitted, model).first(buffer["byteLength"]));
-    read_images(gltf, admitted, model);
+    Admission admission(file);
+    Guarded found = guarded(file, parse_json(file, container.json), container, admission);
+    GltfModel model{.file = file,
+                    .gltf = parsed(file, bytes, container, found.buffers),
+                    .images = {},
+                    .notes = std::move(found.notes)};
+    for (std::string& note : check_model(file, model.gltf)) model.notes.push_back(std::move(note));
+    read_images(admission, model);
     return model;
 }
 

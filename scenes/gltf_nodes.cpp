@@ -9,11 +9,10 @@
 namespace zproof {
 namespace {
 
-std::string node_at(int node) { return "/nodes/" + std::to_string(node); }
-
 glm::dmat4 from_matrix(const GltfModel& model, int node, const std::vector<double>& m) {
     if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
-        refuse(model.file, node_at(node) + "/matrix", "expected the last row 0 0 0 1 (an affine transform)");
+        refuse(model.file, pointer("nodes", node, "/matrix"),
+               "expected the last row 0 0 0 1 (an affine transform)");
     return {{m[0], m[1], m[2], m[3]},
             {m[4], m[5], m[6], m[7]},
             {m[8], m[9], m[10], m[11]},
@@ -26,7 +25,7 @@ glm::dmat3 rotation_of(const GltfModel& model, int node, const std::vector<doubl
     const glm::dquat quaternion(q[3], q[0], q[1], q[2]);
     const double length = glm::length(quaternion);
     if (!(length > 0) || !std::isfinite(length))
-        refuse(model.file, node_at(node) + "/rotation", "expected a unit quaternion");
+        refuse(model.file, pointer("nodes", node, "/rotation"), "expected a unit quaternion");
     return glm::mat3_cast(quaternion / length);
 }
 
@@ -82,7 +81,8 @@ std::vector<PlacedNode> placed_nodes(const GltfModel& model) {
         open.pop_back();
         next.world_from_node = next.world_from_node * local_transform(model, next.node);
         if (!is_finite(next.world_from_node))
-            refuse(model.file, node_at(next.node), "the world transform overflows; expected finite numbers");
+            refuse(model.file, pointer("nodes", next.node),
+                   "the world transform overflows; expected finite numbers");
         placed.push_back(next);
         put(model.gltf.nodes[static_cast<std::size_t>(next.node)].children, next.world_from_node);
     }

@@ -6,8 +6,8 @@
 
 namespace zproof {
 
-/// Checks every property that the loader reads, before it does: nothing behind this asks for a type again.
-/// Throws SceneError with the JSON pointer of the first offence.
+/// Checks every property that is used. tinygltf ignores a property of a wrong type and cuts integers to 32
+/// bits; behind this neither happens. Throws SceneError with the JSON pointer of an offence.
 void check_schema(const std::filesystem::path& file, const nlohmann::json& gltf);
 
 /// The array gltf[name], or an empty one where the file has none.

@@ -8,41 +8,46 @@
 namespace zproof {
 namespace {
 
-/// The position of the quote that closes the string opened at text[open], or the text's end.
-std::size_t end_of_string(std::string_view text, std::size_t open) {
-    for (std::size_t i = open + 1; i < text.size(); ++i) {
-        if (text[i] == '\\')
-            ++i;
-        else if (text[i] == '"')
-            return i;
-    }
-    return text.size();
-}
-
-void check_size(const std::filesystem::path& file, std::size_t depth, std::size_t values, std::size_t byte) {
-    const std::string place = "byte " + std::to_string(byte);
-    if (depth > limits::json_depth)
-        refuse(file, place, "nested too deep: at most " + std::to_string(limits::json_depth) + " levels");
-    if (values > limits::json_values)
-        refuse(file, place, "too many values: at most " + std::to_string(limits::json_values));
-}
-
 /// Counts brackets and commas outside strings; malformed text is left to the parser.
-void check_extent(const std::filesystem::path& file, std::string_view text) {
-    std::size_t depth = 0, values = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '"') {
-            i = end_of_string(text, i);
-        } else if (c == '[' || c == '{') {
-            check_size(file, ++depth, ++values, i);
-        } else if (c == ',') {
-            check_size(file, depth, ++values, i);
-        } else if ((c == ']' || c == '}') && depth > 0) {
-            --depth;
+class Extent {
+  public:
+    Extent(const std::filesystem::path& file, std::string_view text) : file_(file), text_(text) {}
+
+    void check() {
+        for (; at_ < text_.size(); ++at_) {
+            const char c = text_[at_];
+            if (c == '"') skip_string();
+            if (c == '[' || c == '{') check_limit(++depth_, limits::json_depth, "nested too deep", "levels");
+            if (c == '[' || c == '{' || c == ',')
+                check_limit(++values_, limits::json_values, "too many values", "values");
+            if (c == '{') check_limit(++objects_, limits::json_objects, "too many objects", "objects");
+            if ((c == ']' || c == '}') && depth_ > 0) --depth_;
         }
     }
-}
+
+  private:
+    [[noreturn]] void refuse_here(const std::string& why) const {
+        refuse(file_, "byte " + std::to_string(at_), why);
+    }
+
+    void check_limit(std::size_t count, std::size_t limit, const std::string& fault,
+                     const std::string& of) const {
+        if (count > limit) refuse_here(fault + ": at most " + std::to_string(limit) + " " + of);
+    }
+
+    /// Goes to the quote that closes a string. tinygltf cuts a name at the character 0.
+    void skip_string() {
+        for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
+            if (text_[at_] != '\\') continue;
+            if (text_.substr(at_, 6) == "\\u0000") refuse_here("expected text without the character 0");
+            ++at_;
+        }
+    }
+
+    const std::filesystem::path& file_;
+    std::string_view text_;
+    std::size_t at_ = 0, depth_ = 0, values_ = 0, objects_ = 0;
+};
 
 /// nlohmann's message without its "[json.exception...]" tag.
 std::string plain(const std::string& what) {
@@ -53,7 +58,7 @@ std::string plain(const std::string& what) {
 }  // namespace
 
 nlohmann::json parse_json(const std::filesystem::path& file, std::string_view text) {
-    check_extent(file, text);
+    Extent(file, text).check();
     try {
         return nlohmann::json::parse(text);
     } catch (const nlohmann::json::exception& error) {

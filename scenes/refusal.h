@@ -1,6 +1,7 @@
 /// The one way in which this room says no.
 #pragma once
 
+#include <concepts>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -9,6 +10,11 @@ namespace zproof {
 
 /// Text on one line: control characters become '?', and what is longer than 300 bytes is cut.
 std::string on_one_line(std::string_view text);
+
+/// The JSON pointer to an element of a list of the file, and to what is in it.
+std::string pointer(const std::string& list, std::integral auto index, const std::string& inside = "") {
+    return "/" + list + "/" + std::to_string(index) + inside;
+}
 
 /// Throws SceneError("FILE: PLACE: TEXT"). The place is a JSON pointer or a few words; the text says what was
 /// expected and, where there is a remedy, which.

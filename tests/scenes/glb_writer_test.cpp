@@ -290,6 +290,17 @@ TEST(GlbWriter, RefusesNamesThatAreNotFileNames) {
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(GlbWriter, ReplacesWhatIsNotUtf8InNamesOfMaterials) {
+    Loaded before = with_every_attribute();
+    before.scene.materials[0].name =
+        "a\xFF"
+        "b";
+    const Scene after = written_and_loaded(before).scene;
+    EXPECT_EQ(after.materials.at(static_cast<std::size_t>(after.parts.at(1).material)).name,
+              "a\xEF\xBF\xBD"
+              "b");
+}
+
 TEST(GlbWriter, RefusesAnImageWhoseTexelsDoNotFitItsSize) {
     const OwnFolder folder;
     Loaded loaded = with_every_attribute();
