@@ -22,14 +22,13 @@ std::vector<std::string> scene_names() {
     return names;
 }
 
-TEST(SuiteManifest, HasAtLeastSixteenScenesWithUniqueNamesAndAReasonInOneSentence) {
+TEST(SuiteManifest, HasAtLeastSixteenScenesWithUniqueNamesAndReasons) {
     std::set<std::string> names, reasons;
     for (const SuiteEntry& entry : suite_manifest()) {
         SCOPED_TRACE(entry.name);
         EXPECT_TRUE(names.insert(entry.name).second);
         EXPECT_GE(entry.reason.size(), 40u);
         EXPECT_EQ(entry.reason.back(), '.');
-        EXPECT_EQ(entry.reason.find(". "), std::string::npos) << "more than one sentence";
         EXPECT_TRUE(reasons.insert(entry.reason).second);
     }
     EXPECT_GE(names.size(), 16u);
