@@ -129,7 +129,8 @@ TEST(Html, ShowsWhatTheOraclesAnsweredAndWhichAgree) {
     EXPECT_EQ(occurrences(page, "no picture: no &lt;canvas&gt;"), 1u);
     EXPECT_EQ(occurrences(page, "3.7 &lt;b&gt;"), 1u);
     EXPECT_EQ(occurrences(page, "not compared: no &lt;device&gt;"), 1u);
-    EXPECT_EQ(occurrences(page, "All that were compared name the same triangle at 5 of 2,073,600 pixels."), 1u);
+    EXPECT_EQ(occurrences(page, "All that were compared name the same triangle at 5 of 2,073,600 pixels."),
+              1u);
 }
 
 TEST(Html, EveryClassIsInTheLegend) {

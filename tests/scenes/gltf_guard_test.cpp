@@ -194,22 +194,30 @@ TEST(Gltf, ReadsBuffersFromTheirFilesInOrder) {
 const char* const everything_else = R"({
     "extensionsUsed": ["KHR_texture_transform", "KHR_lights_punctual"],
     "extensionsRequired": ["KHR_texture_transform"],
-    "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "color": [1, 1, 1], "spot": {"innerConeAngle": 0}}]}},
+    "extensions": {"KHR_lights_punctual": {"lights":
+        [{"type": "spot", "color": [1, 1, 1], "spot": {"innerConeAngle": 0}}]}},
     "materials": [{"name": "m", "emissiveFactor": [0, 0, 0], "normalTexture": {"index": 0, "scale": 1},
         "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 1], "metallicFactor": 0, "baseColorTexture": {
             "index": 0, "texCoord": 0, "extensions": {"KHR_texture_transform": {
                 "offset": [0, 0], "rotation": 0.5, "scale": [1, 1], "texCoord": 0}}}}}],
     "textures": [{"sampler": 0, "source": 0}],
     "samplers": [{"magFilter": 9728, "minFilter": 9729, "wrapS": 10497, "wrapT": 10497}],
-    "images": [{"name": "i", "uri": "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/pLvAAAAAElFTkSuQmCC"}, {"bufferView": 0, "mimeType": "image/png"}],
+    "images": [{"name": "i", "uri":
+        "data:image/png;base64,)"
+                                    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIA"
+                                    "AACQd1PeAAAADElEQVR4nGP4z8AA"
+                                    R"(AAMBAQDJ/pLvAAAAAElFTkSuQmCC"},
+        {"bufferView": 0, "mimeType": "image/png"}],
     "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 1, "zfar": 2, "aspectRatio": 1}},
         {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1, "znear": 0, "zfar": 1}}],
     "skins": [{"joints": [0], "skeleton": 0, "inverseBindMatrices": 0}],
     "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "scale"}}],
         "samplers": [{"input": 0, "output": 0, "interpolation": "LINEAR"}]}],
-    "nodes": [{"name": "n", "mesh": 0, "skin": 0, "children": [1, 2], "rotation": [0, 0, 0, 1], "weights": [1]},
+    "nodes": [
+        {"name": "n", "mesh": 0, "skin": 0, "children": [1, 2], "rotation": [0, 0, 0, 1], "weights": [1]},
         {"camera": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]},
-        {"camera": 1, "translation": [0, 0, 1], "scale": [1, 1, 1], "extensions": {"E": {"a": [1]}}, "extras": {"b": 2}}]
+        {"camera": 1, "translation": [0, 0, 1], "scale": [1, 1, 1], "extensions": {"E": {"a": [1]}},
+            "extras": {"b": 2}}]
 })";
 
 /// A file that uses everything.
