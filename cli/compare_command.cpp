@@ -4,7 +4,7 @@
 #include "cli/gate/shard.h"
 #include "cli/judgement.h"
 #include "cli/usage_error.h"
-#include "frame/exr.h"
+#include "image_io/image_io.h"
 
 namespace zproof {
 namespace {
@@ -22,7 +22,7 @@ std::string view_meant(const CompareArguments& arguments, const SceneSource& sou
 
 ExitCode execute(const CompareArguments& arguments) {
     const auto& candidate = std::get<StoredFrame>(arguments.renderers.candidate.who);
-    const Resolution size = read_exr(candidate.file).size();
+    const Resolution size = frame_size(candidate.file);
     const SceneSource source = select_scene(arguments.scene);
     return judge_and_report({.sources = {source},
                              .renderers = arguments.renderers,

@@ -92,8 +92,10 @@ std::vector<std::string> split(const std::string& word) {
 
 const texture::Method& method_called(const std::string& name) {
     if (const texture::Method* method = texture::find_method(name)) return *method;
+    if (const study::OtherSampler* other = study::find_other_sampler(name)) return other->method;
     std::vector<std::string> names;
     for (const texture::Method& method : texture::methods()) names.push_back(method.name);
+    for (const study::OtherSampler& other : study::other_samplers()) names.push_back(other.method.name);
     std::string list;
     for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
     throw UsageError{"filter '" + name + "': no such method" + did_you_mean(name, names) +
@@ -118,8 +120,20 @@ void apply(Texturing& texturing, const std::string& part, const std::string& wor
 }  // namespace
 
 FilterChoice filter_choice(const std::string& word) {
+    FilterChoice choice = study_choice(word);
+    if (choice.other != nullptr)
+        throw UsageError{"filter '" + word + "': a sampler of others draws only in 'zproof filters run'"};
+    return choice;
+}
+
+FilterChoice study_choice(const std::string& word) {
     const std::vector<std::string> parts = split(word);
     FilterChoice choice{word, {.method = method_called(parts.empty() ? "" : parts[0])}};
+    choice.other = study::find_other_sampler(choice.texturing.method.name);
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        if (choice.other != nullptr && !parts[i].starts_with("max-anisotropy="))
+            throw UsageError{"filter '" + word + "': '" + parts[i] +
+                             "': a sampler of others takes max-anisotropy alone"};
     for (std::size_t i = 1; i < parts.size(); ++i) apply(choice.texturing, parts[i], word);
     const texture::FilterOptions& options = choice.texturing.options;
     if (options.lod_min > options.lod_max)

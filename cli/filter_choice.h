@@ -3,17 +3,21 @@
 
 #include <string>
 
-#include "rasterizer/texturing.h"
+#include "study/filters/other_samplers.h"
 
 namespace zproof {
 
 struct FilterChoice {
     std::string typed;
     rasterizer::Texturing texturing;
+    const study::OtherSampler* other = nullptr;  ///< null: a method of zproof's own
 };
 
-/// Throws UsageError, naming what is known, for an unknown method, key or value.
+/// Throws UsageError, naming what is known, for an unknown method, key or value, and for samplers of others.
 FilterChoice filter_choice(const std::string& word);
+
+/// The same where samplers of others may stand, too; they take max-anisotropy alone.
+FilterChoice study_choice(const std::string& word);
 
 /// A line per key with what it takes and does, for --help.
 std::string filter_settings_help();

@@ -7,8 +7,7 @@
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
 #include "cli/work_progress.h"
-#include "frame/exr.h"
-#include "frame/png.h"
+#include "image_io/image_io.h"
 #include "rasterizer/shading.h"
 #include "rasterizer/texturing.h"
 #include "reports/output_folder.h"
@@ -17,14 +16,14 @@
 namespace zproof {
 namespace {
 
-void write_frame(const std::filesystem::path& stem, const Frame& frame) {
-    write_exr(stem.string() + ".exr", frame);
+void write_planes(const std::filesystem::path& stem, const Frame& frame) {
+    write_frame(stem.string() + ".exr", frame);
     write_png(stem.string() + "-id.png", picture_of_ids(frame.primitive));
     write_png(stem.string() + "-depth.png", picture_of_depths(frame.camera_depth));
 }
 
 void write_colours(const std::string& stem, const Picture& picture) {
-    write_exr(stem + ".exr", picture);
+    write_picture(stem + ".exr", picture);
     write_png(stem + ".png", picture_of_light(picture));
 }
 
@@ -44,7 +43,7 @@ ExitCode execute(const RenderArguments& arguments) {
             written.push_back(safe_name(view.name));
             const std::filesystem::path stem = out.working() / written.back();
             const Frame frame = renderer.render(view);
-            write_frame(stem, frame);
+            write_planes(stem, frame);
             write_colours(stem.string() + "-colour", rasterizer::shade(loaded.scene, view, frame, Light{}));
             if (arguments.filter)
                 write_colours(stem.string() + "-filtered",

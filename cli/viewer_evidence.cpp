@@ -9,7 +9,7 @@
 
 #include "cli/arguments.h"
 #include "compare/explanation/illustration.h"
-#include "frame/exr.h"
+#include "image_io/image_io.h"
 #include "reports/planes/view_planes.h"
 
 namespace zproof {
@@ -103,7 +103,7 @@ std::vector<const Finding*> worst_but(const std::vector<const Finding*>& told,
 }
 
 Picture colours_in(const std::filesystem::path& file) {
-    return std::filesystem::exists(file) ? read_picture_exr(file) : Picture{};
+    return std::filesystem::exists(file) ? read_picture(file) : Picture{};
 }
 
 }  // namespace

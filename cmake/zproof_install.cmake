@@ -3,7 +3,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(rooms math frame scenes texture rasterizer oracle compare measure study reports)
+set(rooms math frame image_io scenes texture rasterizer oracle compare measure study reports)
 set(zproof_targets zproof_strict)
 set(zproof_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/zproof)
 foreach(room IN LISTS rooms)
@@ -14,6 +14,11 @@ endforeach()
 set_target_properties(zproof_strict PROPERTIES EXPORT_NAME strict)
 install(TARGETS ${zproof_targets} EXPORT zproof ARCHIVE COMPONENT libzproof-dev)
 install(TARGETS zproof EXPORT zproof RUNTIME COMPONENT zproof)
+# The image module, and the run path by which the program finds it: beside itself, or here.
+set(module_folder ${CMAKE_INSTALL_LIBDIR}/zproof)
+file(RELATIVE_PATH module_from_program /${CMAKE_INSTALL_BINDIR} /${module_folder})
+set_target_properties(zproof PROPERTIES INSTALL_RPATH "$ORIGIN;$ORIGIN/${module_from_program}")
+install(TARGETS zproof_image_io_module LIBRARY DESTINATION ${module_folder} COMPONENT zproof)
 install(EXPORT zproof NAMESPACE zproof:: DESTINATION ${zproof_cmake_folder} FILE zproof-targets.cmake
         COMPONENT libzproof-dev)
 

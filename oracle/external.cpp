@@ -3,8 +3,8 @@
 #include <array>
 #include <utility>
 
-#include "frame/exr.h"
 #include "frame/frame_error.h"
+#include "image_io/image_io.h"
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
 #include "oracle/subprocess.h"
@@ -55,9 +55,8 @@ std::string about_out(std::string complaint, const fs::path& out) {
 }
 
 Frame read_answer(const fs::path& file, const View& view) {
-    Frame frame = read_exr(file);
-    const Resolution size = frame.size();
-    if (size == Resolution{view.width, view.height}) return frame;
+    const Resolution size = frame_size(file);
+    if (size == Resolution{view.width, view.height}) return read_frame(file);
     throw FrameError{file.string() + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) +
                      " pixels; " + std::to_string(view.width) + " x " + std::to_string(view.height) +
                      " were asked for"};

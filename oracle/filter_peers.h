@@ -30,4 +30,13 @@ Picture opengl_filtered(const Scene& scene, const View& view, const Frame& frame
 /// of weights and of the LOD's fraction (Direct3D 11.3, 7.18.16: the least for hardware).
 FilterPrecision opengl_filter_precision();
 
+/// OpenImageIO's TextureSystem, with a mip chain made by its own make_texture (box) from the decoded float32
+/// texels, bilinear interpolation and the conservative filter. It is given, in float32, the texture
+/// coordinates and steps that each pixel of the frame sees. On the threads of the surrounding
+/// tbb::task_arena. Throws OracleError in its words.
+Picture openimageio_filtered(const Scene& scene, const View& view, const Frame& frame, PeerFilter filter,
+                             const FilterSettings& settings);
+/// What is declared for it: float32 throughout.
+FilterPrecision openimageio_filter_precision();
+
 }  // namespace zproof::oracle

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "frame/plane.h"
-#include "frame/png.h"
+#include "frame/rgb8.h"
 
 namespace zproof {
 

@@ -1,5 +1,6 @@
 #include "reports/page_parts.h"
 
+#include "image_io/image_io.h"
 #include "reports/base64.h"
 #include "reports/html_parts.h"
 #include "reports/page_scripts.h"

@@ -4,7 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "frame/png.h"
+#include "frame/plane.h"
+#include "frame/rgb8.h"
 
 namespace zproof {
 

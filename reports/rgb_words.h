@@ -6,7 +6,7 @@
 #include <cstring>
 #include <span>
 
-#include "frame/png.h"
+#include "frame/rgb8.h"
 
 namespace zproof {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "frame/png.h"
+#include "frame/rgb8.h"
 
 namespace zproof {
 

@@ -11,9 +11,10 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
 
-#include "scenes/png_encoder.h"
+#include "image_io/image_io.h"
 #include "scenes/scene_error.h"
 #include "scenes/view_document.h"
 
@@ -75,6 +76,15 @@ struct Attribute {
     std::size_t element_bytes = 0;
     int target = TINYGLTF_TARGET_ARRAY_BUFFER;
 };
+
+std::string png_of(const Image& image) {
+    try {
+        const std::vector<std::byte> png = encode_png({image.width, image.height}, image.texels);
+        return {reinterpret_cast<const char*>(png.data()), png.size()};
+    } catch (const std::runtime_error& e) {
+        throw SceneError("image '" + image.name + "': " + e.what());
+    }
+}
 
 /// The scene in tinygltf's structures.
 class GlbModel {
@@ -199,7 +209,7 @@ class GlbModel {
     }
 
     void add_image(const Image& image) {
-        const std::string png = encode_png(image);
+        const std::string png = png_of(image);
         tinygltf::Image& written = model_.images.emplace_back();
         written.name = utf8(image.name);
         written.mimeType = "image/png";

@@ -1,12 +1,11 @@
 #include "scenes/gltf_image.h"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <stdexcept>
 
+#include "image_io/image_io.h"
 #include "scenes/gltf_limits.h"
 
 namespace zproof {
@@ -72,16 +71,6 @@ int jpeg_scan_count(Span bytes) {
     return scans;
 }
 
-/// 16 bit channels in the machine's order, rounded to 8 bit.
-std::vector<std::uint8_t> narrowed(const std::vector<unsigned char>& wide) {
-    std::vector<std::uint8_t> texels(wide.size() / 2);
-    for (std::size_t i = 0; i < texels.size(); ++i) {
-        const unsigned value = wide[2 * i] | static_cast<unsigned>(wide[2 * i + 1]) << 8;
-        texels[i] = static_cast<std::uint8_t>((value * 255 + 32767) / 65535);
-    }
-    return texels;
-}
-
 }  // namespace
 
 std::string image_fault(Span bytes) {
@@ -103,18 +92,13 @@ std::string image_fault(Span bytes) {
 ImageExtent image_extent(Span bytes) { return extent_of(bytes).value(); }
 
 Image decode_image(Span bytes) {
-    tinygltf::Image decoded;
-    std::string error, warning;
-    const bool is_whole = tinygltf::LoadImageData(&decoded, 0, &error, &warning, 0, 0, bytes.data(),
-                                                  static_cast<int>(bytes.size()), nullptr);
-    const auto [format, width, height] = image_extent(bytes);
-    const auto texels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if (!is_whole || decoded.component != 4 ||
-        decoded.image.size() != texels * 4 * (decoded.bits == 16 ? 2 : 1))
-        throw std::runtime_error("the image's data is broken or cut short; export it again");
-    Image image{{}, decoded.width, decoded.height, {}};
-    image.texels = decoded.bits == 16 ? narrowed(decoded.image) : std::move(decoded.image);
-    return image;
+    try {
+        Rgba8Image decoded = decode_rgba8(bytes, limits::image_side);
+        return {{}, decoded.size.width, decoded.size.height, std::move(decoded.rgba)};
+    } catch (const std::runtime_error& e) {
+        throw std::runtime_error("the image's data is broken or cut short; export it again (" +
+                                 std::string(e.what()) + ")");
+    }
 }
 
 }  // namespace zproof

@@ -22,18 +22,19 @@ using Names = std::set<std::string>;
 const std::map<std::string, Names> may_include{
     {"math", {}},
     {"frame", {"math"}},
-    {"scenes", {"math"}},
+    {"image_io", {"frame"}},
+    {"scenes", {"math", "image_io"}},
     {"texture", {"math"}},
     {"rasterizer", {"math", "frame", "scenes", "texture"}},
-    {"oracle", {"math", "frame", "scenes", "texture"}},
+    {"oracle", {"math", "frame", "image_io", "scenes", "texture"}},
     {"compare", {"math", "frame", "scenes"}},  // judges evidence; never meets a renderer
     {"measure", {"math", "frame", "scenes"}},  // is handed a renderer as a function; knows none
     {"study",
      {"math", "frame", "scenes", "texture", "rasterizer", "oracle",
-      "compare"}},                                          // holds a method to its truth
-    {"reports", {"compare", "measure", "study", "frame"}},  // shows results; never computes one
+      "compare"}},                                                      // holds a method to its truth
+    {"reports", {"compare", "measure", "study", "frame", "image_io"}},  // shows results; never computes one
     {"cli",
-     {"math", "frame", "scenes", "texture", "rasterizer", "oracle", "compare", "measure", "study",
+     {"math", "frame", "image_io", "scenes", "texture", "rasterizer", "oracle", "compare", "measure", "study",
       "reports"}},
 };
 
@@ -63,12 +64,13 @@ const std::map<std::string, Names> may_include_from_compare{
 /// print.
 const std::map<std::string, Names> spoken_to_in{
     {"embree3/", {"oracle"}},    {"EGL/", {"oracle"}},
-    {"GL/", {"oracle"}},         {"OpenImageIO/", {"oracle"}},
+    {"GL/", {"oracle"}},         {"OpenImageIO/", {"image_io"}},
     {"tiny_gltf.h", {"scenes"}}, {"nlohmann/", {"frame", "scenes", "reports"}},
     {"CLI/", {"cli"}},           {"nettle/", {"math"}},
     {"toml++/", {"cli"}},        {"Eigen/", {"study"}},
     {"iostream", {"cli"}},       {"cstdio", {}},
-    {"isa-l/", {"frame"}},       {"OpenEXR/", {"frame"}},
+    {"isa-l/", {"reports"}},     {"OpenEXR/", {}},
+    {"dlfcn.h", {"image_io"}},
 };
 
 constexpr std::size_t longest_line = 110, longest_file = 600, comfortable_header = 150;

@@ -11,7 +11,9 @@ The frames' own resolution is taken. Exit status as for run.)";
 
 /// SCENE, or a second frame where --scene names the scene.
 void add_frames(CLI::App& app, CompareArguments& compare, RendererWords& words) {
-    app.add_option("CANDIDATE", words.candidate, "frame to be judged (.exr with id and Z)")->required();
+    app.add_option("CANDIDATE", words.candidate,
+                   "frame to be judged: .exr or .tif with id and Z, or IDS+DEPTHS, e.g. id.png+z.pfm")
+        ->required();
     auto* other =
         app.add_option("SCENE", compare.scene, std::string{scene_words} + "; with --scene: a frame");
     other->required();

@@ -76,7 +76,8 @@ struct FiltersWords {
     std::string check_methods, check_views, precision;
 };
 
-/// "all" and methods with settings, separated by commas. Throws UsageError.
-std::vector<FilterChoice> filter_choices(const std::string& words);
+/// "all" and methods with settings, separated by commas, each as `choice` understands it. Throws UsageError.
+std::vector<FilterChoice> filter_choices(const std::string& words,
+                                         FilterChoice (*choice)(const std::string&));
 
 }  // namespace zproof

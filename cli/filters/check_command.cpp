@@ -9,7 +9,7 @@
 #include "cli/threads.h"
 #include "cli/usage_error.h"
 #include "cli/work_progress.h"
-#include "frame/exr.h"
+#include "image_io/image_io.h"
 #include "rasterizer/rasterizer.h"
 
 namespace zproof {
@@ -50,7 +50,7 @@ Picture picture_of(const FilterFixture& fixture, const FilterChoice& choice,
                    const std::filesystem::path& own) {
     if (own.empty())
         return rasterizer::filtered(fixture.scene, fixture.view, fixture.frame, choice.texturing);
-    Picture picture = read_picture_exr(own);
+    Picture picture = read_picture(own);
     const Resolution expected{fixture.view.width, fixture.view.height};
     if (picture.size() != expected)
         throw UsageError{own.string() + ": " + std::to_string(picture.size().width) + " x " +

@@ -58,7 +58,8 @@ void add_run(CLI::App& app, FiltersWords& words) {
         "SCENE", words.run.scenes,
         "filter scene (zproof filters list), suite scene, .gltf, .glb or view file, or a photograph "
         "(.png, .jpg); none: every filter scene");
-    app.add_option("--methods", words.methods, "all, and names with settings, separated by commas")
+    app.add_option("--methods", words.methods,
+                   "all of zproof's own, and names with settings, separated by commas")
         ->capture_default_str();
     app.add_option("--truth", words.truth,
                    "N: of nearest texels; B: of bilinear; G: Gaussian pixel of bilinear")
@@ -139,11 +140,12 @@ oracle::Reconstruction reconstruction(const std::string& letter) {
 
 }  // namespace
 
-std::vector<FilterChoice> filter_choices(const std::string& words) {
+std::vector<FilterChoice> filter_choices(const std::string& words,
+                                         FilterChoice (*choice)(const std::string&)) {
     std::vector<FilterChoice> choices;
     const auto add = [&](const std::string& word) {
         if (std::ranges::find(choices, word, &FilterChoice::typed) == choices.end())
-            choices.push_back(filter_choice(word));
+            choices.push_back(choice(word));
     };
     for (const std::string& word : split(words)) {
         if (word != "all")
@@ -159,7 +161,7 @@ namespace {
 
 FiltersCheckArguments chosen_check(FiltersWords& words) {
     FiltersCheckArguments& check = words.check;
-    check.methods = filter_choices(words.check_methods);
+    check.methods = filter_choices(words.check_methods, filter_choice);
     check.views = split(words.check_views);
     if (!words.precision.empty()) check.precision = filter_precision_from_words(split(words.precision));
     if (!check.picture.empty() && check.methods.size() != 1)
@@ -187,7 +189,7 @@ void add_filters(CLI::App& app, FiltersWords& words) {
 FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) {
     const auto typed = [&](const char* name) { return app.get_subcommand(name)->parsed(); };
     if (typed("run")) {
-        words.run.methods = filter_choices(words.methods);
+        words.run.methods = filter_choices(words.methods, study_choice);
         words.run.truth = reconstruction(words.truth);
         words.run.views = split(words.views);
         return words.run;

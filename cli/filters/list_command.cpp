@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "compare/metrics/picture_metric.h"
 #include "scenes/filter_scenes.h"
+#include "study/filters/other_samplers.h"
 #include "texture/catalogue.h"
 
 namespace zproof {
@@ -28,6 +29,8 @@ ExitCode execute(const FiltersListArguments&) {
     std::vector<Line> methods, metrics, scenes;
     for (const texture::Method& method : texture::methods())
         methods.push_back({method.name, method.card.taps});
+    for (const study::OtherSampler& other : study::other_samplers())
+        methods.push_back({other.method.name, other.method.card.taps});
     for (const PictureMetric& metric : picture_metrics())
         metrics.push_back({std::string{metric.name}, std::string{metric.definition}});
     for (const FilterSceneEntry& scene : filter_scenes()) scenes.push_back({scene.name, scene.reason});

@@ -11,7 +11,8 @@
 #include "cli/usage_error.h"
 #include "cli/version.h"
 #include "cli/work_progress.h"
-#include "frame/exr.h"
+#include "image_io/image_io.h"
+#include "oracle/oracle_error.h"
 #include "reports/filters/folder.h"
 #include "reports/filters/tables.h"
 #include "reports/output_folder.h"
@@ -23,10 +24,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Empty for zproof's own methods. Throws OracleError where a sampler of others is not on this machine.
+std::function<Picture(const Scene&, const View&, const Frame&)> painter_of(const FilterChoice& choice) {
+    if (choice.other == nullptr) return {};
+    if (const std::string absence = choice.other->absence(); !absence.empty())
+        throw OracleError{choice.typed + ": " + absence};
+    return [paint = choice.other->paint, most = choice.texturing.options.max_anisotropy](
+               const Scene& scene, const View& view, const Frame& frame) {
+        return paint(scene, view, frame, most);
+    };
+}
+
 study::Plan plan_of(const FiltersRunArguments& arguments) {
     study::Plan plan{.methods = {}, .truth = arguments.truth, .flicker_steps = arguments.flicker_steps};
     for (const FilterChoice& choice : arguments.methods)
-        plan.methods.push_back({choice.typed, choice.texturing});
+        plan.methods.push_back({choice.typed, choice.texturing, painter_of(choice)});
     return plan;
 }
 
@@ -68,7 +80,7 @@ class FilterStudyRun {
             .begins = [&](const std::string& what) { progress_.begin(what); },
             .is_shown =
                 [&](const std::string& name, const Picture& picture) {
-                    write_exr(folder_ / home / (file_stem(name) + ".exr"), picture);
+                    write_picture(folder_ / home / (file_stem(name) + ".exr"), picture);
                 },
             .wants_to_stop = interrupted};
         study::ViewStudy one = study::study_view(scene, view, plan_, progress_sink);

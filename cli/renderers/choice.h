@@ -25,7 +25,7 @@ struct Program {
 
 /// A frame that was rendered elsewhere and stands for its renderer.
 struct StoredFrame {
-    std::filesystem::path file;  ///< OpenEXR
+    std::filesystem::path file;  ///< as read_frame() takes it
 };
 
 struct RendererChoice {

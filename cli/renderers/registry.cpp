@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "cli/version.h"
-#include "frame/exr.h"
 #include "frame/frame_error.h"
 #include "frame/precision_text.h"
+#include "image_io/image_io.h"
 #include "oracle/embree.h"
 #include "oracle/external.h"
 #include "oracle/opengl.h"
@@ -102,7 +102,7 @@ Precision own_promise(const RendererChoice& choice) {
 }
 
 Answers stored(const std::filesystem::path& file) {
-    const auto frame = std::make_shared<const Frame>(read_exr(file));
+    const auto frame = std::make_shared<const Frame>(read_frame(file));
     return {[frame, file](const View& view) {
         const Resolution size = frame->size();
         if (size == Resolution{view.width, view.height}) return *frame;

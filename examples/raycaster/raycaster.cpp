@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "frame/exr.h"
+#include "image_io/image_io.h"
 #include "scenes/gltf.h"
 
 namespace {
@@ -104,7 +104,7 @@ zproof::Frame render(const zproof::Scene& scene, const Eye& eye) {
 int main(int argc, char** argv) {
     if (argc != 4) return std::cerr << "usage: raycaster SCENE.glb CAMERA.json OUT.exr\n", 2;
     try {
-        zproof::write_exr(argv[3], render(zproof::load_gltf(argv[1]).scene, read_camera(argv[2])));
+        zproof::write_frame(argv[3], render(zproof::load_gltf(argv[1]).scene, read_camera(argv[2])));
         return 0;
     } catch (const std::exception& e) {
         std::cerr << "raycaster: " << e.what() << "\n";

@@ -142,10 +142,10 @@ class MeshWriter {
         if (slot) return *slot;
         const Material& m = scene_.materials[material];
         slot = ImageTexture{povray_texture(scene_, m, uv_range(material)), 0};
-        const std::string name = "texture" + std::to_string(images_.size()) + ".ppm";
-        images_.push_back({name, std::move(slot->texture.ppm)});
+        const std::string name = "texture" + std::to_string(images_.size()) + ".png";
+        images_.push_back({name, std::move(slot->texture.png)});
         const bool nearest = m.base_color.sampler.magnification == Magnification::nearest;
-        slot->index = textures_.add("texture{uv_mapping pigment{image_map{ppm \"" + name + "\" gamma 1.0" +
+        slot->index = textures_.add("texture{uv_mapping pigment{image_map{png \"" + name + "\" gamma 1.0" +
                                     (nearest ? "" : " interpolate 2") + "}}}");
         return *slot;
     }

@@ -13,7 +13,7 @@ namespace zproof::oracle {
 
 struct PovrayImage {
     std::string name;   ///< of the file that the text refers to
-    std::string bytes;  ///< PPM
+    std::string bytes;  ///< PNG
 };
 
 struct PovrayPicture {

@@ -4,24 +4,25 @@
 
 #include <algorithm>
 
+#include "frame/frame_error.h"
+#include "image_io/image_io.h"
 #include "oracle/oracle_error.h"
 #include "oracle/povray/picture.h"
 #include "oracle/povray/scene.h"
-#include "oracle/ppm.h"
 #include "oracle/scratch_folder.h"
 #include "oracle/subprocess.h"
 
 namespace zproof::oracle {
 namespace {
 
-constexpr const char *scene_file = "scene.pov", *picture_file = "picture.ppm";
+constexpr const char *scene_file = "scene.pov", *picture_file = "picture.png";
 
 /// One ray through each pixel's centre, 16 bits per channel as computed: no window, no dither, no gamma.
 std::vector<std::string> arguments(const std::string& program, const View& view) {
     return {program,
             std::string("+I") + scene_file,
             std::string("+O") + picture_file,
-            "+FP16",
+            "+FN16",
             "+W" + std::to_string(view.width),
             "+H" + std::to_string(view.height),
             "+WT" + std::to_string(tbb::this_task_arena::max_concurrency()),
@@ -42,6 +43,14 @@ void run_povray(const PovRayOptions& options, const View& view, const std::files
     // a picture that takes too long is no error of POV-Ray's, and it has nothing to say but how far it came
     const std::string said = outcome.ending == Ending::timed_out ? "" : "; it said: " + last_output(outcome);
     throw OracleError("POV-Ray, view '" + view.name + "': " + in_words(outcome, options.time_limit) + said);
+}
+
+Plane<Rgb16> drawn(const std::filesystem::path& folder, const View& view) {
+    try {
+        return read_rgb16(folder / picture_file, {view.width, view.height});
+    } catch (const FrameError& e) {
+        throw OracleError("POV-Ray, view '" + view.name + "': " + e.what());
+    }
 }
 
 Frame frame_of(const Plane<PovrayCode::Channels>& picture, const PovrayScene& scene) {
@@ -69,7 +78,7 @@ Frame PovRay::render(const View& view) const {
     const PovrayScene scene = povray_scene(scene_, view);
     scratch.write(scene_file, scene.text);
     run_povray(options_, view, scratch.path());
-    return frame_of(read_ppm16(scratch.path() / picture_file, {view.width, view.height}), scene);
+    return frame_of(drawn(scratch.path(), view), scene);
 }
 
 Picture PovRay::picture(const View& view, const Light& light, const PhongFinish& phong_finish) const {
@@ -78,7 +87,7 @@ Picture PovRay::picture(const View& view, const Light& light, const PhongFinish&
     scratch.write(scene_file, picture.text);
     for (const PovrayImage& image : picture.images) scratch.write(image.name, image.bytes);
     run_povray(options_, view, scratch.path());
-    return colours_of(read_ppm16(scratch.path() / picture_file, {view.width, view.height}));
+    return colours_of(drawn(scratch.path(), view));
 }
 
 Precision povray_precision() {

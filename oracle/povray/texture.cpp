@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "image_io/image_io.h"
 #include "oracle/oracle_error.h"
 #include "texture/texels.h"
 
 namespace zproof::oracle {
 namespace {
 
-constexpr int most_images = 16;
+constexpr int most_images = 16, most_texels = 32768;
 
 texture::Wrap wrap_of(Wrap wrap) {
     if (wrap == Wrap::clamp_to_edge) return texture::Wrap::clamp_to_edge;
@@ -26,10 +27,8 @@ UnrolledAxis unrolled(Wrap wrap, int size, double lowest, double highest) {
     return {first, last - first, size};
 }
 
-void append_channel(std::string& bytes, double value) {
-    const auto code = std::uint16_t(std::lround(65535 * std::clamp(value, 0.0, 1.0)));
-    bytes += char(code >> 8);
-    bytes += char(code & 255);
+std::uint16_t code_of(double value) {
+    return std::uint16_t(std::lround(65535 * std::clamp(value, 0.0, 1.0)));
 }
 
 }  // namespace
@@ -41,17 +40,23 @@ PovrayTexture povray_texture(const Scene& scene, const Material& material, const
     PovrayTexture made{unrolled(sampler.wrap_u, image.width, range.lowest.x, range.highest.x),
                        unrolled(sampler.wrap_v, image.height, range.lowest.y, range.highest.y),
                        {}};
-    made.ppm = "P6\n" + std::to_string(made.u.count) + " " + std::to_string(made.v.count) + "\n65535\n";
-    made.ppm.reserve(made.ppm.size() + 6 * std::size_t(made.u.count) * std::size_t(made.v.count));
+    if (std::max(made.u.count, made.v.count) > most_texels)
+        throw OracleError("POV-Ray's pictures: image '" + image.name + "' is repeated to " +
+                          std::to_string(made.u.count) + " x " + std::to_string(made.v.count) +
+                          " texels; at most " + std::to_string(most_texels) + " on either side");
+    Plane<Rgb16> unrolled_image({made.u.count, made.v.count});
     const texture::Texels texels{image.width, image.height, image.texels};
-    for (int y = made.v.first; y < made.v.first + made.v.count; ++y)
-        for (int x = made.u.first; x < made.u.first + made.u.count; ++x) {
+    for (int row = 0; row < made.v.count; ++row)
+        for (int column = 0; column < made.u.count; ++column) {
+            const int x = made.u.first + column, y = made.v.first + row;
             const glm::dvec3 colour =
                 glm::dvec3(texels.linear(texture::wrapped(wrap_of(sampler.wrap_u), x, image.width),
                                          texture::wrapped(wrap_of(sampler.wrap_v), y, image.height))) *
                 glm::dvec3(material.base_color_factor);
-            for (const double channel : {colour.r, colour.g, colour.b}) append_channel(made.ppm, channel);
+            unrolled_image.at(column, row) = {code_of(colour.r), code_of(colour.g), code_of(colour.b)};
         }
+    const std::vector<std::byte> png = encode_png(unrolled_image);
+    made.png.assign(reinterpret_cast<const char*>(png.data()), png.size());
     return made;
 }
 

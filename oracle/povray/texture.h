@@ -23,7 +23,7 @@ struct UnrolledAxis {
 
 struct PovrayTexture {
     UnrolledAxis u, v;
-    std::string ppm;  ///< binary, 16 bits, linear light: texel times base colour factor
+    std::string png;  ///< the file: 16 bits, linear light: texel times base colour factor
 
     /// POV-Ray's coordinates of a glTF place.
     glm::dvec2 uv(const glm::dvec2& gltf) const { return {u.place(gltf.x), 1 - v.place(gltf.y)}; }

@@ -4,6 +4,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "image_io/image_io.h"
+
 namespace zproof::document {
 
 namespace {

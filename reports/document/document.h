@@ -10,7 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "frame/png.h"
+#include "frame/plane.h"
+#include "frame/rgb8.h"
 #include "reports/chart.h"
 
 namespace zproof::document {

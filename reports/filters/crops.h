@@ -5,7 +5,7 @@
 #include <string>
 
 #include "frame/picture.h"
-#include "frame/png.h"
+#include "frame/rgb8.h"
 
 namespace zproof {
 

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <span>
 
-#include "frame/exr.h"
 #include "frame/whole_file.h"
+#include "image_io/image_io.h"
 #include "reports/filters/json.h"
 #include "reports/filters/page.h"
 #include "reports/filters/plots.h"
@@ -33,7 +33,7 @@ CropBox crop_of(const fs::path& folder, const ViewStudy& view, const Picture& tr
                           std::to_string(view.height)};
     }
     ErrorTally tally{truth};
-    for (const MethodScore& method : view.methods) tally.add(read_picture_exr(folder / method.file));
+    for (const MethodScore& method : view.methods) tally.add(read_picture(folder / method.file));
     return tally.worst(crop_side);
 }
 
@@ -50,7 +50,7 @@ PageImage write_crop(const fs::path& file, const Picture& picture, const CropBox
 
 ViewFigures figures_of(const fs::path& folder, const StudyResults& results, const ViewStudy& view,
                        const FigureChoice& choice) {
-    const Picture truth = read_picture_exr(folder / view.truth_file);
+    const Picture truth = read_picture(folder / view.truth_file);
     const fs::path crops = folder / "crops" / name_of(view), plots = folder / "plots" / name_of(view);
     fs::create_directories(crops);
     fs::create_directories(plots);
@@ -62,8 +62,7 @@ ViewFigures figures_of(const fs::path& folder, const StudyResults& results, cons
     figures.crops.push_back(write_crop(crops / "truth.png", truth, figures.crop, "truth"));
     for (const MethodScore& method : view.methods)
         figures.crops.push_back(write_crop(crops / (file_stem(method.label) + ".png"),
-                                           read_picture_exr(folder / method.file), figures.crop,
-                                           method.label));
+                                           read_picture(folder / method.file), figures.crop, method.label));
     for (const Plot& plot : figures.plots) write_text(plots / (plot.name + ".svg"), plot.svg);
     return figures;
 }

@@ -11,7 +11,7 @@
 #include <functional>
 #include <utility>
 
-#include "frame/deflate.h"
+#include "reports/planes/deflate.h"
 #include "reports/report_error.h"
 
 namespace zproof::planes {
@@ -115,7 +115,7 @@ std::string deflated_byte_planes(const Rows& rows, const MissRow& miss) {
             stream.push_back(k < bytes_of(pieces[i].any)
                                  ? std::move(pieces[i].byte[k])
                                  : deflater.piece(std::string(rows.size_of_piece(i), '\0')));
-    return joined(stream_of(std::move(stream)));
+    return stream_of(stream);
 }
 
 template <class T>

@@ -6,9 +6,9 @@
 #include <bit>
 #include <functional>
 
-#include "frame/deflate.h"
 #include "reports/pictures.h"
 #include "reports/planes/coding.h"
+#include "reports/planes/deflate.h"
 #include "reports/planes/error_code.h"
 #include "reports/planes/stories.h"
 

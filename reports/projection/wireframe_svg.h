@@ -4,7 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "frame/png.h"
+#include "frame/plane.h"
+#include "frame/rgb8.h"
 #include "study/projection/edge_distance.h"
 #include "study/projection/wireframe.h"
 

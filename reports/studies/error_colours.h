@@ -1,7 +1,8 @@
 /// A map of errors as a picture.
 #pragma once
 
-#include "frame/png.h"
+#include "frame/plane.h"
+#include "frame/rgb8.h"
 
 namespace zproof {
 

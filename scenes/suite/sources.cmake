@@ -9,7 +9,6 @@ target_link_libraries(zproof_scenes PRIVATE ZLIB::ZLIB nlohmann_json::nlohmann_j
 target_sources(zproof_scenes PRIVATE
     ${suite_dir}/../suite.cpp
     ${suite_dir}/../glb_writer.cpp
-    ${suite_dir}/../png_encoder.cpp
     ${suite_dir}/../view_document.cpp
     ${CMAKE_CURRENT_BINARY_DIR}/suite_manifest.cpp
     ${suite_dir}/cracks.cpp

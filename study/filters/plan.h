@@ -15,6 +15,8 @@ namespace zproof::study {
 struct ConfiguredMethod {
     std::string label;  ///< unique within a plan
     rasterizer::Texturing texturing;
+    /// Draws the textures of a frame in place of rasterizer::filtered: a sampler of others. Empty: none does.
+    std::function<Picture(const Scene&, const View&, const Frame&)> paint{};
 };
 
 struct Plan {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "compare/metrics/picture_metric.h"
 #include "rasterizer/rasterizer.h"
@@ -80,14 +81,13 @@ class MeasuredView {
     MethodScore score(const ConfiguredMethod& configured_method, const ProgressSink& progress_sink) const {
         std::vector<LinearPicture> pictures;
         for (std::size_t k = 0; k < pan_.views.size(); ++k) {
-            const Picture picture =
-                rasterizer::filtered(scene_, pan_.views[k], pan_.frames[k], configured_method.texturing);
+            const Picture picture = painted(configured_method, k);
             if (k == 0) progress_sink.is_shown(configured_method.label, picture);
             pictures.push_back(in_double(picture));
         }
         return {.label = configured_method.label,
                 .regions = scores(pictures[0], pan_.truths[0], half_width_, regions_),
-                .cost = cost_of(configured_method.texturing, textures_, lookups_),
+                .cost = cost(configured_method),
                 .flicker = flicker(pictures, pan_.truths, steady_),
                 .file = {}};
     }
@@ -97,6 +97,22 @@ class MeasuredView {
     std::string texture_sizes() const { return sizes_of(textures_); }
 
   private:
+    Picture painted(const ConfiguredMethod& configured_method, std::size_t k) const {
+        if (configured_method.paint) return configured_method.paint(scene_, pan_.views[k], pan_.frames[k]);
+        return rasterizer::filtered(scene_, pan_.views[k], pan_.frames[k], configured_method.texturing);
+    }
+
+    /// Nobody counts what a sampler of others reads.
+    Cost cost(const ConfiguredMethod& configured_method) const {
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+        if (!configured_method.paint) return cost_of(configured_method.texturing, textures_, lookups_);
+        return {.texels = unknown,
+                .lines = unknown,
+                .build_ms = unknown,
+                .ns_per_sample = unknown,
+                .pixels = lookups_.size()};
+    }
+
     const Scene& scene_;
     SourceTextures textures_;
     Pan pan_;

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "frame/exr.h"
+#include "image_io/image_io.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {
@@ -25,9 +25,9 @@ class StoredFrames : public testing::Test {
 
     /// zproof's frame with one id that is wrong.
     void spoil(const std::string& name) const {
-        Frame frame = read_exr(folder.path() / "zproof/frame-all.exr");
+        Frame frame = read_frame(folder.path() / "zproof/frame-all.exr");
         frame.primitive.at(32, 24) = PrimitiveId{1 - std::uint32_t(frame.primitive.at(32, 24))};
-        write_exr(folder.path() / name, frame);
+        write_frame(folder.path() / name, frame);
     }
 
     json only_view() const { return json::parse(folder.read("zproof-out/results.json")).at("views").at(0); }
@@ -68,7 +68,7 @@ TEST_F(StoredFrames, AWrongPixelOfTheReferenceDoesNotFail) {
 }
 
 TEST_F(StoredFrames, OfTheWrongSizeOrKindAreRefusedAndNothingIsWritten) {
-    write_exr(folder.path() / "small.exr", Frame({8, 8}));
+    write_frame(folder.path() / "small.exr", Frame({8, 8}));
     folder.write("words.exr", "no frame");
     for (const Words& words :
          {Words{"compare", "zproof/frame-all.exr", "small.exr", "--scene", "two.gltf"},

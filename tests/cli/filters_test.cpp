@@ -1,9 +1,11 @@
 // zproof filters as a user types it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cli/filters/arguments.h"
 #include "cli/usage_error.h"
-#include "frame/exr.h"
+#include "image_io/image_io.h"
 #include "reports/filters/json.h"
 #include "study/filters/claims.h"
 #include "tests/cli/program.h"
@@ -31,12 +33,12 @@ const Words small{"filters",
                   "study"};
 
 TEST(FilterChoices, AllIsTheCatalogueAndNobodyComesTwice) {
-    const auto choices = filter_choices("trilinear-gl,all,sat-strips:n=16");
+    const auto choices = filter_choices("trilinear-gl,all,sat-strips:n=16", filter_choice);
     EXPECT_EQ(choices.size(), texture::methods().size() + 1);
     EXPECT_EQ(choices.front().typed, "trilinear-gl");
     EXPECT_EQ(choices.back().texturing.options.subdivisions, 16);
-    EXPECT_THROW(filter_choices(""), UsageError);
-    EXPECT_THROW(filter_choices("nearest,trilinaer-gl"), UsageError);
+    EXPECT_THROW(filter_choices("", filter_choice), UsageError);
+    EXPECT_THROW(filter_choices("nearest,trilinaer-gl", filter_choice), UsageError);
 }
 
 TEST(Filters, RunWritesTheWholeStudy) {
@@ -59,8 +61,25 @@ TEST(Filters, RunWritesTheWholeStudy) {
     const auto interior = study::find_score(results.views[0].methods[0], "interior")->pixels;
     EXPECT_LE(interior, 25u * 32);
     EXPECT_GT(interior, 20u * 32);
-    EXPECT_EQ(read_picture_exr(folder.path() / "study/pictures/worked-phi-0/nearest.exr").size(),
+    EXPECT_EQ(read_picture(folder.path() / "study/pictures/worked-phi-0/nearest.exr").size(),
               (Resolution{32, 32}));
+}
+
+TEST(Filters, SamplersOfOthersAreMethodsOfAStudy) {
+    const Folder folder;
+    Words words = small;
+    words[std::size_t(std::ranges::find(words, "--methods") - words.begin()) + 1] =
+        "trilinear-oiio:mip=box,oiio-trilinear,oiio-aniso:max-anisotropy=4";
+    const Ran ran = run(folder, words);
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const study::StudyResults results = filters_from_json(folder.read("study/filters.json"));
+    ASSERT_EQ(results.views.at(0).methods.size(), 3u);
+    const Picture reference =
+                      read_picture(folder.path() / "study/pictures/worked-phi-0/trilinear-oiio_mip_box.exr"),
+                  theirs = read_picture(folder.path() / "study/pictures/worked-phi-0/oiio-trilinear.exr");
+    for (int y = 7; y < 32; ++y)
+        for (int x = 0; x < 32; ++x)
+            EXPECT_NEAR(reference.at(x, y).g, theirs.at(x, y).g, 1e-3) << x << " " << y;
 }
 
 TEST(Filters, TableAndFigureReadAStudyAgain) {
@@ -92,6 +111,8 @@ TEST(Filters, WhatIsMistypedIsNamedWithWhatIsNear) {
     refused({"filters", "run", "worked", "--view", "phi-1", "--methods", "nearest"}, "it has phi-0, phi-7.5");
     refused({"filters", "figure", "study", "--crop", "1,2,3"}, "expected X,Y,WIDTH,HEIGHT");
     refused({"filters", "check"}, "METHODS");
+    refused({"filters", "check", "oiio-aniso", "worked"}, "draws only in 'zproof filters run'");
+    refused({"filters", "run", "worked", "--methods", "oiio-aniso:bias=1"}, "takes max-anisotropy alone");
     refused({"filters", "check", "nearst", "worked"}, "did you mean 'nearest'?");
     refused({"filters", "check", "nearest", "worked", "--precision", "lod_bit=8"},
             "did you mean 'lod_bits'?");

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "cli/selftest/filter_fault.h"
-#include "oracle/peers/openimageio_filter.h"
+#include "oracle/filter_peers.h"
 
 namespace zproof::selftest {
 namespace {

@@ -7,8 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "frame/exr_encode.h"
-#include "frame/png.h"
+#include "image_io/image_io.h"
 #include "reports/pictures.h"
 
 namespace zproof {
@@ -79,8 +78,12 @@ bool passes_idiff(const IdiffOptions& options, const Frame& candidate, const Fra
 void write_for_idiff(const std::filesystem::path& stem, const Frame& frame) {
     write_png(stem.string() + "-id.png", picture_of_ids(frame.primitive));
     const std::string file = stem.string() + "-depth.exr";
-    const ExrChannel depth{"Z", ExrType::float32, frame.camera_depth.pixels().data()};
-    write_exr(file, frame.size(), std::span{&depth, 1});
+    OIIO::ImageSpec spec(frame.size().width, frame.size().height, 1, OIIO::TypeFloat);
+    spec.channelnames = {"Z"};
+    const auto output = OIIO::ImageOutput::create(file);
+    if (!output->open(file, spec) ||
+        !output->write_image(OIIO::TypeFloat, frame.camera_depth.pixels().data()))
+        throw std::runtime_error(file + ": " + output->geterror());
 }
 
 }  // namespace zproof

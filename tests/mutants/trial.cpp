@@ -18,7 +18,7 @@
 
 #include "cli/selftest/test_scene.h"
 #include "compare/diagnosis/diagnosis.h"
-#include "frame/exr.h"
+#include "image_io/image_io.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
 #include "scenes/suite.h"
@@ -50,10 +50,10 @@ class References {
     Frame of(const View& view) {
         const fs::path file =
             folder_ / (scene_.name + "-" + view.name + "-" + std::to_string(view.width) + ".exr");
-        if (fs::exists(file)) return read_exr(file);
+        if (fs::exists(file)) return read_frame(file);
         if (!embree_) embree_.emplace(scene_);
         const Frame frame = embree_->trace(view);
-        write_exr(file.string() + ".part", frame);
+        write_frame(file.string() + ".part", frame);
         fs::rename(file.string() + ".part", file);
         return frame;
     }

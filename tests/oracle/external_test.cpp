@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "frame/exr.h"
+#include "image_io/image_io.h"
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
 #include "scenes/gltf.h"
@@ -36,7 +36,7 @@ class ExternalRenderer : public testing::Test {
     ExternalRenderer() : answer_({4, 3}) {
         answer_.primitive.at(1, 2) = PrimitiveId{(1u << 24) + 1};
         answer_.camera_depth.at(1, 2) = 0.1f;
-        write_exr(file("it's an answer.exr"), answer_);
+        write_frame(file("it's an answer.exr"), answer_);
     }
 
     std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "image_io/image_io.h"
 #include "oracle/embree.h"
 #include "oracle/oracle_error.h"
 #include "oracle/povray/scene.h"
@@ -174,15 +175,17 @@ TEST(PovRayTrouble, AHangEndsAtTheTimeLimit) {
 }
 
 TEST(PovRayTrouble, APictureThatIsMissingOrWrongIsNamed) {
-    EXPECT_THAT(complaint_about("exit 0"), HasSubstr("picture.ppm: expected a picture"));
-    EXPECT_THAT(complaint_about("printf 'P6\\n32 25\\n65535\\n' > picture.ppm"),
-                HasSubstr("expected 'P6 32 24 65535'"));
-    EXPECT_THAT(complaint_about("printf 'P6 # no pixels\\n32 24\\n65535\\n' > picture.ppm"),
-                HasSubstr("ends after 0 bytes"));
-    EXPECT_THAT(
-        complaint_about(
-            "(printf 'P6\\n32 24\\n65535\\n'; head -c 4608 /dev/zero | tr '\\0' '\\377') > picture.ppm"),
-        HasSubstr("there is no triangle"));
+    const ScratchFolder stored;
+    const auto copied = [&](Resolution size, std::size_t bytes_left_out) {
+        const std::vector<std::byte> png = encode_png(Plane<Rgb16>(size, {65535, 65535, 65535}));
+        const std::string text(reinterpret_cast<const char*>(png.data()), png.size() - bytes_left_out);
+        stored.write("stored.png", text);
+        return "cp " + (stored.path() / "stored.png").string() + " picture.png";
+    };
+    EXPECT_THAT(complaint_about("exit 0"), HasSubstr("picture.png: no such file"));
+    EXPECT_THAT(complaint_about(copied({32, 25}, 0)), HasSubstr("expected 3 of uint16, 32 x 24"));
+    EXPECT_THAT(complaint_about(copied({32, 24}, 30)), HasSubstr("cannot be read"));
+    EXPECT_THAT(complaint_about(copied({32, 24}, 0)), HasSubstr("there is no triangle"));
 }
 
 TEST(PovRayTrouble, AMissingProgramIsNamed) {

@@ -11,8 +11,7 @@
 #include <random>
 #include <sstream>
 
-#include "frame/exr.h"
-#include "frame/png_kinds.h"
+#include "image_io/image_io.h"
 #include "reports/pictures.h"
 #include "tests/reports/sample.h"
 
@@ -55,8 +54,8 @@ TEST(Evidence, FramesComeBackBitForBit) {
     const TemporaryFolder run;
     const SampleView sample = sample_view();
     write_view_evidence(run.path() / "scenes/a", sample.candidate, sample.reference, sample.verdict);
-    const Frame candidate = read_exr(run.path() / "scenes/a/candidate.exr");
-    const Frame reference = read_exr(run.path() / "scenes/a/reference.exr");
+    const Frame candidate = read_frame(run.path() / "scenes/a/candidate.exr");
+    const Frame reference = read_frame(run.path() / "scenes/a/reference.exr");
     EXPECT_TRUE(std::ranges::equal(candidate.primitive.pixels(), sample.candidate.primitive.pixels()));
     EXPECT_TRUE(std::ranges::equal(candidate.camera_depth.pixels(), sample.candidate.camera_depth.pixels()));
     EXPECT_TRUE(std::ranges::equal(reference.primitive.pixels(), sample.reference.primitive.pixels()));
@@ -82,18 +81,18 @@ TEST(Evidence, PicturesAreThoseOfTheFrames) {
         reference.primitive.pixels()[i] = PrimitiveId(std::uint32_t(i / 39));
     }
     write_view_evidence(run.path(), candidate, reference, sample.verdict);
-    const auto expect = [&](const std::string& name, const Plane<Rgb8>& picture, PngRows rows) {
-        write_png(run.path() / "expected.png", picture, rows);
+    const auto expect = [&](const std::string& name, const Plane<Rgb8>& picture) {
+        write_png(run.path() / "expected.png", picture);
         EXPECT_EQ(content_of(run.path() / name), content_of(run.path() / "expected.png")) << name;
     };
     const Plane<Rgb8> ids = picture_of_ids(candidate.primitive), theirs = picture_of_ids(reference.primitive),
                       depths = picture_of_depths(candidate.camera_depth);
-    expect("id.png", ids, PngRows::as_they_are);
-    expect("id-small.png", thinned(ids, 3), PngRows::as_they_are);
-    expect("reference-id.png", theirs, PngRows::as_they_are);
-    expect("reference-id-small.png", thinned(theirs, 3), PngRows::as_they_are);
-    expect("depth.png", depths, PngRows::less_the_upper);
-    expect("depth-small.png", thinned(depths, 3), PngRows::less_the_upper);
+    expect("id.png", ids);
+    expect("id-small.png", thinned(ids, 3));
+    expect("reference-id.png", theirs);
+    expect("reference-id-small.png", thinned(theirs, 3));
+    expect("depth.png", depths);
+    expect("depth-small.png", thinned(depths, 3));
 }
 
 /// Cells like those above them, and unlike, in files of several pieces.

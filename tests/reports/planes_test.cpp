@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "frame/deflate.h"
 #include "reports/planes/coding.h"
+#include "reports/planes/deflate.h"
 #include "reports/planes/error_code.h"
 #include "tests/reports/sample.h"
 

@@ -1,4 +1,4 @@
-#include "frame/deflate.h"
+#include "reports/planes/deflate.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -73,7 +73,7 @@ TEST(Deflate, SameBytesGiveTheSameStreamWhereverTheyStandAndWhateverWasPackedBef
             std::string_view(among_others).substr(among_others.size() - 2 * size, size);
         const DeflatedPiece piece = used.piece(bytes);
         others += piece.bits != Deflater().piece(same).bits;
-        EXPECT_EQ(inflated(joined(stream_of({piece})), size), bytes);
+        EXPECT_EQ(inflated(stream_of({&piece, 1}), size), bytes);
     }
     EXPECT_EQ(others, 0);
 }
@@ -88,23 +88,16 @@ TEST(Deflate, PiecesAreOneStream) {
         std::string all;
         std::vector<DeflatedPiece> pieces;
         for (const std::string& part : parts) pieces.push_back(deflater.piece(part)), all += part;
-        EXPECT_EQ(inflated(joined(stream_of(std::move(pieces))), all.size()), all) << parts.size();
+        EXPECT_EQ(inflated(stream_of(pieces), all.size()), all) << parts.size();
     }
 }
 
 TEST(Deflate, PiecesMadeSideBySideStandInTheirOrder) {
     for (const std::size_t size : {std::size_t{0}, std::size_t{1} << 17, std::size_t{3'000'000}})
         EXPECT_EQ(inflated(deflated_side_by_side(noise(size)), size), noise(size)) << size;
-    std::string numbers;
-    for (int i = 0; i < 500; ++i) numbers += std::to_string(i);
-    const std::string packed = joined(deflated_side_by_side(500, [](std::size_t i, std::string& room) {
-        room = std::to_string(i);
-        return std::string_view(room);
-    }));
-    EXPECT_EQ(inflated(packed, numbers.size()), numbers);
 }
 
-TEST(Deflate, ChecksumIsThatOfPng) { EXPECT_EQ(crc32_of("123456789"), 0xCBF43926u); }
+TEST(Deflate, ChecksumIsThatOfZlib) { EXPECT_EQ(crc32_of("123456789"), 0xCBF43926u); }
 
 }  // namespace
 }  // namespace zproof

@@ -1,4 +1,4 @@
-#include "frame/deflate.h"
+#include "reports/planes/deflate.h"
 
 #include <isa-l/crc.h>
 #include <isa-l/igzip_lib.h>
@@ -9,7 +9,6 @@
 #include <cstring>
 #include <memory>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace zproof {
@@ -139,49 +138,29 @@ DeflatedPiece Deflater::piece(std::string_view bytes) {
 
 std::string deflated(std::string_view bytes) { return Deflater{}.deflated(bytes); }
 
-Parts stream_of(std::vector<DeflatedPiece> pieces) {
-    Parts stream{"\x78\x01"};  // RFC 1950: deflate, a window of 32 KiB
+std::string stream_of(std::span<const DeflatedPiece> pieces) {
+    std::string stream("\x78\x01");  // RFC 1950: deflate, a window of 32 KiB
     std::uint32_t adler = 1;
-    for (DeflatedPiece& piece : pieces) {
-        stream.push_back(std::move(piece.bits));
+    for (const DeflatedPiece& piece : pieces) {
+        stream += piece.bits;
         adler = adler_of_both(adler, piece);
     }
-    std::string& end = stream.emplace_back("\x03\x00", 2);  // RFC 1951: a last block that ends at once
-    for (const int shift : {24, 16, 8, 0}) end += static_cast<char>(adler >> shift & 0xFF);
+    stream.append("\x03\x00", 2);  // RFC 1951: a last block that ends at once
+    for (const int shift : {24, 16, 8, 0}) stream += static_cast<char>(adler >> shift & 0xFF);
     return stream;
 }
 
-std::string joined(const Parts& parts) {
-    std::size_t size = 0;
-    for (const std::string& part : parts) size += part.size();
-    std::string whole;
-    whole.reserve(size);
-    for (const std::string& part : parts) whole += part;
-    return whole;
-}
-
-Parts deflated_side_by_side(std::size_t count, const FillPiece& fill) {
-    struct ThreadScratch {
-        Deflater deflater;
-        std::string room;
-    };
-    tbb::enumerable_thread_specific<ThreadScratch> scratches;
-    std::vector<DeflatedPiece> pieces(count);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-        ThreadScratch& scratch = scratches.local();
-        pieces[i] = scratch.deflater.piece(fill(i, scratch.room));
-    });
-    return stream_of(std::move(pieces));
-}
-
 std::string deflated_side_by_side(std::string_view bytes) {
-    return joined(deflated_side_by_side(
-        (bytes.size() + piece_bytes - 1) / piece_bytes,
-        [&](std::size_t i, std::string&) { return bytes.substr(i * piece_bytes, piece_bytes); }));
+    tbb::enumerable_thread_specific<Deflater> deflaters;
+    std::vector<DeflatedPiece> pieces((bytes.size() + piece_bytes - 1) / piece_bytes);
+    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+        pieces[i] = deflaters.local().piece(bytes.substr(i * piece_bytes, piece_bytes));
+    });
+    return stream_of(pieces);
 }
 
-std::uint32_t crc32_of(std::string_view bytes, std::uint32_t of_before) {
-    return crc32_gzip_refl(of_before, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+std::uint32_t crc32_of(std::string_view bytes) {
+    return crc32_gzip_refl(0, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
 }  // namespace zproof

@@ -1,9 +1,8 @@
-/// Lossless packing of whole buffers, for every file that zproof compresses.
+/// Lossless packing of whole buffers, for the planes that report.html embeds.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -41,26 +40,15 @@ class Deflater {
 /// One buffer.
 std::string deflated(std::string_view bytes);
 
-/// Bytes in parts that follow one another.
-using Parts = std::vector<std::string>;
-
 /// The stream that holds what the pieces hold, one after another.
-Parts stream_of(std::vector<DeflatedPiece> pieces);
-std::string joined(const Parts& parts);
+std::string stream_of(std::span<const DeflatedPiece> pieces);
 
-/// What piece i holds: bytes that lie somewhere already, or are put into the room, whose size is what the
-/// last piece made there left it.
-using FillPiece = std::function<std::string_view(std::size_t i, std::string& room)>;
-
-/// One stream of `count` pieces, made on the threads of the surrounding tbb::task_arena; the same for any
-/// number of them.
-Parts deflated_side_by_side(std::size_t count, const FillPiece& fill);
-
-/// Of bytes that lie one after another.
+/// One stream of pieces, made on the threads of the surrounding tbb::task_arena; the same for any number of
+/// them.
 std::string deflated_side_by_side(std::string_view bytes);
 
-/// CRC-32 of zlib and PNG (ISO 3309); of two pieces, where that of the first is known.
-std::uint32_t crc32_of(std::string_view bytes, std::uint32_t of_before = 0);
+/// CRC-32 of zlib (ISO 3309).
+std::uint32_t crc32_of(std::string_view bytes);
 
 /// The bytes that values occupy in memory.
 template <class T>

@@ -1,0 +1,190 @@
+// Frames and pictures as files of planes.
+#include <array>
+#include <optional>
+
+#include "frame/frame_error.h"
+#include "frame/frame_size.h"
+#include "frame/whole_file.h"
+#include "image_io/image_file.h"
+#include "image_io/image_io.h"
+#include "image_io/module.h"
+#include "image_io/samples.h"
+
+namespace zproof {
+namespace {
+
+using namespace image_io;
+namespace fs = std::filesystem;
+
+/// One of the two planes of a frame.
+struct Layer {
+    const char* channel;
+    bool (*has_type)(Sample);
+    const char* types;
+};
+constexpr Layer id_layer{"id", is_unsigned, "uint"}, depth_layer{"Z", is_real, "float or half"};
+
+std::optional<ChannelPlace> channel_named(const ImageFile& file, const std::string& name) {
+    for (std::size_t p = 0; p < file.parts().size(); ++p)
+        for (std::size_t c = 0; c < file.parts()[p].channels.size(); ++c)
+            if (file.parts()[p].channels[c].name == name) return ChannelPlace{int(p), int(c)};
+    return std::nullopt;
+}
+
+/// TIFF, PNG and PFM have no names for channels: an image of one channel is known by its type.
+std::optional<ChannelPlace> only_channel(const ImageFile& file, const Layer& layer) {
+    if (file.format() == Format::exr) return std::nullopt;
+    for (std::size_t p = 0; p < file.parts().size(); ++p) {
+        const std::vector<Channel>& channels = file.parts()[p].channels;
+        if (channels.size() == 1 && layer.has_type(channels[0].sample)) return ChannelPlace{int(p), 0};
+    }
+    return std::nullopt;
+}
+
+[[noreturn]] void refuse_missing(const ImageFile& file, const std::string& channel) {
+    throw FrameError(
+        file.name() + ": channel '" + channel + "' is missing; the file holds " + file.what_it_holds() +
+        (file.format() == Format::exr
+             ? ""
+             : "; expected an image of one channel: unsigned integers for ids, floats for depths; "
+               "two files are named as IDS+DEPTHS"));
+}
+
+ChannelPlace require(const ImageFile& file, const Layer& layer) {
+    const std::optional<ChannelPlace> named = channel_named(file, layer.channel);
+    const std::optional<ChannelPlace> place = named ? named : only_channel(file, layer);
+    if (!place) refuse_missing(file, layer.channel);
+    const Sample found = file.channel(*place).sample;
+    if (!layer.has_type(found))
+        throw FrameError(file.name() + ": channel '" + layer.channel + "' is of type " + name_of(found) +
+                         "; expected " + layer.types);
+    return *place;
+}
+
+/// The file of the ids and that of the depths, which may be one.
+struct FrameFiles {
+    fs::path ids, depths;
+};
+
+FrameFiles files_of(const fs::path& file) {
+    const std::string text = file.string();
+    if (fs::exists(file)) return {file, file};
+    for (std::size_t at = text.find('+'); at != std::string::npos; at = text.find('+', at + 1)) {
+        FrameFiles two{text.substr(0, at), text.substr(at + 1)};
+        if (fs::exists(two.ids) && fs::exists(two.depths)) return two;
+    }
+    return {file, file};
+}
+
+/// The headers of a frame, checked; its samples are still to be read.
+class StoredPlanes {
+  public:
+    explicit StoredPlanes(const fs::path& file) : StoredPlanes(files_of(file)) {}
+
+    Resolution size() const { return size_; }
+    Frame frame() const {
+        Frame frame(size_);
+        const WantedChannel ids{id_place_, [&](const SampleRow& row) {
+                                    spread_ids(row, frame.primitive.row(row.y).subspan(std::size_t(row.x)));
+                                }};
+        const WantedChannel depths{
+            depth_place_, [&](const SampleRow& row) {
+                spread_reals(row, frame.camera_depth.row(row.y).subspan(std::size_t(row.x)),
+                             [](float& to, const float& value) { std::memcpy(&to, &value, sizeof to); });
+            }};
+        if (second_) {
+            first_.read({&ids, 1});
+            second_->read({&depths, 1});
+        } else {
+            first_.read(std::array{ids, depths});
+        }
+        return frame;
+    }
+
+  private:
+    explicit StoredPlanes(const FrameFiles& files) : first_(files.ids, "an OpenEXR frame") {
+        if (files.depths != files.ids) second_.emplace(files.depths, "the depths of a frame");
+        const ImageFile& depths = second_ ? *second_ : first_;
+        id_place_ = require(first_, id_layer);
+        depth_place_ = require(depths, depth_layer);
+        size_ = first_.size_of(id_place_.part);
+        if (const Resolution other = depths.size_of(depth_place_.part); other != size_)
+            throw FrameError(depths.name() + ": depths of " + std::to_string(other.width) + " x " +
+                             std::to_string(other.height) + " pixels; the ids have " +
+                             std::to_string(size_.width) + " x " + std::to_string(size_.height));
+    }
+
+    ImageFile first_;
+    std::optional<ImageFile> second_;
+    ChannelPlace id_place_, depth_place_;
+    Resolution size_;
+};
+
+void write_raster(const fs::path& file, const Raster& raster) {
+    refuse_bad_size({raster.width, raster.height}, file.string());
+    std::vector<unsigned char> bytes;
+    try {
+        bytes = module().encode(raster);
+    } catch (const FrameError&) {
+        throw;
+    } catch (const std::runtime_error& e) {
+        throw FrameError(file.string() + ": cannot be written: " + e.what());
+    }
+    write_whole_file(file, std::as_bytes(std::span{bytes}));
+}
+
+}  // namespace
+
+Frame read_frame(const fs::path& file) { return StoredPlanes(file).frame(); }
+
+Resolution frame_size(const fs::path& file) { return StoredPlanes(file).size(); }
+
+void write_frame(const fs::path& file, const Frame& frame) {
+    struct Pixel {
+        PrimitiveId id;
+        float depth;
+    };
+    std::vector<Pixel> pixels(frame.size().pixel_count());
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        pixels[i].id = frame.primitive.pixels()[i],
+        std::memcpy(&pixels[i].depth, &frame.camera_depth.pixels()[i], sizeof(float));
+    write_raster(file, {.format = Format::exr,
+                        .width = frame.size().width,
+                        .height = frame.size().height,
+                        .channels = {{"id", Sample::uint32}, {"Z", Sample::float32}},
+                        .pixels = pixels.data()});
+}
+
+Picture read_picture(const fs::path& file) {
+    const ImageFile input(file, "an OpenEXR picture");
+    constexpr float LinearRgb::*parts[] = {&LinearRgb::r, &LinearRgb::g, &LinearRgb::b};
+    constexpr Layer layers[] = {
+        {"R", is_real, "float or half"}, {"G", is_real, "float or half"}, {"B", is_real, "float or half"}};
+    std::vector<WantedChannel> wanted;
+    Picture picture;
+    for (std::size_t c = 0; c < 3; ++c)
+        wanted.push_back({require(input, layers[c]), [&picture, part = parts[c]](const SampleRow& row) {
+                              spread_reals(row, picture.row(row.y).subspan(std::size_t(row.x)),
+                                           [part](LinearRgb& to, const float& value) {
+                                               std::memcpy(&(to.*part), &value, sizeof value);
+                                           });
+                          }});
+    const Resolution size = input.size_of(wanted[0].place.part);
+    for (const WantedChannel& channel : wanted)
+        if (input.size_of(channel.place.part) != size)
+            throw FrameError(input.name() + ": R, G and B have unlike sizes");
+    picture = Picture(size);
+    input.read(wanted);
+    return picture;
+}
+
+void write_picture(const fs::path& file, const Picture& picture) {
+    static_assert(sizeof(LinearRgb) == 3 * sizeof(float));
+    write_raster(file, {.format = Format::exr,
+                        .width = picture.size().width,
+                        .height = picture.size().height,
+                        .channels = {{"R", Sample::float32}, {"G", Sample::float32}, {"B", Sample::float32}},
+                        .pixels = picture.pixels().data()});
+}
+
+}  // namespace zproof

@@ -1,0 +1,190 @@
+#include "image_io/image_file.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "frame/frame_error.h"
+#include "frame/frame_size.h"
+#include "image_io/module.h"
+
+namespace zproof::image_io {
+namespace {
+
+/// Read at once: as many rows as the largest compressed block of OpenEXR has.
+constexpr int rows_at_once = 256;
+
+std::size_t bytes_of(Sample sample) {
+    switch (sample) {
+        case Sample::uint8:
+            return 1;
+        case Sample::uint16:
+        case Sample::half:
+            return 2;
+        case Sample::uint32:
+        case Sample::float32:
+            return 4;
+        case Sample::other:
+            break;
+    }
+    return 8;  // no type of OpenImageIO is longer
+}
+
+/// Bytes of neighbouring channels in one pixel.
+std::size_t bytes_of(const Part& part, int first, int last) {
+    std::size_t sum = 0;
+    for (int c = first; c < last; ++c) sum += bytes_of(part.channels[std::size_t(c)].sample);
+    return sum;
+}
+
+std::vector<unsigned char> first_bytes_of(const std::filesystem::path& file) {
+    std::array<char, 16> bytes{};
+    std::ifstream in(file, std::ios::binary);
+    in.read(bytes.data(), bytes.size());
+    return {bytes.begin(), bytes.begin() + in.gcount()};
+}
+
+bool has_samples_of_no_known_type(const Part& part) {
+    return std::ranges::any_of(part.channels, [](const Channel& c) { return c.sample == Sample::other; });
+}
+
+/// The piece of row `y` of the data window that the display window shows; its count may be 0 or less.
+SampleRow shown_piece(const Part& part, int y) {
+    const Window &data = part.data, &display = part.display;
+    const int left = std::max(data.x, display.x);
+    const int right = std::min(data.x + data.width, display.x + display.width);
+    const int row = data.y + y - display.y;
+    return {.x = left - display.x, .y = row, .count = row < 0 || row >= display.height ? 0 : right - left};
+}
+
+/// Hands out what a block holds, row by row.
+class BlockRows {
+  public:
+    BlockRows(const Part& part, const Block& block, std::span<const std::byte> bytes)
+        : part_(part), block_(block), bytes_(bytes) {}
+
+    void hand_to(const WantedChannel& wanted) const {
+        const int channel = wanted.place.channel, first = block_.first_channel;
+        const std::size_t stride = bytes_of(part_, first, first + block_.channel_count);
+        for (int i = 0; i < block_.row_count; ++i) {
+            SampleRow row = shown_piece(part_, block_.first_row + i);
+            if (row.count <= 0) continue;
+            const int skipped = row.x + part_.display.x - part_.data.x;
+            const std::size_t pixel = std::size_t(i) * std::size_t(part_.data.width) + std::size_t(skipped);
+            row.first = bytes_.data() + pixel * stride + bytes_of(part_, first, channel);
+            row.stride = stride;
+            row.sample = part_.channels[std::size_t(channel)].sample;
+            wanted.take(row);
+        }
+    }
+
+  private:
+    const Part& part_;
+    const Block& block_;
+    std::span<const std::byte> bytes_;
+};
+
+}  // namespace
+
+Format format_of(std::span<const unsigned char> first_bytes) {
+    using namespace std::string_view_literals;
+    constexpr std::pair<std::string_view, Format> signatures[] = {
+        {"\x76\x2F\x31\x01"sv, Format::exr},
+        {"II*\0"sv, Format::tiff},
+        {"MM\0*"sv, Format::tiff},
+        {"\x89PNG\r\n\x1A\n"sv, Format::png},
+        {"\xFF\xD8\xFF"sv, Format::jpeg},
+        {"PF\n"sv, Format::pfm},
+        {"Pf\n"sv, Format::pfm},
+    };
+    const std::string_view bytes(reinterpret_cast<const char*>(first_bytes.data()), first_bytes.size());
+    for (const auto& [signature, format] : signatures)
+        if (bytes.starts_with(signature)) return format;
+    return Format::unknown;
+}
+
+ImageFile::ImageFile(const std::filesystem::path& file, const std::string& expected) : name_(file.string()) {
+    if (!std::filesystem::is_regular_file(file))
+        throw FrameError(name_ + ": no such file; expected " + expected);
+    format_ = format_of(first_bytes_of(file));
+    if (format_ == Format::unknown)
+        throw FrameError(name_ + ": not a readable OpenEXR file, nor TIFF, PNG or PFM");
+    open({});
+}
+
+ImageFile::ImageFile(std::span<const unsigned char> bytes, std::string name)
+    : name_(std::move(name)), format_(format_of(bytes)) {
+    if (format_ == Format::unknown) throw FrameError(name_ + ": expected a PNG or JPEG image");
+    open(bytes);
+}
+
+void ImageFile::open(std::span<const unsigned char> bytes) {
+    const ModuleTable& images = module();
+    try {
+        file_ = {images.open({.format = format_, .path = name_, .bytes = bytes}), images.close};
+        parts_ = images.parts(*file_);
+    } catch (const std::runtime_error& e) {
+        throw FrameError(name_ + ": cannot be read: " + e.what());
+    }
+}
+
+const Channel& ImageFile::channel(ChannelPlace place) const {
+    return parts_[std::size_t(place.part)].channels[std::size_t(place.channel)];
+}
+
+std::string ImageFile::what_it_holds() const {
+    std::string all;
+    for (const Part& part : parts_)
+        for (const Channel& channel : part.channels) all += (all.empty() ? "" : ", ") + channel.name;
+    return all;
+}
+
+Resolution ImageFile::size_of(int part) const {
+    const Part& p = parts_[std::size_t(part)];
+    if (p.samples == Samples::deep)
+        throw FrameError(name_ + ": deep samples; expected one flat value per pixel");
+    const Resolution size{p.display.width, p.display.height};
+    refuse_bad_size(size, name_);
+    refuse_bad_size({p.data.width, p.data.height}, name_ + ": the data window");
+    return size;
+}
+
+void ImageFile::read_block(const Block& block, const std::string& channel, std::span<std::byte> to) const {
+    try {
+        module().read(*file_, block, to.data());
+    } catch (const std::runtime_error& e) {
+        throw FrameError(name_ + ": channel '" + channel + "' cannot be read: " + e.what() +
+                         ", in the rows from " + std::to_string(block.first_row) + " on");
+    }
+}
+
+void ImageFile::read_part(int part, std::span<const WantedChannel> channels) const {
+    const Part& p = parts_[std::size_t(part)];
+    if (has_samples_of_no_known_type(p)) throw FrameError(name_ + ": samples of a type that is not read");
+    const auto [first, last] =
+        std::ranges::minmax(channels, {}, [](const WantedChannel& wanted) { return wanted.place.channel; });
+    const int count = last.place.channel - first.place.channel + 1;
+    const int step = p.rows_at_once * std::max(1, rows_at_once / p.rows_at_once);
+    const std::size_t row_bytes =
+        std::size_t(p.data.width) * bytes_of(p, first.place.channel, first.place.channel + count);
+    std::vector<std::byte> bytes(row_bytes * std::size_t(std::min(step, p.data.height)));
+    for (int row = 0; row < p.data.height; row += step) {
+        const Block block{part, row, std::min(step, p.data.height - row), first.place.channel, count};
+        read_block(block, channel(channels.front().place).name, bytes);
+        for (const WantedChannel& wanted : channels) BlockRows(p, block, bytes).hand_to(wanted);
+    }
+}
+
+void ImageFile::read(std::span<const WantedChannel> channels) const {
+    for (int part = 0; part < int(parts_.size()); ++part) {
+        std::vector<WantedChannel> here;
+        for (const WantedChannel& wanted : channels)
+            if (wanted.place.part == part) here.push_back(wanted);
+        if (!here.empty()) read_part(part, here);
+    }
+}
+
+}  // namespace zproof::image_io

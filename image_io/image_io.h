@@ -1,0 +1,57 @@
+/// Every image file in and out. OpenImageIO does the work, in a module that is loaded when the first image is
+/// read or written (image_io/module.h). Files are known by their first bytes, not by their names. Every
+/// function throws FrameError, which names the file, what is wrong and what was expected.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "frame/frame.h"
+#include "frame/picture.h"
+#include "frame/rgb8.h"
+
+namespace zproof {
+
+/// Reads ids and depths, each value as the file has it: NaN and stray ids pass through. `file` is an OpenEXR,
+/// TIFF, PNG or PFM file, or two of them, "IDS+DEPTHS". docs/images.md says which channels and types are
+/// read. The frame is the display window; where the file has no data, it is background.
+Frame read_frame(const std::filesystem::path& file);
+/// The size of that frame, from the headers alone.
+Resolution frame_size(const std::filesystem::path& file);
+/// OpenEXR with the channels `id` (uint32) and `Z` (float32), bit for bit. The same frame gives the same
+/// bytes.
+void write_frame(const std::filesystem::path& file, const Frame& frame);
+
+/// Linear light: the channels R, G and B as half or float32. Black where the file has no data.
+Picture read_picture(const std::filesystem::path& file);
+/// OpenEXR with the channels R, G and B (float32), bit for bit.
+void write_picture(const std::filesystem::path& file, const Picture& picture);
+
+/// An sRGB PNG. The same picture gives the same bytes.
+void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture);
+/// The same PNG in memory, for pages that embed it.
+std::vector<std::byte> encode_png(const Plane<Rgb8>& picture);
+
+/// An image of a texture: 4 bytes per texel, alpha not multiplied in.
+struct Rgba8Image {
+    Resolution size;
+    std::vector<std::uint8_t> rgba;
+};
+/// Decodes a PNG or JPEG file in memory, of at most `largest_side` texels on either side. 16-bit channels are
+/// rounded to 8 bits, grey becomes three equal channels, missing alpha is 255.
+Rgba8Image decode_rgba8(std::span<const unsigned char> bytes, int largest_side);
+/// A PNG with 8-bit RGBA, the same texels.
+std::vector<std::byte> encode_png(Resolution size, std::span<const std::uint8_t> rgba);
+
+/// 65535 is 1.
+using Rgb16 = std::array<std::uint16_t, 3>;
+/// Reads a picture with 16-bit R, G and B of exactly this size, as the file has them.
+Plane<Rgb16> read_rgb16(const std::filesystem::path& file, Resolution size);
+/// A PNG with these values, which are linear light.
+std::vector<std::byte> encode_png(const Plane<Rgb16>& picture);
+
+}  // namespace zproof
