@@ -47,6 +47,13 @@ struct RowRuns {
     const std::vector<Run>& reference() const { return are_same ? of_candidate : of_reference; }
 };
 
+/// What one frame shows in a row, and by whose bounds.
+struct FrameRow {
+    const Frame& frame;
+    const std::vector<Run>& runs;
+    TriangleDepth BoundTable::Depths::*depth;
+};
+
 /// One thread's look at both frames, block by block.
 class BlockScan {
   public:
@@ -87,14 +94,13 @@ class BlockScan {
 
     /// What one frame shows, with error / bound; a background that is none and what is no triangle are
     /// undecided.
-    void look_at(const PixelRow& row, const Frame& frame, const std::vector<Run>& runs,
-                 TriangleDepth BoundTable::Depths::*side, RowOf<PrimitiveId>& shown, RowOf<double>& errors) {
-        const auto ids = row.of(frame.primitive);
+    void look_at(const PixelRow& row, const FrameRow& of, RowOf<PrimitiveId>& shown, RowOf<double>& errors) {
+        const auto ids = row.of(of.frame.primitive);
         std::fill(std::ranges::copy(ids, shown.begin()).out, shown.end(), PrimitiveId::none);
-        std::ranges::copy(row.of(frame.camera_depth), depths_.begin());
-        for (const auto& [first, end, place] : runs)
+        std::ranges::copy(row.of(of.frame.camera_depth), depths_.begin());
+        for (const auto& [first, end, place] : of.runs)
             if (place)
-                find_depth_errors(table_[*place].*side, row.left + int(first), row.y, end - first,
+                find_depth_errors(table_[*place].*of.depth, row.left + int(first), row.y, end - first,
                                   &depths_[first], &errors_found_[first]);
             else
                 for (std::size_t i = first; i < end; ++i)
@@ -114,16 +120,14 @@ class BlockScan {
 
     void scan(const PixelRow& row, const RowRuns& runs, std::vector<UndecidedPixel>& undecided) {
         if (!errors_ && is_bare(row, runs)) return;
-        look_at(row, frames_.candidate.frame, runs.candidate(), &BoundTable::Depths::candidate,
-                row_.candidate, row_.candidate_error);
-        look_at(row, frames_.reference.frame, runs.reference(), &BoundTable::Depths::reference,
-                row_.reference, row_.reference_error);
+        const FrameRow candidate{frames_.candidate.frame, runs.candidate(), &BoundTable::Depths::candidate},
+            reference{frames_.reference.frame, runs.reference(), &BoundTable::Depths::reference};
+        look_at(row, candidate, row_.candidate, row_.candidate_error);
+        look_at(row, reference, row_.reference, row_.reference_error);
         if (counts_.add(row_)) list_undecided(row, undecided);
         if (!errors_) return;
-        write_errors(row, frames_.candidate.frame, runs.candidate(), &BoundTable::Depths::candidate,
-                     row_.candidate_error, errors_->candidate);
-        write_errors(row, frames_.reference.frame, runs.reference(), &BoundTable::Depths::reference,
-                     row_.reference_error, errors_->reference);
+        write_errors(row, candidate, row_.candidate_error, errors_->candidate);
+        write_errors(row, reference, row_.reference_error, errors_->reference);
     }
 
     void list_undecided(const PixelRow& row, std::vector<UndecidedPixel>& undecided) const {
@@ -135,18 +139,17 @@ class BlockScan {
     }
 
     /// What is undecided has an error as well.
-    void write_errors(const PixelRow& row, const Frame& frame, const std::vector<Run>& runs,
-                      TriangleDepth BoundTable::Depths::*side, const RowOf<double>& errors,
+    void write_errors(const PixelRow& row, const FrameRow& of, const RowOf<double>& errors,
                       Plane<float>& map) {
-        const auto depths = row.of(frame.camera_depth);
-        for (const auto& [first, end, place] : runs)
+        const auto depths = row.of(of.frame.camera_depth);
+        for (const auto& [first, end, place] : of.runs)
             for (std::size_t i = first; i < end; ++i) {
                 const int x = row.left + int(i);
                 double error = std::numeric_limits<double>::quiet_NaN();
                 if (place && errors[i] != undecided_error)
                     error = errors[i];
                 else if (place)
-                    error = error_over_bound((table_[*place].*side).at(x, row.y), depths[i]);
+                    error = error_over_bound((table_[*place].*of.depth).at(x, row.y), depths[i]);
                 map.at(x, row.y) = float(error);
             }
     }

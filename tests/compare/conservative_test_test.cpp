@@ -200,6 +200,22 @@ TEST(ConservativeTest, TellsWhatIsSeenBesideTrianglesEdgeOnAsRationalsDo) {
     EXPECT_GT(comparison.left, 1000) << "those that are edge-on themselves, for one";
 }
 
+/// A wall that covers the pixel, as it would stand if double did not know its side, or had it wrong.
+TEST(ConservativeTest, LeavesATriangleOfUncertainSideUndecided) {
+    const View view = pixel_view(Projection::parallel, 4, 4);
+    const Scene scene = scene_of(view, {wall(8)});
+    const OnePixel pixel(scene, view, raster_precision(), 1, 1);
+    for (const PrimitiveId answer : {PrimitiveId::none, PrimitiveId(0)}) {
+        Neighbourhood around = pixel.around(answer);
+        Neighbour& n = around.neighbours.front();
+        n.is_trusted = false;
+        if (answer == PrimitiveId::none)
+            for (Affine<double>& edge : n.edges) edge = -edge;
+        CoplanarCache memory(16);
+        EXPECT_EQ(ConservativeTest(around, answer, memory).finding(), ConservativeTest::Finding::undecided);
+    }
+}
+
 /// Walls on either side of an edge that passes within eps of the centre, in one plane with each other or in
 /// planes that meet there; several of them on the same side, whose third corners are the same or not.
 std::vector<Triangle> random_walls_along_an_edge(Rng& rng) {
