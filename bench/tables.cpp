@@ -26,7 +26,7 @@ struct Table {
     std::vector<std::uint32_t> sums;
 };
 
-/// As many pieces as threads, each by the library's own memset.
+/// Splits the values into as many pieces as threads; the library's memset clears each.
 void clear(std::span<std::uint32_t> values) {
     const int pieces = tbb::this_task_arena::max_concurrency();
     tbb::parallel_for(0, pieces, [&](int piece) {

@@ -58,7 +58,7 @@ std::string judged_views(const Results& results) {
     return left.views + left.whole_scenes == 0 ? tried : tried + "; " + in_words(left) + " not judged";
 }
 
-/// Of all reports that were written, the one for people.
+/// The page if one was written, else results.json.
 std::string where_to_look(const ReportArguments& report) {
     const bool page = is_asked_for(report, ReportFormat::html);
     return (report.out / (page ? "report.html" : "results.json")).string();

@@ -54,7 +54,7 @@ std::string judged(const Scene& scene, const View& view, const Renderer& rendere
     return in_words(scene, verdict, diagnosis) + "\n";
 }
 
-/// The same where no frame may come.
+/// Judges the frame, or says why none came.
 std::string answer_of(const Scene& scene, const View& view, const Renderer& renderer, ContractTally& tally) {
     ++tally.pictures;
     try {

@@ -64,7 +64,7 @@ void print_setting(const Setting& setting, const SettingValues& effective, const
               padded(value.empty() ? "-" : value, 24) + (said != effective.end() ? said->origin : "default"));
 }
 
-/// Where a renderer or a file that the settings need is missing, no run can end well.
+/// The first needed renderer or file that is missing; no run can end well without it.
 std::string missing_among(const ChosenRenderers& renderers, const std::filesystem::path& waivers) {
     const auto absent = [](const RendererChoice& choice) {
         const std::string why = absence_of(choice);

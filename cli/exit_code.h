@@ -23,7 +23,7 @@ struct ExitStatus {
     std::string_view meaning;
 };
 
-/// All of them, by number.
+/// All exit statuses, by number.
 std::span<const ExitStatus> exit_statuses();
 
 }  // namespace zproof

@@ -16,7 +16,7 @@ struct FilterChoice {
 /// Throws UsageError, naming what is known, for an unknown method, key or value, and for samplers of others.
 FilterChoice filter_choice(const std::string& word);
 
-/// The same where samplers of others may stand, too; they take max-anisotropy alone.
+/// Accepts samplers of others, too; they take max-anisotropy alone. Otherwise it is as filter_choice().
 FilterChoice study_choice(const std::string& word);
 
 /// A line per key with what it takes and does, for --help.

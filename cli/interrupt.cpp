@@ -18,7 +18,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 constexpr std::string_view answer =
     "\nzproof: interrupted; finishing the piece in hand (once more: ends at once)\n";
 
-/// Nothing but what POSIX allows in a handler.
+/// Does only what POSIX allows in a signal handler.
 extern "C" void note(int) {
     if (noted.exchange(true)) return;
     [[maybe_unused]] const ssize_t told = write(STDERR_FILENO, answer.data(), answer.size());

@@ -68,7 +68,7 @@ std::vector<RendererFacts> facts_of_all(const ChosenRenderers& renderers) {
     return present;
 }
 
-/// Of the views that are known.
+/// The share of the known views that were judged.
 Share judged_of(const Results& results, std::size_t scenes_left) {
     return {std::size_t(std::ranges::count_if(results.views, was_judged)),
             std::size_t(extent_of(results).views), scenes_left};

@@ -11,7 +11,7 @@
 namespace zproof {
 namespace {
 
-/// For oracles that nobody asked for.
+/// Limits for oracles that nobody asked for.
 constexpr std::size_t affordable_triangles = 100'000;
 constexpr std::chrono::seconds patience{30};
 constexpr const char* nobody = "none";

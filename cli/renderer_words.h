@@ -13,7 +13,7 @@ class App;
 
 namespace zproof {
 
-/// As typed.
+/// The words about renderers as typed.
 struct RendererWords {
     std::string renderer = "zproof", precision;             ///< of the candidate
     std::string candidate, reference, reference_precision;  ///< stored frames
@@ -32,7 +32,7 @@ void add_oracle_options(CLI::App& app, RendererWords& words);  ///< --oracle, --
 /// The renderer that the words call the candidate. Throws UsageError.
 RendererChoice candidate_of(const RendererWords& words);
 
-/// Everybody. Throws UsageError.
+/// All renderers of the run. Throws UsageError.
 ChosenRenderers chosen_renderers(const RendererWords& words);
 
 }  // namespace zproof

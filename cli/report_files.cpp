@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Empty: the format has no file.
+/// The name of the format's file; empty where it has none.
 std::string file_of(ReportFormat format) {
     switch (format) {
         case ReportFormat::html:

@@ -117,7 +117,7 @@ Verdict judge_as_wanted(const ViewRun& view_run, const RenderedFrame& candidate,
     return judge(context.scene, context.view, candidate, reference, full_detail);
 }
 
-/// nullopt: interrupted between two stages.
+/// Returns nothing where it was interrupted between two stages.
 std::optional<ViewResult> run_view(const ViewRun& view_run) {
     const auto& [context, opened, config, clock, is_last] = view_run;
     const auto& [source, scene, scene_sha256, view, renderers] = context;
@@ -159,7 +159,7 @@ ViewResult unjudged(const SceneSource& source, const View& view, Outcome outcome
     return result;
 }
 
-/// The same; a view about which candidate or reference gave no answer is a result, and the run goes on.
+/// Runs the view. If candidate or reference gives no answer about it, that is a result, and the run goes on.
 std::optional<ViewResult> run_view_or_say_why_not(const ViewRun& view_run) {
     try {
         return run_view(view_run);
@@ -172,7 +172,7 @@ std::optional<ViewResult> run_view_or_say_why_not(const ViewRun& view_run) {
     }
 }
 
-/// All of them, or the one that was asked for.
+/// All views, or the one that was asked for.
 std::vector<View> wanted_views(const Loaded& loaded, const std::string& only_view) {
     if (only_view.empty()) return loaded.views;
     std::vector<View> views = loaded.views;

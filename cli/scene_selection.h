@@ -1,4 +1,4 @@
-/// From the words of a command line to the scenes that they mean.
+/// Turns words of a command line into the scenes that they mean.
 #pragma once
 
 #include <cstdint>

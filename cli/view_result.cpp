@@ -18,11 +18,11 @@ struct Ranked {
 
     /// Defects, then waived defects, then admissible differences.
     int grade() const { return passes(finding->verdict) ? 2 : waiver.empty() ? 0 : 1; }
-    /// NaN last.
+    /// A NaN comes last.
     double ratio() const { return std::isnan(finding->error_over_bound) ? -1 : finding->error_over_bound; }
 };
 
-/// By grade, then the larger error/bound, then raster order.
+/// Orders by grade, then by the larger error/bound, then by raster order.
 bool worse(const Ranked& a, const Ranked& b) {
     if (a.grade() != b.grade()) return a.grade() < b.grade();
     if (a.ratio() != b.ratio()) return a.ratio() > b.ratio();

@@ -66,7 +66,8 @@ bool is_worse(const Finding* a, const Finding* b) {
     return a < b;
 }
 
-/// Of every class and pair of triangles, whichever says which, the worst finding; the worst of them first.
+/// The worst finding of every class and pair of triangles, whichever frame names which; the worst comes
+/// first.
 std::vector<const Finding*> worst_of_each_pair(std::span<const Finding> findings) {
     const auto hashed = [](const Finding* f) {
         const auto [low, high] = std::minmax(f->candidate.primitive, f->reference.primitive);

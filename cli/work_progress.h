@@ -15,13 +15,13 @@ bool is_terminal(int file_descriptor);
 /// The style that `automatic` stands for here.
 ProgressStyle resolve(ProgressStyle mode);
 
-/// The same for a command whose results are lines that tell as much: a bar on a terminal, else nothing.
+/// The style for a command whose results are lines that tell as much: a bar on a terminal, else nothing.
 ProgressStyle beside_lines(ProgressStyle mode);
 
 /// "2:05 left"; "1:02:05 left" from an hour on.
 std::string time_left(double seconds);
 
-/// From when on the time left is told: at once where the units of work are alike; else where no more is
+/// When the time left is told first: at once where the units of work are alike; else when no more is
 /// extrapolated than was seen.
 enum class Estimate { from_the_start, from_half_of_the_work };
 

@@ -11,7 +11,7 @@ namespace zproof {
 
 namespace {
 
-/// Of the wrong pixels, for an explanation.
+/// The share of the wrong pixels that an explanation must reach.
 constexpr double nearly_all = 0.99;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
@@ -70,7 +70,7 @@ FilterPrecision relaxed(const FilterPrecision& declared, FilterRule rule, double
     return p;
 }
 
-/// Evenly taken in raster order.
+/// Some of the pixels outside, taken evenly in raster order.
 std::vector<FilterPixel> some_outside(const Conformance& found) {
     constexpr std::size_t most = 400;
     std::vector<FilterPixel> all;

@@ -65,7 +65,7 @@ struct Conformance {
 /// middle| / half-width, the largest over the channels. Infinite where the colour is not finite.
 double slack_of(const LinearRgb& colour, const PermittedColours& permitted);
 
-/// On the threads of the surrounding tbb::task_arena; the filter reference is asked from all of them.
+/// Runs on the threads of the surrounding tbb::task_arena; all of them ask the filter reference.
 Conformance conformance(const Picture& picture, const PixelReference& reference,
                         const FilterPrecision& precision);
 

@@ -38,7 +38,7 @@ std::uint64_t unanimous_in_row(Frames frames, int y) {
     return std::uint64_t(std::ranges::count(all, 1));
 }
 
-/// Of each pair one order only, and of more than two frames whether all agree.
+/// Counts each pair in one order only. Whether all agree is counted for more than two frames.
 IdAgreement with_row(IdAgreement sum, Frames frames, int y) {
     for (std::size_t i = 0; i < frames.size(); ++i)
         for (std::size_t j = i + 1; j < frames.size(); ++j)

@@ -37,7 +37,7 @@ struct Tally {
         if (const auto& d = candidate.displacement_over_eps) zproof::count(candidate_edges, *d);
         if (const auto& d = reference.displacement_over_eps) zproof::count(reference_edges, *d);
     }
-    /// Of pixels that name the same triangle.
+    /// Counts the depths of pixels that name the same triangle.
     void count_depths(const PixelCheck& pixel) {
         const bool is_background = pixel.candidate.answer.primitive == PrimitiveId::none;
         if (is_background || pixel.candidate.is_invalid || pixel.reference.is_invalid) return;

@@ -7,7 +7,7 @@
 
 namespace zproof {
 
-/// In order of severity: those that pass come first, and `invalid` stays last.
+/// The classes in order of severity: those that pass come first, and `invalid` stays last.
 enum class PixelClass : std::uint8_t {
     agree,            ///< same id, depth within its bound
     edge,             ///< ids differ, both admissible: they meet at an edge within eps
@@ -154,7 +154,7 @@ constexpr bool is_ordered_by_gate() {
 }
 static_assert(is_ordered_by_gate());
 
-/// Its name in reports and files: "depth_tie".
+/// The class's name in reports and files: "depth_tie".
 constexpr std::string_view name_of(PixelClass c) { return facts_of(c).name; }
 
 using ClassCounts = std::array<std::uint64_t, pixel_class_count>;

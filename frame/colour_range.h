@@ -11,8 +11,8 @@ struct ColourRange {
     glm::dvec3 low{0}, high{0};
 };
 
-/// Where a decision is undecided (which texel is nearest), each outcome has a range of its own; a colour is
-/// admissible where one of them holds all its channels. Never empty.
+/// The ranges of the permitted colours. Where a decision is undecided (which texel is nearest), each outcome
+/// has a range of its own; a colour is admissible where one of them holds all its channels. Never empty.
 using PermittedColours = std::vector<ColourRange>;
 
 }  // namespace zproof

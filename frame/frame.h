@@ -23,7 +23,7 @@ struct Frame {
         : primitive(size, PrimitiveId::none), camera_depth(size, background_depth) {}
     Frame() = default;
 
-    /// For who writes every pixel: nothing is in it yet.
+    /// A frame without values, for a caller that writes every pixel.
     static Frame unwritten(Resolution size) {
         Frame frame;
         frame.primitive = Plane<PrimitiveId>::unwritten(size);

@@ -19,9 +19,9 @@ class WholeFile {
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
 
-    /// Behind what stands farthest.
+    /// Writes behind the farthest byte so far.
     void append(std::string_view bytes) { put(size_, bytes); }
-    /// `offset` bytes from its beginning.
+    /// Writes at `offset` bytes from the file's beginning.
     void put(std::uint64_t offset, std::string_view bytes);
     /// Gives it its own name; a file that had it is replaced. Throws FrameError where that, or anything
     /// before, failed.

@@ -59,7 +59,7 @@ void spread_bytes(const SampleRow& row, std::uint8_t* to) {
     }
 }
 
-/// Of R, G, B or A (0 to 3), of an image with so many channels; -1: there is none.
+/// The channel that holds R, G, B or A (0 to 3) in an image of so many channels; -1 if there is none.
 int source_of(int component, int channels) {
     const bool is_grey = channels < 3;
     if (component < 3) return is_grey ? 0 : component;

@@ -13,7 +13,7 @@
 
 namespace zproof::image_io {
 
-/// By the first bytes; `unknown` for any other file.
+/// The format that the first bytes name; `unknown` for any other file.
 Format format_of(std::span<const unsigned char> first_bytes);
 
 /// Samples of one channel: the pixels from (x, y) of the display window to the right, `stride` bytes apart.
@@ -40,7 +40,7 @@ class ImageFile {
     /// Opens a file and reads its headers. Throws FrameError where it is missing, of no known format, or
     /// broken. `expected` ends the sentence about a missing file: "an OpenEXR frame".
     ImageFile(const std::filesystem::path& file, const std::string& expected);
-    /// Likewise, a file in memory. `name` stands for it in errors.
+    /// Opens a file in memory. `name` stands for it in errors.
     ImageFile(std::span<const unsigned char> bytes, std::string name);
 
     const std::string& name() const { return name_; }

@@ -33,7 +33,7 @@ void write_picture(const std::filesystem::path& file, const Picture& picture);
 
 /// An sRGB PNG. The same picture gives the same bytes.
 void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture);
-/// The same PNG in memory, for pages that embed it.
+/// The PNG of write_png() in memory, for pages that embed it.
 std::vector<std::byte> encode_png(const Plane<Rgb8>& picture);
 
 /// An image of a texture: 4 bytes per texel, alpha not multiplied in.

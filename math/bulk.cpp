@@ -17,7 +17,7 @@ std::size_t rounded_up(std::size_t bytes, std::size_t to) { return (bytes + to -
 /// it stands for take fifty times as long to come by, but memory is what images have most of.
 constexpr std::size_t most_unused = huge_page * 3 / 8;
 
-/// Of less the C library has enough at hand.
+/// The least size kept, bytes. The C library has enough smaller blocks at hand.
 constexpr std::size_t kept_from = std::size_t{1} << 16;
 
 /// AddressSanitizer watches the ends of what the C library gives.

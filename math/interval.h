@@ -81,7 +81,7 @@ inline int sign(Interval a) {
 /// Never undecided: false where it may be another number.
 inline bool is_certainly_zero(const Interval& a) { return a.low() == 0 && a.high() == 0; }
 
-/// Of every number that the interval holds; never undecided.
+/// The absolute value of every number that the interval holds; never undecided.
 inline Interval magnitude(const Interval& a) {
     if (a.low() >= 0) return a;
     if (a.high() <= 0) return -a;

@@ -36,7 +36,7 @@ inline Interval larger(const Interval& a, const Interval& b) {
 inline Interval smaller(const Interval& a, const Interval& b) {
     return {std::min(a.low(), b.low()), std::min(a.high(), b.high())};
 }
-/// Clamped like std::clamp, end by end.
+/// The interval clamped like std::clamp, end by end.
 inline Interval clamped(const Interval& a, double low, double high) {
     return {std::clamp(a.low(), low, high), std::clamp(a.high(), low, high)};
 }
@@ -45,7 +45,7 @@ inline Interval square(const Interval& a) {
     const Interval m = magnitude(a);
     return m * m;
 }
-/// Of what the interval holds at or above 0.
+/// The square root of what the interval holds at or above 0.
 inline Interval square_root(const Interval& a) {
     return clamped(
         detail::stepped_outward(std::sqrt(std::max(a.low(), 0.0)), std::sqrt(std::max(a.high(), 0.0))), 0,
@@ -53,7 +53,7 @@ inline Interval square_root(const Interval& a) {
 }
 inline Interval length(const Interval& a, const Interval& b) { return square_root(square(a) + square(b)); }
 
-/// -inf where it may be 0.
+/// The low end is -inf where `a` may be 0.
 inline Interval log2(const Interval& a) {
     return detail::stepped_outward(std::log2(std::max(a.low(), 0.0)), std::log2(std::max(a.high(), 0.0)));
 }

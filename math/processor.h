@@ -10,7 +10,7 @@ namespace zproof {
 bool has_avx2();
 bool has_avx512();
 
-/// Those of three kernels that may run here, narrowest first; the scalar one may everywhere.
+/// The kernels of three that may run here, narrowest first; the scalar one may everywhere.
 template <typename Kernel>
 std::vector<Kernel> runnable(const Kernel& scalar, const Kernel& avx2, const Kernel& avx512) {
     std::vector<Kernel> kernels{scalar};

@@ -28,7 +28,7 @@ class Sha256 {
     std::unique_ptr<State> state_;
 };
 
-/// Of one text: 64 hexadecimal digits in lower case.
+/// The SHA-256 of one text: 64 hexadecimal digits in lower case.
 std::string sha256_of(std::string_view text);
 
 }  // namespace zproof

@@ -42,8 +42,8 @@ double unit_of(Arithmetic arithmetic) {
     return arithmetic == Arithmetic::float32 ? unit_roundoff_float32 : unit_roundoff_float64;
 }
 
-/// Of corners in the probe views: |p| + |eye|, in pixels and as a multiple of the depth, and the distance
-/// from the window's centre.
+/// Where corners in the probe views lie: |p| + |eye|, in pixels and as a multiple of the depth, and the
+/// distance from the window's centre.
 constexpr double from_origin_px = 128, from_origin_depth = 1.25, reach_px = 64;
 
 /// Relative roundings from a corner's depth to a pixel's, beside depth_roundings.
@@ -57,7 +57,7 @@ double interpolation_factor(const RasterPrecision& p) {
     return 0;
 }
 
-/// The same of z = (far - depth) / (far - near) under a parallel projection, as a multiple of far.
+/// The rounding of z = (far - depth) / (far - near) under a parallel projection, as a multiple of far.
 double parallel_units(const RasterPrecision& p) {
     switch (p.depth_buffer) {
         case DepthBuffer::camera_depth:
@@ -232,8 +232,8 @@ std::string owners(const FillSides& fill, IsFirst is_first, IsSecond is_second, 
     return std::string{"some "} + first + " and " + second;
 }
 
-/// With the triangle to the right of its direction (y down), an edge that runs up is its left edge and a
-/// level one that runs right its top edge.
+/// The fill rule in words. With the triangle to the right of its direction (y down), an edge that runs up is
+/// its left edge and a level one that runs right its top edge.
 std::string fill_in_words(const FillSides& fill) {
     const auto left = [](const FillSide& s) { return s.dy < 0; };
     const auto right = [](const FillSide& s) { return s.dy > 0; };

@@ -24,10 +24,10 @@ Displacement displacement(const Renderer& renderer, const Sample& sample, Axis a
 /// Ownership of centres on edges in 16 directions, every octant and its borders.
 FillSides fill_sides(const Renderer& renderer, const Sample& sample);
 
-/// At depths 1.5, 24 and 384 between near 1 and far 512, in both projections.
+/// The steps at depths 1.5, 24 and 384 between near 1 and far 512, in both projections.
 std::vector<DepthStep> depth_steps(const Renderer& renderer);
 
-/// Near 0.75 and far 96, in both projections.
+/// The limits at near 0.75 and far 96, in both projections.
 std::vector<DepthLimit> depth_limits(const Renderer& renderer);
 
 /// Meshes of shared edges over 128 x 128 px, with many pixel centres on edges.

@@ -46,7 +46,8 @@ Renderer interruptible(const Renderer& renderer, const ProgressSink& progress) {
             .declared = renderer.declared};
 }
 
-/// Where the sample was found, by the simplest number that it can be; else where it should be.
+/// The sample's place, as the simplest number that it can be; where it was not found, the place where it
+/// should be.
 Sample sample_of(const Measurement& measurement) {
     const auto& [x, y] = measurement.centre_px;
     return {x ? simplest_in(*x) : 0.5, y ? simplest_in(*y) : 0.5};

@@ -46,8 +46,8 @@ struct Flip {
     float low = 0, high = 0;
 };
 
-/// Where each answer turns. All probes are drawn into one scene, so it takes at most 34 pictures. Throws
-/// Unmeasurable where an answer is not yes at low and no at high.
+/// Finds where each answer turns. All probes are drawn into one scene, so it takes at most 34 pictures.
+/// Throws Unmeasurable where an answer is not yes at low and no at high.
 std::vector<Flip> bisect(const Renderer& renderer, const View& view, const std::vector<Probe>& probes);
 
 /// The number with the fewest binary places in a bracket of width > 0.

@@ -62,8 +62,8 @@ Probe probe_of(const ProbeEdge& probe_edge, Axis axis) {
                 }};
 }
 
-/// Where readings lie within a step of a grid: the shortest arc of the circle of that circumference which
-/// holds them all.
+/// The part of a grid step that holds all readings: the shortest arc of a circle whose circumference is the
+/// step.
 struct Arc {
     double start = 0, length = 0;
     double middle(double circumference) const { return std::fmod(start + length / 2, circumference); }

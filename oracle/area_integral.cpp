@@ -18,7 +18,7 @@ namespace {
 
 using namespace area;
 
-/// Beyond, samples are cheaper (docs/area-integral.md, "Cost").
+/// The limit beyond which samples are cheaper (docs/area-integral.md, "Cost").
 constexpr double most_texels = 0x1p17;
 constexpr double gaussian_cost = 4;  ///< beside a mean without weights
 constexpr double half_px = 0.5;
@@ -42,7 +42,7 @@ class Integral {
 
     /// Half the side of the square that a pixel looks at.
     double reach() const { return is_gaussian() ? 2 * half_px : half_px; }
-    /// Of the mean's error, where rounding does not count.
+    /// The bound of the mean's error, where rounding does not count.
     double bound() const { return is_gaussian() ? gaussian_error : 0; }
 
     /// The mean over a pixel; nothing where it would take too long.

@@ -39,7 +39,8 @@ struct AreaTruth {
 /// any number of them. Throws OracleError where Embree is needed and refuses the scene.
 AreaTruth area_truth(const Scene& scene, const View& view, Reconstruction reconstruction);
 
-/// The same by samples alone, at every pixel: a check of the exact integral that shares no clipping with it.
+/// The truth from samples alone, at every pixel: a check of the exact integral that shares no clipping with
+/// it.
 AreaTruth sampled_area_truth(const Scene& scene, const View& view, Reconstruction reconstruction);
 
 /// May a difference between two filters' errors be claimed? Only if the truth is known to a fifth of it.

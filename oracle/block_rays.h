@@ -27,7 +27,7 @@ class BlockRays {
     /// most 3 pixels beyond the image.
     void aim(int left, int top, RTCRay16& rays) const;
 
-    /// As PrimaryRay has it; the same for all.
+    /// The depth of every ray's origin, as in PrimaryRay.
     double origin_depth() const { return any_.origin_depth; }
 
   private:

@@ -97,7 +97,7 @@ ClosestHits hits_of(const Packet& packet, double origin_depth) {
     return hits;
 }
 
-/// Of a whole block: a number of values that the compiler knows.
+/// A whole block's row has a number of values that the compiler knows.
 template <class T>
 void store_row(const T* values, int columns, T* to) {
     if (columns == block_side)
@@ -131,14 +131,14 @@ void trace_block(RTCScene scene, const BlockRays& rays, const Block& block, Pack
     store(hits_of(packet, rays.origin_depth()), block, part, frame);
 }
 
-/// Of a Morton code: every second bit, from the lowest.
+/// Every second bit of a Morton code, from the lowest.
 constexpr int every_second_bit(unsigned code) {
     int bits = 0;
     for (int i = 0; i < 16; ++i) bits |= int(code >> 2 * i & 1) << i;
     return bits;
 }
 
-/// Where a tile's blocks stand in it, each near the one before it.
+/// The places of a tile's blocks in it, each near the one before it.
 constexpr auto blocks_of_tile = [] {
     std::array<Block, blocks_per_tile_side * blocks_per_tile_side> blocks{};
     for (unsigned code = 0; code < blocks.size(); ++code)

@@ -15,7 +15,7 @@ class EmbreeErrors {
     EmbreeErrors(const EmbreeErrors&) = delete;
     EmbreeErrors& operator=(const EmbreeErrors&) = delete;
 
-    /// From now on `device` reports to this object.
+    /// Makes `device` report to this object.
     void attach_to(RTCDevice device);
 
     /// Throws OracleError with the first error since the last call, its code in words and Embree's own

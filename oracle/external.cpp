@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Meaning = std::pair<std::string, std::string>;  ///< a word in braces and what stands for it
 
-/// For /bin/sh: within single quotes every character but the quote itself stands for itself.
+/// Quotes a word for /bin/sh: within single quotes every character but the quote itself stands for itself.
 std::string quoted(const std::string& word) {
     std::string text = "'";
     for (const char c : word) text += c == '\'' ? std::string{"'\\''"} : std::string{c};

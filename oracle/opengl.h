@@ -25,7 +25,7 @@ class OpenGlDriver {
     /// Throws OracleError where opengl_is_missing gives a reason.
     OpenGlDriver();
 
-    /// As OpenGl::render.
+    /// Renders as OpenGl::render does.
     Frame render(const Scene& scene, const View& view) const;
     /// What OpenGL promises (docs/bounds.md), with the sub-pixel bits that the driver gives for
     /// GL_SUBPIXEL_BITS.
@@ -60,7 +60,7 @@ class OpenGl {
 /// Why there is no OpenGL, in one line ("OpenGL: not built in", or what EGL said); nothing where there is.
 std::optional<std::string> opengl_is_missing();
 
-/// Of a driver opened for the question. Throw OracleError where opengl_is_missing gives a reason.
+/// Open a driver for the question. Throw OracleError where opengl_is_missing gives a reason.
 Precision opengl_precision();
 std::string opengl_version();
 

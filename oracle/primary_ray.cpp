@@ -9,7 +9,7 @@ namespace {
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<float>::is_iec559,
               "a double beyond float's range rounds to infinity");
 
-/// Where the view ray meets the camera's window.
+/// The point where the view ray meets the camera's window.
 glm::dvec2 on_window(const View& view, const glm::dvec2& p_raster) {
     const Window& w = view.camera.window;
     return {w.left + (w.right - w.left) * (p_raster.x / view.width),

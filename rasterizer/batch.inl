@@ -14,12 +14,13 @@ struct Batch {
     alignas(64) double inverse_depth[3][batch_size];
     alignas(64) std::uint32_t id[batch_size];
 
-    /// Of the box in the tile, pixels: first, last. Nothing is in it where the last is before the first.
+    /// The first and the last pixel of the box in the tile. The box is empty where the last is before the
+    /// first.
     alignas(64) std::int32_t column0[batch_size], column1[batch_size], row0[batch_size], row1[batch_size];
     alignas(64) std::int32_t is_small[batch_size];  ///< all ones, or 0: see small_side
     alignas(64) double weight[3][batch_size];       ///< inverse depth of vertex k, divided by 2A
 
-    /// Filled up with the last triangle.
+    /// The batch is filled up with the last triangle.
     void load(const Triangles& triangles, const std::uint32_t* entries, int last);
     void set_up_box(const TileSamples& tile);
     void set_up_weights();

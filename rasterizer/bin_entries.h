@@ -24,7 +24,7 @@ class BinEntries {
     }
 
     void push_back(std::uint32_t entry) { *add(1) = entry; }
-    /// Where so many more are to be written.
+    /// The place where `count` more entries are to be written.
     std::uint32_t* add(std::size_t count) {
         if (room_.size() - size_ < count) move_to_own(size_ + count);
         return &room_[std::exchange(size_, size_ + count)];

@@ -23,7 +23,7 @@ std::int64_t greatest(std::int64_t slope, const Samples& samples) {
     return slope * (slope > 0 ? samples.last : samples.first);
 }
 
-/// Clockwise.
+/// The corners in clockwise order.
 Corners corners_of(const CornerLanes& lanes, int i, bool is_turned) {
     const auto& [a, b, c] = lanes.corner;
     return is_turned ? Corners{a[i], c[i], b[i]} : Corners{a[i], b[i], c[i]};
@@ -120,7 +120,7 @@ void BinnedRun::add_queue_to_tile(std::uint32_t tile, const PlacedLanes& placed)
     queue_.count = 0;
 }
 
-/// In one row or column of tiles the triangle meets every one.
+/// A triangle that stays in one row or column of tiles meets every one of them.
 void BinnedRun::add_to_tiles(int lane, const PlacedLanes& placed, std::uint32_t place) {
     const int column0 = placed.column0[lane], column1 = placed.column1[lane];
     const int row0 = placed.row0[lane], row1 = placed.row1[lane];

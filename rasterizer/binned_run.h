@@ -36,10 +36,10 @@ class BinnedRun {
     void fill(const Kernel& kernel, const Scene& scene, const ProjectedVertices& projected,
               const ViewSetup& setup, const IndexRange& range);
 
-    /// For each tile: after fill() how many of them are in it; for write() which of the tile's entries is the
-    /// first of those.
+    /// A number per tile. After fill() it is how many of the range's triangles are in the tile; for write()
+    /// it is which of the tile's entries is the first of them.
     std::span<std::uint32_t> next() { return next_; }
-    /// Where the first of the run's pieces goes, for write(). Returns how many there are.
+    /// Sets the place of the run's first piece, for write(). Returns how many there are.
     std::size_t put_pieces_at(std::size_t first);
     /// Writes the run's part of both: entries by tile, in order within a tile, and pieces. `first` has each
     /// tile's first place.

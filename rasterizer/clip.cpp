@@ -67,7 +67,7 @@ void put_on(ClipPlane plane, ClipVertex& v, const ClipVolume& volume) {
     }
 }
 
-/// Where the edge leaves the volume.
+/// The point where the edge leaves the volume.
 ClipVertex intersection(const ClipVertex& inside, const ClipVertex& outside, ClipPlane plane,
                         const ClipVolume& volume) {
     const double d_inside = distance(plane, inside, volume);

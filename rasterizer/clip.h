@@ -30,7 +30,7 @@ struct ClipVolume {
     Projection projection = Projection::perspective;
 };
 
-/// Where a vertex lies, as bits. All of a triangle's vertices outside one plane: it is invisible.
+/// The place of a vertex as bits. A triangle is invisible if all its vertices are outside one plane.
 namespace outcode {
 inline constexpr std::uint8_t left = 1, right = 2, bottom = 4, top = 8, near = 16, far = 32;
 inline constexpr std::uint8_t guard = 64;        ///< outside the guard band
@@ -39,7 +39,7 @@ inline constexpr std::uint8_t invisible = left | right | bottom | top | near | f
 inline constexpr std::uint8_t needs_clip = near | far | guard;
 }  // namespace outcode
 
-/// Without branches, for vectors. What is not usable leaves no room for one product with guard_x < 2^18 and a
+/// Has no branches, for vectors. What is not usable leaves no room for one product with guard_x < 2^18 and a
 /// few sums; float32 positions come nowhere near.
 [[gnu::always_inline]] inline std::int32_t outcode_of(const ClipVertex& v,
                                                       const ClipVolume& volume) noexcept {

@@ -1,4 +1,4 @@
-// For AVX2 and AVX-512.
+// A store of vertices for AVX2 and AVX-512.
 
 /// Sixteen vertices of 16 bytes each: x0 x1 ..., y0 y1 ..., N0 N1 ... into x0 y0 N0, x1 y1 N1 ...
 void put_one_by_one(const std::int32_t* x, const std::int32_t* y, const double* inverse_depth,

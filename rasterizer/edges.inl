@@ -3,7 +3,7 @@
 // From one pixel to the next E takes steps of 2^bits, so E >= least exactly where F >= 0, with
 // F = floor((E - least) / 2^bits): whole numbers, whose steps are the differences of two vertices.
 
-/// Of 4 x 4 things those of the columns and rows from first to last, bit by bit.
+/// The bits, of 4 x 4, in the columns and rows from first to last.
 constexpr unsigned bits_of_box(int column0, int column1, int row0, int row1) {
     const unsigned columns = (2u << column1) - (1u << column0);
     return (columns * 0x1111) & ((0x10u << 4 * row1) - (1u << 4 * row0));
@@ -24,7 +24,7 @@ struct Edges {
     void set_up_cells(const Batch& batch);
 };
 
-/// For |a| <= 2^51: the sum is in [2^52, 2^53], where doubles are the whole numbers.
+/// Needs |a| <= 2^51: the sum is in [2^52, 2^53], where doubles are the whole numbers.
 constexpr double floor_of(double a) {
     constexpr double no_fractions = 0x1.8p52;
     const double nearest = (a + no_fractions) - no_fractions;
@@ -58,7 +58,7 @@ void Edges::set_up_nearest(const Batch& batch) {
             nearest_pixel(batch.inverse_depth[0][i], batch.inverse_depth[1][i], batch.inverse_depth[2][i]);
 }
 
-/// Of an empty box, any.
+/// The cells of an empty box may be any.
 void Edges::set_up_cells(const Batch& batch) {
     const auto cell = [](std::int32_t pixel) { return pixel / 16 & 3; };
     for (int i = 0; i < batch_size; ++i)

@@ -21,7 +21,7 @@ struct InverseDepthPlane {
             store(square.e[k], load(of_block[k]) + splat((e[k] + a[k] * double(x)) + b[k] * double(y)));
         return square;
     }
-    /// Of the 16 pixels of a block, covered or not.
+    /// The inverse depths of a block's 16 pixels, covered or not.
     Floats of_pixels(const At& square, int block) const {
         const auto term = [&](int k) { return (splat(square.e[k][block]) + load(of_pixel[k])) * weight[k]; };
         return rounded((term(0) + term(1)) + term(2));

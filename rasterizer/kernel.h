@@ -46,10 +46,11 @@ struct FragmentShader {
     ShadingTime time = ShadingTime::after_the_test;
 };
 
-/// Of triangles that are equally near, whose pixel it is. The same where they come in the order of their ids.
+/// Which of several equally near triangles owns the pixel. Both are the same where triangles come in the
+/// order of their ids.
 enum class Ties { first_to_come, least_id };
 
-/// So many triangles are set up together.
+/// The number of triangles that are set up together.
 inline constexpr int batch_size = 16;
 
 /// Some triangles for one tile, in the order of drawing. They need an area and to be within the guard band.
@@ -109,13 +110,14 @@ struct Kernel {
     const char* name = "";
     void (*project)(const VertexWork&) noexcept = nullptr;
     PlacedLanes (*place)(const ViewSetup&, const CornerLanes&) noexcept = nullptr;
-    /// Nothing is seen yet, and `primitive` is the same everywhere.
+    /// Clears the tile: nothing is seen yet, and `primitive` is the same everywhere.
     void (*clear)(TilePixels&, std::uint32_t primitive) noexcept = nullptr;
     void (*resolve)(const ResolveWork&) noexcept = nullptr;
     void (*publish)() noexcept = nullptr;              ///< what this thread resolved, before another may look
     void (*draw)(const TileWork&) noexcept = nullptr;  ///< depth test, depth and id of every covered pixel
     void (*count)(const TileWork&) noexcept = nullptr;  ///< one more in `primitive` of every covered pixel
-    // The same pixels as draw, by `hierarchical_z`, and more beside; all but the first at leisure.
+    // These draw the pixels of `draw`, as `hierarchical_z` says, and do more beside. Only the first has to be
+    // fast.
     void (*draw_every_block)(const TileWork&) noexcept = nullptr;  ///< without hierarchical z
     void (*draw_tallied)(const TileWork&) noexcept = nullptr;      ///< counts into `tally`
     void (*draw_shaded)(const TileWork&) = nullptr;                ///< hands fragments to `shader`

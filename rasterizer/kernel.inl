@@ -19,10 +19,10 @@ constexpr std::int32_t max(std::int32_t a, std::int32_t b) { return a > b ? a : 
 constexpr double max(double a, double b) { return a > b ? a : b; }
 constexpr double min(double a, double b) { return a < b ? a : b; }
 
-/// Without branches, for vectors.
+/// Has no branches, for vectors.
 constexpr bool is_top_left(std::int32_t dx, std::int32_t dy) { return (dy < 0) | ((dy == 0) & (dx > 0)); }
 
-// In the order of use.
+// The files are included in the order of use.
 // clang-format off
 #include "rasterizer/vertices.inl"
 #include "rasterizer/placing.inl"
@@ -55,7 +55,7 @@ constexpr std::int64_t fetched_ahead = 2 * batch_size;
     if (const glm::uvec3* const corners = corners_at(i + 2 * fetched_ahead)) __builtin_prefetch(corners);
 }
 
-/// In the order of drawing.
+/// Visits the triangles of a batch in the order of drawing.
 template <class Visit>
 void draw_batch(const TileWork& work, const Batch& batch, std::int64_t first, int count, const Visit& visit) {
     const unsigned is_small = negative_lanes(load(batch.is_small));

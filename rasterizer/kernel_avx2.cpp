@@ -7,7 +7,7 @@
 namespace zproof::rasterizer::avx2 {
 namespace {
 
-/// By the sign bit, one per float.
+/// A mask of floats; the sign bit of each one counts.
 struct Mask {
     __m256 low, high;
 };
@@ -128,7 +128,7 @@ Doubles doubles_of(const Ints& a) {
              _mm256_cvtepi32_pd(_mm256_extracti128_si256(a.high, 1))}};
 }
 
-/// Of whole numbers those from -most to most, and the nearest of them instead of others.
+/// Clamps whole numbers to [-most, most].
 Ints clamped(const Doubles& a, double most) {
     const auto part = [&](int i) {
         const __m256d at_most = _mm256_min_pd(a.part[i], _mm256_set1_pd(most));
@@ -153,7 +153,7 @@ Mask operator|(const Mask& a, const Mask& b) {
     return {_mm256_or_ps(a.low, b.low), _mm256_or_ps(a.high, b.high)};
 }
 
-/// Of some lanes those that hold more than `least`.
+/// The lanes of `where` that hold more than `least`.
 Mask above(const Mask& where, const std::uint32_t* values, std::uint32_t least) {
     const __m256i bound = _mm256_set1_epi32(static_cast<int>(least));
     const auto half = [&](const std::uint32_t* of, const __m256& mask) {
@@ -197,7 +197,7 @@ float least_of(const Floats& f) {
     return _mm_cvtss_f32(_mm_min_ss(two, _mm_shuffle_ps(two, two, 1)));
 }
 
-/// Of each of four times sixteen values the least.
+/// Stores the least of each of four times sixteen values.
 void store_least_of_four(float* to, const float* values) {
     const auto eight_of = [&](int i) {
         return _mm256_min_ps(_mm256_load_ps(values + i), _mm256_load_ps(values + i + 8));
@@ -224,7 +224,7 @@ int put_bits(std::uint8_t* to, unsigned bits, int index) {
 void stream_four(void* to, const void* four) {
     _mm_stream_si128(static_cast<__m128i*>(to), _mm_load_si128(static_cast<const __m128i*>(four)));
 }
-/// Before another thread may look.
+/// Makes streamed stores visible before another thread may look.
 void publish() noexcept { _mm_sfence(); }
 
 /// Sixteen vertices of 16 bytes each, four at a time: x0 y0 N0, x1 y1 N1 ... into x0 x1 ..., y0 y1 ..., N0 N1

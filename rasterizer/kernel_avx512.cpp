@@ -77,7 +77,7 @@ Doubles doubles_of(const Ints& a) {
             _mm512_cvtepi32_pd(_mm512_extracti64x4_epi64(a.lanes, 1))};
 }
 
-/// Of whole numbers those from -most to most, and the nearest of them instead of others.
+/// Clamps whole numbers to [-most, most].
 Ints clamped(const Doubles& a, double most) {
     const auto half = [&](const __m512d& lanes) {
         const __m512d at_most = _mm512_min_pd(lanes, _mm512_set1_pd(most));
@@ -91,7 +91,7 @@ Mask not_less(const Floats& a, const Floats& b) { return {_mm512_cmp_ps_mask(a.l
 Mask equal(const Floats& a, const Floats& b) { return {_mm512_cmp_ps_mask(a.lanes, b.lanes, _CMP_EQ_OQ)}; }
 Mask operator|(Mask a, Mask b) { return {_kor_mask16(a.lanes, b.lanes)}; }
 
-/// Of some lanes those that hold more than `least`.
+/// The lanes of `where` that hold more than `least`.
 Mask above(Mask where, const std::uint32_t* values, std::uint32_t least) {
     return {_mm512_mask_cmpgt_epu32_mask(where.lanes, _mm512_load_si512(values),
                                          _mm512_set1_epi32(static_cast<int>(least)))};
@@ -114,7 +114,7 @@ void put(std::uint32_t* to, Mask where, std::uint32_t value) {
 
 float least_of(const Floats& f) { return _mm512_reduce_min_ps(f.lanes); }
 
-/// Of each of four times sixteen values the least.
+/// Stores the least of each of four times sixteen values.
 void store_least_of_four(float* to, const float* values) {
     const auto halves = [](const __m512& a, const __m512& b) {
         return _mm512_min_ps(_mm512_shuffle_f32x4(a, b, 0x44), _mm512_shuffle_f32x4(a, b, 0xEE));
@@ -145,7 +145,7 @@ int put_bits(std::uint8_t* to, unsigned bits, int index) {
 void stream_four(void* to, const void* four) {
     _mm_stream_si128(static_cast<__m128i*>(to), _mm_load_si128(static_cast<const __m128i*>(four)));
 }
-/// Before another thread may look.
+/// Makes streamed stores visible before another thread may look.
 void publish() noexcept { _mm_sfence(); }
 
 /// Sixteen vertices of 16 bytes each.

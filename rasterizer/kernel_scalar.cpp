@@ -131,7 +131,7 @@ Doubles doubles_of(const Ints& a) {
     return d;
 }
 
-/// Of whole numbers those from -most to most, and the nearest of them instead of others.
+/// Clamps whole numbers to [-most, most].
 Ints clamped(const Doubles& a, double most) {
     Ints whole;
     for (int i = 0; i < 16; ++i) {
@@ -161,7 +161,7 @@ Mask equal(const Floats& a, const Floats& b) {
 
 Mask operator|(Mask a, Mask b) { return {a.lanes | b.lanes}; }
 
-/// Of some lanes those that hold more than `least`.
+/// The lanes of `where` that hold more than `least`.
 Mask above(Mask where, const std::uint32_t* values, std::uint32_t least) {
     Mask mask;
     for (int i = 0; i < 16; ++i) mask.lanes |= unsigned{values[i] > least} << i;
@@ -194,7 +194,7 @@ float least_of(const Floats& f) {
     return least;
 }
 
-/// Of each of four times sixteen values the least.
+/// Stores the least of each of four times sixteen values.
 void store_least_of_four(float* to, const float* values) {
     for (int i = 0; i < 4; ++i) to[i] = least_of(load(values + 16 * i));
 }

@@ -22,7 +22,7 @@ void clear(Frame& frame, const PixelRect& pixels) {
 
 }  // namespace
 
-/// In parallel. Frames that are resolved into are whole afterwards.
+/// Visits the tiles in parallel. Frames that are resolved into are whole afterwards.
 template <class Visit>
 void Pipeline::for_each_tile(const Visit& visit) const {
     const tbb::blocked_range<std::size_t> tiles{0, bins_.tiles().count()};
@@ -117,7 +117,7 @@ Work Pipeline::count_work(const Scene& scene, const View& view, const std::vecto
 
 namespace {
 
-/// Where the fragments of one tile are shaded.
+/// The place where one tile's fragments are shaded.
 struct TileShading {
     const Shader& shader;
     Picture& picture;

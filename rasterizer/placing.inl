@@ -1,8 +1,8 @@
 // Triangles side by side: which way they face, and which tiles they may cover samples of.
 
-/// Both windings are drawn, or the counter-clockwise (setup.facing). Where the snapped area is 0, or no
-/// sample of the image is in the bounding box, no sample is covered. Areas are whole numbers <= 2^51 (see
-/// guard_band_px).
+/// Places triangles of both windings, or only the counter-clockwise (setup.facing). Where the snapped area is
+/// 0, or no sample of the image is in the bounding box, no sample is covered. Areas are whole numbers <= 2^51
+/// (see guard_band_px).
 PlacedLanes place(const ViewSetup& setup, const CornerLanes& corners) noexcept {
     const SubpixelGrid grid = setup.grid;
     const std::int32_t width = setup.size.width, height = setup.size.height;

@@ -22,7 +22,7 @@ class ProjectedVertices {
     /// the time before.
     void fill(const Vertices& vertices, const ViewSetup& setup);
 
-    /// The same for some vertices; what is known of the others means nothing.
+    /// Projects only some vertices; what is known of the others means nothing.
     void fill(const Vertices& vertices, const ViewSetup& setup, std::span<const IndexRange> ranges);
 
     /// Meaningful where the outcode has no needs_clip and no not_finite bit.

@@ -34,7 +34,7 @@ struct ClipVertex {
 struct Row {
     double x = 0, y = 0, z = 0, w = 0;
 
-    /// Applied to (p, q, r, 1), in one fixed order.
+    /// The row applied to (p, q, r, 1), in one fixed order.
     [[gnu::always_inline]] double of(double p, double q, double r) const {
         return ((x * p + y * q) + z * r) + w;
     }
@@ -49,7 +49,7 @@ class ClipTransform {
         return at(p_world.x, p_world.y, p_world.z);
     }
 
-    /// The same, for kernels (kernel.h).
+    /// The clip position from three numbers, for kernels (kernel.h).
     [[gnu::always_inline]] ClipVertex at(double x_world, double y_world, double z_world) const noexcept {
         const double depth = depth_row_.of(x_world, y_world, z_world);
         const double w = projection_ == Projection::perspective ? depth : 1.0;

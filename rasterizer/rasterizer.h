@@ -30,7 +30,7 @@ class Renderer {
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
 
-    /// Valid until the next call.
+    /// The frame is valid until the next call.
     const Frame& render(const Scene& scene, const View& view);
 
   private:

@@ -12,7 +12,7 @@ struct FullCoverage {
     Mask of(const Mask& pixels) const { return pixels; }
 };
 
-/// Some of it, perhaps none.
+/// Some of a block is covered, or none.
 struct PartialCoverage {
     Ints inside;  ///< negative where a pixel is not covered
 
@@ -20,12 +20,12 @@ struct PartialCoverage {
     Mask of(const Mask& pixels) const { return without_negative(pixels, inside); }
 };
 
-/// Bit i: pixel i of a block.
+/// Bit i stands for pixel i of a block.
 struct PassedPixels {
     unsigned covered, nearer;
 };
 
-/// Where something no nearer than `nearest` may win a pixel.
+/// The blocks where something no nearer than `nearest` may win a pixel.
 template <Ties ties>
 Mask may_win(float nearest, const Floats& hiz) {
     return ties == Ties::least_id ? not_less(splat(nearest), hiz) : greater(splat(nearest), hiz);
@@ -46,7 +46,7 @@ PassedPixels draw_block(TilePixels& pixels, const Block& block, const Floats& se
     return {covered.covered(), bits_of(wins)};
 }
 
-/// In the rows of a square from the first to the last that has any of the blocks, bit by bit.
+/// Updates the rows of a square from the first to the last that has any of the blocks, bit by bit.
 void update_hiz(TilePixels& pixels, int place, unsigned blocks) {
     const int first = __builtin_ctz(blocks) / 4, last = (31 - __builtin_clz(blocks)) / 4;
     for (int row = first; row <= last; ++row) {
@@ -57,7 +57,7 @@ void update_hiz(TilePixels& pixels, int place, unsigned blocks) {
 
 constexpr int block_at(int x, int y) { return y / 4 * blocks_in_row + x / 4; }
 
-/// Bit by bit.
+/// Updates the cells given bit by bit.
 void update_hiz_of_cells(TilePixels& pixels, unsigned cells) {
     for (; cells != 0; cells &= cells - 1) {
         const int cell = __builtin_ctz(cells);
@@ -98,7 +98,7 @@ struct TriangleScan {
         return batch.column1[i] < first_x() + square_side && batch.row1[i] < first_y() + square_side;
     }
 
-    // Of `cells`, bit by bit, those drawn into.
+    // These return which of `cells` they drew into, bit by bit.
 
     unsigned draw_square(const Cover& cover, const InverseDepthPlane& inverse_depth, unsigned cells) const {
         const int x = first_x(), y = first_y();
@@ -120,7 +120,7 @@ struct TriangleScan {
         return drawn;
     }
 
-    /// Where a block holds something farther. Returns whether there is any.
+    /// Draws the blocks that hold something farther. Returns whether there is any.
     bool draw_if_open(Square& square, const Cover& cover, const InverseDepthPlane& inverse_depth) const {
         const Floats hiz = load_square(work.pixels.hiz + block_at(square.x, square.y), blocks_in_row);
         const unsigned open = square.met & bits_of(may_win<Visit::ties>(edges.nearest[i], hiz));

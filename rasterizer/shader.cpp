@@ -46,7 +46,7 @@ glm::dvec3 base_colour(const Point& point) {
     return colour;
 }
 
-/// Of the vertices where all three have one, else of the triangle; not of unit length.
+/// The normal of the vertices where all three have one, else of the triangle; not of unit length.
 glm::dvec3 shading_normal_world(const Point& point) {
     const auto& normals = point.scene.vertices.normal_world;
     if (!normals.empty()) {

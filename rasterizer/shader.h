@@ -14,7 +14,7 @@ class Shader {
   public:
     Shader(const Scene& scene, const View& view, const Light& light);
 
-    /// As shade() of shading.h says it. The primitive must be a triangle of the scene.
+    /// The colour that shade() of shading.h gives. The primitive must be a triangle of the scene.
     LinearRgb colour_at(int x, int y, PrimitiveId primitive) const;
 
   private:

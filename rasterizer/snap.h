@@ -29,7 +29,7 @@ struct SubpixelGrid {
         const double whole_numbers = snapping == Snap::nearest ? 0x1.8p52 : 0;
         return static_cast<std::int32_t>((steps + whole_numbers) - whole_numbers);
     }
-    /// Where a pixel of this column or row is sampled.
+    /// The place where a pixel of this column or row is sampled.
     [[gnu::always_inline]] constexpr std::int32_t sample(int pixel) const {
         return pixel * steps_per_pixel() + sample_offset;
     }

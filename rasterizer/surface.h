@@ -28,7 +28,7 @@ PixelRays pixel_rays(const View& view);
 using Barycentrics = std::array<double, 3>;
 Barycentrics barycentrics(const PixelRay& line, const std::array<glm::dvec3, 3>& corners_from_eye);
 
-/// Weighted by barycentrics.
+/// The mean of the corners' values, weighted by barycentrics.
 template <class Value>
 Value blended(const Barycentrics& b, const std::array<Value, 3>& at_corners) {
     return b[0] * at_corners[0] + b[1] * at_corners[1] + b[2] * at_corners[2];

@@ -1,4 +1,4 @@
-/// Where a triangle's base-colour texture falls in the image.
+/// Maps the image to a triangle's base-colour texture.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,9 @@ enum class UvInterpolation {
 std::optional<Homography<double>> texels_from_raster(const Scene& scene, const View& view,
                                                      std::uint32_t triangle);
 
-/// The same, affine between the corners of what is left in front of the near plane, which is cut into the fan
-/// of its first corner; of that fan the triangle that holds the raster position. w is 1.
+/// The map of texels_from_raster(), but affine between the corners of what is left in front of the near
+/// plane. That part is cut into the fan of its first corner; the triangle of the fan that holds the raster
+/// position counts. w is 1.
 std::optional<Homography<double>> affine_texels_from_raster(const Scene& scene, const View& view,
                                                             std::uint32_t triangle,
                                                             const glm::dvec2& p_raster);

@@ -28,7 +28,7 @@ Tile::Tile(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup
     kernel_.clear(values_, std::uint32_t(PrimitiveId::none));
 }
 
-/// Nothing wins a pixel that is not the image's, so that the tile can be finished without it.
+/// Closes the pixels beyond the image: nothing wins one, so that the tile can be finished without it.
 void Tile::close_beyond_image() noexcept {
     if (samples_.columns == tile_size && samples_.rows == tile_size) return;
     for (int y = 0; y < tile_size; ++y)

@@ -16,7 +16,8 @@ namespace zproof::rasterizer {
 struct TileEntries {
     std::span<const std::uint32_t> entries{};
     Ties ties = Ties::first_to_come;
-    /// Where it is known: of the i-th `batch_size` and of all that follow, no pixel is nearer than the i-th.
+    /// An upper bound of inverse depth, if one is known: element i bounds the pixels of the i-th `batch_size`
+    /// entries and of all that follow.
     const float* nearest_left = nullptr;
 };
 
@@ -27,9 +28,9 @@ class Tile {
     Tile(const Kernel& kernel, const PixelRect& pixels, const ViewSetup& setup) noexcept;
 
     void draw(const Triangles& triangles, const TileEntries& drawn) noexcept;
-    /// The same, and adds to the tally.
+    /// Draws and adds to the tally.
     void draw_tallied(const Triangles& triangles, const TileEntries& drawn, Tally& tally) noexcept;
-    /// The same, and hands every fragment to the shader.
+    /// Draws and hands every fragment to the shader.
     void draw_shaded(const Triangles& triangles, const TileEntries& drawn, const FragmentShader& shader);
 
     /// Writes ids and camera depths of this tile's pixels. Another thread may look when the kernel has

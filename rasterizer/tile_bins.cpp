@@ -63,7 +63,7 @@ void TileBins::lend_to_runs(std::span<const IndexRange> ranges) {
     }
 }
 
-/// By tile, and within a tile by run.
+/// Places entries by tile, and within a tile by run.
 void TileBins::lay_out() {
     std::size_t entries = 0, pieces = 0;
     first_.resize(tiles_.count() + 1);

@@ -25,13 +25,13 @@ class TileBins {
     /// Throws std::length_error for 2^31 triangles and pieces of triangles, or more.
     void fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup);
 
-    /// The same for some triangles, drawn in the order of the ranges.
+    /// Fills the bins with some triangles, drawn in the order of the ranges.
     void fill(const Scene& scene, const ProjectedVertices& projected, const ViewSetup& setup,
               std::span<const IndexRange> ranges);
 
-    /// Valid while what the bins were filled from is.
+    /// The triangles are valid while what the bins were filled from is.
     const Triangles& triangles() const { return triangles_; }
-    /// Of the triangles that may cover samples of a tile, in the order of drawing.
+    /// The triangles that may cover samples of a tile, in the order of drawing.
     std::span<const std::uint32_t> entries_in(std::size_t tile) const {
         return std::span(entries_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
     }

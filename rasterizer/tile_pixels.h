@@ -22,7 +22,7 @@ struct TilePixels {
     alignas(64) float hiz[blocks], hiz_of_cell[cells];
 };
 
-/// Where pixel (x, y) of the tile is.
+/// The place of pixel (x, y) of the tile.
 [[gnu::always_inline]] constexpr int place_in_tile(int x, int y) {
     const int block = y / 4 * blocks_in_row + x / 4;
     return block * 16 + y % 4 * 4 + x % 4;

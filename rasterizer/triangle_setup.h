@@ -13,14 +13,14 @@ namespace zproof::rasterizer {
 
 using Corners = std::array<SnappedPoint, 3>;
 
-/// Of a triangle that is clockwise on the screen (y down). Edge i lies opposite corner i, so that E_i(p) /
-/// (E_0 + E_1 + E_2) is the barycentric weight of corner i at p.
+/// The edge functions of a triangle that is clockwise on the screen (y down). Edge i lies opposite corner i,
+/// so that E_i(p) / (E_0 + E_1 + E_2) is the barycentric weight of corner i at p.
 std::array<EdgeFunction, 3> edges_of(const Corners& corners, FillRule rule) noexcept;
 
 /// What is left of a triangle, by the outcodes of its vertices (clip.h).
 enum class ClipOutcome { nothing, whole, cut };
 
-/// Nothing, too, of a triangle with a vertex that is not finite.
+/// A triangle with a vertex that is not finite leaves nothing, too.
 inline ClipOutcome clip_outcome(const glm::uvec3& corners, const std::uint8_t* outcodes) noexcept {
     const int a = outcodes[corners.x], b = outcodes[corners.y], c = outcodes[corners.z];
     if ((a | b | c) == 0) return ClipOutcome::whole;

@@ -61,7 +61,7 @@ void VertexLanes::store(SnappedVertex* snapped, std::uint8_t* to_outcode) const 
     }
 }
 
-/// As many vertices as there are lanes.
+/// Projects as many vertices as there are lanes.
 void project_lanes(const ViewSetup& setup, const glm::vec3* position_world, SnappedVertex* snapped,
                    std::uint8_t* outcode) {
     VertexLanes lanes;

@@ -38,7 +38,7 @@ struct ViewSetup {
         SnappedVertex vertex;            ///< meaningful in the guard band
         std::int32_t in_guard_band = 0;  ///< 1 or 0
     };
-    /// The same for kernels. Rounding may put a vertex of the guard band's border a hair outside.
+    /// The raster position for kernels. Rounding may put a vertex of the guard band's border a hair outside.
     [[gnu::always_inline]] GuardedVertex land(const ClipVertex& v) const noexcept {
         const double x_ndc = v.x / v.w;
         const double y_ndc = v.y / v.w;

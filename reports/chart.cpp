@@ -36,14 +36,14 @@ struct AxisRange {
     double share(double value) const { return (value - low) / (high - low); }
 };
 
-/// With room at the ends; a single value stands in the middle.
+/// The range with room at the ends; a single value is in the middle.
 AxisRange widen(AxisRange range) {
     if (!(range.low <= range.high)) return {0, 1};
     const double room = range.low == range.high ? 0.5 : 0.05 * (range.high - range.low);
     return {range.low - room, range.high + room};
 }
 
-/// Where a chart's values come to stand on paper.
+/// The places of a chart's values on paper.
 struct Frame2D {
     const Chart& chart;
     AxisRange x, y;

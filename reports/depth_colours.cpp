@@ -24,7 +24,7 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t buckets = 4096;
 constexpr std::uint32_t no_colour = none;
 
-/// Of the finite positive ones; `none` and 0 where there are none.
+/// The range of the finite positive depths; `none` and 0 where there are none.
 [[gnu::target_clones("default", "avx2", "avx512f")]] DepthRange range_in(std::span<const float> depths) {
     std::uint32_t low = none, high = 0;
     for (const float depth : depths) {

@@ -25,9 +25,9 @@ class DepthColours {
   public:
     explicit DepthColours(const DepthRange& range);
 
-    /// Of a depth in the range.
+    /// The colour of a depth in the range.
     Rgb8 operator()(float depth) const;
-    /// Of a row of pixels; background dark, what is no depth (NaN, zero, negative) magenta.
+    /// Colours a row of pixels; background dark, what is no depth (NaN, zero, negative) magenta.
     void colour(std::span<const float> depths, std::span<Rgb8> pixels) const;
     /// The first by the formula.
     Rgb8 by_formula(float depth) const;
@@ -44,7 +44,7 @@ class DepthColours {
         Rgb8 colour;
         std::size_t piece;
     };
-    /// Of neighbouring depths, of which most have one colour or two.
+    /// The colours of neighbouring depths; most buckets have one colour or two.
     struct Bucket {
         std::uint32_t before, after;  ///< colours as words (rgb_words.h); no colours where there are more
         std::uint32_t change;         ///< the first bits of `after`

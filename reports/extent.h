@@ -14,7 +14,7 @@ struct Extent {
     std::uint64_t whole_scenes = 0;  ///< not read, not begun, or without triangles
 };
 
-/// Of those results that are wanted.
+/// The extent of the results that are wanted.
 Extent extent_of(const Results& results, const std::function<bool(const ViewResult&)>& wanted);
 Extent extent_of(const Results& results);  ///< of all
 

@@ -58,7 +58,7 @@ char* write_id(char* to, PrimitiveId id) {
 /// Writes rows, one after another.
 class RowWriter {
   public:
-    /// At most most_row_bytes, of which the last may be written beyond; returns what follows.
+    /// Writes at most most_row_bytes, of which the last may be written beyond; returns what follows.
     char* write(char* to, const Finding& f) {
         to = write_whole(to, f.x);
         to = write_whole(to, f.y);

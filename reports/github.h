@@ -16,8 +16,8 @@ inline constexpr std::size_t most_annotations = 10;
 /// plain line that counts the rest. Empty where there is nothing to say.
 std::string to_github(const Results& results);
 
-/// As GitHub wants a message, and a property ("title"), to be written: % \r \n, and in properties : and , are
-/// percent-encoded.
+/// The text as GitHub wants it in a message, and in a property ("title"): % \r \n, and in properties : and ,
+/// are percent-encoded.
 std::string github_message(const std::string& text);
 std::string github_property(const std::string& text);
 

@@ -105,7 +105,7 @@ std::string summary_row(const PageView& page) {
            "<td class=\"n\">" + fixed(seconds(v.times), 2) + "</td></tr>\n";
 }
 
-/// Its name, broken at each underscore.
+/// The class's name, broken at each underscore.
 std::string heading_of(PixelClass c) {
     std::string name;
     for (const char letter : name_of(c)) name += letter == '_' ? std::string("<br>") : std::string(1, letter);

@@ -28,7 +28,7 @@ constexpr std::size_t picture_budget(std::size_t budget) { return budget / 5 * 2
 Page html_page(const Results& results, const std::filesystem::path& run_folder,
                std::size_t budget = page_budget, std::span<const document::Document> studies = {});
 
-/// Its text, in memory.
+/// The page's text, in memory.
 std::string to_html(const Results& results, const std::filesystem::path& run_folder,
                     std::size_t budget = page_budget, std::span<const document::Document> studies = {});
 

@@ -14,8 +14,8 @@ using nlohmann::json;
 
 constexpr int tiers = 5;
 
-/// In which round a block asks for room in the page: what finds a defect, who was seen there, how deep, what
-/// oracles say, colours.
+/// The round in which a block asks for room in the page: what finds a defect, who was seen there, how deep,
+/// what oracles say, colours.
 int tier_of(const std::string& block) {
     if (block.ends_with(".colour")) return 4;
     if (block.starts_with("oracle.")) return 3;

@@ -8,7 +8,7 @@ namespace {
 
 std::string number_cell(const std::string& text) { return "<td class=\"n\">" + text + "</td>"; }
 
-/// In words, "11 of 44" where it was not compared in all.
+/// The views compared, in words: "11 of 44" where it was not compared in all.
 std::string compared(const RendererRecord& r) {
     return grouped(r.views) + (r.not_compared > 0 ? " of " + grouped(r.views + r.not_compared) : "");
 }

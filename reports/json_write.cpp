@@ -66,7 +66,7 @@ Json counts_by_name(const ClassCounts& counts) {
     return object;
 }
 
-/// Without a histogram where nothing was counted.
+/// The record has no histogram where nothing was counted.
 Json bound_record(const BoundRecord& record) {
     Json object = {{"max_error_over_bound", number(record.max_error_over_bound)}};
     if (record.histogram != BoundHistogram{}) object["histogram"] = record.histogram;

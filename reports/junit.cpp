@@ -14,7 +14,7 @@ struct Suite {
     std::vector<const ViewResult*> cases;
 };
 
-/// In order of first appearance. A view that never met a reference stands under "none".
+/// The suites in order of first appearance. A view that never met a reference is under "none".
 std::vector<Suite> suites_of(const Results& results) {
     std::vector<Suite> suites;
     for (const ViewResult& view : results.views) {

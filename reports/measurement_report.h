@@ -12,7 +12,7 @@ namespace zproof {
 /// middle of its bracket and half the bracket's width. Ends in a newline.
 std::string measurement_table(const std::string& renderer, std::span<const measure::Finding> findings);
 
-/// The same as JSON, UTF-8, ending in a newline; its shape is told in docs/measure.md. Brackets keep every
+/// The findings as JSON, UTF-8, ending in a newline; docs/measure.md tells its shape. Brackets keep every
 /// bit.
 std::string measurement_json(const std::string& renderer, std::span<const measure::Finding> findings);
 

@@ -13,7 +13,7 @@ namespace zproof {
 /// shards of one run, each there exactly once and run to its end. `names` are for messages, one per shard.
 Results merged(const std::vector<Results>& shards, const std::vector<std::string>& names);
 
-/// The same words without "--shard X" and "-o X" ("--out X"), in all ways to write them.
+/// The words without "--shard X" and "-o X" ("--out X"), in all ways to write them.
 std::vector<std::string> without_shard_words(const std::vector<std::string>& argv);
 
 }  // namespace zproof

@@ -9,10 +9,11 @@
 
 namespace zproof {
 
-/// From <!DOCTYPE> to </head>; `title` is plain text.
+/// The page from <!DOCTYPE> to </head>; `title` is plain text.
 std::string page_head(const std::string& title, std::string_view own_style);
 
-/// From the end of the content on: the script that sorts tables and links crops, and nothing after it.
+/// The page from the end of the content on: the script that sorts tables and links crops, and nothing after
+/// it.
 std::string page_end();
 
 /// A PNG as a data URI.

@@ -27,7 +27,7 @@ class PieceReader {
     explicit PieceReader(const FileAsBase64& source)
         : source_(source), front_(source.front), in_(source.file, std::ios::binary) {}
 
-    /// Of bytes_in_piece; the last one may have fewer, and is empty when nothing is left.
+    /// The next piece of bytes_in_piece; the last one may have fewer, and is empty when nothing is left.
     std::string next() {
         std::string piece(bytes_in_piece, '\0');
         std::size_t size = 0, read = 0;

@@ -33,7 +33,7 @@ using Page = std::vector<PagePiece>;
 /// where one of the files cannot be read, or `file` be written.
 void write_page(const std::filesystem::path& file, const Page& page);
 
-/// The same in memory.
+/// The text of the page that write_page() writes.
 std::string text_of(const Page& page);
 
 }  // namespace zproof

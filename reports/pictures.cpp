@@ -41,7 +41,7 @@ Rgb8 colour_of_light(const LinearRgb& c) {
     return {srgb(c.r), srgb(c.g), srgb(c.b)};
 }
 
-/// Without a branch, so that neighbours are compared side by side.
+/// Has no branch, so that neighbours are compared side by side.
 PixelClass severer_of(PixelClass a, PixelClass b) { return a > b ? a : b; }
 
 template <class Visit>

@@ -15,7 +15,7 @@
 
 namespace zproof {
 
-/// Where a scene's time went, seconds of wall clock.
+/// The time of each stage of a scene, seconds of wall clock.
 struct StageTimes {
     double load = 0, render = 0, reference_build = 0, reference = 0, judge = 0, oracles = 0, write = 0;
 };
@@ -35,7 +35,7 @@ enum class Outcome {
     not_judged,  ///< nothing to judge (no triangles)
 };
 
-/// Its name in results.json: "not_judged".
+/// The outcome's name in results.json: "not_judged".
 std::string_view name_of(Outcome outcome);
 
 /// Who a renderer is.

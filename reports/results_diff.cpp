@@ -17,7 +17,7 @@ bool is_before(const DefectPixel& a, const DefectPixel& b) {
     return std::pair{a.y, a.x} < std::pair{b.y, b.x};
 }
 
-/// Those of `some` at whose pixel there is none of `others`.
+/// The defects of `some` at whose pixel there is none of `others`.
 std::vector<DefectPixel> only_in(const std::vector<DefectPixel>& some,
                                  const std::vector<DefectPixel>& others) {
     std::vector<DefectPixel> rest;

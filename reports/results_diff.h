@@ -37,7 +37,7 @@ struct RunToCompare {
     std::vector<DefectList> defects;  ///< per view
 };
 
-/// In the order of the older run, then what is new. Views are the same by scene and view name.
+/// The changes in the order of the older run, then what is new. Views are the same by scene and view name.
 std::vector<ViewChange> changes_between(const RunToCompare& before, const RunToCompare& after);
 
 /// Worse: a view that was proven and is not, that is gone, that is new and not proven, that has more defects

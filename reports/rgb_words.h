@@ -14,8 +14,8 @@ constexpr std::uint32_t word_of(Rgb8 colour) {
     return std::uint32_t{colour.r} | std::uint32_t{colour.g} << 8 | std::uint32_t{colour.b} << 16;
 }
 
-/// As many pixels as words, one at least. Four bytes are stored at once where the next pixel will overwrite
-/// the fourth.
+/// Stores as many pixels as words, at least one. Four bytes are stored at once where the next pixel will
+/// overwrite the fourth.
 inline void store(std::span<const std::uint32_t> words, std::span<Rgb8> pixels) {
     assert(words.size() == pixels.size() && !words.empty());
     const std::size_t last = pixels.size() - 1;

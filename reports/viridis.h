@@ -16,7 +16,7 @@ inline std::uint8_t channel(double value) {
 
 inline constexpr std::size_t viridis_pieces = 8;
 
-/// In which of the straight pieces between its nine stops a colour of viridis lies; t in [0, 1], 1 bright.
+/// The straight piece between viridis' nine stops that its colour at t lies in; t in [0, 1], 1 bright.
 std::size_t viridis_piece(double t);
 
 /// Viridis (van der Walt and Smith, 2015). Within one piece every channel only rises or only falls with t.

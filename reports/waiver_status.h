@@ -26,7 +26,7 @@ struct WaiverStatus {
 
 std::string_view name_of(WaiverStatus::State state);
 
-/// In the order of the file. They point into the results.
+/// The statuses in the order of the file. They point into the results.
 std::vector<WaiverStatus> waiver_statuses(const Results& results);
 std::vector<WaiverStatus> waiver_statuses(Results&& results) = delete;
 

@@ -25,7 +25,7 @@ std::string counted(std::uint64_t count, std::string_view noun);
 /// Well-formed UTF-8 without control characters except newline and tab; everything else becomes U+FFFD.
 std::string printable(std::string_view text);
 
-/// On a single line: newlines and tabs of printable(text) become blanks.
+/// The text on a single line: newlines and tabs of printable(text) become blanks.
 std::string one_line(std::string_view text);
 
 /// printable(text), safe as content and in quoted attributes of HTML and XML.

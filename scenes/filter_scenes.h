@@ -15,7 +15,7 @@ struct FilterSceneEntry {
     std::string reason;  ///< one sentence: what the scene asks of a filter
 };
 
-/// In the order of the documentation.
+/// The scenes in the order of the documentation.
 std::vector<FilterSceneEntry> filter_scenes();
 
 /// Builds one of them with its views; the same bits every time. Throws SceneError for an unknown name.

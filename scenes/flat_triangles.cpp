@@ -13,7 +13,7 @@ typedef std::int64_t Longs __attribute__((vector_size(32)));
 
 static_assert(sizeof(glm::vec3) + Positions::allocator_type::padding >= sizeof(Floats));
 
-/// So many triangles: their vertices were just written, often by another core.
+/// The number of triangles to fetch ahead: their vertices were just written, often by another core.
 constexpr std::size_t fetched_ahead = 16;
 
 /// Counted in each of the first three lanes; what the last one holds means nothing. Without a branch: in a

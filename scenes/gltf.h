@@ -12,7 +12,7 @@ namespace zproof {
 /// is not usable (docs/scenes.md); never reads outside the file's folder.
 Loaded load_gltf(const std::filesystem::path& file, int width = 1920, int height = 1080);
 
-/// The same scene without its cameras, for callers that bring their own views.
+/// The scene without its cameras, for callers that bring their own views.
 Scene load_gltf_scene(const std::filesystem::path& file);
 
 }  // namespace zproof

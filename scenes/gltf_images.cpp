@@ -27,7 +27,7 @@ struct Encoded {
     std::string refusal;  ///< why it cannot be used
 };
 
-/// By glTF index: the only images that are read.
+/// The glTF indices of the images that are used; no others are read.
 std::set<int> images_in_use(const tinygltf::Model& gltf) {
     std::set<int> images;
     for (const tinygltf::Material& material : gltf.materials) {

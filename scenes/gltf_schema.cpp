@@ -25,9 +25,9 @@ enum class Kind {
     reference,  ///< an index into the array that `choices` names
 };
 
-/// In a path, '*' stands for every element of an array, '{}' for every member of an object, and '|' parts
-/// members for which the same holds. A member whose name ends in '!' is required where the object around it
-/// is there.
+/// A rule about the members at a path. In a path, '*' stands for every element of an array, '{}' for every
+/// member of an object, and '|' parts members for which the same holds. A member whose name ends in '!' is
+/// required where the object around it is there.
 struct Rule {
     std::string_view path;
     Kind kind;

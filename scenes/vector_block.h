@@ -13,7 +13,7 @@ class VectorBlock {
   public:
     static constexpr std::size_t capacity = 1024;
 
-    /// As many vectors, at most `capacity`; they have no value yet.
+    /// The block has `size` vectors, at most `capacity`, without values yet.
     explicit VectorBlock(std::size_t size) : size_(size) {}
 
     void set(std::size_t i, const glm::dvec3& vector) {
@@ -28,7 +28,7 @@ class VectorBlock {
     void add(const glm::dvec3& vector);
     /// Divides each by its length; those without a direction (length 0, infinite or no number) become 0.
     void normalize();
-    /// All of them, each rounded once.
+    /// Writes all vectors, each rounded once.
     void write(std::span<glm::vec3> to) const;
 
   private:

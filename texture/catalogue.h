@@ -5,7 +5,8 @@
 
 namespace zproof::texture {
 
-/// In the order of docs/texture-filters.md: from the cheapest to the dearest family. Names are unique.
+/// The methods in the order of docs/texture-filters.md: from the cheapest to the dearest family. Names are
+/// unique.
 std::span<const Method> methods();
 
 /// Null where there is none of that name.

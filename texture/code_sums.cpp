@@ -18,7 +18,7 @@ using Sums = std::span<std::uint32_t>;
 /// Tables of that size do not stay in a cache: it is not worth fetching what is only overwritten.
 constexpr std::size_t streamed_from_bytes = std::size_t{32} << 20;
 
-/// So many rows are added to their columns at once.
+/// The number of rows that are added to their columns at once.
 constexpr int added_together = 8;
 
 void add(const sums::Rows<std::uint8_t>& rows) { sums::widest_kernel().add_bytes(rows); }

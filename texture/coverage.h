@@ -40,9 +40,8 @@ struct Parts {
 /// sum 1.
 Parts<Run> covered(const Extent& extent, Wrap wrap, int size);
 
-/// The same mean as Crow (1984) reads it: each end interpolated between two prefix sums, and the sum of the
-/// whole axis where the ends lie in different periods. Weights of either sign; sums over no texel are left
-/// out.
+/// The mean as Crow (1984) reads it: each end interpolated between two prefix sums, and the sum of the whole
+/// axis where the ends lie in different periods. Weights are of either sign; sums over no texel are left out.
 Parts<Prefix> prefixes(const Extent& extent, Wrap wrap, int size);
 
 }  // namespace zproof::texture

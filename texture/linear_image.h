@@ -22,7 +22,7 @@ struct LinearImage {
     }
 };
 
-/// Decoded from sRGB in double, rounded once.
+/// The image decoded from sRGB in double, rounded once.
 LinearImage linear_image(const Texels& stored);
 
 }  // namespace zproof::texture

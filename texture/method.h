@@ -43,7 +43,8 @@ struct StoredImage {
 /// must be finite; of others the result means nothing, but reads stay within the stored images and few.
 struct Sampler {
     std::function<glm::dvec4(const Footprint&)> colour;  ///< linear RGBA; not clamped
-    /// The same of many, into as many colours: sooner, by the same bits. None: each by `colour` (look_up()).
+    /// The colours of many footprints, into as many elements: faster, with the same bits. If it is empty,
+    /// look_up() calls `colour` for each.
     std::function<void(std::span<const Footprint>, std::span<glm::dvec4>)> colours{};
     std::function<std::vector<Tap>(const Footprint&)>
         taps;  ///< the reads behind that colour, in reading order

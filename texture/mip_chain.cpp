@@ -9,7 +9,7 @@ namespace zproof::texture {
 
 namespace {
 
-/// Of one line: its share in the sum.
+/// Adds to the share of one line in the sum.
 void add(std::vector<AxisShare>& shares, int index, double weight) {
     const auto found = std::ranges::find(shares, index, &AxisShare::index);
     if (found == shares.end())

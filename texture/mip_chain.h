@@ -14,7 +14,7 @@ struct AxisShare {
 };
 using AxisWeights = std::vector<std::vector<AxisShare>>;
 
-/// From `size` to max(1, floor(size / 2)), by the kernel; size 1 stays as it is.
+/// The weights that take `size` to max(1, floor(size / 2)), by the kernel; size 1 stays as it is.
 ///   box        halves of 2i and 2i + 1; the last of an odd size has no part in it
 ///   polyphase  of n = 2m + 1: m - i, m and i + 1, over n, at 2i, 2i + 1 and 2i + 2 (Guthe and Heckbert 2005:
 ///              the mean of the piecewise constant over [i n / m, (i + 1) n / m]); box where n is even
@@ -22,10 +22,10 @@ using AxisWeights = std::vector<std::vector<AxisShare>>;
 ///              line, divided by their sum
 AxisWeights halving(int size, MipKernel kernel, Wrap wrap);
 
-/// In two steps: what `coarse` is made of at the size that `fine` starts from.
+/// The weights of both steps in one: what `coarse` is made of at the size that `fine` starts from.
 AxisWeights composed(const AxisWeights& coarse, const AxisWeights& fine);
 
-/// Each alone.
+/// The weights that leave a line as it is.
 AxisWeights identity(int size);
 
 /// Columns and rows weighted by product, summed in double, rounded once to float32.

@@ -37,7 +37,7 @@ class Canvas {
     std::vector<double> steps_;
 };
 
-/// Where a texel of a repeated axis lies nearest to the footprint's centre; other axes leave it.
+/// Moves a texel of a repeated axis to where it is nearest to the footprint's centre; other axes leave it.
 struct Unwrap {
     Wrap wrap;
     int size;
@@ -49,7 +49,7 @@ struct Unwrap {
     }
 };
 
-/// Where along an unwrapped axis weights stand: the texels from the first to the last that has one.
+/// The range of the weights along an unwrapped axis: the texels from the first to the last that has one.
 struct TexelRange {
     int first = 0, last = -1;
 
@@ -66,7 +66,7 @@ struct Weight {
     double weight = 0;
 };
 
-/// Those that count.
+/// The weights that count.
 std::vector<Weight> weights_of(Canvas& canvas, const BaseLevel& base_level, const glm::dvec2& centre) {
     double largest = 0;
     for (int row = 0; row < base_level.height; ++row)

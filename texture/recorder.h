@@ -26,8 +26,8 @@ struct Kernel {
     }
 };
 
-/// From the taps and what the stored values that they read are made of. Weights below 2^-40 of the largest
-/// are 0: sums of a summed-area table cancel up to some 2^-50 of it.
+/// The kernel from the taps and what the stored values that they read are made of. Weights below 2^-40 of the
+/// largest are 0: sums of a summed-area table cancel up to some 2^-50 of it.
 Kernel record(const Sampler& sampler, const Footprint& footprint, const BaseLevel& base_level);
 
 /// A kernel as a distribution of weight over texels' centres.

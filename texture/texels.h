@@ -26,7 +26,7 @@ struct Texels {
 /// The sRGB transfer function (IEC 61966-2-1): linear light of a code value / 255.
 double linear_from_srgb(std::uint8_t code);
 
-/// The same, of an index beyond the line.
+/// wrapped() of an index beyond the line.
 int wrapped_from_beyond(Wrap wrap, std::int64_t index, int size);
 
 /// The texel, 0 to size - 1, that stands at a column or row anywhere on the line.

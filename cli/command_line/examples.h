@@ -13,10 +13,10 @@ struct Example {
     std::string_view meaning;  ///< a few words
 };
 
-/// All of them, in the order of the commands.
+/// All examples, in the order of the commands.
 std::span<const Example> examples();
 
-/// Those of one command, a line or two each, ending in a newline; empty where it has none.
+/// The examples of one command, a line or two each, ending in a newline; empty where it has none.
 std::string examples_in_words(std::string_view command);
 
 }  // namespace zproof

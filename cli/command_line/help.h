@@ -7,7 +7,7 @@ class App;
 
 namespace zproof {
 
-/// From now on `root` and what is added below it explain themselves so.
+/// Makes `root` and everything added below it later show examples in their help.
 void explain_by_example(CLI::App& root);
 
 }  // namespace zproof

@@ -9,8 +9,8 @@ class App;
 
 namespace zproof {
 
-/// Of what the tree has just failed to parse: "; did you mean 'run'?" where the first word that nobody
-/// expected is nearly a command or an option of the command that was typed, else "".
+/// "; did you mean 'run'?" where the first unexpected word of the command line that `root` just failed to
+/// parse is nearly a command or an option of the command that was typed, else "".
 std::string misspelling_in(const CLI::App& root);
 
 }  // namespace zproof

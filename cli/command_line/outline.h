@@ -39,7 +39,7 @@ struct OutlineCommand {
 /// Everything that the tree can parse.
 OutlineCommand outline_of(const CLI::App& root);
 
-/// Those that can be given by themselves, that is those with no command below them, in order.
+/// The commands that can be given by themselves, that is those with no command below them, in order.
 std::vector<OutlineCommand> leaves_of(const OutlineCommand& root);
 
 }  // namespace zproof

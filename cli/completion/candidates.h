@@ -24,9 +24,9 @@ struct Candidates {
     bool operator==(const Candidates&) const = default;
 };
 
-/// For a value of this option or positional of this command: its choices where it has a list of them; else
-/// what its name stands for (a scene, a renderer, a filter, a pixel class ...); numbers: nothing; all else:
-/// files.
+/// The candidates for a value of this option or positional of this command: its choices where it has a list
+/// of them; else what its name stands for (a scene, a renderer, a filter, a pixel class ...); nothing for
+/// numbers; files for all else.
 Candidates candidates_for(const OutlineCommand& command, const OutlineOption& option);
 
 }  // namespace zproof

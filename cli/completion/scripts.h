@@ -8,13 +8,13 @@
 
 namespace zproof {
 
-/// For `source`, or as bash-completion's completions/zproof. Needs bash 3.2 and nothing else.
+/// A script for `source`, or to be installed as bash-completion's completions/zproof. It needs only bash 3.2.
 std::string bash_completion(const OutlineCommand& root);
 
-/// For a folder in $fpath, as _zproof.
+/// A script to be installed as _zproof in a folder of $fpath.
 std::string zsh_completion(const OutlineCommand& root);
 
-/// For a folder in $fish_complete_path, as zproof.fish.
+/// A script to be installed as zproof.fish in a folder of $fish_complete_path.
 std::string fish_completion(const OutlineCommand& root);
 
 }  // namespace zproof

@@ -9,7 +9,7 @@ namespace {
 
 std::string quoted(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
 
-/// As _arguments and _describe take it: no bracket or colon of its own.
+/// The text with its backslashes, brackets and colons escaped, as _arguments and _describe take it.
 std::string plain(std::string text) {
     text = replaced(text, "\\", "\\\\");
     for (const char* special : {"[", "]", ":"}) text = replaced(text, special, std::string{"\\"} + special);
@@ -25,7 +25,7 @@ std::string function_of(const OutlineCommand& command) {
 /// The functions that offer values, each once.
 class Offers {
   public:
-    /// Its name, to be written where _arguments expects an action.
+    /// The name of the candidates' function, to be written where _arguments expects an action.
     std::string name_of(const Candidates& candidates) {
         if (candidates == Candidates{}) return " ";
         const auto at = std::ranges::find(known_, candidates);

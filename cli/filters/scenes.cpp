@@ -12,7 +12,7 @@
 namespace zproof {
 namespace {
 
-/// Of the worked set-up (docs/filter-scenes.md): its figures hold for these rows of this size.
+/// The worked set-up (docs/filter-scenes.md); its figures hold for these rows of this size.
 constexpr const char* worked = "worked";
 constexpr int worked_side = 256, worked_first_row = 56;
 

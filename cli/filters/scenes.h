@@ -1,4 +1,4 @@
-/// From words to the scenes of a study.
+/// Turns words of the command line into the scenes of a study.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@
 
 namespace zproof {
 
-/// As the command line says.
+/// The gate's options on the command line.
 struct GateArguments {
     std::filesystem::path waivers;  ///< file; empty: there are none
     std::optional<Day> today;       ///< nothing: by the clock, UTC

@@ -7,7 +7,7 @@
 
 namespace zproof {
 
-/// In the roff of man(7), as `man` and groff read it without a warning.
+/// The page in the roff of man(7), which `man` and groff read without a warning.
 std::string manual_page(const OutlineCommand& root);
 
 }  // namespace zproof

@@ -61,7 +61,7 @@ RendererChoice renderer_from_word(const std::string& word);
 /// manifest know which classes must occur.
 bool are_the_usual(const ChosenRenderers& renderers);
 
-/// The same in words: "povray", the command, the file.
+/// The renderer in words: "povray", the command, the file.
 std::string name_of(const RendererChoice& choice);
 
 /// The options that mean this choice, for a shell, each with a blank before it: " --renderer povray". Empty

@@ -47,13 +47,13 @@ Answers embree_on(const Scene& scene, std::chrono::seconds) {
     return {[embree](const View& view) { return embree->trace(view); }};
 }
 
-/// Asked once: it starts a driver.
+/// OpenGL is asked only once, since that starts a driver.
 std::string opengl_absence() {
     static const std::string why = oracle::opengl_is_missing().value_or("");
     return why;
 }
 
-/// Opened when first asked for, and once: a driver takes longer to start than a picture to draw.
+/// The driver is opened once, when it is first needed: it takes longer to start than a picture to draw.
 const oracle::OpenGlDriver& opengl_driver() {
     static const oracle::OpenGlDriver driver;
     return driver;
@@ -68,7 +68,7 @@ Answers opengl_on(const Scene& scene, std::chrono::seconds) {
     return {[opengl](const View& view) { return opengl->render(view); }};
 }
 
-/// Asked once: it runs the program. Empty where that is not installed.
+/// POV-Ray's version is asked only once, since that runs the program. Empty where it is not installed.
 std::string povray_version_words() {
     static const std::string version = oracle::povray_version().value_or("");
     return version;

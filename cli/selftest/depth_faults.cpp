@@ -52,7 +52,7 @@ std::function<double(const Seen&)> as_ndc(double at_near, double at_far) {
     return [=](const Seen& seen) { return ndc(seen.fixture.view.camera, seen.depth, at_near, at_far); };
 }
 
-/// Through a depth buffer that holds [0, 1] in whole steps.
+/// The depth after a depth buffer that holds [0, 1] in whole steps.
 double quantized(const Seen& seen, int bits) {
     const Camera& camera = seen.fixture.view.camera;
     const double steps = std::ldexp(1.0, bits) - 1;

@@ -40,7 +40,7 @@ enum class FixtureSize { small, large };
 /// Whose frame the faulty one takes the place of.
 enum class Target { candidate, reference };
 
-/// By whose declared precision the candidate is judged.
+/// Whose declared precision the candidate is judged by.
 enum class PrecisionSource { of_renderer, of_reference };
 
 struct Fault {

@@ -17,7 +17,7 @@ struct Pixel {
 /// none.
 Pixel amid_a_triangle(const Fixture& fixture);
 Pixel amid_background(const Fixture& fixture);
-/// The same, of another triangle than this one.
+/// A pixel as amid_a_triangle() gives it, amid another triangle than `first`.
 Pixel amid_another_triangle(const Fixture& fixture, PrimitiveId first);
 
 /// The admissible depths at a pixel of the good frame.

@@ -46,7 +46,7 @@ struct FilterClaim {
 ConformanceResult conformance_of(const Picture& picture, const FilterFixture& fixture,
                                  const FilterClaim& claim);
 
-/// The same, with what zproof's own filters promise.
+/// Judges the picture by what zproof's own filters promise.
 ConformanceResult conformance_of(const Picture& picture, const FilterFixture& fixture,
                                  const std::string& method, const texture::FilterOptions& options,
                                  texture::Derivatives derivatives = texture::Derivatives::analytic);

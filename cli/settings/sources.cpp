@@ -51,7 +51,7 @@ std::string joined(const std::vector<std::string>& words) {
     return text;
 }
 
-/// Refused here, where file and line can be named together with what is right.
+/// A wrong number is refused here, where file and line can be named together with what is right.
 std::string number_of(const TomlReader& table, const Setting& setting, const TomlValue& value) {
     const auto* whole = std::get_if<std::int64_t>(&value.is);
     if (whole != nullptr && setting.range.contains(*whole)) return std::to_string(*whole);
@@ -61,7 +61,7 @@ std::string number_of(const TomlReader& table, const Setting& setting, const Tom
                             std::to_string(setting.range.such_as));
 }
 
-/// The same in the environment.
+/// Checks a setting's number from the environment.
 std::string number_of(const Setting& setting, const std::string& text) {
     std::int64_t number = 0;
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -72,7 +72,7 @@ std::string number_of(const Setting& setting, const std::string& text) {
                      "'; write such as: " + name + "=" + std::to_string(setting.range.such_as)};
 }
 
-/// As it would be typed.
+/// The setting's value as it would be typed.
 std::vector<std::string> words_of(const TomlReader& table, const Setting& setting, const TomlValue& value) {
     switch (setting.kind) {
         case Setting::Kind::number:

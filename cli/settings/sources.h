@@ -41,7 +41,7 @@ SettingValues from_profile(const std::optional<SettingsFile>& file, const std::s
 SettingValues from_file(const std::optional<SettingsFile>& file);
 SettingValues from_ci_server(const Environment& environment);  ///< what CI and GITHUB_ACTIONS suggest
 
-/// For each setting the word of the first source that has one.
+/// The word of the first source that has one, for each setting.
 SettingValues strongest(const std::vector<SettingValues>& strongest_first);
 
 /// Everything that is not on the command line: environment, then profile, then file, then the CI server.

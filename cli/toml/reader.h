@@ -32,7 +32,7 @@ class TomlReader {
 
     /// "FILE:LINE:COLUMN: why".
     [[noreturn]] void refuse(const TomlValue& at, const std::string& why) const;
-    /// The same for the table itself.
+    /// Refuses the table itself.
     [[noreturn]] void refuse(const std::string& why) const { refuse(*table_, why); }
 
     const std::string& file() const { return file_; }

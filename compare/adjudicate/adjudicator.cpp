@@ -19,7 +19,7 @@ struct Pending {
     double reach_px;
 };
 
-/// Those of one tile.
+/// The pending pixels of one tile.
 struct TileRange {
     std::size_t tile, first, end;
 };

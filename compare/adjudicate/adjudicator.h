@@ -21,11 +21,11 @@ using DoAtPixel = std::function<double(TileWork& work, std::size_t pixel, double
 /// into one call.
 class Adjudicator {
   public:
-    /// All must outlive it.
+    /// All arguments must outlive it.
     Adjudicator(const Scene& scene, const View& view, QueryDetail asked, RuleOverride override = nullptr)
         : scene_(scene), view_(view), asked_(asked), override_(std::move(override)) {}
 
-    /// On all threads; pixels of one tile follow each other on one.
+    /// Runs on all threads; one thread handles the pixels of a tile one after another.
     void for_each_pixel(std::span<const PixelCoord> pixels, const DoAtPixel& act) const;
     /// All queries, in their order.
     std::vector<QueryResult> decide(std::span<const PixelQuery> queries) const;

@@ -31,7 +31,7 @@ class CornerHull {
     }
 
   private:
-    /// From the least to the greatest scalar product with a direction.
+    /// The range from the least to the greatest scalar product with a direction.
     struct AxisRange {
         double least = HUGE_VAL, most = -HUGE_VAL;
         void add(const AxisRange& o) { least = std::min(least, o.least), most = std::max(most, o.most); }
@@ -40,7 +40,7 @@ class CornerHull {
         double x = 0, y = 0;
         AxisRange corners{};
     };
-    /// Widened by what its 3 roundings may amount to.
+    /// The range is widened by what its 3 roundings may amount to.
     static AxisRange across(const SeparatingAxis& side, const Box& box) {
         constexpr double rounding = gamma(4, unit_roundoff_float64);
         const double left = side.x * box.left, right = side.x * box.right, top = side.y * box.top,

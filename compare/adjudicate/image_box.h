@@ -41,9 +41,9 @@ class BoxProjection {
   public:
     explicit BoxProjection(const View& view);
 
-    /// Around the image of a triangle; nothing where it lies behind half the near depth.
+    /// The box around a triangle's image; nothing where it lies behind half the near depth.
     std::optional<Box> operator()(const CornersWorld& p_world) const;
-    /// Around the image of one corner; nothing where it lies behind half the near depth or is no place.
+    /// The box around one corner's image; nothing where it lies behind half the near depth or is no place.
     std::optional<Box> operator()(const glm::vec3& p_world) const;
 
   private:

@@ -15,7 +15,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr DepthCheck nothing_to_check{
     .bound = {nan, nan, nan}, .error_over_bound = nan, .is_admissible = true};
 
-/// Of an answer that is valid.
+/// The answer must be valid.
 DepthCheck check_depth_of(const FramePair& frames, const BoundedFrame& frame, const Answer& answer,
                           const PixelCoord& place) {
     if (answer.primitive == PrimitiveId::none) return nothing_to_check;
@@ -35,7 +35,7 @@ AnswerCheck check_answer(const FramePair& frames, const BoundedFrame& frame, con
     return {answer, false, depth.is_admissible, depth.error_over_bound};
 }
 
-/// Both answers, before they are put to the admissible set.
+/// Checks both answers but does not put them to the admissible set.
 PixelCheck answers_at(const FramePair& frames, const UndecidedPixel& pixel) {
     const auto check = [&](const BoundedFrame& frame) {
         return pixel.differs_in_id_alone ? AnswerCheck{.answer = answer_at(frame.frame, pixel.place)}

@@ -18,7 +18,8 @@ struct PixelQuery {
 /// What became of a query.
 struct QueryResult {
     Decision decision;
-    /// Of an answer that is admissible by its place (Admissibility::visible); see admissible/displacement.h.
+    /// The displacement of an answer that is admissible by its place (Admissibility::visible); see
+    /// admissible/displacement.h.
     std::optional<double> displacement_over_eps;
 };
 

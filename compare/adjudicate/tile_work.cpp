@@ -8,7 +8,8 @@ namespace zproof {
 
 namespace {
 
-/// In own eps: few squares grow beyond it, and a triangle that is found and meets no square changes nothing.
+/// The first search radius, in own eps. Few squares grow beyond it, and a triangle that is found but meets no
+/// square changes nothing.
 constexpr double first_reach = 2;
 
 /// Pairs of a tile that are remembered.
@@ -28,7 +29,7 @@ TileWork::TileWork(const Setting& setting, std::span<const std::uint32_t> near)
       coplanar_(coplanar_pairs),
       around_{.view = setting.view, .neighbours = {}} {}
 
-/// At what comes within that reach of the pixel's centre, by the renderer's bounds.
+/// Collects the triangles within that reach of the pixel's centre, by the renderer's bounds.
 void TileWork::look_at(const PixelQuery& query, double reach_px) {
     const PixelCoord pixel{query.x, query.y};
     const Projection projection = setting_.view.camera.projection;
@@ -49,7 +50,7 @@ void TileWork::look_at(const PixelQuery& query, double reach_px) {
     }
 }
 
-/// Of an answer that is among what is seen, or not.
+/// The eps of an answer, whether or not it is among the triangles seen.
 double TileWork::own_eps_px(const PixelQuery& query) const {
     const auto is_answer = [&](const NearTriangle& s) {
         return PrimitiveId(s.neighbour.triangle) == query.answer;

@@ -17,7 +17,7 @@ class TriangleCache {
 
     std::size_t count() const { return near_.size(); }
     std::uint32_t triangle(std::size_t place) const { return near_[place]; }
-    /// Around its image.
+    /// The box around the triangle's image.
     const Box& box(std::size_t place) const { return boxes_[place]; }
     const BoundedTriangle& of(std::size_t place, const ViewBounds& bounds);
 

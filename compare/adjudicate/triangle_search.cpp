@@ -53,7 +53,7 @@ Box TriangleSearch::box_of_vertex(std::uint32_t vertex) const {
     return {v.left, v.top, v.right, v.bottom};
 }
 
-/// Nothing where a corner has no place.
+/// The hull of a triangle's corners; nothing where a corner has no place.
 std::optional<CornerHull> TriangleSearch::hull_of(std::uint32_t triangle) const {
     const glm::uvec3& t = scene_.triangles[triangle];
     const std::array<Box, 3> corners{box_of_vertex(t.x), box_of_vertex(t.y), box_of_vertex(t.z)};

@@ -33,7 +33,7 @@ class TriangleSearch {
     /// images are widened by the rounding error of their own computation. On all threads; one pass over the
     /// scene.
     TrianglesByTile find(std::span<const Box> asked) const;
-    /// Around a triangle's image in front of half the near depth; empty where there is none.
+    /// The box around a triangle's image in front of half the near depth; empty where there is none.
     Box box_of(std::uint32_t triangle) const;
 
   private:

@@ -24,7 +24,7 @@ Affine<Number> constant(double value) {
 template <class Number>
 constexpr bool takes_nothing_for_granted = std::is_same_v<Number, Rational>;
 
-/// In double the evidence has it.
+/// The evidence holds the image in double.
 template <class Number>
 std::optional<TriangleImage<Number>> image_of_neighbour(const ViewRay<Number>& ray,
                                                         const Neighbour& neighbour) {
@@ -109,7 +109,7 @@ int AdmissibleSet<Number>::edge_id(int low, int high) {
     return first = int(edges_.size()) - 1;
 }
 
-/// Of an edge that is not among the others yet. The estimates in double are left as they are.
+/// The locus of an edge that is not among the others yet. The estimates in double are left as they are.
 template <class Number>
 int AdmissibleSet<Number>::locus_of(const std::array<int, 2>& ends) {
     if constexpr (std::is_same_v<Number, double>) return -1;
@@ -212,7 +212,7 @@ auto AdmissibleSet<Number>::edge_of(size_t index, int edge_id) -> LinePointer {
     return found == drawn(index).edge.end() ? nullptr : *found;
 }
 
-/// Nothing where the other triangle does not share the edge.
+/// Do both triangles lie on one side of the edge? Nothing where the other triangle does not share it.
 template <class Number>
 std::optional<bool> AdmissibleSet<Number>::are_on_one_side(LinePointer edge, size_t other) {
     const LinePointer same = edge_of(other, edge->id);
@@ -233,8 +233,8 @@ auto AdmissibleSet<Number>::moved_inwards(LinePointer edge) -> LinePointer {
     return new_line(moved);
 }
 
-/// At the pixel: is the occluder's least inverse depth above the greatest of what is seen (bounded), or is
-/// its true inverse depth not below (strict)?
+/// Is the occluder's least inverse depth at the pixel above the greatest of what is seen (bounded), or is its
+/// true inverse depth not below (strict)?
 template <class Number>
 bool AdmissibleSet<Number>::is_in_front(size_t occluder, size_t seen, DepthRule rule) {
     const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen];
@@ -356,8 +356,8 @@ bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
     return leaves_bare_by(edges, std::nullopt, [&](size_t o) { return drawn(o).image.has_value(); });
 }
 
-/// Where the occluder's plane, another than that of what is seen, is not behind it. Both planes hold an edge
-/// that both triangles share: what parts them in the image is that edge.
+/// The half-plane where the occluder's plane, another than that of what is seen, is not behind it. Both
+/// planes hold an edge that both triangles share, so that edge parts them in the image.
 template <class Number>
 auto AdmissibleSet<Number>::nearer_side(size_t occluder, const Piece& seen) -> LinePointer {
     const Affine<Number> ahead = drawn(occluder).image->inverse_depth - seen.inverse_depth;
@@ -370,8 +370,8 @@ auto AdmissibleSet<Number>::nearer_side(size_t occluder, const Piece& seen) -> L
     return new_line(ahead);
 }
 
-/// Where the occluder's true image is not behind what is seen; nothing where it is behind all over the
-/// square.
+/// The region where the occluder's true image is not behind what is seen; nothing where it is behind all over
+/// the square.
 template <class Number>
 std::optional<HalfPlanes<Number>> AdmissibleSet<Number>::true_cover(size_t occluder, const Piece& seen) {
     const Neighbour &front = around_.neighbours[occluder], &back = around_.neighbours[seen.index];

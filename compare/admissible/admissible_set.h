@@ -28,7 +28,7 @@ struct Rules {
 template <class Number>
 class AdmissibleSet {
   public:
-    /// Both must outlive it.
+    /// The neighbourhood and the cache must outlive the set.
     AdmissibleSet(const Neighbourhood& neighbourhood, CoplanarCache& coplanar);
 
     /// Another half-side than the neighbourhood's eps_px, from here on.
@@ -71,7 +71,7 @@ class AdmissibleSet {
     enum class Slack { admit, require };
 
     LinePointer new_line(const Affine<Number>& f);
-    /// The same line, and its other side.
+    /// The other side of the same line.
     LinePointer reversed(LinePointer line);
     LinePointer edge_line(const Affine<Number>& f, const CornersWorld& p_world, size_t edge);
     int corner_id(const glm::vec3& p_world);
@@ -84,11 +84,11 @@ class AdmissibleSet {
                                      Slack slack);
     void push_clipped(std::vector<Piece>& pieces, std::optional<Region<Number>> region,
                       const Affine<Number>& inverse_depth, size_t index);
-    /// Made when first asked for.
+    /// The pieces are made when they are first asked for.
     const std::vector<Piece>& seen_pieces(size_t index);
     std::vector<Piece> pieces_inside(size_t index);
     std::vector<Piece> edge_on_pieces(size_t index);
-    /// Drawn when first asked for: most occluders are never reached.
+    /// The image is drawn when it is first asked for: most occluders are never reached.
     const NeighbourImage& drawn(size_t index);
     LinePointer edge_of(size_t index, int edge_id);
     std::optional<bool> are_on_one_side(LinePointer edge, size_t other);

@@ -52,7 +52,8 @@ ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answ
     is_asked_ &= answer == PrimitiveId::none || answer_;
 }
 
-/// Where the sign of the edges is not certain, edges that differ in it say so.
+/// Does the triangle miss the square for certain? Where the sign of its edges is not certain, edges of both
+/// signs must say so.
 bool ConservativeTest::misses(const Neighbour& n, double half_side_px) const {
     const bool is_outside = std::ranges::any_of(
         n.edges, [&](const Affine<double>& e) { return e.c + reach(e, half_side_px) < -edge_error(n); });
@@ -96,7 +97,7 @@ bool ConservativeTest::keeps_between_planes(const Neighbour& n, double half_side
     return inverse_depth.c + unsure < limits.near && inverse_depth.c - unsure > limits.far;
 }
 
-/// Nothing hides it there, whatever the rule: what is outside or behind is in no set that hides.
+/// Does nothing hide the answer there, whatever the rule? What is outside or behind is in no set that hides.
 bool ConservativeTest::is_seen_at(const PixelOffset& at) const {
     if (answer_ && !is_inside(*answer_, at)) return false;
     return std::ranges::all_of(others_, [&](const Neighbour* n) {
@@ -104,7 +105,7 @@ bool ConservativeTest::is_seen_at(const PixelOffset& at) const {
     });
 }
 
-/// Nothing hides it there by the bounded rule.
+/// Does nothing hide the answer there by the bounded rule?
 bool ConservativeTest::is_held_at(const PixelOffset& at) const {
     return is_inside(*answer_, at) && std::ranges::all_of(others_, [&](const Neighbour* n) {
                return is_outside(*n, at) || n->least_inverse_depth <= answer_->greatest_inverse_depth;
@@ -200,7 +201,7 @@ double ConservativeTest::likely_displacement_px() const {
     return likely_px;
 }
 
-/// But for rounding: clipping, edge by edge.
+/// The part of the answer in the square, clipped edge by edge; inexact by rounding.
 auto ConservativeTest::part_in(double half_side_px) const -> Part {
     const double h = half_side_px;
     Part part{{{{-h, -h}, {h, -h}, {h, h}, {-h, h}}}, 4};

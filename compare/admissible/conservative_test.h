@@ -18,7 +18,7 @@ constexpr double least_px(double eps_px) { return eps_px / displacement_steps; }
 
 class ConservativeTest {
   public:
-    /// Of an answer: a triangle, or none. The neighbourhood must outlive it.
+    /// The answer is a triangle or none. The neighbourhood must outlive the test.
     ConservativeTest(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar);
 
     enum class Finding { visible, tied, undecided };

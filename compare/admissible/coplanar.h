@@ -23,7 +23,7 @@ class CoplanarCache {
         const CornersWorld& p_world;
     };
 
-    /// Of that many pairs; a power of two.
+    /// The cache holds that many pairs; `pairs` is a power of two.
     explicit CoplanarCache(std::size_t pairs) : pairs_(pairs), shift_(64 - int(std::bit_width(pairs - 1))) {}
 
     bool operator()(const Triangle& a, const Triangle& b) {

@@ -30,8 +30,9 @@ struct Neighbour {
     double gradient = 0;          ///< |d/dx| + |d/dy| of inverse depth, per px; 0 for an edge-on triangle
     bool is_plane_known = false;  ///< or does double precision not tell it from edge-on?
     bool is_trusted = false;      ///< the same, and is the sign of its image's edges certain?
-    /// Of p_world: whoever changes one changes both. In double; nothing for an edge-on triangle. Off by at
-    /// most `edge_error` and `plane_error` (of inverse depth) anywhere within a pixel of the centre.
+    /// The image of p_world: whoever changes one changes both. In double; nothing for an edge-on triangle. It
+    /// is off by at most `edge_error` and `plane_error` (of inverse depth) anywhere within a pixel of the
+    /// centre.
     std::optional<TriangleImage<double>> image;
     std::array<Affine<double>, 3> edges{};  ///< the image's; without an image, of no orientation
     double edge_error = 0, plane_error = 0;
@@ -48,7 +49,7 @@ struct Neighbourhood {
         0;  ///< half-side of the square: the largest eps of the answer and the triangles around it
     std::vector<Neighbour> neighbours;  ///< in triangle order
 
-    /// Of a triangle among the neighbours.
+    /// The triangle's place among the neighbours, if it is there.
     std::optional<std::size_t> index_of(PrimitiveId triangle) const;
 };
 
@@ -78,7 +79,7 @@ bool comes_within(const TriangleImage<double>& image, double eps_px);
 Neighbour seen_at(const ViewRay<double>& ray, const BoundedTriangle& triangle);
 /// Sets what depends on the renderer.
 void set_bounds(Neighbour& seen, const BoundedTriangle& triangle, Projection projection);
-/// Both.
+/// Both steps in one: seen_at() and set_bounds().
 Neighbour neighbour_of(const ViewRay<double>& ray, const BoundedTriangle& triangle);
 inline Neighbour neighbour_of(const ViewRay<double>& ray, const ViewBounds& bounds,
                               const CornersWorld& p_world) {

@@ -41,7 +41,7 @@ class Region {
         return r;
     }
 
-    /// On which side of a line each corner lies.
+    /// The side of a line that each corner lies on.
     using Signs = std::vector<int>;
     Signs signs_at(const Line<Number>& line) const {
         Signs signs;
@@ -50,12 +50,12 @@ class Region {
         return signs;
     }
 
-    /// Where f >= 0; nothing if no point of the region is there. `signs` are what signs_at(line) says.
+    /// The part where f >= 0; nothing where it is empty. `signs` are what signs_at(line) says.
     std::optional<Region> inside(const Line<Number>& line, const Signs& signs) const {
         return clipped(line, +1, signs);
     }
     std::optional<Region> inside(const Line<Number>& line) const { return inside(line, signs_at(line)); }
-    /// Where f < 0: the part that the closed half-plane leaves.
+    /// The part where f < 0, which the closed half-plane leaves.
     std::optional<Region> outside(const Line<Number>& line) const { return outside(line, signs_at(line)); }
     std::optional<Region> outside(const Line<Number>& line, const Signs& signs) const {
         std::optional<Region> r = clipped(line, -1, signs);
@@ -117,7 +117,7 @@ class Region {
         return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), {common_line(a, b), &line}};
     }
 
-    /// Where side * f >= 0.
+    /// The part where side * f >= 0.
     std::optional<Region> clipped(const Line<Number>& line, int side, const Signs& signs) const {
         const auto is_beyond = [&](int s) { return side * s < 0; };
         if (std::ranges::none_of(signs, is_beyond)) return *this;

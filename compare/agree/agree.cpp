@@ -160,7 +160,7 @@ class BlockScan {
     ErrorMaps* errors_;
     std::array<RowRuns, block_height> runs_;  ///< of the block at hand
     ComparedRow row_;
-    /// Of one frame's row; runs are read and written beyond their ends, from left to right.
+    /// The depths of one frame's row; runs are read and written beyond their ends, from left to right.
     std::array<float, row_pixels + errors_together> depths_{};
     std::array<double, row_pixels + errors_together> errors_found_{};
     RowCounts counts_;

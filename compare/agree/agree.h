@@ -21,8 +21,8 @@ struct Agreement {
     std::vector<UndecidedPixel> undecided;         ///< block by block
 };
 
-/// On the threads of the surrounding tbb::task_arena; the result does not depend on their number. Fills in
-/// the maps of errors where there are some: of pixels that have none, NaN.
+/// Runs on the threads of the surrounding tbb::task_arena; the result does not depend on their number. Fills
+/// in the maps of errors where there are some: pixels without an error hold NaN.
 Agreement find_agreement(const FramePair& frames, ErrorMaps* errors);
 
 }  // namespace zproof

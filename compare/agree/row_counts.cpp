@@ -11,7 +11,7 @@ constexpr int last_bin = std::tuple_size_v<BoundHistogram> - 1;
 constexpr int uncounted = last_bin + 1;
 static_assert(uncounted < int(RowCounts::stride) && row_pixels % RowCounts::lanes == 0);
 
-/// As BoundHistogram has it; of an error that is a number.
+/// The bin of BoundHistogram for an error that is a number.
 [[gnu::always_inline]] inline int bin_of(double error) {
     const double scaled = error * last_bin;
     return int(scaled < last_bin ? scaled : last_bin);

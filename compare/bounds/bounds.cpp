@@ -178,7 +178,7 @@ bool ViewBounds::keeps_to_corners() const {
     return raster && interpolates_depth(*raster);
 }
 
-/// Relative to the size of what is transformed.
+/// The error is relative to the size of what is transformed.
 double ViewBounds::transform_error(const RasterPrecision& precision, int cuts) const {
     const double u = unit_of(precision.transform);
     // float64: the fused matrix is built and applied in double: 3 (translation) + 3 + 3 (product of the two
@@ -307,7 +307,7 @@ double ViewBounds::edge_test_eps_px(const TriangleExtent& extent, int edge, doub
     return gradient > 0 ? error / gradient : 0;  // an edge without extent in the image bounds no area
 }
 
-/// Of the hit itself; on the way to a float32 more may be lost.
+/// The terms of the hit itself; rounding it to float32 may lose more.
 RayTerms ViewBounds::ray_terms(const RayPrecision& precision) const {
     const double u = unit_of(precision.arithmetic);
     return {.scale = scale_,

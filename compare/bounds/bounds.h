@@ -1,5 +1,5 @@
-/// From declared precision to bounds: how far a faultless renderer may displace a triangle in the image, and
-/// how far its depth may be off. Every term is derived in docs/bounds.md under the name it has here.
+/// Turns declared precision into bounds: how far a faultless renderer may displace a triangle in the image,
+/// and how far its depth may be off. Every term is derived in docs/bounds.md under the name it has here.
 #pragma once
 
 #include <algorithm>
@@ -36,8 +36,8 @@ struct TriangleBounds {
     double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
     double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
 
-    /// At a place where inverse depth is `inverse_depth` and changes by `gradient` (|d/dx| + |d/dy|) per
-    /// pixel.
+    /// The bounds at a place where inverse depth is `inverse_depth` and changes by `gradient` (|d/dx| +
+    /// |d/dy|) per pixel.
     LocalBounds at(double inverse_depth, double gradient) const;
     DepthTerms depth_terms() const {
         return {depth_eps_base_px, depth_eps_per_inverse_depth, depth_factor,
@@ -45,7 +45,8 @@ struct TriangleBounds {
     }
 };
 
-/// The same for many places of one triangle: what does not change from pixel to pixel is worked out once.
+/// The local bounds at many places of one triangle: what does not change from pixel to pixel is worked out
+/// once.
 class BoundsOnPlane {
   public:
     BoundsOnPlane(const TriangleBounds& bounds, double gradient);
@@ -122,7 +123,7 @@ class ViewBounds {
     /// The farthest that a corner lies from the image's origin or the window's centre, px; `limit` where near
     /// may cut the triangle or clipping keeps corners nearer.
     double reach_px(const TriangleExtent& extent, double limit) const;
-    /// The same for corners that clipping put on the window's sides.
+    /// The reach of corners that clipping put on the window's sides, px.
     double window_reach_px() const;
     /// Planes of the view volume with a corner of the triangle beyond.
     int cut_count(const TriangleExtent& extent) const;

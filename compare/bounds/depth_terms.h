@@ -1,5 +1,5 @@
-/// From a triangle's size and a renderer's precision to the terms of its depth (docs/bounds.md). Written
-/// without branches, so that the compiler works on several triangles at a time.
+/// Computes the terms of a triangle's depth from its size and a renderer's precision (docs/bounds.md).
+/// Written without branches, so that the compiler works on several triangles at a time.
 #pragma once
 
 #include "compare/bounds/triangle_size.h"

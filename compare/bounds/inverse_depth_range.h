@@ -13,7 +13,7 @@ struct InverseDepthRange {
     double least, greatest;
 };
 
-/// Of everything.
+/// The range that holds everything.
 inline constexpr InverseDepthRange any_inverse_depth{-unlimited, unlimited};
 
 /// A triangle's plane at a pixel.
@@ -22,7 +22,7 @@ struct PlaneHere {
     double error;                    ///< of our own inverse depth; `unlimited` where the plane is not known
 };
 
-/// From the plane's slope over eps, kept to the corners' inverse depth where the renderer keeps to them.
+/// The plane's range over eps, clamped to the corners' inverse depths where the renderer keeps to them.
 inline InverseDepthRange on_plane(const PlaneHere& plane, const LocalBounds& bounds,
                                   const InverseDepthRange& corners, bool keeps_to_corners) {
     const double shift =
@@ -33,7 +33,8 @@ inline InverseDepthRange on_plane(const PlaneHere& plane, const LocalBounds& bou
     return {keeps_to_corners ? least : low, keeps_to_corners ? greatest : high};
 }
 
-/// Widened by what rounding does to depth; divisions come first and what they give is chosen afterwards.
+/// The range widened by what rounding does to depth. Divisions come first; what they give is chosen
+/// afterwards.
 inline InverseDepthRange rounded(const InverseDepthRange& range, const LocalBounds& bounds,
                                  bool perspective) {
     const double r = bounds.depth_relative, a = bounds.depth_absolute;

@@ -109,7 +109,7 @@ class PlaneEquation {
         return {std::abs(e.x) + 2 * shift_.drift_px, std::abs(e.y) + 2 * shift_.drift_px};
     }
 
-    /// Of a gradient's component: its value and the sum of its terms' absolute values, each at its largest.
+    /// The value of a gradient's component and the sum of its terms' absolute values, each at its largest.
     struct Gradient {
         double most, terms;
     };
@@ -118,7 +118,7 @@ class PlaneEquation {
         const double moved = 2 * shift_.drift_px * (rise1 + rise2) + 2 * corner() * (a1 + a2);
         return {(std::abs(rise1_ * e2 - rise2_ * e1) + moved) / area, (rise1 * a2 + rise2 * a1) / area};
     }
-    /// Of a corner's z: division and viewport.
+    /// The error of a corner's z, from division and viewport.
     double corner() const { return gamma(4, u) * z_max_; }
 
     double z_error(const View& view, const Shape& s) const {

@@ -46,7 +46,7 @@ class TriangleDepth {
     /// Is the relative error of depth the same all over the triangle?
     enum class Relative { constant, by_inverse_depth };
     Relative relative() const { return plane_offset_ > 0 ? Relative::by_inverse_depth : Relative::constant; }
-    /// Both for a triangle that has a plane, without branches: error / bound, or -1 where double does not
+    /// The triangle must have a plane. Computes without branches: error / bound, or -1 where double does not
     /// hold the depth admissible for certain.
     template <Projection projection, Relative relative>
     double certain_error_over_bound(double x, double y, float depth) const {

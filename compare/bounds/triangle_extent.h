@@ -29,7 +29,7 @@ struct TriangleExtent {
     std::array<glm::dvec3, 3> v_world;  ///< corner - eye
     TriangleSize size;
 
-    /// Of the corners, in absolute value.
+    /// The largest depth of a corner, in absolute value.
     double largest_depth() const {
         return std::max({std::abs(size.depth[0]), std::abs(size.depth[1]), std::abs(size.depth[2])});
     }

@@ -38,7 +38,8 @@ Affine<Number> parallel_edge(const ViewRay<Number>& ray, const Vector3<Number>& 
     return {-dot(side, ray.step_x), -dot(side, ray.step_y), dot(cross(r1, r2), ray.direction)};
 }
 
-/// Of corners relative to the view ray's origin, before they are oriented: edge i is opposite corner i.
+/// The edges between corners relative to the view ray's origin, before they are oriented: edge i is opposite
+/// corner i.
 template <class Number>
 std::array<Affine<Number>, 3> edges_between(const ViewRay<Number>& ray, const Vector3<Number>& v0,
                                             const Vector3<Number>& v1, const Vector3<Number>& v2) {

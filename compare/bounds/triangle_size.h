@@ -34,7 +34,7 @@ class PlaneError {
 
     /// Is the plane's orientation, as seen, certain?
     bool is_known() const { return is_known_; }
-    /// Where |inverse depth| is at most this.
+    /// The error where |inverse depth| is at most `largest_inverse_depth`.
     double at(double largest_inverse_depth) const {
         const double error = 2 * rounding * (numerator_ + largest_inverse_depth * condition_) + of_origin_;
         return is_known_ ? error : std::numeric_limits<double>::infinity();

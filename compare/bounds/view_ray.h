@@ -51,7 +51,7 @@ class ViewRays {
             ray.origin = ray.origin + on_plane(pixel_x, pixel_y);
         return ray;
     }
-    /// Of a perspective.
+    /// The ray's direction in a perspective.
     Vector3<Number> direction_at(int pixel_x, int pixel_y) const {
         return on_plane(pixel_x, pixel_y) - back_;
     }

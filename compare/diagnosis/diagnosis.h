@@ -26,7 +26,7 @@ struct Diagnosis {
     std::vector<Explanation> runners_up;  ///< at most 3, the best first
 };
 
-/// Of the defects asked, the share explained.
+/// The share of the tested defects that is explained.
 double explained_share(const Explanation& explanation);
 
 /// Tests every hypothesis on a verdict's defects, or on an evenly spread part of them where they are many.

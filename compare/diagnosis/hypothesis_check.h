@@ -14,7 +14,7 @@ struct HypothesisQuery {
     std::span<const Claim> claims;
 };
 
-/// For each question, how many of its claims are admissible if its hypothesis holds. Questions of one call
+/// Counts, for each question, the claims that are admissible if its hypothesis holds. Questions of one call
 /// share one pass over the scene. Runs on all threads; the counts do not depend on their number.
 std::vector<std::uint64_t> count_admissible(const DiagnosisInput& input,
                                             std::span<const HypothesisQuery> hypothesis_queries);

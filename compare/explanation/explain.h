@@ -14,7 +14,7 @@ namespace zproof {
 PixelExplanation explain(const Scene& scene, const View& view, const RenderedFrame& candidate,
                          const RenderedFrame& reference, const PixelCoord& place);
 
-/// The same for many pixels of one view, in order, with few passes over the scene.
+/// Explains many pixels of one view, in order, with few passes over the scene.
 std::vector<PixelExplanation> explain(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                       const RenderedFrame& reference, std::span<const PixelCoord> places);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Remembered at one pixel.
+/// The number of pairs remembered at one pixel.
 constexpr std::size_t coplanar_pairs = 64;
 
 std::array<double, 3> edge_distances(const ViewRay<double>& ray, const CornersWorld& p_world) {

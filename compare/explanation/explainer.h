@@ -27,8 +27,7 @@ class Explainer {
     FramePair frames_;
 };
 
-/// Where an explanation's triangles are to be found: within its finding's eps_px, and at least within
-/// `reach_px`.
+/// The search for an explanation's triangles: within its finding's eps_px, and at least within `reach_px`.
 SearchPixel search_pixel_of(const PixelExplanation& explanation, double reach_px = 0);
 
 }  // namespace zproof

@@ -13,7 +13,7 @@ namespace zproof {
 
 namespace {
 
-/// Scaled so that its value is a distance.
+/// The edge scaled so that its value is a distance.
 Affine<double> as_distance(const Affine<double>& edge) { return (1 / std::hypot(edge.a, edge.b)) * edge; }
 
 std::optional<NearbyImage> image_at(const ViewRay<double>& ray, const Scene& scene, std::uint32_t triangle) {

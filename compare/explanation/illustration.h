@@ -17,8 +17,8 @@ struct NearbyImage {
     Affine<double> inverse_depth;        ///< larger is nearer: compare/bounds/triangle_image.h
 };
 
-/// For each place, the triangles whose image may come within reach_px of its centre, nearest at the centre
-/// first, at most `most` of them; none that is seen edge-on. One pass over the scene for all places.
+/// The triangles, for each place, whose image may come within reach_px of its centre, nearest at the centre
+/// first, at most `most` of them; none that is seen edge-on. One pass over the scene serves all places.
 std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const View& view,
                                                     std::span<const PixelCoord> places, double reach_px,
                                                     std::size_t most);

@@ -11,7 +11,7 @@ namespace zproof {
 Plane<double> convolved(const Plane<double>& values, const std::vector<double>& across,
                         const std::vector<double>& along);
 
-/// Divided by their sum.
+/// The taps divided by their sum.
 std::vector<double> normalised(std::vector<double> taps);
 
 }  // namespace zproof

@@ -27,7 +27,7 @@ glm::dvec3 relative_xyz(const glm::dvec3& rgb) {
     return {relative(x), relative(y), relative(z)};
 }
 
-/// Its inverse.
+/// The inverse of relative_xyz().
 glm::dvec3 linear_from_relative_xyz(const glm::dvec3& xyz) {
     const glm::dmat3 forward{relative_xyz({1, 0, 0}), relative_xyz({0, 1, 0}), relative_xyz({0, 0, 1})};
     static const glm::dmat3 backward = glm::inverse(forward);
@@ -118,7 +118,8 @@ LinearPicture perceived(const LinearPicture& opponents) {
     });
 }
 
-/// To [0, 1]: below 0.4 of the greatest difference stretched to 0.95, above it squeezed (4.1).
+/// Maps the difference to [0, 1]: it stretches values below 0.4 of the greatest to 0.95 and squeezes those
+/// above (4.1).
 double colour_difference(const glm::dvec3& a, const glm::dvec3& b) {
     constexpr double exponent = 0.7, knee = 0.4, at_knee = 0.95;
     static const double greatest = std::pow(hyab(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), exponent);

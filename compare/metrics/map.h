@@ -29,7 +29,7 @@ inline void require_one_size(const LinearPicture& candidate, const LinearPicture
         throw std::invalid_argument{"a metric of planes of different sizes"};
 }
 
-/// In the order of the values: the same bits always.
+/// The sum runs in the order of the values, so the bits are always the same.
 inline double mean_of(std::span<double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }

@@ -10,7 +10,7 @@
 
 namespace zproof {
 
-/// Over the three channels of all pixels of a class.
+/// The difference over the three channels of all pixels of a class.
 struct PictureDifference {
     std::uint64_t pixels = 0;
     double rms = 0, mean = 0, largest = 0;  ///< mean and largest of absolute values; NaN counts as infinite
@@ -22,7 +22,7 @@ using PictureDifferences = std::array<PictureDifference, pixel_class_count>;
 /// always.
 PictureDifferences differences(const Picture& a, const Picture& b, const Plane<PixelClass>& classes);
 
-/// Of each pixel the severer class.
+/// The severer class of each pixel.
 Plane<PixelClass> severer(const Plane<PixelClass>& a, const Plane<PixelClass>& b);
 
 }  // namespace zproof

@@ -23,12 +23,12 @@ struct PictureMetric {
     std::string_view source;
     Better better = Better::lower;
     int decimals = 4;  ///< that a table shows
-    /// Of two planes of one size. What is not finite in the candidate gives +inf or NaN there, never 0.
+    /// The two planes have one size. What is not finite in the candidate gives +inf or NaN there, never 0.
     Plane<double> (*map)(const LinearPicture& candidate, const LinearPicture& truth);
     double (*pool)(std::span<double> values);  ///< of at least one; may reorder them
 };
 
-/// In the order of docs/filters.md.
+/// The metrics in the order of docs/filters.md.
 std::span<const PictureMetric> picture_metrics();
 
 /// Null where there is none of that name.

@@ -112,8 +112,7 @@ bool WholeCellMoments::holds_for(std::int64_t row, std::int64_t first, std::int6
 }
 
 /// With x = p s' + q t' on the cell [-1/2, 1/2]^2 round its centre, 1 / Z^3 = (1 - 3 x + 6 x^2 - 10 x^3 + 15
-/// x^4
-/// ...) / Z_c^3, and the means of s'^2, s'^4 are 1/12, 1/80.
+/// x^4 ...) / Z_c^3, and the means of s'^2, s'^4 are 1/12, 1/80.
 BilinearMoments WholeCellMoments::of(const Cell& cell) const {
     const Affine<double> z = lattice_.z();
     const double per_z = 1 / z.at(double(cell.column) + 0.5, double(cell.row) + 0.5);

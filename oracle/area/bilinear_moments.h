@@ -21,12 +21,13 @@ BilinearMoments bilinear_moments(const Polygon<double>& piece, const Homography<
 /// exp(-2 r^2) - exp(-2), r in px from the origin of the offsets.
 double gaussian_weight(const Point<double>& p);
 
-/// The same under that weight, which must not be negative on the piece. For pieces that fit into a square of
-/// 1/4 px each moment's error is at most 1.5e-5 of the area (docs/area-integral.md, "Gaussian").
+/// The moments weighted by gaussian_weight(), which must not be negative on the piece. For pieces that fit
+/// into a square of 1/4 px each moment's error is at most 1.5e-5 of the area (docs/area-integral.md,
+/// "Gaussian").
 BilinearMoments gaussian_moments(const Polygon<double>& piece, const Homography<double>& cell);
 
-/// The same over whole cells, as a series in the slopes p, q of Z per cell: terms left out are smaller than
-/// 1e-12.
+/// The moments over whole cells, as a series in the slopes p, q of Z per cell: terms left out are smaller
+/// than 1e-12.
 class WholeCellMoments {
   public:
     explicit WholeCellMoments(const TexelLattice<double>& lattice) : lattice_(lattice) {}

@@ -43,8 +43,8 @@ glm::dvec3 bilinear_at(const SurfaceColour& colour, double u, double v) {
 
 }  // namespace
 
-/// Of q = r^2, the share is (1 - exp(-2 q)) / 2 - exp(-2) q over its value at 1; by Newton's method from 0,
-/// where the share, being concave in q, is never overshot.
+/// With q = r^2, the share is (1 - exp(-2 q)) / 2 - exp(-2) q over its value at 1. Newton's method starts at
+/// 0 and never overshoots, since the share is concave in q.
 double gaussian_radius_squared(double share) {
     static const double floor_weight = std::exp(-2.0), all = (1 - floor_weight) / 2 - floor_weight;
     double q = 0;

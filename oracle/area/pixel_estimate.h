@@ -16,7 +16,7 @@ struct Estimate {
 
 class PixelEstimator {
   public:
-    /// All must outlive it.
+    /// All arguments must outlive it.
     PixelEstimator(const Surfaces& surfaces, const Embree& embree, const View& view,
                    Reconstruction reconstruction)
         : surfaces_(surfaces), embree_(embree), view_(view), reconstruction_(reconstruction) {}

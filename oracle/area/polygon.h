@@ -21,7 +21,7 @@ inline constexpr std::size_t most_corners = 48;
 template <class Number>
 using Polygon = boost::container::static_vector<Point<Number>, most_corners>;
 
-/// Where a polygon's boundary crosses a line.
+/// The points where a polygon's boundary crosses a line.
 template <class Number>
 using Crossings = boost::container::static_vector<Point<Number>, 2>;
 
@@ -31,7 +31,7 @@ struct Halves {
     Crossings<Number> crossings;      ///< points of the boundary with f = 0
 };
 
-/// Where f vanishes between a point with value at_p and another with value at_q, of opposite signs.
+/// The point where f vanishes between a point with value at_p and another with value at_q, of opposite signs.
 /// Symmetric in p and q, so that neighbours who share the edge cut it at the same place.
 template <class Number>
 Point<Number> crossing(const Point<Number>& p, const Number& at_p, const Point<Number>& q,
@@ -67,7 +67,7 @@ Halves<Number> cut(const Polygon<Number>& polygon, const Affine<Number>& f) {
     return halves;
 }
 
-/// px^2; never negative.
+/// The area in px^2; never negative.
 template <class Number>
 Number area_of(const Polygon<Number>& polygon) {
     Number twice = 0;
@@ -78,7 +78,7 @@ Number area_of(const Polygon<Number>& polygon) {
     return (twice < 0 ? Number(-twice) : twice) / Number(2);
 }
 
-/// |x|, |y| <= half_side.
+/// The square |x|, |y| <= half_side.
 template <class Number>
 Polygon<Number> square(const Number& half_side) {
     const Number h = half_side, l = -half_side;

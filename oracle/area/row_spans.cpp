@@ -20,7 +20,7 @@ Limits limits(const Polygon<double>& polygon, double Point<double>::*axis) {
     return range;
 }
 
-/// Of n pixels, the first and last whose square of half-side reach meets the range.
+/// The first and the last of n pixels whose square of half-side reach meets the range.
 std::pair<int, int> pixels_meeting(const Limits& range, double reach, int n) {
     const double first = std::ceil(range.low - 0.5 - reach), last = std::floor(range.high - 0.5 + reach);
     return {int(std::clamp(first, 0.0, double(n))), int(std::clamp(last, -1.0, n - 1.0))};

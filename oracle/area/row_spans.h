@@ -20,7 +20,7 @@ class RowSpans {
     /// slivers that rounding takes).
     RowSpans(const Surfaces& surfaces, const View& view, double reach_px);
 
-    /// In the order of `first`, then of triangles.
+    /// The spans of a row in the order of `first`, then of triangles.
     std::span<const Span> row(int y) const { return rows_[std::size_t(y)]; }
 
   private:

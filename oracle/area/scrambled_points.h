@@ -29,7 +29,7 @@ class ScrambledPoints {
 
     /// The shift of one replicate at one pixel.
     static glm::u32vec2 shift(int x, int y, int replicate);
-    /// In [0, 1)^2, 32 bits each.
+    /// The point in [0, 1)^2, 32 bits each.
     glm::dvec2 at(int replicate, int index, const glm::u32vec2& shift) const {
         const glm::u32vec2 p = points_[std::size_t(replicate) * most_points + std::size_t(index)];
         return {(p.x ^ shift.x) * 0x1p-32, (p.y ^ shift.y) * 0x1p-32};

@@ -94,7 +94,7 @@ SeenTriangle<Number> seen_in_parallel(const RasterRays<Number>& rays, const Trip
 template <class Number>
 using CornerTexels = std::array<std::array<Number, 2>, 3>;
 
-/// Nothing where the triangle is seen exactly edge-on: it covers no area.
+/// The triangle as seen; nothing where it is seen exactly edge-on, since it covers no area then.
 template <class Number>
 std::optional<SeenTriangle<Number>> seen(const RasterRays<Number>& rays, const Triple<Number>& p_world,
                                          const CornerTexels<Number>& texel) {
@@ -114,7 +114,7 @@ std::optional<SeenTriangle<Number>> seen(const RasterRays<Number>& rays, const T
     return result;
 }
 
-/// The same functional of the offset from a raster position.
+/// The functional of the offset from a raster position.
 template <class Number>
 Affine<Number> from(const Affine<Number>& f, const Number& x, const Number& y) {
     return {f.a, f.b, f.at(x, y)};

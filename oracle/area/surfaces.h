@@ -18,13 +18,14 @@ struct SurfaceColour {
     const texture::LinearImage* image = nullptr;  ///< owned by Surfaces
     texture::Addressing addressing{};
 
-    /// Where a column, or row, of the endless line stands in the image.
+    /// The place in the image of a column, or row, of the endless line.
     int column(std::int64_t index) const { return inside(addressing.u, index, image->width); }
     int row(std::int64_t index) const { return inside(addressing.v, index, image->height); }
     /// Linear RGB without the factor; within the image.
     glm::dvec3 texel(int column, int row) const { return glm::dvec3(glm::vec3(image->at(column, row))); }
 
-    /// For |index| < 2^52, where the quotient's rounding reaches no whole number that it does not equal.
+    /// The index must be below 2^52 in absolute value: there the quotient's rounding reaches no whole number
+    /// that it does not equal.
     static int inside(texture::Wrap wrap, std::int64_t index, int size) {
         if (index >= 0 && index < size) return int(index);
         if (wrap == texture::Wrap::clamp_to_edge) return index < 0 ? 0 : size - 1;
@@ -42,7 +43,7 @@ class Surfaces {
     Surfaces& operator=(const Surfaces&) = delete;
 
     std::uint32_t triangle_count() const { return std::uint32_t(seen_.size()); }
-    /// In raster coordinates; nothing where it is seen edge-on.
+    /// The triangle in raster coordinates; nothing where it is seen edge-on.
     const std::optional<SeenTriangle<double>>& seen(std::uint32_t triangle) const { return seen_[triangle]; }
     int material(std::uint32_t triangle) const { return materials_[triangle]; }
     const SurfaceColour& colour(std::uint32_t triangle) const {

@@ -41,7 +41,7 @@ class TexelLattice {
         half_per_det_ = (det < 0 ? Number(-1) : Number(1)) / (Number(2) * det);
     }
 
-    /// Of (u, v); 1 / W there.
+    /// 1 / W as a functional of (u, v).
     const Affine<Number>& z() const { return z_; }
     /// |d(x, y) / d(u, v)| times Z^3.
     Number per_det() const { return Number(2) * half_per_det_; }

@@ -99,7 +99,7 @@ const std::vector<Polygon<double>>& blocks() {
     return made;
 }
 
-/// Both convex; `by` has its corners in clockwise order (y down).
+/// The intersection of two convex polygons; `by` has its corners in clockwise order (y down).
 Polygon<double> common(Polygon<double> polygon, const Polygon<double>& by) {
     for (std::size_t i = 0; i < by.size() && polygon.size() > 2; ++i) {
         const Point<double>&p = by[i], &q = by[(i + 1) % by.size()];
@@ -109,7 +109,7 @@ Polygon<double> common(Polygon<double> polygon, const Polygon<double>& by) {
     return polygon;
 }
 
-/// Of the disk alone, as a surface without a texture.
+/// The weight of the disk alone, as a surface without a texture.
 double weight_within(const Polygon<double>& piece) {
     const Affine<double> one{0, 0, 1};
     return gaussian_moments(piece, {one, one, one}).one;

@@ -7,7 +7,7 @@ namespace zproof::oracle::area {
 
 namespace {
 
-/// Beyond, samples are cheaper.
+/// The limits beyond which samples are cheaper.
 constexpr std::size_t most_triangles = 32, most_pieces = 128, most_cut_corners = most_corners - 16;
 
 using Polygons = std::vector<Polygon<double>>;

@@ -11,7 +11,7 @@ struct Line {
     Interval width;  ///< its log2 is the LOD
 };
 
-/// Where tap i = 1 .. n stands, in lengths of the line.
+/// The place of tap i = 1 .. n, in lengths of the line.
 using Placement = double (*)(int i, int n);
 
 double to_the_letter(int i, int n) { return double(i) / (n + 1) - 0.5; }

@@ -40,7 +40,8 @@ void add_periodic(AxisTerms& terms, Wrap wrap, double place, int size, double we
     add_within(terms, period - within, size, -weight);
 }
 
-/// From low to high; both shifted by whole periods so that low lies in the first one: nothing large cancels.
+/// The terms of the mean from low to high. Both are shifted by whole periods so that low lies in the first
+/// one: nothing large cancels.
 AxisTerms axis_terms(Wrap wrap, double low, double high, int size) {
     AxisTerms terms;
     if (wrap == Wrap::clamp_to_edge) {

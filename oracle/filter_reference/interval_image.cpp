@@ -77,7 +77,8 @@ TexelInterval place_in(const IntervalImage& level, const IntervalImage& finest, 
     const double unit = std::exp2(-precision.coordinate_bits), error = std::exp2(-precision.place_bits);
     const auto scaled = [&](const Interval& p, int size, int full) {
         const Interval at = size == full ? p : p * (Interval{double(size)} / Interval{double(full)});
-        // Of an implementation: quotient, product, half a texel taken away, and the fraction.
+        // An implementation rounds the quotient, the product, the difference of half a texel, and the
+        // fraction.
         const double rounding = 4 * unit * (std::max(std::abs(at.low()), std::abs(at.high())) + 1);
         return widen(at, error + rounding);
     };

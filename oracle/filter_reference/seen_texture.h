@@ -16,7 +16,7 @@
 
 namespace zproof::oracle::filter_reference {
 
-/// Of a sum and of products, with every term in absolute value: what rounding errors are relative to.
+/// The value of an expression with every term in absolute value; rounding errors are relative to it.
 struct Magnitude {
     double value = 0;
     Magnitude(double of = 0) : value(std::abs(of)) {}
@@ -64,7 +64,7 @@ class SeenTexture {
     Interval before_horizon(int x, int y) const;
 
   private:
-    /// Of a functional's three terms, with what arithmetic may cost them.
+    /// A functional's three terms, with what arithmetic may cost them.
     struct Functional {
         Affine<Interval> exact;
         Affine<Magnitude> size;

@@ -29,7 +29,7 @@ class Owned {
     GLuint name_;
 };
 
-/// For objects that the driver frees by the list.
+/// Frees one object that the driver frees by the list.
 template <void(APIENTRY* FreeAll)(GLsizei, const GLuint*)>
 void free_one(GLuint name) {
     FreeAll(1, &name);

@@ -21,7 +21,7 @@ enum class DepthSteps {
 
 class PovrayCode {
   public:
-    /// For ids below triangle_count and depths from `low` to `high` (0 < low where logarithmic). Throws
+    /// Codes ids below triangle_count and depths from `low` to `high` (0 < low where logarithmic). Throws
     /// OracleError where too few bits are left for depths to be within 2^-24 (linear: 2^-29 of the range).
     PovrayCode(std::size_t triangle_count, DepthSteps steps, double low, double high);
 

@@ -15,8 +15,8 @@ namespace {
 /// POV-Ray 3.7 sees nothing nearer to a ray's origin than 1e-4 (MIN_ISECT_DEPTH) and nothing farther than 1e7
 /// (MAX_DISTANCE); its planes err by 1e-10 (EPSILON), which here is at most 1e-7 of the distance.
 constexpr double nearest_hit = 1e-3, farthest_hit = 1e7;
-/// Where that leaves a choice: boxes of more than 2e10 (INFINITE_VOLUME) are met by every ray, which takes
-/// time.
+/// The reach where those limits leave a choice: every ray meets boxes of more than 2e10 (INFINITE_VOLUME),
+/// which takes time.
 constexpr double usual_reach = 500;
 constexpr std::size_t cluster_size = 4;
 /// Relative error of a depth computed here: 3 products, 2 sums, the difference; with room.

@@ -206,7 +206,7 @@ class MeshWriter {
     std::vector<PovrayImage> images_;
 };
 
-/// At infinity, as far as parallel light is concerned. `shadows` says how it goes without any.
+/// The light is at infinity, as far as parallel light is concerned. `shadows` says how it goes without any.
 std::string light_text(const Camera& c, const Light& light, const PovrayUnits& units,
                        const std::string& shadows) {
     const glm::dvec3 l = light.toward_camera;

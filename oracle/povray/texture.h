@@ -17,7 +17,7 @@ struct UnrolledAxis {
     int first = 0, count = 1;
     int size = 1;  ///< of the stored image
 
-    /// The same place on the unrolled image, which is 1 long.
+    /// The place on the unrolled image, which is 1 long.
     double place(double coordinate) const { return (coordinate * size - first) / count; }
 };
 

@@ -6,8 +6,8 @@
 
 namespace zproof::document {
 
-/// For the terminal: headings, the introduction, and each table's first rows in columns. Paragraphs, charts
-/// and pictures are left to the page.
+/// The text for the terminal: headings, the introduction, and each table's first rows in columns. Paragraphs,
+/// charts and pictures are left to the page.
 std::string terminal_text(const Document& document);
 
 }  // namespace zproof::document

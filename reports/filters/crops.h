@@ -19,8 +19,8 @@ std::string in_words(const CropBox& box);
 /// Cut down to what lies within the picture; none where nothing does.
 std::optional<CropBox> within(const CropBox& box, Resolution size);
 
-/// Where pictures differ most from the truth: sums their errors, each pixel's cut at a quarter of white so
-/// that a few wrong pixels do not win.
+/// The places where pictures differ most from the truth. Sums the errors, each pixel's cut at a quarter of
+/// white so that a few wrong pixels do not win.
 class ErrorTally {
   public:
     explicit ErrorTally(const Picture& truth);

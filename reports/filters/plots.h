@@ -19,7 +19,7 @@ struct Plot {
 /// beats in both cost and error, and where those are fewer than four, all.
 std::vector<Plot> filters_plots(const study::StudyResults& results, const std::vector<std::string>& labels);
 
-/// The same of one view.
+/// The plots of one view.
 std::vector<Plot> filters_plots(const study::StudyResults& results, const study::ViewStudy& view,
                                 const std::vector<std::string>& labels);
 

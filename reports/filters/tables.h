@@ -12,12 +12,12 @@ namespace zproof {
 /// LF.
 std::string filters_csv(const study::StudyResults& results);
 
-/// For a terminal, a table per view: metrics in one region, flicker and costs. "not resolved" stands where
-/// the truth is not known to a fifth of the method's distance from it; methods that cannot be told apart
-/// share a rank.
+/// Text for a terminal, a table per view: metrics in one region, flicker and costs. "not resolved" stands
+/// where the truth is not known to a fifth of the method's distance from it; methods that cannot be told
+/// apart share a rank.
 std::string filters_table(const study::StudyResults& results, const std::string& region);
 
-/// The same as LaTeX with booktabs; a table environment per view.
+/// The tables as LaTeX with booktabs; a table environment per view.
 std::string filters_latex(const study::StudyResults& results, const std::string& region);
 
 }  // namespace zproof

@@ -34,7 +34,7 @@ void take_bytes(const std::uint64_t* values, std::size_t count, int shift, char*
     for (std::size_t i = 0; i < count; ++i) to[i] = char(values[i] >> shift);
 }
 
-/// So many bytes of such a number are not zero.
+/// The number of bytes of such a number that are not zero.
 template <class T>
 std::size_t bytes_of(T any) {
     return (std::size_t(std::bit_width(any)) + 7) / 8;
@@ -63,7 +63,7 @@ struct Rows {
 /// Writes what the prediction misses of the numbers from `first` on: of one row, or part of one.
 using MissRow = std::function<void(std::size_t first, std::span<std::uint32_t> missed)>;
 
-/// Of some rows: the byte planes, packed, but for those in which all is zero.
+/// The byte planes of some rows, packed, but for those in which all is zero.
 struct RowsPiece {
     std::array<DeflatedPiece, 4> byte;
     std::uint32_t any = 0;  ///< the bits that some number has

@@ -49,11 +49,11 @@ std::string encode(Words values, std::size_t width, Prediction prediction);
 std::vector<std::uint32_t> decode(std::string_view bytes, std::size_t count, std::size_t width,
                                   Prediction prediction);
 
-/// Guessed to be the number at the same place of another plane of the same size.
+/// The guess is the number at the same place of another plane of the same size.
 std::string encode(Words values, Words guess);
 std::vector<std::uint32_t> decode(std::string_view bytes, std::span<const std::uint32_t> guess);
 
-/// Guessed likewise, and only what the guess misses is kept: places, then values.
+/// The guess is as for encode(), but only what it misses is kept: places, then values.
 std::string encode_sparse(Words values, Words guess);
 std::vector<std::uint32_t> decode_sparse(std::string_view bytes, std::size_t count,
                                          std::span<const std::uint32_t> guess);

@@ -35,7 +35,7 @@ void write(const std::filesystem::path& file, const Container& container);
 /// Throws ReportError, naming `place`, where the text is no such container.
 Container unpacked(std::string_view text, const std::string& place);
 
-/// Where a block's content stands in a file.
+/// The place of a block's content in a file.
 struct BlockPlace {
     std::string name;
     nlohmann::json facts;
@@ -48,7 +48,8 @@ struct Directory {
     std::vector<BlockPlace> blocks;
 };
 
-/// Of the container in a file, whose blocks are not read. Throws ReportError, naming it, where it is none.
+/// The directory of the container in a file; its blocks are not read. Throws ReportError, naming the file,
+/// where it is none.
 Directory directory_of(const std::filesystem::path& file);
 
 /// All of packed() that stands before the contents of these blocks.

@@ -78,7 +78,8 @@ struct Deflater::Stream {
         write_all(bytes, ending, packed);
     }
 
-    /// By how often each symbol will be written in the first bytes; few bytes get RFC 1951's fixed codes.
+    /// Chooses codes by how often each symbol will be written in the first bytes; few bytes get RFC 1951's
+    /// fixed codes.
     void choose_codes(std::string_view bytes) {
         const bool are_own = bytes.size() >= own_codes_from;
         if (are_own) {

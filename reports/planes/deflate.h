@@ -37,7 +37,7 @@ class Deflater {
     std::unique_ptr<Stream> stream_;  ///< its tables take 200 KiB: worth keeping between buffers
 };
 
-/// One buffer.
+/// The buffer, deflated as a whole.
 std::string deflated(std::string_view bytes);
 
 /// The stream that holds what the pieces hold, one after another.

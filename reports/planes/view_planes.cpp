@@ -25,7 +25,7 @@ Block predicted(const std::string& name, Words values, std::size_t width, Predic
     return {name, plane_facts(planar ? "planar" : "left", values.bytes()), encode(values, width, prediction)};
 }
 
-/// Guessed from the candidate's plane; the reader needs that as well.
+/// The block is guessed from the candidate's plane; the reader needs that as well.
 Block beside(const std::string& name, Words values, Words candidate, const std::string& guess) {
     const std::size_t missed = missed_by(values, candidate);
     const bool sparse = missed < values.size() / 16;

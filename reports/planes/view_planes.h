@@ -54,7 +54,7 @@ struct ViewPlanes {
     std::vector<Story> stories;
 };
 
-/// At most so many findings are listed one by one, defects first; the class map always has all.
+/// The most findings that are listed one by one, defects first; the class map always has all.
 inline constexpr std::size_t most_findings = 20'000;
 
 /// Blocks in order of need: classes, findings, stories, names; ids; errors; depths; oracles; colours. Every

@@ -36,7 +36,7 @@ document::Section lesson_section();
 /// Vertices: errors of every route, where pixels are lost.
 document::Section vertex_section(const ProjectedView& view);
 
-/// The same of study/projection/border_lattice.h.
+/// The section about study/projection/border_lattice.h.
 document::Section border_section(const study::projection::ViewAccuracy& accuracy);
 
 /// Wireframe beside and over the pictures, and the distance between them.

@@ -76,7 +76,7 @@ Chart residual_chart(const std::vector<Run>& runs, const Fit& fit) {
     return chart;
 }
 
-/// Predicted over measured of whole pipelines, and the line on which both are equal.
+/// The chart of predicted over measured of whole pipelines, and the line on which both are equal.
 Chart prediction_chart(const std::vector<Prediction>& predictions) {
     Chart chart{.title = "Scenes that took no part in the fit",
                 .x = {.title = "measured, ms", .scale = Scale::logarithmic, .names = {}},

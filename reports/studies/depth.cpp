@@ -16,7 +16,7 @@ using document::Row;
 using document::Section;
 using document::Table;
 
-/// Of the formats, those that a chart has room for: in [-1, 1] whole numbers hold what they hold in [0, 1].
+/// Is there room for the format in a chart? In [-1, 1] whole numbers hold what they hold in [0, 1].
 bool is_charted(const Format& format) {
     return format.range == NdcRange::zero_to_one || format.store == Store::float32;
 }
@@ -67,7 +67,7 @@ Table question_table(const DepthQuestion& question) {
     return table;
 }
 
-/// Predicted as a line, measured as grey points beside it.
+/// A chart with the predicted gap as a line and measured ones as grey points beside it.
 Chart gap_chart(const std::vector<GapCurve>& curves, double ratio) {
     Chart chart{.title = "Smallest gap kept in order, far / near = " + power_of_ten(ratio),
                 .x = {.title = "distance / near", .scale = Scale::logarithmic, .names = {}},
@@ -131,7 +131,7 @@ Table gap_table(const std::vector<GapCurve>& curves, const std::string& name) {
     return table;
 }
 
-/// Measured over predicted, over all ratios and distances.
+/// The table of measured over predicted, over all ratios and distances.
 Table tightness_table(const std::vector<GapCurve>& curves) {
     Table table{.name = "gap-tightness",
                 .caption = "Measured over predicted gap, over all distances and ratios",

@@ -26,7 +26,7 @@ Field field_of(ImageSize size, glm::ivec2 cell, glm::ivec2 cells) {
     return {from + margin, from + step - margin};
 }
 
-/// On the plane z = -1, what the facing view shows at a raster position.
+/// The point on the plane z = -1 that the facing view shows at a raster position.
 glm::dvec3 at_raster(ImageSize size, const glm::dvec2& p_raster) {
     return {2 * p_raster.x / size.height - size.aspect(), 1 - 2 * p_raster.y / size.height, -1};
 }

@@ -13,8 +13,8 @@ std::string view_name(double degrees) {
     return "phi-" + std::to_string(whole) + (degrees > whole ? ".5" : "");
 }
 
-/// From the eye of the worked set-up, turned by phi about the vertical through it: what it sees is the
-/// texture turned by phi about the point below the eye.
+/// The view from the eye of the worked set-up, turned by phi about the vertical through it: what it sees is
+/// the texture turned by phi about the point below the eye.
 View turned_view(ImageSize size, double degrees) {
     const glm::dvec2 pitch = suite::unit_circle(20.0 / 360), turn = suite::unit_circle(degrees / 360);
     const glm::dvec3 eye{0, 1, 0}, ahead{-turn.y * pitch.x, -pitch.y, -turn.x * pitch.x};

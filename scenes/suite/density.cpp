@@ -49,7 +49,7 @@ class Noise {
         }
     }
 
-    /// Of a row, times the amplitude.
+    /// Adds a row of the noise, times the amplitude.
     void add_to(std::span<double> heights, double z, double amplitude) const {
         const auto [whole, weight] = among(z * frequency_);
         const auto upper = static_cast<std::size_t>(whole - first_line_);

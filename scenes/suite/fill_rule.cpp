@@ -28,8 +28,7 @@ View pixel_exact_view(ImageSize size) {
     return view;
 }
 
-/// The same picture in perspective, for geometry in the plane z = 0: tangents are pixels / 1024, a power of
-/// two.
+/// The picture in perspective, for geometry in the plane z = 0: tangents are pixels / 1024, a power of two.
 View pixel_exact_perspective(ImageSize size) {
     View view = pixel_exact_view(size);
     view.name = "perspective";

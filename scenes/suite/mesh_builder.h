@@ -28,7 +28,7 @@ class MeshBuilder {
     /// Triangles a b c and a c d: a corner of the quad after the other.
     void quad(const std::array<std::uint32_t, 4>& corners);
 
-    /// The same with vertices of their own, shared with nobody.
+    /// The shapes have vertices of their own, shared with nobody.
     void lone_triangle(const std::array<glm::dvec3, 3>& p_world);
     void lone_quad(const std::array<glm::dvec3, 4>& p_world);
 

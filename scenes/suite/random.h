@@ -36,7 +36,7 @@ class Random {
 
     glm::dvec3 in_box(const glm::dvec3& low, const glm::dvec3& high);
 
-    /// Uniform on the unit sphere.
+    /// A direction, uniform on the unit sphere.
     glm::dvec3 direction();
 
     /// A uniform rotation.

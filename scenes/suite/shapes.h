@@ -9,7 +9,7 @@
 
 namespace zproof::suite {
 
-/// Where a shape stands: p_world = centre + axes * p_shape. A negative determinant mirrors it.
+/// The place of a shape: p_world = centre + axes * p_shape. A negative determinant mirrors it.
 struct Placement {
     glm::dvec3 centre{0.0};
     glm::dmat3 axes{1.0};
@@ -28,7 +28,7 @@ void add_sheet(MeshBuilder& mesh, Cells cells, const PointOnSheet& point_at);
 /// Writes the points of row `row` (0: t = 0), from s = 0 to s = 1, on any thread.
 using RowOfSheet = std::function<void(int row, std::span<glm::vec3> p_world)>;
 
-/// The same for many cells: rows are made side by side.
+/// Adds a sheet of many cells: rows are made side by side.
 void add_sheet_by_rows(MeshBuilder& mesh, Cells cells, const RowOfSheet& write_row);
 
 /// The closed unit sphere: across >= 3 segments, down >= 2 rings, 2 across (down - 1) triangles.

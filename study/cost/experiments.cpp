@@ -22,7 +22,7 @@ View view_of(int side_px) {
     return view;
 }
 
-/// Both triangles of a layer over the whole image.
+/// Adds both triangles of a layer over the whole image.
 void add_layer(suite::MeshBuilder& mesh, int side_px, double depth) {
     const double r = 0.51 * side_px * depth;
     mesh.lone_quad({glm::dvec3{-r, -r, -depth}, {r, -r, -depth}, {r, r, -depth}, {-r, r, -depth}});
@@ -41,7 +41,8 @@ Loaded many_vertices(double count) {
 
 constexpr int most_triangles = 240'000, triangle_side_px = 512;
 
-/// In pixel i of the image, left and above of its centre: the box around it holds the centre, it does not.
+/// Adds a triangle in pixel i of the image, left and above of its centre: the box around it holds the centre,
+/// the triangle does not.
 void add_miss(suite::MeshBuilder& mesh, int i) {
     const double half = triangle_side_px / 2.0;
     const double x = i % triangle_side_px - half, y = half - i / triangle_side_px % triangle_side_px;

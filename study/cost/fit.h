@@ -24,8 +24,9 @@ struct Fit {
     double rms_residual = 0, largest_residual = 0;
 };
 
-/// Of the solutions that fit best, the shortest in columns of unit length. Throws std::invalid_argument where
-/// there are fewer rows than columns, a row of another length, or a measured value that is not positive.
+/// The shortest solution, in columns of unit length, of those that fit best. Throws std::invalid_argument
+/// where there are fewer rows than columns, a row of another length, or a measured value that is not
+/// positive.
 Fit fitted(const std::vector<Observation>& rows);
 
 /// What the constants make of a row.

@@ -29,7 +29,7 @@ class LecturePipeline {
   public:
     LecturePipeline(const Scene& scene, const View& view);
 
-    /// Once through the stages. Where `transform` is left out, `raster` must be too.
+    /// Runs once through the stages. Where `transform` is left out, `raster` must be too.
     void run(Stages::Set stages);
 
     const Frame& frame() const { return frame_; }  ///< of the last run with `raster`

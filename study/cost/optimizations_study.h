@@ -26,7 +26,7 @@ struct OptimizationRun {
     Sameness same;
 };
 
-/// When fragments are shaded.
+/// A run that shades fragments at one time of the pipeline.
 struct ShadingRun {
     std::string name;
     std::uint64_t shaded = 0;         ///< fragments

@@ -11,7 +11,7 @@ namespace zproof::study::cost {
 struct Model {
     std::vector<Run> runs;
     Fit fit;
-    /// The same fitted to whole frames of meshes alone, as one would measure a program from outside: which
+    /// Runs and fit of whole frames of meshes alone, as one would measure a program from outside: which
     /// constants such runs tell apart, and which only as a sum.
     std::vector<Run> whole_runs;
     Fit whole_fit;

@@ -18,7 +18,7 @@ struct Timing {
 /// they do to its caches and clock.
 Timing timed(int runs, const std::function<void()>& work);
 
-/// The same for several works, in turn: what disturbs the machine for a while disturbs all of them alike.
+/// Times several works, in turn: what disturbs the machine for a while disturbs all of them alike.
 std::vector<Timing> timed_in_turn(int runs, std::span<const std::function<void()>> works);
 
 }  // namespace zproof::study::cost

@@ -27,7 +27,7 @@ double excess_of_means(const DepthSample& p) {
     return difference * difference / (4 * p.nearest * p.farthest);
 }
 
-/// By how much s changes where d changes by a share of itself.
+/// The change of s where d changes by a share of itself.
 double s_of_share(const Coder& coder, double depth, double share) {
     const Constants& c = coder.constants();
     switch (coder.format().coding) {
@@ -42,7 +42,7 @@ double s_of_share(const Coder& coder, double depth, double share) {
     return infinite;
 }
 
-/// By the rounding of a, b, k, n and 1/n.
+/// The error from the rounding of a, b, k, n and 1/n.
 double common_error(const Coder& coder, double depth) {
     const Constants& c = coder.constants();
     const double s = std::abs(coder.ideal(depth));
@@ -64,7 +64,8 @@ double inner_rounding(const Coder& coder, double depth) {
     return c.half < 1 ? c.half * g(1) * std::abs(z_ndc(c, depth)) : 0;
 }
 
-/// Of a coded corner, all roundings. log2 of float32 is good to 1 ulp, at most 2u (GNU C Library manual).
+/// The error of a coded corner, from all roundings. log2 of float32 is good to 1 ulp, at most 2u (GNU C
+/// Library manual).
 double corner_error(const Coder& coder, double depth) {
     const Constants& c = coder.constants();
     const double s = std::abs(coder.ideal(depth));
@@ -176,7 +177,7 @@ double certain_difference(const Coder& coder, Interpolation interpolation, const
 
 enum class GapSide { behind, before };
 
-/// Where s has changed by `difference`; nothing where that is beyond the planes.
+/// The depth where s has changed by `difference`; infinite where that is beyond the planes.
 double moved(const Coder& coder, double depth, double difference, GapSide side) {
     const bool s_grows = (side == GapSide::behind) == grows_with_depth(coder.format().coding);
     const double s = coder.ideal(depth) + (s_grows ? difference : -difference);

@@ -6,12 +6,13 @@
 
 namespace zproof::study::depth {
 
-/// Where a depth is worked out.
+/// A pixel where a depth is worked out.
 struct DepthSample {
     double depth = 1;                  ///< exact, at the pixel
     double nearest = 1, farthest = 1;  ///< of the triangle's corners
     double weight_error = 0;           ///< of a barycentric beside its rounding to float32 (weight_error_of)
-    // Of `forward`: additions across and down, their steps, and the largest |s| that is met on the way.
+    // Facts for `forward`: additions across and down, their steps, and the largest |s| that is met on the
+    // way.
     int across = 0, down = 0;
     double per_x = 0, per_y = 0, largest = 0;
 };

@@ -83,7 +83,7 @@ class Coder {
     /// s as the buffer holds it: cut to [0, 1] and rounded to the store. NaN stays NaN in float32 and is 0
     /// in whole numbers (Direct3D 11.3, 3.2.3.6).
     double stored(float s) const;
-    /// Of two stored values, is the first one nearer for certain? Never where one is NaN.
+    /// Is the first of two stored values nearer for certain? Never where one is NaN.
     bool is_nearer(double first, double second) const {
         return grows_with_depth(format_.coding) ? first < second : first > second;
     }

@@ -7,7 +7,7 @@ namespace {
 
 using Weights = std::array<float, 3>;
 
-/// In one fixed order, each product and sum rounded.
+/// Sums in one fixed order, each product and sum rounded.
 float blended(const Weights& weight, const std::array<float, 3>& value) {
     return (weight[0] * value[0] + weight[1] * value[1]) + weight[2] * value[2];
 }

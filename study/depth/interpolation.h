@@ -50,7 +50,8 @@ std::array<double, 3> weights_at(const Drawn& triangle, const glm::dvec2& p_rast
 std::vector<float> interpolated(const Drawn& triangle, std::span<const Pixel> pixels, const Coder& coder,
                                 Interpolation interpolation);
 
-/// Where `forward` begins: the first row and the first column of the pixels, of which there is one at least.
+/// The pixel where `forward` begins: the first row and the first column of the pixels, of which there is one
+/// at least.
 Pixel start_of(std::span<const Pixel> pixels);
 
 /// The plane s = start + per_x x + per_y y through the corners' values, in double, at pixel `at`'s centre.

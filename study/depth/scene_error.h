@@ -55,9 +55,8 @@ std::vector<double> histogram_ends();
 ErrorSpread error_spread(const Seen& seen, const Format& format, Interpolation interpolation,
                          const Planes& planes);
 
-/// Of all pixels, the share at which a second layer, the same triangle with every corner `delta` (scene
-/// units) deeper along its view ray, is not farther in the buffer. Corners coded alike, 1/d
-/// interpolated.
+/// The share of all pixels at which a second layer, the same triangle with every corner `delta` (scene units)
+/// deeper along its view ray, is not farther in the buffer. Corners are coded alike, 1/d is interpolated.
 double fighting_share(const Seen& seen, const Format& format, const Planes& planes, double delta);
 
 }  // namespace zproof::study::depth

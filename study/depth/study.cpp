@@ -15,7 +15,7 @@ constexpr int gap_distances = 29;
 /// Shares of far; twice 20 roundings of float32 are 2.4e-6, and nothing here does better than half of that.
 constexpr std::array gaps_wanted{1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 2e-6, 1e-6};
 
-/// Beyond all that is seen, as a camera would be set: an eighth more.
+/// A far plane beyond all that is seen, as a camera would be set: an eighth more.
 double far_behind(const Seen& seen) { return seen.farthest * 1.125; }
 
 /// The view's planes; an infinite far is brought in, so that every coding means something.
@@ -38,7 +38,7 @@ void add_ladder(DepthStudy& study, const Scene& scene, const View& view) {
     }
 }
 
-/// From an eighth of the median depth down to 2^-26 of it.
+/// The deltas from an eighth of the median depth down to 2^-26 of it.
 std::vector<double> deltas_for(double median) {
     std::vector<double> deltas;
     for (int k = 3; k <= 26; ++k) deltas.push_back(std::ldexp(median, -k));
@@ -55,7 +55,7 @@ void add_fighting(DepthStudy& study, const Seen& seen) {
     }
 }
 
-/// All curves of a list at once.
+/// Measures all curves of a list at once.
 void measure(std::vector<GapCurve>& curves) {
     tbb::parallel_for(std::size_t{0}, curves.size(), [&](std::size_t i) {
         curves[i] = gap_curve(curves[i].format, curves[i].interpolation, curves[i].planes, gap_distances);

@@ -41,7 +41,7 @@ Footprint footprint_of(const glm::dvec2& centre, const glm::dvec2& per_x, const 
     return texture::footprint(map, 0, 0, texture::Derivatives::analytic);
 }
 
-/// Of a kernel's weights.
+/// The index of a texel's weight in a kernel.
 std::size_t texel_index(int column, int row, int columns) {
     return std::size_t(row) * std::size_t(columns) + std::size_t(column);
 }

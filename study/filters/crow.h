@@ -48,7 +48,7 @@ struct CrowAnswers {
     std::vector<BetweenLevels> levels;
 };
 
-/// The same answers every time. The texture is white noise, uniform in [0, 1], which repeats.
+/// The answers are the same every time. The texture is white noise, uniform in [0, 1], which repeats.
 CrowAnswers crow_answers();
 
 /// The exact mean's weights over the parallelogram with this centre and these sides, on a repeating texture

@@ -12,14 +12,14 @@ namespace zproof::study {
 struct OtherSampler {
     texture::Method method;    ///< name and card; it prepares no sampler of ours
     std::string (*absence)();  ///< why it cannot be asked on this machine; empty: it can
-    /// Of the settings, max_anisotropy is heeded. Throws OracleError.
+    /// Heeds only max_anisotropy of the settings. Throws OracleError.
     Picture (*paint)(const Scene& scene, const View& view, const Frame& frame, int max_anisotropy);
 };
 
 /// oiio-trilinear, oiio-aniso, opengl-trilinear, opengl-aniso.
 std::span<const OtherSampler> other_samplers();
 
-/// None of this name: null.
+/// The sampler of this name, or null.
 const OtherSampler* find_other_sampler(const std::string& name);
 
 }  // namespace zproof::study

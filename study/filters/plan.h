@@ -28,7 +28,7 @@ struct Plan {
     int first_row = 0;
 };
 
-/// From view to view of the flicker measure, pixels: neither a round fraction nor along an axis.
+/// The step from view to view of the flicker measure, pixels: neither a round fraction nor along an axis.
 inline constexpr double flicker_step_x_px = 0.37, flicker_step_y_px = 0.23;
 
 /// Follows a study.

@@ -14,12 +14,12 @@ namespace zproof::study {
 /// The picture's float32 channels as doubles.
 LinearPicture in_double(const Picture& picture);
 
-/// For every region, in order, the metrics of picture_metrics(). `half_width` is the truth's.
+/// The metrics of picture_metrics() for every region, in order. `half_width` is the truth's.
 std::vector<RegionScore> scores(const LinearPicture& picture, const LinearPicture& truth,
                                 const Plane<double>& half_width, std::span<const Region> regions);
 
-/// Of pictures and truths of the same views, one after the other, over the pixels where the mask is not 0. No
-/// steps where there are fewer than two views or no pixel.
+/// The flicker of pictures and truths of the same views, one after the other, over the pixels where the mask
+/// is not 0. There are no steps where there are fewer than two views or no pixel.
 Flicker flicker(std::span<const LinearPicture> pictures, std::span<const LinearPicture> truths,
                 const Plane<std::uint8_t>& mask);
 

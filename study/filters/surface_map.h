@@ -19,7 +19,7 @@ struct Patch {
     bool is_textured() const { return longest_side > 0; }
 };
 
-/// By the analytic Jacobian at the pixel's centre.
+/// The ellipse of every pixel's footprint, by the analytic Jacobian at the pixel's centre.
 Plane<Patch> surface_map(const Scene& scene, const View& view, const Frame& frame);
 
 /// A texture to be read at a place.

@@ -85,7 +85,7 @@ Travel<Rational> exactly_there(const Travel<Number>& t) {
     return exact;
 }
 
-/// Where exact arithmetic leads from here; nothing where it would have to divide by 0.
+/// The place that exact arithmetic leads to from here; nothing where it would have to divide by 0.
 std::optional<Exact> exact_end(const Route<Rational>& route, const Travel<Rational>& travel,
                                std::size_t from) try {
     const Travel<Rational> end = arrival(route, travel, from);
@@ -195,7 +195,7 @@ Vertex placed(const View& view, const Route<Rational>& route, const NumericCamer
     return vertex;
 }
 
-/// Each k-th of the finite vertices, with the least whole k that keeps to `most`.
+/// Every k-th of the finite vertices, with the least whole k that keeps to `most`.
 std::vector<std::uint32_t> chosen(const Positions& positions, std::size_t most, std::uint64_t& not_finite) {
     std::vector<std::uint32_t> finite;
     for (std::size_t i = 0; i < positions.size(); ++i) {

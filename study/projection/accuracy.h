@@ -71,8 +71,8 @@ struct ViewAccuracy {
     std::vector<LostPixel> lost;        ///< farthest off first
 };
 
-/// On the threads of the surrounding tbb::task_arena; the same for any number of them. At most `most`
-/// vertices are studied.
+/// Runs on the threads of the surrounding tbb::task_arena; the result is the same for any number of them. At
+/// most `most` vertices are studied.
 ViewAccuracy accuracy_of(const Scene& scene, const View& view, std::size_t most);
 
 }  // namespace zproof::study::projection

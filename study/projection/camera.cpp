@@ -11,7 +11,7 @@ Vector3<Number> rounded(const glm::dvec3& v) {
     return {Number(v.x), Number(v.y), Number(v.z)};
 }
 
-/// All but the rows of to_camera.
+/// The camera without the rows of to_camera.
 template <class Number>
 NumericCamera<Number> begun(const View& view) {
     const Camera& c = view.camera;

@@ -60,7 +60,7 @@ struct VisibilityFinding {
     std::string example;  ///< "(3/2, 0) on a canvas of 2 x 2 is called visible"; empty where there is none
 };
 
-/// On a lattice over three times the canvas, its border included.
+/// The findings on a lattice over three times the canvas, its border included.
 std::vector<VisibilityFinding> visibility_findings();
 
 }  // namespace zproof::study::projection

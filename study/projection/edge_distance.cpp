@@ -38,7 +38,7 @@ class SideIndex {
     }
     std::size_t square(int x, int y) const { return square_at(x / side_px, y / side_px); }
 
-    /// To every square that it comes within 2 px of.
+    /// Adds the side to every square that it comes within 2 px of.
     void add(const RasterSegment& side, Resolution size) {
         const auto cell = [](double at, int count) {
             return int(std::clamp(at, 0.0, count - 1.0)) / side_px;

@@ -35,7 +35,7 @@ class Outliner {
     /// corner is not finite.
     std::vector<glm::dvec2> outline(PrimitiveId triangle) const;
 
-    /// Its sides.
+    /// The outline's sides.
     std::vector<RasterSegment> sides(PrimitiveId triangle) const;
 
     /// What near and far leave of the line between two points of the world.

@@ -71,7 +71,7 @@ Travel<Number> departure(const Vector3<Number>& p_world) {
     return {{p_world.x, p_world.y, p_world.z, Number(1)}, {}};
 }
 
-/// From the operation with this index to the end.
+/// The result of the operations from this index to the end.
 template <class Number>
 Travel<Number> arrival(const Route<Number>& route, Travel<Number> travel, std::size_t from = 0) {
     for (std::size_t i = from; i < route.operations.size(); ++i) travel = route.operations[i].apply(travel);

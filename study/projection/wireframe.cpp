@@ -17,7 +17,7 @@ Place bits_of(const glm::vec3& p) {
             std::bit_cast<std::uint32_t>(p.z + 0.0f)};
 }
 
-/// For every vertex the first one at its place.
+/// The first vertex at each vertex's place.
 std::vector<std::uint32_t> representatives(const Positions& positions) {
     std::vector<std::uint32_t> order(positions.size()), first(positions.size());
     std::iota(order.begin(), order.end(), 0u);

@@ -36,11 +36,11 @@ struct Wireframe {
     std::vector<WireLine> lines;  ///< by edge, those that show in the picture
 };
 
-/// Projected in float64 by the lessons' stages; off axis, parallel and oblique cameras alike.
+/// The lines are projected in float64 by the lessons' stages; off axis, parallel and oblique cameras alike.
 Wireframe wireframe_of(const Scene& scene, const View& view);
 
-/// The same lines, cut where they become visible or hidden: a piece of about one pixel's length is seen
-/// where a triangle that has the edge is named by a pixel around its middle (3 x 3). So an occluder's
+/// The lines of a wireframe, cut where they become visible or hidden: a piece of about one pixel's length is
+/// seen where a triangle that has the edge is named by a pixel around its middle (3 x 3). So an occluder's
 /// border is found to about a pixel; the lines' places are as exact as before.
 Wireframe split_by_visibility(const Wireframe& wireframe, const Plane<PrimitiveId>& ids);
 

@@ -60,7 +60,7 @@ Facet facet_of(const Scene& scene, const View& view, std::uint32_t triangle) {
     if (!vertices.normal_world.empty() && has_normal(index.x) && has_normal(index.y) && has_normal(index.z))
         for (int k = 0; k < 3; ++k)
             facet.normal[std::size_t(k)] = glm::dvec3(vertices.normal_world[index[k]]);
-    // Of corner normals that disagree with the winding, the winding counts for the face alone.
+    // The face normal points to the eye; the corner normals are turned if their sum does not agree with it.
     const glm::dvec3 eye = toward_eye(view, mixed(p, {1. / 3, 1. / 3, 1. / 3}));
     facet.face_normal = glm::dot(normal, eye) < 0 ? -normal : normal;
     const glm::dvec3 sum = facet.normal[0] + facet.normal[1] + facet.normal[2];

@@ -16,7 +16,7 @@ enum class Method {
     phong,    ///< the corners' normals are interpolated, every pixel is shaded (Phong 1975)
 };
 
-/// By which weights corners are mixed.
+/// The weights by which corners are mixed.
 enum class Mixing {
     perspective,  ///< barycentrics of the place on the triangle
     affine,       ///< barycentrics of the place in the image: as if there were no perspective
@@ -47,13 +47,13 @@ using Weights = std::array<double, 3>;  ///< they add up to 1
 double shaded(const Facet& facet, const View& view, const Lighting& lighting, Method method,
               const Weights& weights);
 
-/// Where the view ray through a pixel's centre meets the triangle: two ways that share no code.
+/// Two functions that share no code find where the view ray through a pixel's centre meets the triangle.
 /// The rasterizer's: barycentrics from the frame's arithmetic (rasterizer/surface.h).
 Weights rasterized_weights(const View& view, const Facet& facet, int x, int y);
 /// The oracle's: the hit's place in space, then areas beside it.
 Weights traced_weights(const View& view, const Facet& facet, int x, int y);
 
-/// The same place in the image: each weight times its corner's depth, brought to a sum of 1.
+/// The weights in the image: each weight times its corner's depth, brought to a sum of 1.
 Weights in_image(const View& view, const Facet& facet, const Weights& weights);
 
 /// Who says where a pixel's place on its triangle is.

@@ -32,7 +32,7 @@ LightSource point_light(const View& view, const Frame& frame) {
             glm::dvec3(view.camera.eye_world) + in_world(view.camera, glm::dvec3{reach, reach, 0})};
 }
 
-/// Both frames name the same triangle; elsewhere an edge decides, not shading.
+/// The pixels where both frames name the same triangle; elsewhere an edge decides, not shading.
 Frame agreed(const Frame& ours, const Frame& traced) {
     Frame frame = ours;
     for (std::size_t i = 0; i < frame.primitive.pixels().size(); ++i)

@@ -17,11 +17,12 @@ struct SceneScore {
     Mixing mixing = Mixing::perspective;
     Highlight highlight = Highlight::phong;
     LightSource::Kind light_source = LightSource::Kind::directional;
-    /// Against the same method, perspective-correct, at Embree's hits: what rasterizing and mixing cost.
+    /// The error against the same method, perspective-correct, at Embree's hits: what rasterizing and mixing
+    /// cost.
     double rmse_to_traced = 0, largest_to_traced = 0;
     /// The most that affine mixing may cost Gouraud's method (docs/shading.md); NaN for all else.
     double predicted_largest = std::numeric_limits<double>::quiet_NaN();
-    /// Against Phong's method at Embree's hits: what the method costs.
+    /// The error against Phong's method at Embree's hits: what the method costs.
     double rmse_to_phong = 0, largest_to_phong = 0;
 };
 
@@ -55,9 +56,9 @@ using Announce = std::function<void(const std::string& what)>;
 /// triangles around each vertex, weighted by their areas, as the lecture's first step has it.
 Scene with_normals(const Scene& scene);
 
-/// Of with_normals(scene). The directional light comes over the viewer's shoulder, the point light hangs
+/// Studies with_normals(scene). The directional light comes over the viewer's shoulder, the point light hangs
 /// above and to the right of the eye by half the median depth. POV-Ray not being there, or refusing, is a
-/// value. Throws OracleError for Embree's.
+/// value. Embree's refusal throws OracleError.
 ShadingStudy study_shading(const Scene& scene, const View& view, const Announce& announce);
 int units_of_shading();
 

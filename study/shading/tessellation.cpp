@@ -88,7 +88,7 @@ class Icosphere {
     Bulk<glm::uvec3> faces_;
 };
 
-/// Where a ray from the eye first meets the unit sphere.
+/// The point where a ray from the eye first meets the unit sphere.
 std::optional<glm::dvec3> met(const View& view, int x, int y) {
     const rasterizer::PixelRay line = rasterizer::pixel_ray(view, x + 0.5, y + 0.5);
     const glm::dvec3 eye{view.camera.eye_world};

@@ -26,7 +26,7 @@ concept reads_a_line = requires(const Reads& reads, const MipReads& mips, const 
     { reads.line(mips, footprint) } -> std::same_as<LineOfTaps>;
 };
 
-/// The same line, tap by tap.
+/// Reads the line of taps, tap by tap.
 template <reads_a_line Reads>
 void read_line(const Reads& reads, const MipReads& mips, const Footprint& footprint, auto&& read) {
     const LineOfTaps line = reads.line(mips, footprint);

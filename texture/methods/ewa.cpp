@@ -36,7 +36,7 @@ struct Conic {
     }
 };
 
-/// Of the squared radius, 0 to 1.
+/// The weight at a squared radius of 0 to 1.
 using Profile = double (*)(double r2);
 
 double gaussian(double r2) { return std::exp(-2 * r2) - std::exp(-2.0); }

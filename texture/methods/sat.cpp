@@ -14,7 +14,8 @@ struct Box {
     glm::dvec2 low{0}, high{0};
 };
 
-/// At least one texel wide and high: a smaller box would show the texels of a magnified texture as squares.
+/// The box is at least one texel wide and high: a smaller one would show the texels of a magnified texture as
+/// squares.
 Box box_around(const glm::dvec2& centre, const glm::dvec2& size) {
     const glm::dvec2 half = glm::max(size, 1.0) / 2.0;
     return {centre - half, centre + half};
@@ -65,7 +66,7 @@ void cut(const Footprint& f, glm::ivec2 pieces, auto&& visit) {
                   step.x * step.y);
 }
 
-/// As many strips as the ellipse's axes differ, across the longer of the pixel's two steps.
+/// Takes as many strips as the ellipse's axes differ, across the longer of the pixel's two steps.
 glm::ivec2 strips(const Footprint& f, int limit) {
     const Ellipse axes = ellipse(f);
     const double ratio = axes.minor > 0 ? axes.major / axes.minor : limit;

@@ -1,7 +1,7 @@
 // Blocks of any reads, for Colour of the file that includes it after taps.inl:
 //   Colour   four doubles: from a lookup's sum, add(texel, weight), to the sum
 
-/// So that the last lanes have something to read.
+/// Fills the last lanes, so that they have something to read.
 void fill_up(Block& block) {
     for (int i = block.count; i % lanes != 0; ++i) {
         block.x[i] = block.y[i] = block.weight[i] = 0;

@@ -24,7 +24,7 @@ struct Level {
     double scale_x = 1, scale_y = 1;       ///< texels per texel of level 0
 };
 
-/// Where the levels are and what lies beyond their edges.
+/// The places of the levels, and what lies beyond their edges.
 struct Chain {
     const float* texels = nullptr;  ///< RGBA; the first texel is 0 and belongs to no level
     const Level* levels = nullptr;
@@ -46,7 +46,8 @@ struct Block {
     alignas(64) double tap_weight[4][most];
 };
 
-/// Where equal taps lie on a line: the i-th of n, from 0, at (i + first) / (n + more) - 1/2 of its length.
+/// The places of equal taps on a line: the i-th of n, from 0, at (i + first) / (n + more) - 1/2 of its
+/// length.
 struct TapSpacing {
     double first = 0.5, more = 0;
 };

@@ -17,7 +17,7 @@ Lanes gather(const double* numbers, const std::int32_t* index) {
 
 Bits product(Bits a, Bits b) { return a * b; }
 
-/// With 2^52 of its own sign added, x is rounded to a whole number.
+/// Adds 2^52 of x's own sign, which rounds x to a whole number.
 Lanes whole_below(Lanes x) {
     const Bits sign = reinterpret_cast<Bits>(x) & std::numeric_limits<std::int64_t>::min();
     const Lanes large = reinterpret_cast<Lanes>(sign | reinterpret_cast<Bits>(0x1p52 + Lanes{})),

@@ -135,7 +135,7 @@ class LineReader {
         finer.fetch(chain_.texels);
         filled_->count += 1;
     }
-    /// Neither waits for the other.
+    /// Reads both levels; neither read waits for the other.
     void read_both(const Group& group, Lanes x, Lanes y, Bits reads) {
         Batch::Reads *const finer = filled_->reads + filled_->count, *const coarser = finer + 1;
         const Taps of_finer = taps(group.finer, x, y), of_coarser = taps(group.coarser, x, y);
@@ -159,7 +159,7 @@ class LineReader {
     Batch *filled_ = &batches_[0], *found_ = &batches_[1];
 };
 
-/// So that the last lanes have something to read; it is added to `nobody`.
+/// Fills the last lanes, so that they have something to read; it is added to `nobody`.
 void fill_up(Lines& lines, double* nobody) {
     for (int i = lines.count; i % lanes != 0; ++i) {
         lines.x[i] = lines.y[i] = lines.across[i] = lines.down[i] = 0;

@@ -7,7 +7,7 @@
 
 namespace zproof::texture::sums {
 
-/// By what the processor says of itself, narrowest first: scalar is everywhere.
+/// The kernels that the processor says it can run, narrowest first; scalar runs everywhere.
 std::vector<Kernel> available_kernels();
 
 /// The last of them. Asked once.

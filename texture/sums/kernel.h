@@ -21,7 +21,7 @@ struct Rows {
     std::uint32_t* columns = nullptr;  ///< of everything above, `width` of them; these rows are added to them
 };
 
-/// Where the table's rows go.
+/// The place where the table's rows go.
 struct Table {
     std::uint32_t* sums = nullptr;  ///< of the first row; they follow each other as the codes' do
     bool is_streamed = false;       ///< past the caches, as far as whole vectors go

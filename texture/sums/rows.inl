@@ -56,7 +56,7 @@ Lanes sums_before(const std::uint32_t* row, std::size_t first) {
 template <std::size_t channels, std::size_t count, bool is_streamed, class Code>
 void sum_together(const Rows<Code>& rows, std::uint32_t* sums, std::size_t first) {
     constexpr std::make_index_sequence<lanes> each;
-    // By themselves: for all the compiler knows, sums are written over `rows`.
+    // These are local copies: for all the compiler knows, sums are written over `rows`.
     const std::size_t width = rows.width, stride = rows.stride;
     const Code* const codes = rows.codes;
     std::uint32_t* const of_columns = rows.columns;

@@ -23,7 +23,7 @@ std::vector<Hypothesis> hypotheses_of_parts(const DiagnosisInput& input);
 /// Less precision than was declared, the least loss first.
 std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input);
 
-/// All of them, the more specific first: of two that explain the same, the first is named.
+/// All hypotheses, the more specific first: of two that explain the same, the first is named.
 std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input);
 
 }  // namespace zproof

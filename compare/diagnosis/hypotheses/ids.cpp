@@ -131,7 +131,7 @@ Hypothesis apart_from_depths(const DiagnosisInput& input, int dx, int dy, const 
 
 using Ids = std::unordered_map<std::uint32_t, std::uint32_t>;
 
-/// For each id, the other that most pixels have together with it; of equals the least.
+/// The other id that most pixels have together with each id; the least of equals.
 Ids most_often_with(std::span<const PrimitiveId> ids, std::span<const PrimitiveId> others) {
     std::unordered_map<std::uint64_t, std::uint32_t> together;
     for (std::size_t i = 0; i < ids.size(); ++i)

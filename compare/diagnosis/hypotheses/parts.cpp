@@ -20,7 +20,7 @@ bool is_blank(const Frame& frame, const Rectangle& r) {
     return true;
 }
 
-/// Nothing was drawn in those cells of a grid that the candidate left blank altogether.
+/// The hypothesis that nothing was drawn in the grid cells that the candidate left blank altogether.
 Hypothesis blank(const DiagnosisInput& input, const std::string& name, const std::string& description,
                  Resolution cell) {
     const Resolution size = input.candidate.frame.size();

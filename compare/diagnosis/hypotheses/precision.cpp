@@ -77,7 +77,7 @@ struct FixedPoint {
         step = range / (std::ldexp(1.0, bits) - 1);
     }
 
-    /// By up to a step, since some round and others cut; then rounded twice to float32.
+    /// The depth moves by up to a step, since some round and others cut; then float32 rounds it twice.
     ReportedDepth operator()(const DepthBound& bound, const Claim&) const {
         const double r = gamma(4, unit_roundoff_float32);
         if (view.camera.projection == Projection::parallel)
