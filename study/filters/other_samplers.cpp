@@ -42,12 +42,12 @@ const std::string given_steps = "the steps to the neighbouring pixels, given in 
 std::span<const OtherSampler> other_samplers() {
     static const std::vector<OtherSampler> all{
         {method("oiio-trilinear", {.footprint = given_steps,
-                                   .lod = "OpenImageIO's own; its law is trilinear-oiio",
+                                   .lod = "OpenImageIO's own; its definition is trilinear-oiio",
                                    .taps = "OpenImageIO's TextureSystem, MipModeTrilinear, as it is",
                                    .source = "OpenImageIO's library"}),
          never_absent, by_openimageio<PeerFilter::trilinear>},
         {method("oiio-aniso", {.footprint = given_steps,
-                               .lod = "OpenImageIO's own; its law is aniso-oiio",
+                               .lod = "OpenImageIO's own; its definition is aniso-oiio",
                                .taps = "OpenImageIO's TextureSystem, MipModeAniso, as it is",
                                .source = "OpenImageIO's library"}),
          never_absent, by_openimageio<PeerFilter::anisotropic>},
