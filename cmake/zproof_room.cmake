@@ -3,16 +3,16 @@ set(zproof_precompiled
     <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <iterator> <limits> <map> <memory> <optional>
     <span> <sstream> <stdexcept> <string> <string_view> <utility> <vector> <glm/glm.hpp>)
 
-# zproof_room(name SOURCES a.cpp ... USES rooms-and-libraries ... [PRECOMPILE <header> ...] [OPTIMIZE -O1]): one static
-# library per folder, zproof::name. A room that only shows and reads text is optimized less, for a quick build.
+# zproof_room(name SOURCES a.cpp ... USES rooms-and-libraries ... [OPTIMIZE -O1]): one static library per folder,
+# zproof::name. A room that only shows and reads text is optimized less, for a quick build.
 function(zproof_room name)
-    cmake_parse_arguments(ROOM "" OPTIMIZE "SOURCES;USES;PRECOMPILE" ${ARGN})
+    cmake_parse_arguments(ROOM "" OPTIMIZE "SOURCES;USES" ${ARGN})
     add_library(zproof_${name} STATIC ${ROOM_SOURCES})
     add_library(zproof::${name} ALIAS zproof_${name})
     set_target_properties(zproof_${name} PROPERTIES EXPORT_NAME ${name})
     target_link_libraries(zproof_${name} PUBLIC zproof_strict ${ROOM_USES})
     target_compile_options(zproof_${name} PRIVATE $<$<CONFIG:Release>:${ROOM_OPTIMIZE}>)
-    target_precompile_headers(zproof_${name} PRIVATE ${zproof_precompiled} ${ROOM_PRECOMPILE})
+    target_precompile_headers(zproof_${name} PRIVATE ${zproof_precompiled})
 endfunction()
 
 # zproof_test(room SOURCES a_test.cpp ... USES ...): one test program per room; every TEST is one ctest entry. What is
