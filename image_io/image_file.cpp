@@ -129,6 +129,9 @@ void ImageFile::open(std::span<const unsigned char> bytes) {
     } catch (const std::runtime_error& e) {
         throw FrameError(name_ + ": cannot be read: " + e.what());
     }
+    const auto has_no_channel = [](const Part& part) { return part.channels.empty(); };
+    if (parts_.empty() || std::ranges::any_of(parts_, has_no_channel))
+        throw FrameError(name_ + ": it holds no channels; expected an image");
 }
 
 const Channel& ImageFile::channel(ChannelPlace place) const {

@@ -82,8 +82,6 @@ class ViewBounds {
         double nearest, farthest;
     };
     CornerDepths corner_depths(const TriangleExtent& extent) const;
-    /// What triangles are measured with.
-    const Gauge& gauge() const { return gauge_; }
     /// Barycentrics of a snapped triangle stay between its corners' depths; a ray and a plane equation meet
     /// the plane.
     bool keeps_to_corners() const;
