@@ -15,10 +15,13 @@ struct RenderedFrame {
 /// A frame and what its renderer's promise means for the view.
 struct BoundedFrame {
     BoundedFrame(const View& view, const RenderedFrame& rendered)
-        : frame(rendered.frame), bounds(view, rendered.precision) {}
+        : frame(rendered.frame),
+          bounds(view, rendered.precision),
+          shown_bounds(view, shown_precision(rendered.precision)) {}
 
     const Frame& frame;
-    ViewBounds bounds;
+    ViewBounds bounds;           ///< of what decides which triangle is shown
+    ViewBounds shown_bounds;  ///< of the depths that the frame shows
 };
 
 /// What is compared.

@@ -9,64 +9,15 @@
 #include <utility>
 
 #include "frame/frame_error.h"
+#include "frame/precision_fields.h"
+#include "frame/precision_presets.h"
+#include "frame/precision_words.h"
 
 namespace zproof {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// The words of a declaration. Values run from 0; behind the last of a type there is no word.
-
-constexpr std::string_view word_of(Arithmetic value) {
-    switch (value) {
-        case Arithmetic::float32:
-            return "float32";
-        case Arithmetic::float64:
-            return "float64";
-    }
-    return {};
-}
-
-constexpr std::string_view word_of(Origin value) {
-    switch (value) {
-        case Origin::world:
-            return "world";
-        case Origin::eye:
-            return "eye";
-    }
-    return {};
-}
-
-constexpr std::string_view word_of(Snap value) {
-    switch (value) {
-        case Snap::nearest:
-            return "nearest";
-        case Snap::truncate:
-            return "truncate";
-    }
-    return {};
-}
-
-constexpr std::string_view word_of(Clipping value) {
-    switch (value) {
-        case Clipping::guard_band:
-            return "guard_band";
-        case Clipping::view_volume:
-            return "view_volume";
-    }
-    return {};
-}
-
-constexpr std::string_view word_of(DepthBuffer value) {
-    switch (value) {
-        case DepthBuffer::camera_depth:
-            return "camera_depth";
-        case DepthBuffer::reversed_z:
-            return "reversed_z";
-    }
-    return {};
-}
 
 /// A JSON object whose keys are taken out one by one; what is left over at the end is refused.
 class Declaration {
@@ -78,8 +29,8 @@ class Declaration {
     /// One of the words of an enumeration.
     template <class T>
     requires std::is_enum_v<T>
-    void take(const std::string& key, T& value) {
-        const Json found = take(key);
+    void peek(const std::string& key, T& value) const {
+        const Json found = at(key);
         if (found.is_null()) return;
         std::string words;
         for (int i = 0; !word_of(T(i)).empty(); ++i) {
@@ -89,36 +40,48 @@ class Declaration {
         refuse(key, "expected " + words + ", found " + found.dump());
     }
 
-    void take(const std::string& key, int low, int high, int& value) {
-        const Json found = take(key);
+    void peek(const std::string& key, int& value, const Limits& limits) const {
+        const Json found = at(key);
         if (found.is_null()) return;
-        const bool fits = found.is_number_integer() && found >= low && found <= high;
-        if (!fits)
-            refuse(key, "expected a whole number from " + std::to_string(low) + " to " +
-                            std::to_string(high) + ", found " + found.dump());
+        if (!found.is_number_integer() || found < limits.low || found > limits.high)
+            refuse(key, "expected a whole number from " + std::to_string(int(limits.low)) + " to " +
+                            std::to_string(int(limits.high)) + ", found " + found.dump());
         value = found.get<int>();
     }
 
-    /// A share or a distance: 0 to 1.
-    void take(const std::string& key, double& value) {
-        const Json found = take(key);
+    void peek(const std::string& key, double& value, const Limits& limits) const {
+        const Json found = at(key);
         if (found.is_null()) return;
-        if (!found.is_number() || found < 0 || found > 1)
-            refuse(key, "expected a number from 0 to 1, found " + found.dump());
+        if (!found.is_number() || found < limits.low || found > limits.high)
+            refuse(key, "expected a number from " + Json(limits.low).dump() + " to " +
+                            Json(limits.high).dump() + ", found " + found.dump());
         value = found.get<double>();
     }
 
-    Json take(const std::string& key) {
+    void peek(const std::string& key, bool& value) const {
+        const Json found = at(key);
+        if (found.is_null()) return;
+        if (!found.is_boolean()) refuse(key, "expected true or false, found " + found.dump());
+        value = found.get<bool>();
+    }
+
+    bool holds(const std::string& key) const { return object_.contains(key); }
+
+    /// The key's value, or null where it is left out.
+    Json at(const std::string& key) const {
         const auto place = object_.find(key);
         if (place == object_.end()) return nullptr;
-        Json value = std::move(*place);
-        if (value.is_null()) refuse(key, "null says nothing; leave the key out for its default");
-        object_.erase(place);
+        if (place->is_null()) refuse(key, "null says nothing; leave the key out for its default");
+        return *place;
+    }
+    Json take(const std::string& key) {
+        Json value = at(key);
+        object_.erase(key);
         return value;
     }
 
     void refuse_what_is_left(const std::string& allowed) const {
-        if (!object_.empty()) refuse(object_.begin().key(), "unknown key; allowed here: kind, " + allowed);
+        if (!object_.empty()) refuse(object_.begin().key(), "unknown key; allowed here: " + allowed);
     }
 
     [[noreturn]] void refuse(const std::string& key, const std::string& why) const {
@@ -130,75 +93,101 @@ class Declaration {
     std::string place_;
 };
 
-RasterPrecision raster(Declaration& declaration) {
-    RasterPrecision p;
-    declaration.take("transform", p.transform);
-    declaration.take("origin", p.origin);
-    declaration.take("subpixel_bits", 0, 16, p.subpixel_bits);
-    declaration.take("snap", p.snap);
-    declaration.take("clipping", p.clipping);
-    declaration.take("depth_buffer", p.depth_buffer);
-    declaration.take("interpolation", p.interpolation);
-    declaration.take("depth_roundings", 0, 1000, p.depth_roundings);
-    declaration.refuse_what_is_left(
-        "transform, origin, subpixel_bits, snap, clipping, depth_buffer, interpolation, depth_roundings");
+/// What other keys mean for one that is left out.
+void set_defaults(RasterPrecision& p, const Declaration& declaration) {
+    if (p.depth_buffer != DepthBuffer::camera_depth && !declaration.holds("depth_interpolation"))
+        p.depth_interpolation = DepthInterpolation::plane;
+    if (p.depth_buffer == DepthBuffer::standard_z && !declaration.holds("matrix_far"))
+        p.matrix_far = MatrixFar::finite;
+}
+void set_defaults(RayPrecision& p, const Declaration& declaration) {
+    if (p.test == RayTest::moeller_trumbore && !declaration.holds("watertight")) p.watertight = false;
+}
+void set_defaults(PlaneRayPrecision&, const Declaration&) {}
+void set_defaults(BoundedPrecision&, const Declaration& declaration) {
+    if (!declaration.holds("eps_px")) declaration.refuse("eps_px", "missing; expected a number of pixels");
+}
+
+template <class P>
+P precision_of(Declaration& declaration) {
+    P p;
+    const auto set = [&](const char* key, auto& value, const auto&... limits) {
+        declaration.peek(key, value, limits...);
+    };
+    visit_fields(p, set);
+    set_defaults(p, declaration);
+    std::string allowed = "kind, projections";
+    visit_fields(p, [&](const char* key, auto&, const auto&...) {
+        declaration.take(key);
+        allowed += std::string(", ") + key;
+    });
+    declaration.take("projections");
+    declaration.refuse_what_is_left(allowed);
     return p;
 }
 
-RayPrecision ray(Declaration& declaration) {
-    RayPrecision p;
-    declaration.take("arithmetic", p.arithmetic);
-    declaration.refuse_what_is_left("arithmetic");
-    return p;
+template <class P>
+Json object_of(P p) {
+    Json object{{"kind", kind_of(p)}};
+    visit_fields(p, [&](const char* key, const auto& value, const auto&...) {
+        if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>)
+            object[key] = word_of(value);
+        else
+            object[key] = value;
+    });
+    return object;
 }
 
-PlaneRayPrecision plane_ray(Declaration& declaration) {
-    PlaneRayPrecision p;
-    declaration.take("aim_offset_px", p.aim_offset_px);
-    declaration.take("least_corner_sine", p.least_corner_sine);
-    declaration.take("least_grazing_sine", p.least_grazing_sine);
-    declaration.take("depth_relative", p.depth_relative);
-    declaration.take("depth_of_range", p.depth_of_range);
-    declaration.take("clip_relative", p.clip_relative);
-    declaration.take("clip_of_reach", p.clip_of_reach);
-    declaration.refuse_what_is_left(
-        "aim_offset_px, least_corner_sine, least_grazing_sine, depth_relative, depth_of_range, "
-        "clip_relative, clip_of_reach");
-    return p;
+/// A declaration of a preset begins with what the preset declares.
+Json with_preset(Json object) {
+    const auto kind = object.is_object() ? object.find("kind") : object.end();
+    if (!object.is_object() || kind == object.end() || !kind->is_string()) return object;
+    const std::optional<Precision> preset = preset_precision(kind->get<std::string>());
+    if (!preset) return object;
+    Json all = Json::parse(precision_to_json(*preset));
+    for (const auto& [key, value] : object.items())
+        if (key != "kind") all[key] = value;
+    return all;
 }
 
-Json object_of(const PlaneRayPrecision& p) {
-    return {{"kind", "plane_ray"},
-            {"aim_offset_px", p.aim_offset_px},
-            {"least_corner_sine", p.least_corner_sine},
-            {"least_grazing_sine", p.least_grazing_sine},
-            {"depth_relative", p.depth_relative},
-            {"depth_of_range", p.depth_of_range},
-            {"clip_relative", p.clip_relative},
-            {"clip_of_reach", p.clip_of_reach}};
+std::string kinds_in_words() {
+    std::string words = "expected \"raster\", \"ray\", \"plane_ray\", \"bounded\" or a preset: ";
+    for (const PrecisionPreset& preset : precision_presets())
+        words += (&preset == &precision_presets().front() ? "" : ", ") + std::string(preset.name);
+    return words;
 }
 
-Json object_of(const RasterPrecision& p) {
-    return {{"kind", "raster"},
-            {"transform", word_of(p.transform)},
-            {"origin", word_of(p.origin)},
-            {"subpixel_bits", p.subpixel_bits},
-            {"snap", word_of(p.snap)},
-            {"clipping", word_of(p.clipping)},
-            {"depth_buffer", word_of(p.depth_buffer)},
-            {"interpolation", word_of(p.interpolation)},
-            {"depth_roundings", p.depth_roundings}};
+bool is_kind(const std::string& word) {
+    return word == "raster" || word == "ray" || word == "plane_ray" || word == "bounded" ||
+           preset_precision(word).has_value();
 }
-
-Json object_of(const RayPrecision& p) { return {{"kind", "ray"}, {"arithmetic", word_of(p.arithmetic)}}; }
 
 Precision declared(Json object, const std::string& place) {
-    Declaration declaration(std::move(object), place);
+    Declaration declaration(with_preset(std::move(object)), place);
     const Json kind = declaration.take("kind");
-    if (kind == "raster") return raster(declaration);
-    if (kind == "ray") return ray(declaration);
-    if (kind == "plane_ray") return plane_ray(declaration);
-    declaration.refuse("kind", "expected \"raster\", \"ray\" or \"plane_ray\"");
+    if (kind == "raster") return precision_of<RasterPrecision>(declaration);
+    if (kind == "ray") return precision_of<RayPrecision>(declaration);
+    if (kind == "plane_ray") return precision_of<PlaneRayPrecision>(declaration);
+    if (kind == "bounded") return precision_of<BoundedPrecision>(declaration);
+    declaration.refuse("kind", kinds_in_words());
+}
+
+Projections projections_of(const Json& list, const Declaration& declaration) {
+    Projections found{false, false, false};
+    const std::string expected =
+        R"(expected a list of "perspective", "orthographic" and "oblique", found )" + list.dump();
+    if (!list.is_array() || list.empty()) declaration.refuse("projections", expected);
+    for (const Json& word : list) {
+        if (word == "perspective")
+            found.perspective = true;
+        else if (word == "orthographic")
+            found.orthographic = true;
+        else if (word == "oblique")
+            found.oblique = true;
+        else
+            declaration.refuse("projections", expected);
+    }
+    return found;
 }
 
 /// "raster,subpixel_bits=4" as the object that it stands for.
@@ -214,32 +203,53 @@ Json object_from_word(const std::string& word) {
             throw FrameError("precision '" + word + "': expected KEY=VALUE, found '" + part + "'");
         const std::string value = part.substr(sign + 1);
         const Json number = Json::parse(value, nullptr, false);
-        object[part.substr(0, sign)] = number.is_number() ? number : Json(value);
+        object[part.substr(0, sign)] = number.is_number() || number.is_boolean() ? number : Json(value);
     }
     return object;
 }
 
-}  // namespace
+/// What --precision was given, as an object that nothing is known of.
+struct Undeclared {
+    Json object;
+    std::string place;
+};
 
-Precision precision_from_json(const std::string& text, const std::string& place) {
+Undeclared parsed(const std::string& text, const std::string& place) {
     constexpr std::size_t longest = 1 << 16;
     if (text.size() > longest) throw FrameError(place + ": more than 64 KiB; a declaration is a few keys");
     Json object = Json::parse(text, nullptr, false);
     if (object.is_discarded())
         throw FrameError(place + ": not JSON; expected an object such as {\"kind\": \"raster\"}");
-    return declared(std::move(object), place);
+    return {std::move(object), place};
 }
 
-Precision precision_from_word(const std::string& word) {
-    const std::string kind = word.substr(0, word.find(','));
-    if (kind == "raster" || kind == "ray" || kind == "plane_ray")
-        return declared(object_from_word(word), "precision '" + word + "'");
+Undeclared object_of_word(const std::string& word) {
+    if (is_kind(word.substr(0, word.find(',')))) return {object_from_word(word), "precision '" + word + "'"};
     std::ifstream file(word, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     if (!file)
         throw FrameError(word +
-                         ": cannot be read; expected a JSON file, or a word such as raster,subpixel_bits=8");
-    return precision_from_json(text, word);
+                         ": cannot be read; expected a JSON file, a preset such as opengl, or a word such "
+                         "as raster,subpixel_bits=8");
+    return parsed(text, word);
+}
+
+}  // namespace
+
+Precision precision_from_json(const std::string& text, const std::string& place) {
+    return declared(parsed(text, place).object, place);
+}
+
+Precision precision_from_word(const std::string& word) {
+    auto [object, place] = object_of_word(word);
+    return declared(std::move(object), place);
+}
+
+Projections projections_from_word(const std::string& word) {
+    auto [object, place] = object_of_word(word);
+    const Declaration declaration(with_preset(std::move(object)), place);
+    const Json list = declaration.at("projections");
+    return list.is_null() ? Projections{} : projections_of(list, declaration);
 }
 
 std::string precision_to_json(const Precision& precision) {

@@ -5,8 +5,6 @@
 namespace zproof::measure {
 namespace {
 
-constexpr Bracket near_and_far{0.75, 96};
-
 bool is_drawn(const Frame& frame) { return frame.primitive.at(0, 0) != PrimitiveId::none; }
 
 bool is_drawn_at(const Renderer& renderer, const View& view, float z) {
@@ -18,9 +16,9 @@ bool is_drawn_at(const Renderer& renderer, const View& view, float z) {
 /// The eye stands `depth` from z = 0, where the plane is. Outwards is towards the eye for near, away from it
 /// for far.
 DepthLimit depth_limit(const Renderer& renderer, Projection projection, LimitPlane plane) {
-    const double depth = plane == LimitPlane::near ? near_and_far.low : near_and_far.high;
+    const double depth = plane == LimitPlane::near ? depth_range_of_limits.low : depth_range_of_limits.high;
     const double outwards = plane == LimitPlane::near ? 1 : -1;
-    const View view = flat_view(projection, depth, near_and_far);
+    const View view = flat_view(projection, depth, depth_range_of_limits);
     const auto z_of = [&](float out) { return float(outwards) * out; };
     const float reach = float(depth / 4);
     DepthLimit limit{.projection = projection,

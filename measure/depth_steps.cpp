@@ -14,7 +14,7 @@ constexpr PrimitiveId one_first{0}, other_second{1}, other_first{2}, one_second{
 class Pair {
   public:
     Pair(const Renderer& renderer, Projection projection, double depth)
-        : renderer_(renderer), view_(flat_view(projection, depth, {1, 512})), depth_(depth) {}
+        : renderer_(renderer), view_(flat_view(projection, depth, depth_range_of_steps)), depth_(depth) {}
 
     /// How much nearer than a triangle at z = start another must be, to be seen before it.
     Flip threshold(float start) {

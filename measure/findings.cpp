@@ -2,89 +2,62 @@
 #include <charconv>
 #include <cmath>
 
-#include "math/rounding.h"
+#include "compare/bounds/bounds.h"
+#include "measure/flat.h"
 #include "measure/measure.h"
+#include "measure/probe.h"
 
 namespace zproof::measure {
 namespace {
 
-/// What the declared precision allows in the probe views, after docs/bounds.md. Nothing where it is not
-/// promised: a ray caster has no grid and no depth buffer.
-struct Allowed {
-    std::optional<int> subpixel_bits;
-    Snap snap = Snap::nearest;
-    double eps_px = 0;          ///< of a vertex, without the grid
-    double depth_relative = 0;  ///< of a depth in the frame
-    double limit_relative = 0;  ///< of the place where near or far cuts
-    double parallel_units = 0;  ///< more for a parallel projection, as a multiple of far
+/// What the declared precision allows in the probe views, by the judge's own bounds. A grid and a depth
+/// buffer are promised by rasterizers alone.
+class Allowed {
+  public:
+    explicit Allowed(const Precision& precision)
+        : precision_(precision), raster_(std::get_if<RasterPrecision>(&precision_)) {}
+    Allowed(const Allowed&) = delete;
 
+    bool is_raster() const { return raster_ != nullptr; }
+    /// The declared grid; nothing where none is.
+    std::optional<int> subpixel_bits() const {
+        return raster_ && raster_->snap != Snap::none ? std::optional(raster_->subpixel_bits) : std::nullopt;
+    }
+    Snap snap() const { return raster_->snap; }
+
+    /// How far a vertex may be displaced in the views that look for the grid.
+    double displacement_px() const {
+        Scene scene;
+        add_triangle(scene, Axis::x, {{{0, 0}, {128, 0}, {0, 64}}});
+        return bounds_in(raster_view(128, 64), scene).at(-1, 0).eps_px;
+    }
     double depth_of(const DepthStep& step) const {
-        return depth_relative * step.depth + beyond(step.projection, depth_far);
+        const View view = flat_view(step.projection, step.depth, depth_range_of_steps);
+        const bool perspective = step.projection == Projection::perspective;
+        const LocalBounds local = bounds_of_flat(view).at(perspective ? 1 / step.depth : -step.depth, 0);
+        const double per_inverse_depth = perspective ? step.depth * step.depth : 1;
+        return local.depth_relative * step.depth + local.depth_absolute +
+               local.inverse_depth_error * per_inverse_depth;
     }
     double limit_of(const DepthLimit& limit) const {
-        return limit_relative * limit.depth + beyond(limit.projection, limit_far);
-    }
-
-    /// How far the grid may move a vertex either way.
-    double snap_px() const {
-        const double step = std::exp2(-*subpixel_bits);
-        return snap == Snap::nearest ? step / 2 : step;
+        const TriangleBounds bounds =
+            bounds_of_flat(flat_view(limit.projection, limit.depth, depth_range_of_limits));
+        return limit.plane == LimitPlane::near ? bounds.near_slack : bounds.far_slack;
     }
 
   private:
-    static constexpr double depth_far = 512, limit_far = 96;  ///< of depth_steps.cpp and depth_limits.cpp
-    double beyond(Projection projection, double far) const {
-        return projection == Projection::parallel ? parallel_units * far : 0;
+    TriangleBounds bounds_in(const View& view, const Scene& scene) const {
+        return ViewBounds(view, precision_).of(corners_of(scene, 0));
     }
+    TriangleBounds bounds_of_flat(const View& view) const {
+        Scene scene;
+        add_flat(scene, view, Half::left, 0);
+        return bounds_in(view, scene);
+    }
+
+    Precision precision_;
+    const RasterPrecision* raster_;
 };
-
-double unit_of(Arithmetic arithmetic) {
-    return arithmetic == Arithmetic::float32 ? unit_roundoff_float32 : unit_roundoff_float64;
-}
-
-/// Where corners in the probe views lie: |p| + |eye|, in pixels and as a multiple of the depth, and the
-/// distance from the window's centre.
-constexpr double from_origin_px = 128, from_origin_depth = 1.25, reach_px = 64;
-
-/// Relative roundings from a corner's depth to a pixel's, beside depth_roundings.
-double interpolation_factor(const RasterPrecision& p) {
-    switch (p.depth_buffer) {
-        case DepthBuffer::camera_depth:
-            return gamma(8, unit_of(p.interpolation));
-        case DepthBuffer::reversed_z:  // of triangles that face the camera: 4 at a corner, 8 at a pixel
-            return gamma(12, unit_roundoff_float32);
-    }
-    return 0;
-}
-
-/// The rounding of z = (far - depth) / (far - near) under a parallel projection, as a multiple of far.
-double parallel_units(const RasterPrecision& p) {
-    switch (p.depth_buffer) {
-        case DepthBuffer::camera_depth:
-            return 0;
-        case DepthBuffer::reversed_z:  // z is at most 1
-            return gamma(12, unit_roundoff_float32) + gamma(6, unit_roundoff_float32);
-    }
-    return 0;
-}
-
-Allowed allowed_by(const RasterPrecision& p) {
-    const double u = unit_of(p.transform);
-    const int eye = p.origin == Origin::eye ? 1 : 0;
-    const double transform =
-        gamma((p.transform == Arithmetic::float64 ? 13 : 5) + eye, u);  // the axes are exact
-    const double corner_depth = transform * from_origin_depth;
-    const double interpolation = gamma(p.depth_roundings, unit_roundoff_float32) + interpolation_factor(p);
-    return {.subpixel_bits = p.subpixel_bits,
-            .snap = p.snap,
-            .eps_px = transform * from_origin_px + gamma(8, u) * reach_px,
-            .depth_relative = corner_depth + interpolation,
-            .limit_relative = corner_depth + gamma(8, u) * from_origin_depth,
-            .parallel_units = parallel_units(p)};
-}
-
-Allowed allowed_by(const RayPrecision&) { return {}; }
-Allowed allowed_by(const PlaneRayPrecision&) { return {}; }
 
 std::string number(double value, int digits = 6) {
     std::array<char, 64> buffer{};
@@ -171,9 +144,9 @@ class Findings {
             f.value = Bracket{-std::log2(found.grid->step_px.high), -std::log2(found.grid->step_px.low)};
         else
             f.words = "no grid of " + number(-std::log2(found.finest_px)) + " bits or fewer";
-        if (allowed_.subpixel_bits) {
-            f.declared = number(*allowed_.subpixel_bits);
-            f.conformity = conformity_of(f.value && f.value->high < *allowed_.subpixel_bits);
+        if (const auto declared = allowed_.subpixel_bits()) {
+            f.declared = number(*declared);
+            f.conformity = conformity_of(f.value && f.value->high < *declared);
         }
         list_.push_back(f);
     }
@@ -188,8 +161,8 @@ class Findings {
                   "from " + number(low) + " to " + number(high),
                   "",
                   Conformity::undeclared};
-        if (allowed_.subpixel_bits) {
-            const double most = allowed_.snap_px() + allowed_.eps_px;
+        if (allowed_.is_raster()) {
+            const double most = allowed_.displacement_px();
             f.declared = "<= " + number(most);
             f.conformity = conformity_of(greatest > most);
         }
@@ -200,10 +173,10 @@ class Findings {
         Finding f{
             with_axis("snap", axis, "_"), with_axis("snap", axis, ", "), {}, "", snap_in_words(grid), "",
             Conformity::undeclared};
-        if (allowed_.subpixel_bits) {
-            f.declared = allowed_.snap == Snap::nearest ? "nearest" : "truncated";
+        if (allowed_.subpixel_bits()) {
+            f.declared = allowed_.snap() == Snap::nearest ? "nearest" : "truncated";
             f.conformity =
-                conformity_of(allowed_.snap == Snap::nearest && grid.snap != SnapRounding::nearest);
+                conformity_of(allowed_.snap() == Snap::nearest && grid.snap != SnapRounding::nearest);
         }
         list_.push_back(f);
     }
@@ -214,7 +187,7 @@ class Findings {
     void add_limit(const DepthLimit& limit);
 
     const Measurement& m_;
-    Allowed allowed_;
+    const Allowed& allowed_;
     std::vector<Finding> list_;
 };
 
@@ -289,7 +262,7 @@ void Findings::add_depth_step(const DepthStep& step) {
                  Conformity::undeclared};
     Finding error{"depth_error_" + key,  "depth error, " + where, Bracket{step.error, step.error}, "", "", "",
                   Conformity::undeclared};
-    if (allowed_.subpixel_bits) {
+    if (allowed_.is_raster()) {
         bits.declared = ">= " + number(bits_of(2 * most), 4);
         bits.conformity = conformity_of(step.step.low > 2 * most);
         error.declared = "<= " + number(most, 3);
@@ -314,7 +287,7 @@ void Findings::add_limit(const DepthLimit& limit) {
         f.value = limit.plane == LimitPlane::near
                       ? Bracket{limit.depth - limit.offset->high, limit.depth - limit.offset->low}
                       : Bracket{limit.depth + limit.offset->low, limit.depth + limit.offset->high};
-        f.conformity = allowed_.subpixel_bits
+        f.conformity = allowed_.is_raster()
                            ? conformity_of(limit.offset->low > slack || limit.offset->high < -slack)
                            : Conformity::undeclared;
     } else {
@@ -326,7 +299,7 @@ void Findings::add_limit(const DepthLimit& limit) {
 }  // namespace
 
 std::vector<Finding> findings(const Measurement& measurement, const Precision& declared) {
-    const Allowed allowed = std::visit([](const auto& precision) { return allowed_by(precision); }, declared);
+    const Allowed allowed(declared);
     return Findings(measurement, allowed).all();
 }
 

@@ -10,6 +10,9 @@ namespace zproof::measure {
 /// eye_depth - t, and near t = 0 float32 coordinates are finer than any depth buffer.
 View flat_view(Projection projection, double eye_depth, const Bracket& near_and_far);
 
+/// Near and far of the views that look for steps of depth, and for the planes themselves.
+inline constexpr Bracket depth_range_of_steps{1, 512}, depth_range_of_limits{0.75, 96};
+
 enum class Half { left, right };
 
 /// Covers the samples of one column of that view's pixels, and none of the other's.

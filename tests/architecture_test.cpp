@@ -28,7 +28,7 @@ const std::map<std::string, Names> may_include{
     {"rasterizer", {"math", "frame", "scenes", "texture"}},
     {"oracle", {"math", "frame", "image_io", "scenes", "texture"}},
     {"compare", {"math", "frame", "scenes"}},  // judges evidence; never meets a renderer
-    {"measure", {"math", "frame", "scenes"}},  // is handed a renderer as a function; knows none
+    {"measure", {"math", "frame", "scenes", "compare"}},  // is handed a renderer as a function; knows none
     {"study",
      {"math", "frame", "scenes", "texture", "rasterizer", "oracle",
       "compare"}},                                                      // holds a method to its truth

@@ -20,8 +20,9 @@ DepthCheck check_depth_of(const FramePair& frames, const BoundedFrame& frame, co
                           const PixelCoord& place) {
     if (answer.primitive == PrimitiveId::none) return nothing_to_check;
     const CornersWorld p_world = corners_of(frames.scene, std::uint32_t(answer.primitive));
-    const TriangleDepth depth(TriangleInView(frames.view, frame.bounds, p_world), frame.bounds);
-    return check_depth(frames.view, frame.bounds, p_world, depth, place, answer.camera_depth);
+    const ViewBounds& bounds = frame.shown_bounds;
+    const TriangleDepth depth(TriangleInView(frames.view, bounds, p_world), bounds);
+    return check_depth(frames.view, bounds, p_world, depth, place, answer.camera_depth);
 }
 
 Answer answer_at(const Frame& frame, const PixelCoord& place) {

@@ -86,6 +86,7 @@ double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult
     const double reach_px =
         first_reach * around_.eps_px;  // edges are moved inwards by eps in a square of eps
     if (reach_px > searched_px) return reach_px;
+    around_.is_watertight = query.bounds->is_watertight();
     gather(reach_px);
     if (setting_.override) setting_.override(around_, query.answer);
     adjudicated = {zproof::decide(around_, query.answer, coplanar_), std::nullopt};

@@ -12,7 +12,6 @@ namespace zproof {
 
 namespace {
 
-constexpr Rules by_depth{DepthRule::bounded, EdgeRule::watertight};
 constexpr Rules by_crack{DepthRule::bounded, EdgeRule::separate};
 
 template <class Number>
@@ -24,7 +23,7 @@ bool any_clipped(AdmissibleSet<Number>& set, size_t count) {
 
 template <class Number>
 Admissibility of_background(AdmissibleSet<Number>& set, size_t count) {
-    if (set.holds_background(EdgeRule::watertight))
+    if (set.holds_background(set.edge_rule()))
         return any_clipped(set, count) ? Admissibility::clipped : Admissibility::visible;
     return set.holds_background(EdgeRule::separate) ? Admissibility::through_a_crack : Admissibility::hole;
 }
@@ -33,7 +32,7 @@ template <class Number>
 Admissibility of_triangle(AdmissibleSet<Number>& set, size_t index, size_t count) {
     if (!set.reaches(index)) return Admissibility::outside;
     if (set.is_seen(index)) return any_clipped(set, count) ? Admissibility::clipped : Admissibility::visible;
-    if (set.holds(index, by_depth)) return Admissibility::tied;
+    if (set.holds(index, {DepthRule::bounded, set.edge_rule()})) return Admissibility::tied;
     return set.holds(index, by_crack) ? Admissibility::through_a_crack : Admissibility::hidden;
 }
 

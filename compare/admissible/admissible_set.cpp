@@ -337,6 +337,7 @@ template <class Occludes>
 bool AdmissibleSet<Number>::leaves_bare_by(EdgeRule rule, std::optional<size_t> seen,
                                            const Occludes& occludes) {
     if (rule == EdgeRule::watertight) return leaves_bare(seen, occludes);
+    if (rule == EdgeRule::apart) return !covered_by(seen, occludes, [](LinePointer) { return false; });
     // covered with every edge moved inwards: then all the more where some of them stay
     if (covered_by(seen, occludes, [](LinePointer) { return false; })) return false;
     std::vector<size_t> occluders;
@@ -347,13 +348,13 @@ bool AdmissibleSet<Number>::leaves_bare_by(EdgeRule rule, std::optional<size_t> 
 template <class Number>
 bool AdmissibleSet<Number>::holds(size_t index, Rules rules) {
     return reaches(index) && leaves_bare_by(rules.edges, index, [&](size_t o) {
-               return o != index && is_in_front(o, index, rules.depth) && drawn(o).image;
+               return o != index && is_in_front(o, index, rules.depth) && may_occlude(o);
            });
 }
 
 template <class Number>
 bool AdmissibleSet<Number>::holds_background(EdgeRule edges) {
-    return leaves_bare_by(edges, std::nullopt, [&](size_t o) { return drawn(o).image.has_value(); });
+    return leaves_bare_by(edges, std::nullopt, [&](size_t o) { return may_occlude(o); });
 }
 
 /// The half-plane where the occluder's plane, another than that of what is seen, is not behind it. Both
@@ -389,7 +390,7 @@ std::vector<Region<Number>> AdmissibleSet<Number>::visible_parts(size_t index) {
     for (const Piece& piece : seen_pieces(index)) {
         std::vector<Region<Number>> left{piece.region};
         for (const size_t o : front_to_back_) {
-            if (o == index || left.empty() || !drawn(o).image) continue;
+            if (o == index || left.empty() || !may_occlude(o)) continue;
             if (const auto hiding = true_cover(o, piece)) left = without(left, *hiding);
         }
         if (!left.empty()) return left;

@@ -17,6 +17,7 @@ enum class DepthRule {
 enum class EdgeRule {
     watertight,  ///< occluders move together: only the outline of their union moves
     separate,    ///< every occluder's edges that no other occluder continues are moved inwards by eps
+    apart,       ///< all edges of every occluder are moved inwards by eps, by a renderer that leaves gaps
 };
 struct Rules {
     DepthRule depth = DepthRule::bounded;
@@ -44,9 +45,9 @@ class AdmissibleSet {
     /// its own side there is none.
     bool holds(size_t index, Rules rules);
     /// Does it need nothing but its place: would it be held if depths were exact, or is it truly visible?
-    bool is_seen(size_t index) {
-        return holds(index, {DepthRule::strict, EdgeRule::watertight}) || is_visible(index);
-    }
+    bool is_seen(size_t index) { return holds(index, {DepthRule::strict, edge_rule()}) || is_visible(index); }
+    /// How the renderer moves occluders.
+    EdgeRule edge_rule() const { return around_.is_watertight ? EdgeRule::watertight : EdgeRule::apart; }
     /// Is some point of the square not covered by any triangle?
     bool holds_background(EdgeRule edges);
     /// Does the triangle, between near and far, meet the square at all?
@@ -70,6 +71,10 @@ class AdmissibleSet {
     enum class ClipSide { near, far };
     enum class Slack { admit, require };
 
+    /// Does the renderer draw it for certain, with an image?
+    bool may_occlude(size_t index) {
+        return !around_.neighbours[index].may_be_missing && drawn(index).image.has_value();
+    }
     LinePointer new_line(const Affine<Number>& f);
     /// The other side of the same line.
     LinePointer reversed(LinePointer line);

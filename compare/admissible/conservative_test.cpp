@@ -46,7 +46,7 @@ ConservativeTest::ConservativeTest(const Neighbourhood& around, PrimitiveId answ
         is_asked_ &= (n.is_trusted || !is_answer) && is_clear_of_planes(n);
         if (is_answer)
             answer_ = &n;
-        else
+        else if (!n.may_be_missing)
             others_.push_back(&n);
     }
     is_asked_ &= answer == PrimitiveId::none || answer_;

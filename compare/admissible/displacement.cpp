@@ -19,8 +19,10 @@ class VisibleWithin {
 
     bool operator()(double half_side_px) {
         const ConservativeTest::Visibility seen = test_.seen_within(half_side_px);
-        return seen == ConservativeTest::Visibility::undecided ? is_estimated(half_side_px)
-                                                               : seen == ConservativeTest::Visibility::yes;
+        if (seen == ConservativeTest::Visibility::yes) return true;
+        // the test knows nothing of gaps between triangles
+        const bool is_certain = seen == ConservativeTest::Visibility::no && around_.is_watertight;
+        return !is_certain && is_estimated(half_side_px);
     }
     double likely_px() const { return test_.likely_displacement_px(); }
 
@@ -28,7 +30,7 @@ class VisibleWithin {
     bool is_estimated(double half_side_px) {
         if (!set_) set_.emplace(around_, coplanar_);
         set_->set_half_side(half_side_px);
-        if (answer_ == PrimitiveId::none) return set_->holds_background(EdgeRule::watertight);
+        if (answer_ == PrimitiveId::none) return set_->holds_background(set_->edge_rule());
         const std::optional<std::size_t> index = around_.index_of(answer_);
         return index && set_->is_seen(*index);
     }

@@ -94,6 +94,7 @@ void set_bounds(Neighbour& n, const BoundedTriangle& triangle, Projection projec
     std::optional<PlaneHere> plane;
     if (n.image) plane = PlaneHere{n.image->inverse_depth.c, n.gradient, n.plane_error};
     n.bounds = bounds_at(triangle, plane);
+    n.may_be_missing = of_triangle.may_be_missing;
     n.near_slack = of_triangle.near_slack;
     n.far_slack = of_triangle.far_slack;
     n.nearest = of_triangle.nearest;
@@ -112,7 +113,7 @@ Neighbour neighbour_of(const ViewRay<double>& ray, const BoundedTriangle& triang
 Neighbourhood neighbourhood_of(const Scene& scene, const View& view, const ViewBounds& bounds,
                                const SearchPixel& search_pixel, double own_eps_px) {
     const ViewRay<double> ray(view, search_pixel.x, search_pixel.y);
-    Neighbourhood around{view, search_pixel.x, search_pixel.y, own_eps_px, {}};
+    Neighbourhood around{view, search_pixel.x, search_pixel.y, own_eps_px, bounds.is_watertight(), {}};
     for (const std::uint32_t triangle : search_pixel.triangles) {
         Neighbour& n = around.neighbours.emplace_back(neighbour_of(ray, bounds, corners_of(scene, triangle)));
         n.triangle = triangle;

@@ -25,6 +25,7 @@ struct Neighbour {
     std::uint32_t triangle = 0;
     CornersWorld p_world;
     LocalBounds bounds;
+    bool may_be_missing = false;           ///< see TriangleBounds: it hides nothing for certain
     double near_slack = 0, far_slack = 0;  ///< see TriangleBounds
     double nearest = 0, farthest = 0;      ///< see TriangleBounds
     double gradient = 0;          ///< |d/dx| + |d/dy| of inverse depth, per px; 0 for an edge-on triangle
@@ -47,6 +48,7 @@ struct Neighbourhood {
     int x = 0, y = 0;
     double eps_px =
         0;  ///< half-side of the square: the largest eps of the answer and the triangles around it
+    bool is_watertight = true;          ///< does the renderer move triangles that share an edge alike?
     std::vector<Neighbour> neighbours;  ///< in triangle order
 
     /// The triangle's place among the neighbours, if it is there.

@@ -48,22 +48,51 @@ ClipPolygon corners_before_divide(const Camera& c, const TriangleExtent& extent)
     return corners;
 }
 
-ClipPolygon within_view_volume(const Camera& c, ClipPolygon polygon) {
+ClipPolygon inside_window(const Camera& c, ClipPolygon polygon, const Window& w) {
     const bool perspective = c.projection == Projection::perspective;
-    const Window& w = c.window;
     const auto scale = [&](const ClipPoint& p) { return perspective ? p.depth : 1; };
-    polygon = clipped(polygon, [&](const ClipPoint& p) { return p.depth - c.near_depth; });
-    if (std::isfinite(c.far_depth))
-        polygon = clipped(polygon, [&](const ClipPoint& p) { return c.far_depth - p.depth; });
     polygon = clipped(polygon, [&](const ClipPoint& p) { return p.x - w.left * scale(p); });
     polygon = clipped(polygon, [&](const ClipPoint& p) { return w.right * scale(p) - p.x; });
     polygon = clipped(polygon, [&](const ClipPoint& p) { return p.y - w.bottom * scale(p); });
     return clipped(polygon, [&](const ClipPoint& p) { return w.top * scale(p) - p.y; });
 }
 
+/// The window's part of the image plane, grown to the guard band.
+Window guard_band_of(const View& view) {
+    const Window& w = view.camera.window;
+    const double u_per_px = (w.right - w.left) / view.width, v_per_px = (w.top - w.bottom) / view.height;
+    const double reach_u = guard_band_px * u_per_px, reach_v = guard_band_px * v_per_px;
+    return {.left = w.left - reach_u,
+            .right = w.left + reach_u,
+            .bottom = w.top - reach_v,
+            .top = w.top + reach_v};
+}
+
+ClipPolygon after_clipping(const View& view, ClipPolygon polygon, Clipping clipping) {
+    const Camera& c = view.camera;
+    polygon = clipped(polygon, [&](const ClipPoint& p) { return p.depth - c.near_depth; });
+    switch (clipping) {
+        case Clipping::guard_band:
+            return inside_window(c, polygon, guard_band_of(view));
+        case Clipping::view_volume:
+            if (std::isfinite(c.far_depth))
+                polygon = clipped(polygon, [&](const ClipPoint& p) { return c.far_depth - p.depth; });
+            return inside_window(c, polygon, c.window);
+    }
+    return polygon;
+}
+
 struct Vector2 {
     double x = 0, y = 0;
 };
+
+/// All triangles of three corners.
+template <class Act>
+void for_each_triangle(std::span<const WindowCorner> polygon, const Act& act) {
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        for (std::size_t j = i + 1; j < polygon.size(); ++j)
+            for (std::size_t k = j + 1; k < polygon.size(); ++k) act(polygon[i], polygon[j], polygon[k]);
+}
 
 /// One triangle of the window, as Cramer's rule meets it: edges e1 = p0 - p1 and e2 = p2 - p0 with their
 /// rises in z.
@@ -76,7 +105,7 @@ class PlaneEquation {
           e2_{p2.x - p0.x, p2.y - p0.y},
           rise1_(p0.z - p1.z),
           rise2_(p2.z - p0.z),
-          z_max_(std::max({p0.z, p1.z, p2.z})) {
+          z_max_(std::max({std::abs(p0.z), std::abs(p1.z), std::abs(p2.z)})) {
         x_max_ = std::max({std::abs(p0.x), std::abs(p1.x), std::abs(p2.x)});
         y_max_ = std::max({std::abs(p0.y), std::abs(p1.y), std::abs(p2.y)});
     }
@@ -119,7 +148,7 @@ class PlaneEquation {
         return {(std::abs(rise1_ * e2 - rise2_ * e1) + moved) / area, (rise1 * a2 + rise2 * a1) / area};
     }
     /// The error of a corner's z, from division and viewport.
-    double corner() const { return gamma(4, u) * z_max_; }
+    double corner() const { return gamma(4, u) * std::max(z_max_, shift_.least_z_term); }
 
     double z_error(const View& view, const Shape& s) const {
         const double span = std::max({std::abs(rise1_), std::abs(rise2_), std::abs(rise1_ + rise2_)});
@@ -142,20 +171,17 @@ class PlaneEquation {
 
 }  // namespace
 
-double z_per_inverse_depth(const Camera& c) {
-    return c.projection == Projection::perspective ? c.near_depth : 1 / (c.far_depth - c.near_depth);
-}
-
-std::vector<WindowCorner> window_polygon(const View& view, const TriangleExtent& extent) {
+std::vector<WindowCorner> window_polygon(const View& view, const TriangleExtent& extent, Clipping clipping,
+                                         const ZRange& z) {
     const Camera& c = view.camera;
     const Window& w = c.window;
     const bool perspective = c.projection == Projection::perspective;
     std::vector<WindowCorner> corners;
-    for (const ClipPoint& p : within_view_volume(c, corners_before_divide(c, extent))) {
-        const double scale = perspective ? p.depth : 1;
+    for (const ClipPoint& p : after_clipping(view, corners_before_divide(c, extent), clipping)) {
+        const double scale = perspective ? p.depth : 1, inverse_depth = perspective ? 1 / p.depth : -p.depth;
         corners.push_back({(p.x / scale - w.left) / (w.right - w.left) * view.width,
-                           (w.top - p.y / scale) / (w.top - w.bottom) * view.height,
-                           z_per_inverse_depth(c) * (perspective ? 1 / p.depth : c.far_depth - p.depth)});
+                           (w.top - p.y / scale) / (w.top - w.bottom) * view.height, z.at(inverse_depth),
+                           inverse_depth});
     }
     return corners;
 }
@@ -169,14 +195,29 @@ PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon,
         worst.z_error = std::max(worst.z_error, one.z_error);
         worst.spread = std::max(worst.spread, one.spread);
     };
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-        for (std::size_t j = i + 1; j < polygon.size(); ++j)
-            for (std::size_t k = j + 1; k < polygon.size(); ++k) {
-                consider(polygon[i], polygon[j], polygon[k]);
-                consider(polygon[j], polygon[k], polygon[i]);
-                consider(polygon[k], polygon[i], polygon[j]);
-            }
+    for_each_triangle(polygon, [&](const WindowCorner& p, const WindowCorner& q, const WindowCorner& r) {
+        consider(p, q, r);
+        consider(q, r, p);
+        consider(r, p, q);
+    });
     return worst;
+}
+
+WindowAreas window_areas(std::span<const WindowCorner> polygon, double drift_px, double unit) {
+    if (polygon.size() < 3) return {};
+    WindowAreas areas{.least_px2 = unlimited, .of_area = 0};
+    const auto consider = [&](const WindowCorner& p, const WindowCorner& q, const WindowCorner& r) {
+        const Vector2 e1{p.x - q.x, p.y - q.y}, e2{r.x - p.x, r.y - p.y};
+        const double ahead = e1.x * e2.y, across = e1.y * e2.x;
+        const double around = std::abs(e1.x) + std::abs(e1.y) + std::abs(e2.x) + std::abs(e2.y);
+        const double left = std::abs(ahead - across) - 2 * drift_px * around - 8 * drift_px * drift_px;
+        areas.least_px2 = std::min(areas.least_px2, left / 2);
+        const double terms =
+            std::abs(ahead) + std::abs(across) + 2 * drift_px * around + 8 * drift_px * drift_px;
+        areas.of_area = std::max(areas.of_area, left > 0 ? gamma(4, unit) * terms / left : unlimited);
+    };
+    for_each_triangle(polygon, consider);
+    return areas;
 }
 
 }  // namespace zproof

@@ -5,23 +5,30 @@
 #include <vector>
 
 #include "compare/bounds/triangle_extent.h"
+#include "compare/bounds/z_range.h"
 #include "scenes/view.h"
 
 namespace zproof {
 
-/// A corner as the depth buffer sees it: raster position in px, and reversed z in [0, 1].
+/// A corner as the depth buffer sees it: raster position in px, inverse depth and z.
 struct WindowCorner {
-    double x = 0, y = 0, z = 0;
+    double x = 0, y = 0, z = 0, inverse_depth = 0;
 };
 
-/// The part of a triangle between near and far that the window shows, with a corner wherever clipping makes
-/// one; at most 9, in order around it, fewer than 3 where nothing is left.
-std::vector<WindowCorner> window_polygon(const View& view, const TriangleExtent& extent);
+/// The part of a triangle that depth is interpolated on, with a corner wherever clipping makes one; at most
+/// 9, in order around it, fewer than 3 where nothing is left. View volume: what lies between near and far in
+/// the window. Guard band: what lies behind near within the guard band.
+std::vector<WindowCorner> window_polygon(const View& view, const TriangleExtent& extent, Clipping clipping,
+                                         const ZRange& z);
 
-/// How far corners move before depth is interpolated.
+/// Clipped corners of a guard band lie within it, in x and y (Direct3D 11.3, 15.16: 16.8 coordinates).
+inline constexpr double guard_band_px = 32768;
+
+/// How far corners move before depth is interpolated, and what rounds their z.
 struct CornerShift {
-    double snap_px = 0;   ///< onto the sub-pixel grid, which plane equations need not follow
-    double drift_px = 0;  ///< by rounding
+    double snap_px = 0;       ///< onto the sub-pixel grid, which plane equations need not follow
+    double drift_px = 0;      ///< by rounding
+    double least_z_term = 0;  ///< ZRange::least_term
 };
 
 /// Errors of a plane equation anywhere on the triangle. z_error is unlimited where three corners may lie on a
@@ -36,7 +43,11 @@ struct PlaneEquationBounds {
 PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
                                           const View& view);
 
-/// Depth-buffer z per unit of inverse depth.
-double z_per_inverse_depth(const Camera& camera);
+/// The areas of the triangles that a polygon may be cut into.
+struct WindowAreas {
+    double least_px2 = 0;  ///< what displacement by drift_px leaves of the smallest; not above 0: unknown
+    double of_area = 0;    ///< the largest relative error of an area that is rounded in `unit`
+};
+WindowAreas window_areas(std::span<const WindowCorner> polygon, double drift_px, double unit);
 
 }  // namespace zproof

@@ -58,10 +58,14 @@ class DefectSet {
   public:
     DefectSet(const Frame& candidate, const Verdict& verdict) : candidate_(candidate), verdict_(verdict) {
         for (const Finding& f : verdict.findings)
-            if (!passes(f.verdict)) defects_.push_back({f.x, f.y, f.candidate});
+            if (!passes(f.verdict)) {
+                defects_.push_back({f.x, f.y, f.candidate});
+                are_all_depths_ &= f.verdict == PixelClass::wrong_depth;
+            }
     }
 
     std::size_t defect_count() const { return defects_.size(); }
+    bool are_all_depths() const { return are_all_depths_; }
     std::vector<Claim> defects(std::size_t most) const {
         std::vector<Claim> claims;
         for (const std::size_t i : spread(defects_.size(), most)) claims.push_back(defects_[i]);
@@ -91,6 +95,7 @@ class DefectSet {
     const Frame& candidate_;
     const Verdict& verdict_;
     std::vector<Claim> defects_;
+    bool are_all_depths_ = true;
     std::map<std::pair<int, int>, std::vector<std::uint32_t>> agreeing_;  ///< by width and height of the cell
 };
 
@@ -129,8 +134,10 @@ class Diagnoser {
     }
 
   private:
-    /// One wrong pixel proves no rule that would show all over the frame.
+    /// One wrong pixel proves no rule that would show all over the frame. What moves triangles shows at
+    /// edges.
     bool may_apply(const Hypothesis& h) const {
+        if (h.moves_triangles && defect_set_.are_all_depths()) return false;
         return defect_set_.defect_count() > 1 ||
                (h.kind == Kind::firm && h.cell != input_.candidate.frame.size());
     }

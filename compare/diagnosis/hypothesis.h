@@ -43,6 +43,8 @@ struct Hypothesis {
     std::string name;         ///< what is wrong, as a clause: "the image is flipped in y"
     std::string description;  ///< one line: what is supposed of the defective pixels, or of the frame
     Kind kind = Kind::firm;
+    /// Does it move triangles? Then it is no cause where every defect is a depth.
+    bool moves_triangles = false;
     /// A grid of such cells, px: what is supposed befell those cells that hold a defect, whole. Pixels that
     /// agree in them must be admissible under the hypothesis, too.
     Resolution cell;

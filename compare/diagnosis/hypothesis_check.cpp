@@ -21,7 +21,8 @@ class RestatedClaims {
     RestatedClaims(const DiagnosisInput& input, const HypothesisQuery& query)
         : scene_(input.scene),
           hypothesis_(*query.hypothesis),
-          bounds_(hypothesis_.view, hypothesis_.precision) {
+          bounds_(hypothesis_.view, hypothesis_.precision),
+          shown_bounds_(hypothesis_.view, shown_precision(hypothesis_.precision)) {
         for (const Claim& claim : query.claims) {
             const std::optional<Claim> meant = hypothesis_.restate ? hypothesis_.restate(claim) : claim;
             if (meant && is_sound(*meant)) claims_.push_back(*meant);
@@ -50,18 +51,18 @@ class RestatedClaims {
         const float depth = claim.answer.camera_depth;
         const CornersWorld p_world = corners_at(claim);
         const View& view = hypothesis_.view;
-        const TriangleDepth triangle(TriangleInView(view, bounds_, p_world), bounds_);
+        const TriangleDepth triangle(TriangleInView(view, shown_bounds_, p_world), shown_bounds_);
         if (hypothesis_.report) {
             const ReportedDepth reported = hypothesis_.report(triangle.at(claim.x, claim.y), claim);
             return reported.low <= depth && depth <= reported.high;
         }
         return depth >= 0 &&
-               check_depth(view, bounds_, p_world, triangle, {claim.x, claim.y}, depth).is_admissible;
+               check_depth(view, shown_bounds_, p_world, triangle, {claim.x, claim.y}, depth).is_admissible;
     }
 
     const Scene& scene_;
     const Hypothesis& hypothesis_;
-    ViewBounds bounds_;
+    ViewBounds bounds_, shown_bounds_;
     std::vector<Claim> claims_;
 };
 
@@ -186,8 +187,8 @@ std::vector<std::uint64_t> count_admissible(const DiagnosisInput& input,
 
 double mean_widening(const DiagnosisInput& input, const HypothesisQuery& query) {
     const Hypothesis& supposed = *query.hypothesis;
-    const ViewBounds declared(input.view, input.candidate.precision),
-        supposed_bounds(supposed.view, supposed.precision);
+    const ViewBounds declared(input.view, shown_precision(input.candidate.precision)),
+        supposed_bounds(supposed.view, shown_precision(supposed.precision));
     double sum = 0, count = 0;
     for (const Claim& claim : query.claims) {
         if (std::size_t(claim.answer.primitive) >= input.scene.triangles.size()) continue;

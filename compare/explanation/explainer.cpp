@@ -28,14 +28,14 @@ std::array<double, 3> edge_distances(const ViewRay<double>& ray, const CornersWo
     return distance;
 }
 
-std::vector<Candidate> candidates_in(const View& view, const ViewBounds& bounds, const Neighbourhood& around,
+std::vector<Candidate> candidates_in(const View& view, const ViewBounds& shown, const Neighbourhood& around,
                                      CoplanarCache& coplanar) {
     const ViewRay<double> ray(view, around.x, around.y);
     std::vector<Candidate> candidates;
     for (const Neighbour& n : around.neighbours) {
         const Decision decision = decide(around, PrimitiveId(n.triangle), coplanar);
         if (decision.admissibility == Admissibility::outside) continue;
-        const TriangleDepth depth(TriangleInView(view, bounds, n.p_world), bounds);
+        const TriangleDepth depth(TriangleInView(view, shown, n.p_world), shown);
         candidates.push_back({PrimitiveId(n.triangle), edge_distances(ray, n.p_world),
                               depth.at(around.x, around.y), decision});
     }
@@ -82,7 +82,7 @@ void Explainer::finish(PixelExplanation& explanation, const SearchPixel& search_
         neighbourhood_of(scene, view, candidate.bounds, search_pixel, search_pixel.reach_px);
     around.eps_px = search_pixel.reach_px;
     CoplanarCache coplanar(coplanar_pairs);
-    explanation.candidates = candidates_in(view, candidate.bounds, around, coplanar);
+    explanation.candidates = candidates_in(view, candidate.shown_bounds, around, coplanar);
     explanation.background = decide(around, PrimitiveId::none, coplanar);
 }
 

@@ -85,6 +85,7 @@ Precision OpenGlDriver::precision() const {
                            .subpixel_bits = bits,
                            .clipping = Clipping::view_volume,
                            .depth_buffer = DepthBuffer::reversed_z,
+                           .depth_interpolation = DepthInterpolation::plane,
                            .depth_roundings = 1};
 }
 

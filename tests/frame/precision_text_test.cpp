@@ -26,6 +26,7 @@ TEST(PrecisionText, ComesBackKeyForKey) {
                                   .snap = Snap::truncate,
                                   .clipping = Clipping::view_volume,
                                   .depth_buffer = DepthBuffer::reversed_z,
+.depth_interpolation = DepthInterpolation::plane,
                                   .interpolation = Arithmetic::float64,
                                   .depth_roundings = 1};
     for (const Precision& precision :

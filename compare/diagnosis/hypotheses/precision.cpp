@@ -34,6 +34,7 @@ Hypothesis truncating(const DiagnosisInput& input, const RasterPrecision& declar
                                "Vertices go to the next grid point " + how + " instead of the nearest.");
     const double half_step = std::ldexp(0.5, -declared.subpixel_bits);
     h.kind = Kind::widening_only;
+    h.moves_triangles = true;
     h.view = shifted_view(input.view, glm::dvec2(direction * half_step));
     return h;
 }
@@ -60,7 +61,39 @@ std::vector<Hypothesis> of_coordinates(const DiagnosisInput& input, const Raster
                                         " px, declared " + std::to_string(declared.subpixel_bits) + " bits.",
                                     p));
     }
+    for (Hypothesis& h : all) h.moves_triangles = true;
     std::ranges::stable_sort(all, {}, [&](const Hypothesis& h) { return eps_base_px(input, h.precision); });
+    return all;
+}
+
+/// A depth buffer that a rasterizer may have without saying so.
+struct UndeclaredBuffer {
+    const char* name;
+    DepthBuffer buffer;
+    DepthFormat format;
+};
+constexpr std::array undeclared_buffers{
+    UndeclaredBuffer{"reversed z, float32", DepthBuffer::reversed_z, DepthFormat::float32},
+    UndeclaredBuffer{"reversed z, 24 bits", DepthBuffer::reversed_z, DepthFormat::unorm24},
+    UndeclaredBuffer{"standard z, float32", DepthBuffer::standard_z, DepthFormat::float32},
+    UndeclaredBuffer{"standard z, 24 bits", DepthBuffer::standard_z, DepthFormat::unorm24},
+    UndeclaredBuffer{"standard z, 16 bits", DepthBuffer::standard_z, DepthFormat::unorm16},
+};
+
+std::vector<Hypothesis> of_depth_buffers(const DiagnosisInput& input, const RasterPrecision& declared) {
+    std::vector<Hypothesis> all;
+    for (const UndeclaredBuffer& one : undeclared_buffers) {
+        RasterPrecision p = declared;
+        p.depth_buffer = one.buffer;
+        p.depth_format = one.format;
+        p.clip_range = ClipRange::minus_one_to_one;
+        p.matrix_far = MatrixFar::finite;
+        p.depth_interpolation = DepthInterpolation::plane;
+        p.shown_depth = ShownDepth::buffer;
+        all.push_back(as_precise_as(
+            input, std::string("undeclared depth buffer: ") + one.name,
+            std::string("Depth went through a buffer that was not declared: ") + one.name + ".", p));
+    }
     return all;
 }
 
@@ -123,6 +156,7 @@ std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input) {
         all.push_back(truncating(input, *declared, -1, "up and left"));
         all.push_back(truncating(input, *declared, 1, "down and right"));
     }
+    for (Hypothesis& h : of_depth_buffers(input, *declared)) all.push_back(std::move(h));
     for (Hypothesis& h : of_coordinates(input, *declared)) all.push_back(std::move(h));
     return all;
 }

@@ -1,0 +1,32 @@
+#include "compare/bounds/bounded_bounds.h"
+
+#include <cmath>
+
+namespace zproof {
+
+BoundedBounds::BoundedBounds(const ViewFacts& facts, const BoundedPrecision& precision)
+    : precision_(precision) {
+    const Camera& c = facts.view.camera;
+    const double of_range = precision.depth_of_range;
+    depth_absolute_ = precision.depth_absolute + (of_range > 0 ? of_range * (c.far_depth - c.near_depth) : 0);
+}
+
+TriangleBounds BoundedBounds::of(const ViewFacts& facts, const TriangleExtent&) const {
+    const Camera& c = facts.view.camera;
+    TriangleBounds bounds = bounds_of({.eps_base_px = precision_.eps_px,
+                                       .eps_per_inverse_depth = 0,
+                                       .factor = precision_.depth_relative,
+                                       .absolute = depth_absolute_,
+                                       .inverse_depth_error = 0,
+                                       .plane_offset = 0});
+    const auto slack = [&](double depth) {
+        return std::isfinite(depth)
+                   ? std::abs(depth) * compounded(precision_.depth_relative) + depth_absolute_
+                   : 0;
+    };
+    bounds.near_slack = slack(c.near_depth);
+    bounds.far_slack = slack(c.far_depth);
+    return bounds;
+}
+
+}  // namespace zproof

@@ -1,0 +1,249 @@
+#include "compare/bounds/raster_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/bounds/roundings.h"
+#include "compare/bounds/window_triangle.h"
+
+namespace zproof {
+
+namespace {
+
+double snap_of(const RasterPrecision& precision) {
+    switch (precision.snap) {
+        case Snap::nearest:
+            return std::ldexp(0.5, -precision.subpixel_bits);
+        case Snap::truncate:
+            return std::ldexp(1.0, -precision.subpixel_bits);
+        case Snap::none:
+            return 0;
+    }
+    return unlimited;
+}
+
+/// The reach of corners that clipping put on the window's sides, px.
+double window_reach_px(const ViewFacts& facts) {
+    return 2 * std::max(facts.scale.px_per_u * facts.largest_u, facts.scale.px_per_v * facts.largest_v);
+}
+
+/// Planes of the view volume with a corner of the triangle beyond.
+int cut_count(const ViewFacts& facts, const TriangleExtent& extent) {
+    const Camera& c = facts.view.camera;
+    std::array<bool, 6> cuts{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double depth = extent.size.depth[i], w = facts.perspective ? depth : 1;
+        const glm::dvec2 at = facts.before_divide(extent, i);
+        const std::array<bool, 6> beyond{depth<c.near_depth, depth> c.far_depth,
+                                         at.x<c.window.left * w, at.x> c.window.right * w,
+                                         at.y<c.window.bottom * w, at.y> c.window.top * w};
+        for (std::size_t plane = 0; plane < cuts.size(); ++plane) cuts[plane] |= beyond[plane];
+    }
+    return int(std::ranges::count(cuts, true));
+}
+
+/// The farthest that a corner lies from the image's origin or the window's centre, px; `limit` where near may
+/// cut the triangle or clipping keeps corners nearer.
+double reach_px(const ViewFacts& facts, const TriangleExtent& extent, double limit) {
+    double reach = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double depth = extent.size.depth[i];
+        if (!(depth >= facts.view.camera.near_depth)) return limit;
+        const glm::dvec2 at = facts.before_divide(extent, i) / (facts.perspective ? depth : 1.0);
+        reach = std::max({reach, facts.scale.px_per_u * (std::abs(at.x) + facts.largest_u),
+                          facts.scale.px_per_v * (std::abs(at.y) + facts.largest_v)});
+    }
+    return std::min(reach, limit);
+}
+
+/// What rounding corners before the divide leaves uncertain of an edge between two of them, px.
+double homogeneous_eps_px(const ViewFacts& facts, const TriangleExtent& extent, std::size_t edge,
+                          double unit) {
+    const auto corner = [&](std::size_t i) {
+        return glm::dvec3(facts.before_divide(extent, i), facts.perspective ? extent.size.depth[i] : 1.0);
+    };
+    const glm::dvec3 from = corner((edge + 1) % 3), to = corner((edge + 2) % 3);
+    const glm::dvec3 normal = glm::cross(from, to), ray{facts.largest_u, facts.largest_v, 1};
+    const double error = gammas_of(unit)[6] * glm::dot(abs_cross(from, to), ray);
+    const double slope =
+        std::abs(normal.x) / facts.scale.px_per_u + std::abs(normal.y) / facts.scale.px_per_v;
+    return slope > 0 ? error / slope : 0;  // an edge without extent in the image bounds no area
+}
+
+double largest_z(std::span<const WindowCorner> polygon) {
+    double largest = 0;
+    for (const WindowCorner& corner : polygon) largest = std::max(largest, std::abs(corner.z));
+    return largest;
+}
+
+}  // namespace
+
+RasterBounds::RasterBounds(const ViewFacts& facts, const RasterPrecision& precision)
+    : precision_(precision), snap_px_(snap_of(precision)) {
+    const double unit = unit_of(precision.transform);
+    background_eps_px_ = snap_px_ > 0 ? snap_px_ : gammas_of(unit)[8] * window_reach_px(facts);
+    // a transform in double, into a guard band, is as coarse for one triangle as for another
+    if (precision.transform == Arithmetic::float64 && precision.clipping == Clipping::guard_band &&
+        has_plain_depth() && has_plain_coverage())
+        common_terms_ = terms(facts, transform_error(facts, 0), double_gammas[8] * guard_band_px);
+}
+
+bool RasterBounds::has_plain_coverage() const {
+    return precision_.edge_functions == EdgeFunctions::exact && precision_.barycentric_tolerance == 0 &&
+           precision_.least_area_px2 == 0 && precision_.area_epsilon_px2 == 0;
+}
+
+/// Is depth itself interpolated from weights?
+bool RasterBounds::has_plain_depth() const {
+    return precision_.depth_buffer == DepthBuffer::camera_depth &&
+           precision_.depth_interpolation == DepthInterpolation::barycentrics;
+}
+
+bool RasterBounds::keeps_to_corners() const { return has_plain_depth() && has_plain_coverage(); }
+
+/// The error is relative to the size of what is transformed.
+double RasterBounds::transform_error(const ViewFacts& facts, int cuts) const {
+    const double u = unit_of(precision_.transform);
+    // float64: the fused matrix is built and applied in double: 3 (translation) + 3 + 3 (product of the two
+    // matrices) + 4 (matrix times point) roundings. float32: entries rounded once, then 4, for each matrix.
+    // Where the eye is subtracted first, 1 more, of a smaller size.
+    const int fused = precision_.transform == Arithmetic::float64 ? 13 : 5;
+    const int roundings = fused + 5 * (precision_.matrices - 1) + (precision_.origin == Origin::eye ? 1 : 0);
+    // a new corner: 4 roundings of its place on the edge, each at most twice the corners' size, then 5
+    return gamma(roundings + 13 * cuts, u) + facts.orthonormality;
+}
+
+RasterTerms RasterBounds::terms(const ViewFacts& facts, double transform, double viewport) const {
+    const double interpolation = has_plain_depth() ? gammas_of(precision_.interpolation)[8] : 0;
+    return {.scale = facts.scale,
+            .projection = facts.view.camera.projection,
+            .base_px = snap_px_ + viewport,
+            .transform = transform,
+            .factor = gamma(precision_.depth_roundings, unit_roundoff_float32) + interpolation,
+            .size = precision_.origin == Origin::eye ? RasterTerms::Size::from_eye
+                                                     : RasterTerms::Size::from_origin};
+}
+
+double RasterBounds::reach_limit_px(const ViewFacts& facts) const {
+    return precision_.clipping == Clipping::view_volume ? window_reach_px(facts) : guard_band_px;
+}
+
+TriangleBounds RasterBounds::of(const ViewFacts& facts, const TriangleExtent& extent) const {
+    const Gammas& gammas = gammas_of(precision_.transform);
+    const bool in_volume = precision_.clipping == Clipping::view_volume;
+    const double transform = transform_error(facts, in_volume ? cut_count(facts, extent) : 0);
+    // division, scale, offset; clipping's interpolation. In float64 the whole guard band costs 3e-11 px
+    const bool is_coarse = precision_.transform == Arithmetic::float32;
+    const double limit = reach_limit_px(facts);
+    const double viewport = gammas[8] * (is_coarse ? reach_px(facts, extent, limit) : limit);
+    TriangleBounds bounds = bounds_of(terms(facts, transform, viewport).of(extent.size));
+    bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gammas[8] * extent.largest_depth();
+    if (has_plain_depth() && has_plain_coverage()) return bounds;
+    const std::vector<WindowCorner> polygon =
+        window_polygon(facts.view, extent, precision_.clipping, z_range(facts.view.camera, precision_));
+    if (!has_plain_depth()) set_z(bounds, facts, extent, polygon, transform);
+    if (!has_plain_coverage()) add_coverage(bounds, facts, extent, polygon);
+    return bounds;
+}
+
+double RasterBounds::drift_px(const TriangleBounds& bounds, std::span<const WindowCorner> polygon) const {
+    double highest = 0;  // inverse depth; only perspectives ask for it
+    for (const WindowCorner& corner : polygon) highest = std::max(highest, corner.inverse_depth);
+    return bounds.eps_base_px - snap_px_ + bounds.eps_per_inverse_depth * highest;
+}
+
+PlaneEquationBounds RasterBounds::z_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
+                                           const ViewFacts& facts, const ZRange& z) const {
+    PlaneEquationBounds bounds;
+    if (precision_.depth_interpolation == DepthInterpolation::plane) {
+        bounds = plane_equation_bounds(polygon, shift, facts.view);
+    } else {
+        const double z_max = largest_z(polygon);
+        bounds.z_error = single_gammas[4] * std::max(z_max, shift.least_z_term) +
+                         gammas_of(precision_.interpolation)[8] * z_max;
+    }
+    if (precision_.depth_buffer != DepthBuffer::camera_depth) {
+        bounds.z_error += quantization_error(precision_.depth_format);
+        if (precision_.linearization == Arithmetic::float32)
+            bounds.z_error += single_gammas[6] * (std::abs(z.offset) + largest_z(polygon));
+    }
+    return bounds;
+}
+
+void RasterBounds::set_z(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
+                         std::span<const WindowCorner> polygon, double transform) const {
+    const Camera& c = facts.view.camera;
+    const ZRange z = z_range(c, precision_);
+    const CornerShift shift{
+        .snap_px = snap_px_, .drift_px = drift_px(bounds, polygon), .least_z_term = z.least_term};
+    const auto [z_error, spread] = z_bounds(polygon, shift, facts, z);
+    const double slope = std::abs(z.per_inverse_depth);
+    bounds.inverse_depth_error = slope > 0 ? z_error / slope : unlimited;
+    bounds.depth_eps_base_px = snap_px_ + spread * (bounds.eps_base_px - snap_px_);
+    bounds.depth_eps_per_inverse_depth = spread * bounds.eps_per_inverse_depth;
+    if (facts.perspective && z.matrix_factor > 0) {
+        // the matrix's row of z, whose error is a share of depth times inverse depth
+        const double along =
+            precision_.origin == Origin::eye ? extent.size.from_eye.z : extent.size.from_origin.z;
+        const double row = transform * (z.matrix_factor * along + z.matrix_offset) / slope;
+        bounds.depth_factor += spread * row;
+        bounds.near_slack += row * c.near_depth;
+        bounds.far_slack += std::isfinite(c.far_depth) ? row * c.far_depth : 0;
+    }
+    if (facts.perspective || precision_.depth_buffer == DepthBuffer::camera_depth) return;
+    bounds.depth_absolute += single_gammas[6] * z.matrix_offset / slope;
+    bounds.near_slack = bounds.far_slack =
+        bounds.depth_absolute + bounds.inverse_depth_error + single_gammas[8] * extent.largest_depth();
+}
+
+void RasterBounds::add_coverage(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
+                                std::span<const WindowCorner> polygon) const {
+    const double drift = snap_px_ + drift_px(bounds, polygon);
+    const double edges = edge_functions_eps_px(facts, extent);
+    bounds.eps_base_px += edges + tolerance_eps_px(facts, extent);
+    const bool by_weights = precision_.depth_interpolation == DepthInterpolation::barycentrics;
+    // two weights err, each as its edge does; they are divided by an area that errs
+    if (by_weights) bounds.depth_eps_base_px += 2 * edges;
+    const WindowAreas areas = window_areas(polygon, drift, unit_of(precision_.edge_arithmetic));
+    if (by_weights && precision_.edge_functions != EdgeFunctions::exact) bounds.depth_factor += areas.of_area;
+    if (precision_.area_epsilon_px2 > 0)
+        bounds.depth_factor +=
+            areas.least_px2 > 0 ? precision_.area_epsilon_px2 / areas.least_px2 : unlimited;
+    if (precision_.least_area_px2 > 0)
+        bounds.may_be_missing = least_area_px2(facts, extent, areas, drift) < precision_.least_area_px2;
+}
+
+/// What displacement leaves of a triangle's area; where near cuts it, of the smallest piece.
+double RasterBounds::least_area_px2(const ViewFacts& facts, const TriangleExtent& extent,
+                                    const WindowAreas& areas, double drift_px) {
+    const auto triangle = window_triangle(facts, extent);
+    return triangle ? triangle->least_area_px2(drift_px) : areas.least_px2;
+}
+
+double RasterBounds::edge_functions_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const {
+    const double unit = unit_of(precision_.edge_arithmetic);
+    switch (precision_.edge_functions) {
+        case EdgeFunctions::exact:
+            return 0;
+        case EdgeFunctions::from_corner:
+            // 4 roundings of (x - x0) dy - (y - y0) dx, over |dx| + |dy|: a share of the larger difference
+            return gammas_of(unit)[4] * reach_px(facts, extent, reach_limit_px(facts));
+        case EdgeFunctions::homogeneous: {
+            double largest = 0;
+            for (std::size_t edge = 0; edge < 3; ++edge)
+                largest = std::max(largest, homogeneous_eps_px(facts, extent, edge, unit));
+            return largest;
+        }
+    }
+    return unlimited;
+}
+
+/// A weight of minus the tolerance lies that share of the triangle's height outside its edge.
+double RasterBounds::tolerance_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const {
+    const double tolerance = precision_.barycentric_tolerance;
+    if (tolerance == 0) return 0;
+    const auto triangle = window_triangle(facts, extent);
+    return tolerance * (triangle ? triangle->largest_height_px() : 2 * reach_limit_px(facts));
+}
+
+}  // namespace zproof

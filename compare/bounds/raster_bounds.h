@@ -1,0 +1,53 @@
+/// The bounds of a z-buffer rasterizer (docs/bounds.md, "A rasterizer" and "A z-buffer").
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "compare/bounds/plane_equation.h"
+#include "compare/bounds/triangle_bounds.h"
+#include "compare/bounds/view_facts.h"
+#include "frame/precision.h"
+
+namespace zproof {
+
+class RasterBounds {
+  public:
+    RasterBounds(const ViewFacts& facts, const RasterPrecision& precision);
+
+    TriangleBounds of(const ViewFacts& facts, const TriangleExtent& extent) const;
+    /// The terms of every triangle's depth, where nothing of them depends on the triangle but its size.
+    const std::optional<RasterTerms>& common_terms() const { return common_terms_; }
+    bool keeps_to_corners() const;
+    bool is_watertight() const { return precision_.watertight; }
+    double background_eps_px() const { return background_eps_px_; }
+
+  private:
+    double transform_error(const ViewFacts& facts, int cuts) const;
+    RasterTerms terms(const ViewFacts& facts, double transform, double viewport) const;
+    double reach_limit_px(const ViewFacts& facts) const;
+    /// Replaces the terms of interpolated depth by those of z. `transform` is the matrices' error.
+    void set_z(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
+               std::span<const WindowCorner> polygon, double transform) const;
+    /// The error of z on the triangle, and how far displacement is spread.
+    PlaneEquationBounds z_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
+                                 const ViewFacts& facts, const ZRange& z) const;
+    /// Adds what rounded edge functions, tolerances and areas do.
+    void add_coverage(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
+                      std::span<const WindowCorner> polygon) const;
+    static double least_area_px2(const ViewFacts& facts, const TriangleExtent& extent,
+                                 const WindowAreas& areas, double drift_px);
+    double edge_functions_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const;
+    double tolerance_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const;
+    /// The largest displacement of a corner of the polygon.
+    double drift_px(const TriangleBounds& bounds, std::span<const WindowCorner> polygon) const;
+    bool has_plain_coverage() const;
+    bool has_plain_depth() const;
+
+    RasterPrecision precision_;
+    double snap_px_;  ///< how far the grid moves a corner
+    double background_eps_px_;
+    std::optional<RasterTerms> common_terms_;
+};
+
+}  // namespace zproof

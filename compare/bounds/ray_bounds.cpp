@@ -1,0 +1,168 @@
+#include "compare/bounds/ray_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/bounds/roundings.h"
+
+namespace zproof {
+
+namespace {
+
+/// (difference x sum) . direction of an edge's ends, as Embree's robust test has it, off by 7 roundings, px.
+double pluecker_edge_px(const ViewFacts& facts, const TriangleExtent& extent, std::size_t edge, double unit) {
+    const glm::dvec3 &from = extent.v_world[(edge + 1) % 3], &to = extent.v_world[(edge + 2) % 3];
+    const Camera& c = facts.view.camera;
+    const glm::dvec3 difference = to - from, sum = to + from;
+    const glm::dvec3 sum_abs = glm::abs(sum) + 2.0 * facts.origin_abs;
+    const double error = gammas_of(unit)[7] * glm::dot(abs_cross(difference, sum_abs), facts.direction_abs);
+    const glm::dvec3 direction = c.shear.x * c.right + c.shear.y * c.up - c.back;
+    const glm::dvec3 moment =
+        facts.perspective ? glm::cross(difference, sum) : 2.0 * glm::cross(direction, difference);
+    return facts.distance_px(error, moment);
+}
+
+/// The functional of the edge from v_i to v_j, half of what pluecker_edge_px() looks at: d/d(ray).
+glm::dvec3 edge_moment(const ViewFacts& facts, const TriangleExtent& extent, std::size_t edge) {
+    const glm::dvec3 &from = extent.v_world[(edge + 1) % 3], &to = extent.v_world[(edge + 2) % 3];
+    const Camera& c = facts.view.camera;
+    const glm::dvec3 direction = c.shear.x * c.right + c.shear.y * c.up - c.back;
+    return facts.perspective ? glm::cross(from, to) : glm::cross(direction, to - from);
+}
+
+/// Cramer's rule with v0 as its origin: the weights of v1 and v2 are triple products, v0 has what they leave.
+double moeller_trumbore_px(const ViewFacts& facts, const TriangleExtent& extent, double unit) {
+    const auto& v = extent.v_world;
+    const glm::dvec3 e1 = v[1] - v[0], e2 = v[2] - v[0], from_origin = glm::abs(v[0]) + facts.origin_abs;
+    const auto terms = [&](const glm::dvec3& a, const glm::dvec3& b) {
+        return glm::dot(facts.direction_abs, abs_cross(a, b));
+    };
+    const double of_v1 = terms(e2, from_origin), of_v2 = terms(e1, from_origin), determinant = terms(e1, e2);
+    const auto px = [&](std::size_t edge, double error) {
+        return facts.distance_px(error, edge_moment(facts, extent, edge));
+    };
+    const Gammas& gammas = gammas_of(unit);
+    return std::max({px(1, gammas[7] * of_v1), px(2, gammas[7] * of_v2),
+                     px(0, gammas[10] * (of_v1 + of_v2 + determinant))});
+}
+
+}  // namespace
+
+RayBounds::RayBounds(const ViewFacts& facts, const RayPrecision& precision)
+    : precision_(precision),
+      unit_(unit_of(precision.arithmetic)),
+      aim_(facts, precision.direction_roundings == 1 ? unit_ : gamma(precision.direction_roundings, unit_),
+           unit_, precision.aim_offset_px),
+      terms_{.scale = facts.scale,
+             .projection = facts.view.camera.projection,
+             .unit = unit_,
+             .of_products = gammas_of(unit_)[8],
+             .factor = gammas_of(unit_)[4] + aim_.depth_relative,
+             .aim_px = aim_.px,
+             .aim_px_per_depth = aim_.px_per_depth,
+             .aim_absolute = aim_.depth_absolute} {}
+
+/// Frames hold float32: a wider depth is rounded once more on its way there.
+double RayBounds::framing() const {
+    return precision_.arithmetic == Arithmetic::float64 ? unit_roundoff_float32 : 0;
+}
+
+bool RayBounds::has_depth_of_distance() const {
+    return precision_.hit_point == HitPoint::distance && precision_.world_absolute == 0;
+}
+
+std::optional<DepthTerms> RayBounds::quick_depth_terms(const TriangleExtent& extent) const {
+    if (!has_depth_of_distance()) return std::nullopt;
+    DepthTerms terms = terms_.of(extent.size);
+    terms.factor += framing();
+    return terms;
+}
+
+TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& extent) const {
+    TriangleBounds bounds = bounds_of(terms_.of(extent.size));
+    const double aim = aim_.at_depth_px(extent.largest_depth());
+    const double corners = corners_px_times_depth(facts, extent) + tolerance_px_times_depth(facts, extent);
+    const double edges = edges_px(facts, extent);
+    bounds.eps_base_px = aim + edges + (facts.perspective ? 0 : corners);
+    bounds.eps_per_inverse_depth = facts.perspective ? corners : 0;
+    if (precision_.hit_point == HitPoint::barycentrics) add_hit_point(bounds, extent, edges);
+    if (precision_.world_absolute > 0) add_world_error(bounds, facts);
+    const auto slack = [&](double plane_depth) {
+        const double share = compounded(unit_ + bounds.depth_factor + bounds.plane_offset * plane_depth);
+        return std::isinf(share) ? share : plane_depth * share + bounds.depth_absolute;
+    };
+    const Camera& c = facts.view.camera;
+    bounds.near_slack = slack(c.near_depth);
+    bounds.far_slack = std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
+    bounds.depth_factor += framing();
+    bounds.may_be_missing = may_be_missed(facts, extent);
+    return bounds;
+}
+
+double RayBounds::edges_px(const ViewFacts& facts, const TriangleExtent& extent) const {
+    double largest = 0;
+    switch (precision_.test) {
+        case RayTest::pluecker:
+            for (std::size_t edge = 0; edge < 3; ++edge)
+                largest = std::max(largest, pluecker_edge_px(facts, extent, edge, unit_));
+            return largest;
+        case RayTest::moeller_trumbore:
+            return moeller_trumbore_px(facts, extent, unit_);
+        case RayTest::woop:
+            return 0;  // what rounds lies at the corners
+    }
+    return unlimited;
+}
+
+double RayBounds::corners_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const {
+    const double corner = facts.scale.lateral_px(extent.size.from_eye);
+    switch (precision_.test) {
+        case RayTest::pluecker:
+            // the robust test admits barycentrics down to -2u: a step of at most 2u (|v_i| + |q|)
+            return 5 * (unit_ * corner);
+        case RayTest::moeller_trumbore:
+            return 0;  // differences of corners are counted with the edges
+        case RayTest::woop:
+            // a corner is sheared with 4 roundings; a product of two sheared corners has 2 more
+            return 3 * gammas_of(unit_)[4] * corner;
+    }
+    return unlimited;
+}
+
+/// A weight of minus the tolerance lies that share of the determinant outside its edge.
+double RayBounds::tolerance_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const {
+    if (precision_.barycentric_tolerance == 0) return 0;
+    double largest = 0;
+    for (std::size_t edge = 0; edge < 3; ++edge)
+        largest =
+            std::max(largest, facts.distance_px(precision_.barycentric_tolerance * extent.size.plane.volume,
+                                                edge_moment(facts, extent, edge)));
+    return largest;
+}
+
+/// Weights err as edges do; a point of them has 6 roundings, and 5 more on its way into the camera.
+void RayBounds::add_hit_point(TriangleBounds& bounds, const TriangleExtent& extent, double edges_px) const {
+    bounds.depth_eps_base_px += 2 * edges_px;
+    bounds.depth_absolute += gammas_of(unit_)[11] * extent.size.from_origin.z;
+}
+
+void RayBounds::add_world_error(TriangleBounds& bounds, const ViewFacts& facts) const {
+    const Camera& c = facts.view.camera;
+    const auto along = [&](const glm::dvec3& axis) { return precision_.world_absolute * sum_abs(axis); };
+    const double lateral = facts.lateral_px({along(c.right), along(c.up), along(c.back)});
+    (facts.perspective ? bounds.eps_per_inverse_depth : bounds.eps_base_px) += lateral;
+    (facts.perspective ? bounds.depth_eps_per_inverse_depth : bounds.depth_eps_base_px) += lateral;
+    bounds.depth_absolute += along(c.back);
+}
+
+/// normal . direction, for a direction of unit length, is at least the volume over the greatest depth.
+bool RayBounds::may_be_missed(const ViewFacts& facts, const TriangleExtent& extent) const {
+    if (precision_.least_determinant == 0) return false;
+    const double length = glm::length(facts.direction_abs), rounding = gammas_of(unit_)[8];
+    const double depth = facts.perspective ? extent.largest_depth() : 1;
+    const double terms = extent.size.plane.numerator_abs * rounding;
+    const double least = (extent.size.plane.volume / depth - (facts.perspective ? terms : 0)) / length;
+    return !(least >= precision_.least_determinant);
+}
+
+}  // namespace zproof

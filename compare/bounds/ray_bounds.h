@@ -1,0 +1,39 @@
+/// The bounds of a ray caster (docs/bounds.md, "A ray caster").
+#pragma once
+
+#include <optional>
+
+#include "compare/bounds/aim.h"
+#include "compare/bounds/triangle_bounds.h"
+#include "frame/precision.h"
+
+namespace zproof {
+
+class RayBounds {
+  public:
+    RayBounds(const ViewFacts& facts, const RayPrecision& precision);
+
+    TriangleBounds of(const ViewFacts& facts, const TriangleExtent& extent) const;
+    /// What depth needs, where it is known without the rest.
+    std::optional<DepthTerms> quick_depth_terms(const TriangleExtent& extent) const;
+    bool is_watertight() const { return precision_.watertight; }
+    double background_eps_px() const { return aim_.px; }
+
+  private:
+    double edges_px(const ViewFacts& facts, const TriangleExtent& extent) const;
+    /// What the triangle's rounded corners move in the image, px times depth.
+    double corners_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const;
+    double tolerance_px_times_depth(const ViewFacts& facts, const TriangleExtent& extent) const;
+    void add_hit_point(TriangleBounds& bounds, const TriangleExtent& extent, double edges_px) const;
+    void add_world_error(TriangleBounds& bounds, const ViewFacts& facts) const;
+    bool may_be_missed(const ViewFacts& facts, const TriangleExtent& extent) const;
+    bool has_depth_of_distance() const;
+    double framing() const;
+
+    RayPrecision precision_;
+    double unit_;
+    Aim aim_;
+    RayTerms terms_;
+};
+
+}  // namespace zproof

@@ -1,0 +1,66 @@
+/// How far a faultless renderer may displace one triangle in the image, and how far its depth may be off.
+/// Every term is derived in docs/bounds.md under the name it has here.
+#pragma once
+
+#include <algorithm>
+
+#include "compare/bounds/depth_terms.h"
+
+namespace zproof {
+
+/// The bounds of one triangle at one place of the image.
+struct LocalBounds {
+    double eps_px = 0;          ///< coverage: displacement in x and in y
+    double depth_eps_px = 0;    ///< displacement at which depth may have been taken
+    double depth_relative = 0;  ///< delta: relative error of depth; infinite where the plane is not known
+    double depth_absolute = 0;  ///< alpha: absolute error of depth, scene units
+    double inverse_depth_error = 0;  ///< of inverse depth itself; unlimited where the plane is not known
+};
+
+/// The bounds of one triangle, as functions of its inverse depth (1/depth; perspective) at the pixel.
+struct TriangleBounds {
+    double eps_base_px = 0, eps_per_inverse_depth = 0;  ///< eps = base + per_inverse_depth * inverse depth
+    double depth_eps_base_px = 0, depth_eps_per_inverse_depth = 0;  ///< the same for depth
+    double depth_factor = 0;  ///< sum of the relative errors of depth's factors
+    double depth_absolute = 0;
+    double inverse_depth_error = 0;        ///< z-buffer: of inverse depth, anywhere on the triangle
+    double plane_offset = 0;               ///< ray: error of (normal . direction) / volume, in inverse depth
+    double near_slack = 0, far_slack = 0;  ///< clip: the planes' places may be off by this depth, scene units
+    double nearest = 0, farthest = 0;      ///< camera depths of the corners, clamped to near and far
+    bool may_be_missing = false;           ///< the renderer need not draw it
+
+    /// The bounds at a place where inverse depth is `inverse_depth` and changes by `gradient` (|d/dx| +
+    /// |d/dy|) per pixel.
+    LocalBounds at(double inverse_depth, double gradient) const;
+    DepthTerms depth_terms() const {
+        return {depth_eps_base_px, depth_eps_per_inverse_depth, depth_factor,
+                depth_absolute,    inverse_depth_error,         plane_offset};
+    }
+};
+
+/// The local bounds at many places of one triangle: what does not change from pixel to pixel is worked out
+/// once.
+class BoundsOnPlane {
+  public:
+    BoundsOnPlane(const TriangleBounds& bounds, double gradient);
+
+    LocalBounds at(double inverse_depth) const {
+        const double here = std::clamp(inverse_depth, corners_.least, corners_.highest);
+        return {.eps_px = eps_px_.at(here),
+                .depth_eps_px = depth_eps_px_.at(here),
+                .depth_relative =
+                    plane_offset_ > 0 ? compounded(depth_factor_ + plane_offset_ / here) : depth_relative_,
+                .depth_absolute = depth_absolute_,
+                .inverse_depth_error = inverse_depth_error_};
+    }
+
+  private:
+    CornerInverseDepth corners_;
+    Displacement eps_px_, depth_eps_px_;
+    double depth_factor_, plane_offset_, depth_relative_, depth_absolute_, inverse_depth_error_;
+};
+
+/// Bounds of which only depth's terms are known; coverage is displaced as far as depth.
+TriangleBounds bounds_of(const DepthTerms& terms);
+
+}  // namespace zproof

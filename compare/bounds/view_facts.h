@@ -1,0 +1,33 @@
+/// What the bounds of every renderer take from a view.
+#pragma once
+
+#include "compare/bounds/depth_terms.h"
+#include "compare/bounds/triangle_extent.h"
+#include "scenes/view.h"
+
+namespace zproof {
+
+struct ViewFacts {
+    explicit ViewFacts(const View& view);
+
+    TriangleExtent extent_of(const CornersWorld& p_world) const;
+    /// Largest displacement in the image, px times depth, of errors along the camera's axes.
+    double lateral_px(const glm::dvec3& camera_abs) const {
+        return scale.lateral_px(exactly<double>(camera_abs));
+    }
+    /// The error of a functional moment . direction as a distance in the image, px.
+    double distance_px(double error, const glm::dvec3& moment) const;
+    /// A corner's place in the image plane, in units of the window: for perspective before the divide.
+    glm::dvec2 before_divide(const TriangleExtent& extent, std::size_t corner) const;
+
+    View view;
+    bool perspective;
+    ImageScale scale;
+    double largest_u, largest_v;  ///< of |window|
+    glm::dvec3 direction_abs;     ///< per world axis, the largest |direction| in the image
+    glm::dvec3 origin_abs;        ///< per world axis, the largest |origin - eye|
+    double orthonormality;        ///< largest entry of |R R^T - I|
+    Gauge gauge;
+};
+
+}  // namespace zproof

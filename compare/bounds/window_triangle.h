@@ -1,0 +1,53 @@
+/// A triangle that near does not cut, as it lies in the window.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "compare/bounds/view_facts.h"
+
+namespace zproof {
+
+struct WindowTriangle {
+    std::array<glm::dvec2, 3> corner_px;  ///< relative to the window's upper left corner
+
+    /// The largest distance of a corner from the edge opposite, as the half-side of a square.
+    double largest_height_px() const {
+        double least_edge = HUGE_VAL;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2 edge = glm::abs(corner_px[(i + 1) % 3] - corner_px[i]);
+            least_edge = std::min(least_edge, edge.x + edge.y);
+        }
+        return least_edge > 0 ? twice_area_px2() / least_edge : 0;
+    }
+    /// What is left of its area at least when each corner moves by drift_px in x and in y.
+    double least_area_px2(double drift_px) const {
+        double around = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec2 edge = glm::abs(corner_px[(i + 1) % 3] - corner_px[i]);
+            around += edge.x + edge.y;
+        }
+        return twice_area_px2() / 2 - drift_px * around - 4 * drift_px * drift_px;
+    }
+    double twice_area_px2() const {
+        const glm::dvec2 a = corner_px[1] - corner_px[0], b = corner_px[2] - corner_px[0];
+        return std::abs(a.x * b.y - a.y * b.x);
+    }
+};
+
+inline std::optional<WindowTriangle> window_triangle(const ViewFacts& facts, const TriangleExtent& extent) {
+    const Camera& c = facts.view.camera;
+    WindowTriangle triangle;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double depth = extent.size.depth[i];
+        if (!(depth >= c.near_depth)) return std::nullopt;
+        const glm::dvec2 at = facts.before_divide(extent, i) / (facts.perspective ? depth : 1.0);
+        triangle.corner_px[i] = {(at.x - c.window.left) * facts.scale.px_per_u,
+                                 (c.window.top - at.y) * facts.scale.px_per_v};
+    }
+    return triangle;
+}
+
+}  // namespace zproof
