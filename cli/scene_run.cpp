@@ -117,10 +117,28 @@ Verdict judge_as_wanted(const ViewRun& view_run, const RenderedFrame& candidate,
     return judge(context.scene, context.view, candidate, reference, full_detail);
 }
 
+/// Stands for a view of which nothing was judged.
+ViewResult unjudged(const SceneSource& source, const View& view, Outcome outcome, const std::string& why) {
+    ViewResult result = unjudged(source, outcome, why);
+    result.view = view.name;
+    return result;
+}
+
+/// The view's projection, where it is none of those that the renderer has.
+std::string refused_projection(const Projections& has, const Camera& camera) {
+    if (camera.projection == Projection::perspective) return has.perspective ? "" : "perspective";
+    if (camera.shear == glm::dvec2(0)) return has.orthographic ? "" : "orthographic";
+    return has.oblique ? "" : "oblique";
+}
+
 /// Returns nothing where it was interrupted between two stages.
 std::optional<ViewResult> run_view(const ViewRun& view_run) {
     const auto& [context, opened, config, clock, is_last] = view_run;
     const auto& [source, scene, scene_sha256, view, renderers] = context;
+    if (const std::string refused = refused_projection(opened.candidate.projections, view.camera);
+        !refused.empty())
+        return unjudged(source, view, Outcome::not_judged,
+                        "the renderer's precision lists projections without " + refused);
 
     begin(view_run, "trace", &StageTimes::reference);
     const Frame reference = ask(opened.reference, view_run);
@@ -149,13 +167,6 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     if (result.folder.empty()) return result;
     begin(view_run, "write", &StageTimes::write);
     write_viewer_evidence(config.run_folder / result.folder, {context, ours, theirs, verdict, answers});
-    return result;
-}
-
-/// Stands for a view of which nothing was judged.
-ViewResult unjudged(const SceneSource& source, const View& view, Outcome outcome, const std::string& why) {
-    ViewResult result = unjudged(source, outcome, why);
-    result.view = view.name;
     return result;
 }
 

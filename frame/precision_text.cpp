@@ -19,6 +19,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// 0, 1, 1e+30.
+std::string number_text(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
 /// A JSON object whose keys are taken out one by one; what is left over at the end is refused.
 class Declaration {
   public:
@@ -44,8 +51,8 @@ class Declaration {
         const Json found = at(key);
         if (found.is_null()) return;
         if (!found.is_number_integer() || found < limits.low || found > limits.high)
-            refuse(key, "expected a whole number from " + std::to_string(int(limits.low)) + " to " +
-                            std::to_string(int(limits.high)) + ", found " + found.dump());
+            refuse(key, "expected a whole number from " + number_text(limits.low) + " to " +
+                            number_text(limits.high) + ", found " + found.dump());
         value = found.get<int>();
     }
 
@@ -53,8 +60,8 @@ class Declaration {
         const Json found = at(key);
         if (found.is_null()) return;
         if (!found.is_number() || found < limits.low || found > limits.high)
-            refuse(key, "expected a number from " + Json(limits.low).dump() + " to " +
-                            Json(limits.high).dump() + ", found " + found.dump());
+            refuse(key, "expected a number from " + number_text(limits.low) + " to " +
+                            number_text(limits.high) + ", found " + found.dump());
         value = found.get<double>();
     }
 

@@ -141,6 +141,10 @@ Precision declared_precision(const RendererChoice& choice) {
     return choice.precision_word.empty() ? own_promise(choice) : precision_from_word(choice.precision_word);
 }
 
+Projections declared_projections(const RendererChoice& choice) {
+    return choice.precision_word.empty() ? Projections{} : projections_from_word(choice.precision_word);
+}
+
 RendererFacts facts_of(const RendererChoice& choice) {
     const auto* built_in = std::get_if<BuiltIn>(&choice.who);
     return {.name = name_of(choice),
@@ -152,7 +156,8 @@ Renderer open(const RendererChoice& choice, const Scene& scene) {
     if (const std::string absent = absence_of(choice); !absent.empty())
         throw OracleError{name_of(choice) + ": " + absent};
     Answers answers = answers_on(choice, scene);
-    return {name_of(choice), declared_precision(choice), std::move(answers.render), std::move(answers.paint)};
+    return {name_of(choice), declared_precision(choice), declared_projections(choice),
+            std::move(answers.render), std::move(answers.paint)};
 }
 
 }  // namespace zproof

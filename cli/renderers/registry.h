@@ -20,6 +20,7 @@ namespace zproof {
 struct Renderer {
     std::string name;
     Precision precision;                                      ///< what it is judged by
+    Projections projections;                                  ///< what it can be asked about
     std::function<Frame(const View&)> render;                 ///< OracleError or FrameError where it cannot
     std::function<Picture(const View&, const Light&)> paint;  ///< empty: has no colours of its own
 };
@@ -33,6 +34,9 @@ std::string absence_of(const RendererChoice& choice);
 /// What it is judged by: the word after --precision, else its own promise. Throws FrameError for a word that
 /// cannot be understood.
 Precision declared_precision(const RendererChoice& choice);
+
+/// The projections that the same word says it has.
+Projections declared_projections(const RendererChoice& choice);
 
 /// Name, version in its own words, declared precision. Only for one that is not absent. Throws FrameError as
 /// declared_precision does.
