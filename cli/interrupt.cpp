@@ -2,10 +2,16 @@
 
 #include <unistd.h>
 
+#include <tbb/task_group.h>
+
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <iostream>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace zproof {
 namespace {
@@ -35,6 +41,22 @@ void note_interrupts() {
 }
 
 bool interrupted() { return noted; }
+
+bool done_uninterrupted(const std::function<void()>& work) {
+    tbb::task_group_context context;
+    std::mutex mutex;
+    std::condition_variable_any is_over;
+    const auto watch = [&](const std::stop_token& stop) {
+        std::unique_lock lock(mutex);
+        while (!stop.stop_requested()) {
+            if (interrupted()) context.cancel_group_execution();
+            is_over.wait_for(lock, stop, std::chrono::milliseconds(50), [] { return false; });
+        }
+    };
+    const std::jthread watcher(watch);
+    tbb::task_group(context).run_and_wait(work);
+    return !interrupted();
+}
 
 ExitCode say_interrupted(Share share, std::string_view unit, std::string_view how) {
     std::cerr << "zproof: interrupted: ";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string_view>
 
 #include "cli/exit_code.h"
@@ -14,6 +15,10 @@ void note_interrupts();
 
 /// Has one been noted?
 bool interrupted();
+
+/// Does the work, and cancels its parallel loops when an interrupt is noted: what it made then is incomplete.
+/// False where that happened.
+bool done_uninterrupted(const std::function<void()>& work);
 
 /// How much of some work was done.
 struct Share {

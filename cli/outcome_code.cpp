@@ -13,6 +13,7 @@ ExitCode exit_code_of(const Results& results) {
     if (results.ending == Ending::interrupted) return ExitCode::interrupted;
     if (any(Outcome::unreadable)) return ExitCode::cannot_judge;
     if (any(Outcome::defective)) return ExitCode::defect;
+    if (any(Outcome::undecided)) return ExitCode::cannot_judge;
     if (!any(Outcome::proven)) return ExitCode::nothing;
     return waivers_fail(results) ? ExitCode::defect : ExitCode::proven;
 }

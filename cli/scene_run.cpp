@@ -151,9 +151,15 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     begin(view_run, "judge", &StageTimes::judge);
     const RenderedFrame ours{candidate, opened.candidate.precision},
         theirs{reference, opened.reference.precision};
-    Verdict verdict = judge_as_wanted(view_run, ours, theirs);
+    Verdict verdict;
+    std::optional<Diagnosis> diagnosis;
+    const auto judge_and_diagnose = [&] {
+        verdict = judge_as_wanted(view_run, ours, theirs);
+        diagnosis = diagnose(scene, view, ours, theirs, verdict);
+    };
+    if (!done_uninterrupted(judge_and_diagnose)) return std::nullopt;
     ViewResult result = to_view_result(context, verdict, config.gate);
-    result.diagnosis = diagnose(scene, view, ours, theirs, verdict);
+    result.diagnosis = std::move(diagnosis);
 
     if (leaves_evidence(verdict, config.evidence)) {
         begin(view_run, "write", &StageTimes::write);

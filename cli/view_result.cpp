@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "cli/arguments.h"
 #include "compare/explanation/explain.h"
@@ -86,6 +88,19 @@ std::string explain_command_for(const ViewContext& context, const RendererChoice
     return command + " --width " + std::to_string(size.width) + " --height " + std::to_string(size.height);
 }
 
+/// "14 pixels are undecidable at eps = 200 px: ...".
+std::string undecidable_words(const Verdict& verdict) {
+    double eps_px = 0;
+    for (const Finding& finding : verdict.findings)
+        if (finding.verdict == PixelClass::undecidable) eps_px = std::max(eps_px, finding.eps_px);
+    std::ostringstream text;
+    text << undecidable_count(verdict) << " pixels are undecidable at eps = " << std::setprecision(3)
+         << eps_px
+         << " px: the declared precision may show too many triangles there; declare a finer one if it is "
+            "finer";
+    return text.str();
+}
+
 ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate) {
     ViewResult result = unjudged(context.source, Outcome::proven, "");
     result.scene_sha256 = context.scene_sha256;
@@ -107,6 +122,10 @@ ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, co
     result.worst =
         stories(context, context.renderers.candidate,
                 worst_of(hold_to_waivers(context, verdict.findings, gate, result), most_reported_findings));
+    if (undecidable_count(verdict) > 0) {
+        result.outcome = Outcome::undecided;
+        result.message = undecidable_words(verdict);
+    }
     if (unwaived_defects(result) > 0) result.outcome = Outcome::defective;
     return result;
 }
@@ -115,7 +134,7 @@ OracleResult to_oracle_result(const ViewContext& context, const RendererChoice& 
                               const Verdict& verdict) {
     std::vector<Ranked> defects;
     for (const Finding& finding : verdict.findings)
-        if (!passes(finding.verdict)) defects.push_back({&finding, ""});
+        if (is_defect(finding.verdict)) defects.push_back({&finding, ""});
     return {.name = name_of(oracle),
             .absent = "",
             .counts = verdict.counts,

@@ -25,7 +25,8 @@ inline constexpr JudgeOptions full_detail{.findings = JudgeOptions::Findings::di
                                           .errors = JudgeOptions::Errors::maps};
 
 /// Judges every pixel on the threads of the surrounding tbb::task_arena; the result does not depend on their
-/// number. Both frames must have the view's size (std::invalid_argument otherwise).
+/// number. Where the surrounding task group is cancelled, the verdict is incomplete: throw it away. Both
+/// frames must have the view's size (std::invalid_argument otherwise).
 Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candidate,
               const RenderedFrame& reference, const JudgeOptions& options = {});
 

@@ -15,6 +15,7 @@ enum class PixelClass : std::uint8_t {
     abutting_edges,   ///< admissible only through a crack of the scene
     clip,             ///< ids differ, both admissible: they meet at the near or far plane
     reference_wrong,  ///< the reference's answer is inadmissible, the candidate's is not
+    undecidable,      ///< more triangles within eps than the judge looks at: neither right nor wrong
     wrong_depth,      ///< id right, depth outside its bound
     hole,             ///< background where the scene covers for certain
     outside,          ///< an id whose triangle does not reach the pixel
@@ -26,6 +27,7 @@ inline constexpr int pixel_class_count = int(PixelClass::invalid) + 1;
 /// What a pixel of a class does to the gate.
 enum class GateEffect : std::uint8_t {
     pass,
+    undecided,  ///< neither: the view is not proven
     fail,
     fail_always,  ///< no waiver may speak of it
 };
@@ -99,6 +101,17 @@ constexpr ClassFacts facts_of(PixelClass c) {
                 .glyph = "R",
                 .meaning = "The reference gave an inadmissible answer, the candidate did not.",
             };
+        case PixelClass::undecidable:
+            return {
+                .name = "undecidable",
+                .gate = GateEffect::undecided,
+                .column = "undec",
+                .colour = 0x8C6BB1,
+                .glyph = "?",
+                .meaning =
+                    "The declared precision is so coarse that too many triangles may be shown here. Nobody "
+                    "can say.",
+            };
         case PixelClass::wrong_depth:
             return {
                 .name = "wrong_depth",
@@ -144,6 +157,8 @@ constexpr ClassFacts facts_of(PixelClass c) {
 }
 
 constexpr bool passes(PixelClass c) { return facts_of(c).gate == GateEffect::pass; }
+/// Does it fail the gate?
+constexpr bool is_defect(PixelClass c) { return facts_of(c).gate >= GateEffect::fail; }
 constexpr bool is_waivable(PixelClass c) { return facts_of(c).gate == GateEffect::fail; }
 constexpr bool has_column(PixelClass c) { return !facts_of(c).column.empty(); }
 

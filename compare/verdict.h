@@ -62,4 +62,9 @@ struct Verdict {
 /// Pixels that fail the gate.
 std::uint64_t defect_count(const Verdict& verdict);
 
+/// Pixels of which nothing can be said.
+inline std::uint64_t undecidable_count(const Verdict& verdict) {
+    return verdict.counts[std::size_t(PixelClass::undecidable)];
+}
+
 }  // namespace zproof

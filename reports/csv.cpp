@@ -36,13 +36,15 @@ std::string beginning(const ViewResult& v) {
     return text;
 }
 
+std::string gate_word(PixelClass c) { return passes(c) ? "passes" : is_defect(c) ? "fails" : "undecided"; }
+
 std::string rows_of(const ViewResult& v) {
     if (!was_judged(v)) return beginning(v) + ",,,," + field(v.message) + "\n";
     std::string rows;
     for (std::size_t i = 0; i < v.counts.size(); ++i)
-        rows += beginning(v) +
-                row({std::string(name_of(PixelClass(i))), passes(PixelClass(i)) ? "passes" : "fails",
-                     std::to_string(v.counts[i]), std::to_string(v.waived[i]), field(v.message)});
+        rows +=
+            beginning(v) + row({std::string(name_of(PixelClass(i))), gate_word(PixelClass(i)),
+                                std::to_string(v.counts[i]), std::to_string(v.waived[i]), field(v.message)});
     return rows;
 }
 

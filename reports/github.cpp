@@ -37,7 +37,7 @@ std::string in_words(const Annotation& a) {
 
 std::size_t worst_class(const ViewResult& v) {
     for (std::size_t i = v.counts.size(); i-- > 0;)
-        if (v.counts[i] > v.waived[i] && !passes(PixelClass(i))) return i;
+        if (v.counts[i] > v.waived[i] && is_defect(PixelClass(i))) return i;
     return 0;
 }
 
@@ -53,7 +53,7 @@ std::string message_of(const ViewResult& v) {
     if (!v.message.empty()) add(v.message);
     if (unwaived_defects(v) > 0) add(counted(unwaived_defects(v), "pixel") + " fail the gate");
     if (v.diagnosis) add(zproof::in_words(*v.diagnosis));
-    if (!v.worst.empty() && v.worst[0].waiver.empty() && !passes(v.worst[0].finding.verdict)) {
+    if (!v.worst.empty() && v.worst[0].waiver.empty() && is_defect(v.worst[0].finding.verdict)) {
         add(v.worst[0].explanation);
         add(v.worst[0].command);
     }
@@ -65,7 +65,7 @@ Annotation annotation_of(const ViewResult& v) {
             .file = v.source == "suite" ? "" : v.source,
             .line = 1,
             .title = "zproof: " + v.scene + (v.view.empty() ? "" : "/" + v.view) + " " +
-                     (v.outcome == Outcome::not_judged ? "not judged" : std::string(name_of(v.outcome))),
+                     std::string(in_words(v.outcome)),
             .message = message_of(v)};
 }
 

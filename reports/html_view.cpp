@@ -57,6 +57,7 @@ std::string figures(const PageView& page, std::size_t first, std::size_t last) {
 
 std::string count_row(PixelClass c, std::uint64_t count, std::uint64_t waived) {
     const std::string word = passes(c)         ? "admissible"
+                             : !is_defect(c)   ? "undecidable"
                              : waived == 0     ? "<strong>defect</strong>"
                              : waived == count ? "defect, waived"
                                                : "<strong>defect</strong>, " + grouped(waived) + " waived";
@@ -207,6 +208,8 @@ std::string outcome_badge(Outcome outcome) {
             return "<span class=\"outcome proven\">✓ proven</span>";
         case Outcome::defective:
             return "<span class=\"outcome defective\">✗ defective</span>";
+        case Outcome::undecided:
+            return "<span class=\"outcome undecided\">? undecided</span>";
         case Outcome::unreadable:
             return "<span class=\"outcome unreadable\">! unreadable</span>";
         case Outcome::not_judged:

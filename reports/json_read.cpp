@@ -44,8 +44,7 @@ PixelClass class_named(const std::string& name) {
 }
 
 Outcome outcome_named(const std::string& name) {
-    for (const Outcome outcome :
-         {Outcome::proven, Outcome::defective, Outcome::unreadable, Outcome::not_judged})
+    for (const Outcome outcome : all_outcomes)
         if (name_of(outcome) == name) return outcome;
     refuse("no outcome is named \"" + name + "\"");
 }

@@ -208,8 +208,7 @@ Json waivers(const Results& r) {
 
 Json summary_object(const Results& results) {
     Json summary = {{"views", results.views.size()}};
-    for (const Outcome outcome :
-         {Outcome::proven, Outcome::defective, Outcome::unreadable, Outcome::not_judged})
+    for (const Outcome outcome : all_outcomes)
         summary[std::string(name_of(outcome))] =
             std::ranges::count(results.views, outcome, &ViewResult::outcome);
     return summary;

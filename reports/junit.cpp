@@ -27,7 +27,8 @@ std::vector<Suite> suites_of(const Results& results) {
 }
 
 bool is_failure(const ViewResult* v) {
-    return v->outcome == Outcome::defective || v->outcome == Outcome::not_judged;
+    return v->outcome == Outcome::defective || v->outcome == Outcome::undecided ||
+           v->outcome == Outcome::not_judged;
 }
 
 bool is_error(const ViewResult* v) { return v->outcome == Outcome::unreadable; }
@@ -48,16 +49,16 @@ std::string totals(const std::vector<const ViewResult*>& cases) {
 /// The class of the worst defect; "expectation" where pixels are sound but the view did not show what it
 /// must.
 std::string failure_type(const ViewResult& v) {
-    if (v.outcome == Outcome::not_judged) return "not_judged";
+    if (v.outcome != Outcome::defective) return std::string(name_of(v.outcome));
     for (std::size_t i = v.counts.size(); i-- > 0;)
-        if (v.counts[i] > v.waived[i] && !passes(PixelClass(i))) return std::string(name_of(PixelClass(i)));
+        if (v.counts[i] > v.waived[i] && is_defect(PixelClass(i))) return std::string(name_of(PixelClass(i)));
     return "expectation";
 }
 
 std::string defect_sentence(const ViewResult& v) {
     std::string sentence = counted(unwaived_defects(v), "defective pixel");
     for (std::size_t i = 0; i < v.counts.size(); ++i)
-        if (v.counts[i] > v.waived[i] && !passes(PixelClass(i)))
+        if (v.counts[i] > v.waived[i] && is_defect(PixelClass(i)))
             sentence += ", " + grouped(v.counts[i] - v.waived[i]) + " " + std::string(name_of(PixelClass(i)));
     return sentence;
 }

@@ -34,6 +34,8 @@ std::string word_of(Outcome outcome) {
             return "✓ proven";
         case Outcome::defective:
             return "✗ **defective**";
+        case Outcome::undecided:
+            return "? **undecided**";
         case Outcome::unreadable:
             return "! **unreadable**";
         case Outcome::not_judged:
@@ -50,10 +52,9 @@ std::string headline(const Results& results) {
     for (const ViewResult& v : results.views) waived += waived_count(v);
     std::string text = "## zproof: " + in_words(extent_of(results)) + ", " +
                        std::to_string(count(Outcome::proven)) + " proven";
-    for (const Outcome outcome : {Outcome::defective, Outcome::unreadable, Outcome::not_judged})
-        if (count(outcome) > 0)
-            text += ", " + std::to_string(count(outcome)) + " " +
-                    (outcome == Outcome::not_judged ? "not judged" : std::string(name_of(outcome)));
+    for (const Outcome outcome : all_outcomes)
+        if (outcome != Outcome::proven && count(outcome) > 0)
+            text += ", " + std::to_string(count(outcome)) + " " + std::string(in_words(outcome));
     if (waived > 0) text += "; " + counted(waived, "pixel") + " waived";
     return text + (results.ending == Ending::interrupted ? "; interrupted" : "") + "\n\n";
 }
@@ -75,13 +76,13 @@ std::string story(const ViewResult& v) {
         "- " + word_of(v.outcome) + " " + plain(v.scene) + (v.view.empty() ? "" : "/" + plain(v.view)) + ": ";
     std::string what = v.message.empty() ? "" : plain(v.message);
     for (std::size_t i = v.counts.size(); i-- > 0;)
-        if (v.counts[i] > v.waived[i] && !passes(PixelClass(i)))
+        if (v.counts[i] > v.waived[i] && is_defect(PixelClass(i)))
             what += (what.empty() ? "" : ", ") + grouped(v.counts[i] - v.waived[i]) + " " +
                     plain(std::string(name_of(PixelClass(i))));
     text += what + "\n";
     if (v.diagnosis) text += "  - " + plain(in_words(*v.diagnosis)) + "\n";
     for (std::size_t i = 0; i < std::min(pixels_told, v.worst.size()); ++i)
-        if (v.worst[i].waiver.empty() && !passes(v.worst[i].finding.verdict)) text += pixel(v.worst[i]);
+        if (v.worst[i].waiver.empty() && is_defect(v.worst[i].finding.verdict)) text += pixel(v.worst[i]);
     return text;
 }
 

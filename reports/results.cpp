@@ -11,14 +11,16 @@ int reading_order(Outcome outcome) {
     switch (outcome) {
         case Outcome::defective:
             return 0;
-        case Outcome::unreadable:
+        case Outcome::undecided:
             return 1;
-        case Outcome::not_judged:
+        case Outcome::unreadable:
             return 2;
-        case Outcome::proven:
+        case Outcome::not_judged:
             return 3;
+        case Outcome::proven:
+            return 4;
     }
-    return 3;
+    return 4;
 }
 
 }  // namespace
@@ -29,12 +31,18 @@ std::string_view name_of(Outcome outcome) {
             return "proven";
         case Outcome::defective:
             return "defective";
+        case Outcome::undecided:
+            return "undecided";
         case Outcome::unreadable:
             return "unreadable";
         case Outcome::not_judged:
             return "not_judged";
     }
     return "not_judged";
+}
+
+std::string_view in_words(Outcome outcome) {
+    return outcome == Outcome::not_judged ? "not judged" : name_of(outcome);
 }
 
 std::string title_of(const RendererFacts& renderer) {
@@ -49,7 +57,8 @@ std::string title_of(const RendererFacts& renderer) {
 }
 
 bool was_judged(const ViewResult& view) {
-    return view.outcome == Outcome::proven || view.outcome == Outcome::defective;
+    return view.outcome == Outcome::proven || view.outcome == Outcome::defective ||
+           view.outcome == Outcome::undecided;
 }
 
 bool stands_for_a_scene(const ViewResult& view) { return view.view.empty() && !was_judged(view); }
@@ -57,7 +66,7 @@ bool stands_for_a_scene(const ViewResult& view) { return view.view.empty() && !w
 std::uint64_t defect_count(const ClassCounts& counts) {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < counts.size(); ++i)
-        if (!passes(PixelClass(i))) sum += counts[i];
+        if (is_defect(PixelClass(i))) sum += counts[i];
     return sum;
 }
 

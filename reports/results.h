@@ -1,6 +1,7 @@
 /// Everything a run found out: the one input of every report, and the shape of results.json.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,9 +32,16 @@ struct ReportedFinding {
 enum class Outcome {
     proven,      ///< judged, no defect
     defective,   ///< at least one pixel fails the gate, or an expected class did not occur
+    undecided,   ///< judged, no defect, but some pixels are undecidable at the declared precision
     unreadable,  ///< the input or a tool refused; `message` says why
     not_judged,  ///< nothing to judge (no triangles)
 };
+
+inline constexpr std::array all_outcomes{Outcome::proven, Outcome::defective, Outcome::undecided,
+                                         Outcome::unreadable, Outcome::not_judged};
+
+/// The outcome in words: "not judged".
+std::string_view in_words(Outcome outcome);
 
 /// The outcome's name in results.json: "not_judged".
 std::string_view name_of(Outcome outcome);

@@ -43,7 +43,7 @@ ViewChange change_of(const RunToCompare& before, std::size_t i, const RunToCompa
 std::vector<DefectPixel> defects_among(const std::vector<Finding>& findings) {
     std::vector<DefectPixel> defects;
     for (const Finding& f : findings)
-        if (!passes(f.verdict)) defects.push_back({f.x, f.y, f.verdict});
+        if (is_defect(f.verdict)) defects.push_back({f.x, f.y, f.verdict});
     std::ranges::sort(defects, is_before);
     return defects;
 }

@@ -39,6 +39,8 @@ std::string_view glyph_of(Outcome outcome) {
             return "✓";
         case Outcome::defective:
             return "✗";
+        case Outcome::undecided:
+            return "?";
         case Outcome::unreadable:
             return "!";
         case Outcome::not_judged:
@@ -47,9 +49,7 @@ std::string_view glyph_of(Outcome outcome) {
     return "?";
 }
 
-std::string word_of(Outcome outcome) {
-    return outcome == Outcome::not_judged ? "not judged" : std::string(name_of(outcome));
-}
+std::string word_of(Outcome outcome) { return std::string(in_words(outcome)); }
 
 std::string verdict_text(Outcome outcome) { return std::string(glyph_of(outcome)) + " " + word_of(outcome); }
 
@@ -206,8 +206,7 @@ std::string oracle_lines(const Results& results) {
 
 std::string outcomes(const Results& results, Colour colour) {
     std::string text = in_words(extent_of(results)) + ":";
-    for (const Outcome outcome :
-         {Outcome::proven, Outcome::defective, Outcome::unreadable, Outcome::not_judged}) {
+    for (const Outcome outcome : all_outcomes) {
         const auto count = std::ranges::count(results.views, outcome, &ViewResult::outcome);
         if (count == 0) continue;
         const std::string part =

@@ -1,6 +1,7 @@
 #include "compare/adjudicate/adjudicator.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 
@@ -62,12 +63,13 @@ void Adjudicator::for_each_pixel(std::span<const PixelCoord> pixels, const DoAtP
     const TileWork::Setting setting{scene_, view_, rays, search, asked_, override_};
     std::vector<Pending> pending;
     for (std::size_t i = 0; i < pixels.size(); ++i) pending.push_back({std::uint32_t(i), first_search_px});
-    while (!pending.empty()) {
+    while (!pending.empty() && !tbb::is_current_task_group_canceling()) {
         const std::vector<TileRange> ranges = sort_by_tile(pending, pixels, tiles);
         const TrianglesByTile near = search.find(asked_boxes(pending, pixels, tiles));
         const auto do_tile = [&](std::size_t r) {
             TileWork work(setting, near.of(ranges[r].tile));
-            for (std::size_t i = ranges[r].first; i < ranges[r].end; ++i)
+            for (std::size_t i = ranges[r].first;
+                 i < ranges[r].end && !tbb::is_current_task_group_canceling(); ++i)
                 pending[i].reach_px = act(work, pending[i].pixel, pending[i].reach_px);
         };
         tbb::parallel_for(std::size_t(0), ranges.size(), do_tile, tbb::simple_partitioner());

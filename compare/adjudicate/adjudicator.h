@@ -25,7 +25,8 @@ class Adjudicator {
     Adjudicator(const Scene& scene, const View& view, QueryDetail asked, RuleOverride override = nullptr)
         : scene_(scene), view_(view), asked_(asked), override_(std::move(override)) {}
 
-    /// Runs on all threads; one thread handles the pixels of a tile one after another.
+    /// Runs on all threads; one thread handles the pixels of a tile one after another. Leaves the rest undone
+    /// where the surrounding task group is cancelled.
     void for_each_pixel(std::span<const PixelCoord> pixels, const DoAtPixel& act) const;
     /// All queries, in their order.
     std::vector<QueryResult> decide(std::span<const PixelQuery> queries) const;

@@ -92,7 +92,7 @@ PixelClass class_of(const PixelCheck& pixel) {
 
 bool is_reference_wrong(const PixelCheck& pixel) {
     return pixel.reference.is_invalid || !pixel.reference.is_depth_admissible ||
-           !is_admissible(pixel.reference_decision.decision.admissibility);
+           is_inadmissible(pixel.reference_decision.decision.admissibility);
 }
 
 Finding finding_of(const FramePair& frames, const PixelCheck& pixel, const PixelCoord& place) {

@@ -79,7 +79,18 @@ void TileWork::gather(double reach_px) {
         if (distance_px <= reach_px) around_.neighbours.push_back(neighbour);
 }
 
+std::size_t TileWork::count_within(const PixelCoord& pixel, double reach_px) const {
+    std::size_t count = 0;
+    for (std::size_t place = 0; place < triangles_.count(); ++place)
+        count += distance_px_from(triangles_.box(place), pixel) <= reach_px;
+    return count;
+}
+
 double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated) {
+    if (count_within({query.x, query.y}, searched_px) > most_neighbours) {
+        adjudicated = {{Admissibility::undecidable, false, searched_px / first_reach}, std::nullopt};
+        return 0;
+    }
     look_at(query, searched_px);
     const double own_eps = own_eps_px(query), least_reach_px = first_reach * own_eps;
     around_.eps_px = eps_px_within(least_reach_px, own_eps);

@@ -37,6 +37,7 @@ class TileWork {
     void look_at(const PixelQuery& query, double reach_px);
     double own_eps_px(const PixelQuery& query) const;
     double eps_px_within(double reach_px, double own_eps_px) const;
+    std::size_t count_within(const PixelCoord& pixel, double reach_px) const;
     void gather(double reach_px);
 
     const Setting& setting_;

@@ -45,6 +45,15 @@ Admissibility admissibility_in(const Neighbourhood& around, PrimitiveId answer, 
     return index ? of_triangle(set, *index, count) : Admissibility::outside;
 }
 
+/// By intervals, then by rationals. Throws TooMuchWork.
+Decision decide_by_region(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
+    try {
+        return {admissibility_in<Interval>(around, answer, coplanar), false, around.eps_px};
+    } catch (const UndecidedSign&) {
+        return {admissibility_in<LazyRational>(around, answer, coplanar), true, around.eps_px};
+    }
+}
+
 }  // namespace
 
 Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& coplanar) {
@@ -58,15 +67,16 @@ Decision decide(const Neighbourhood& around, PrimitiveId answer, CoplanarCache& 
             break;
     }
     try {
-        return {admissibility_in<Interval>(around, answer, coplanar), false, eps_px};
-    } catch (const UndecidedSign&) {
-        return {admissibility_in<LazyRational>(around, answer, coplanar), true, eps_px};
+        return decide_by_region(around, answer, coplanar);
+    } catch (const TooMuchWork&) {
+        return {Admissibility::undecidable, false, eps_px};
     }
 }
 
 PixelClass class_of(Admissibility candidate, Admissibility reference) {
-    if (is_admissible(candidate) && !is_admissible(reference)) return PixelClass::reference_wrong;
-    switch (is_admissible(candidate) ? std::max(candidate, reference) : candidate) {
+    if (is_admissible(candidate) && is_inadmissible(reference)) return PixelClass::reference_wrong;
+    switch (is_admissible(candidate) && is_admissible(reference) ? std::max(candidate, reference)
+                                                                 : candidate) {
         case Admissibility::visible:
             return PixelClass::edge;
         case Admissibility::clipped:
@@ -75,6 +85,8 @@ PixelClass class_of(Admissibility candidate, Admissibility reference) {
             return PixelClass::depth_tie;
         case Admissibility::through_a_crack:
             return PixelClass::abutting_edges;
+        case Admissibility::undecidable:
+            return PixelClass::undecidable;
         case Admissibility::hole:
             return PixelClass::hole;
         case Admissibility::outside:

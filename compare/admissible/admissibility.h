@@ -14,12 +14,18 @@ enum class Admissibility : std::uint8_t {
     clipped,          ///< the same, and the near or far plane cuts a triangle within eps
     tied,             ///< visible only thanks to the depth bounds
     through_a_crack,  ///< visible only where occluders abut without sharing an edge
+    undecidable,      ///< it would take more work than a pixel is given
     hole,             ///< background, but covered for certain
     outside,          ///< the triangle does not reach the square
     hidden,           ///< occluded for certain
 };
 
-constexpr bool is_admissible(Admissibility s) { return s < Admissibility::hole; }
+constexpr bool is_admissible(Admissibility s) { return s < Admissibility::undecidable; }
+constexpr bool is_inadmissible(Admissibility s) { return s > Admissibility::undecidable; }
+
+/// Among more triangles than these nothing is decided about a pixel. It bounds time and memory, and no
+/// verdict passes by it.
+inline constexpr std::size_t most_neighbours = 1024;
 
 struct Decision {
     Admissibility admissibility = Admissibility::visible;

@@ -118,6 +118,7 @@ int AdmissibleSet<Number>::locus_of(const std::array<int, 2>& ends) {
         return collinear(place(other.ends[0]), place(other.ends[1]), place(ends[0])) &&
                collinear(place(other.ends[0]), place(other.ends[1]), place(ends[1]));
     };
+    spend(edges_.size() / 128);  // a comparison costs a small part of a cut
     const auto found = std::ranges::find_if(edges_, along);
     return found == edges_.end() ? int(edges_.size()) : found->locus;
 }
@@ -197,6 +198,19 @@ auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
         push_clipped(pieces, std::move(region), segment->inverse_depth, index);
     }
     return pieces;
+}
+
+template <class Number>
+void AdmissibleSet<Number>::spend(std::size_t work) {
+    spent_ += work;
+    if (spent_ > most_work) throw TooMuchWork{};
+}
+
+template <class Number>
+auto AdmissibleSet<Number>::left_of(const std::vector<Region<Number>>& regions,
+                                    const HalfPlanes<Number>& half_planes) -> std::vector<Region<Number>> {
+    spend(regions.size() * half_planes.size());
+    return without(regions, half_planes);
 }
 
 template <class Number>
@@ -312,7 +326,7 @@ std::optional<std::vector<size_t>> AdmissibleSet<Number>::covered_by(std::option
     std::vector<size_t> occluders;
     for (const size_t o : front_to_back_) {
         if (!occludes(o) || (seen && stands_apart(o, *seen))) continue;
-        left = without(left, cover(o, seen, stays));
+        left = left_of(left, cover(o, seen, stays));
         occluders.push_back(o);
         if (left.empty()) return occluders;
     }
@@ -332,12 +346,23 @@ bool AdmissibleSet<Number>::leaves_bare(std::optional<size_t> seen, const Occlud
     return false;
 }
 
+/// Does the occluder hold the square's centre, with all edges moved inwards?
+template <class Number>
+bool AdmissibleSet<Number>::holds_centre(size_t occluder, std::optional<size_t> seen) {
+    const HalfPlanes<Number> half_planes = cover(occluder, seen, [](LinePointer) { return false; });
+    spend(half_planes.size());
+    return std::ranges::all_of(half_planes, [](LinePointer line) { return sign(line->f.c) >= 0; });
+}
+
 template <class Number>
 template <class Occludes>
 bool AdmissibleSet<Number>::leaves_bare_by(EdgeRule rule, std::optional<size_t> seen,
                                            const Occludes& occludes) {
     if (rule == EdgeRule::watertight) return leaves_bare(seen, occludes);
-    if (rule == EdgeRule::apart) return !covered_by(seen, occludes, [](LinePointer) { return false; });
+    if (rule == EdgeRule::apart)
+        return std::ranges::none_of(front_to_back_, [&](size_t o) {
+            return occludes(o) && !(seen && stands_apart(o, *seen)) && holds_centre(o, seen);
+        });
     // covered with every edge moved inwards: then all the more where some of them stay
     if (covered_by(seen, occludes, [](LinePointer) { return false; })) return false;
     std::vector<size_t> occluders;
@@ -391,7 +416,7 @@ std::vector<Region<Number>> AdmissibleSet<Number>::visible_parts(size_t index) {
         std::vector<Region<Number>> left{piece.region};
         for (const size_t o : front_to_back_) {
             if (o == index || left.empty() || !may_occlude(o)) continue;
-            if (const auto hiding = true_cover(o, piece)) left = without(left, *hiding);
+            if (const auto hiding = true_cover(o, piece)) left = left_of(left, *hiding);
         }
         if (!left.empty()) return left;
     }

@@ -17,15 +17,20 @@ enum class DepthRule {
 enum class EdgeRule {
     watertight,  ///< occluders move together: only the outline of their union moves
     separate,    ///< every occluder's edges that no other occluder continues are moved inwards by eps
-    apart,       ///< all edges of every occluder are moved inwards by eps, by a renderer that leaves gaps
+    apart,       ///< every occluder moves by itself: none holds the centre with all its edges inwards by eps
 };
 struct Rules {
     DepthRule depth = DepthRule::bounded;
     EdgeRule edges = EdgeRule::watertight;
 };
 
+/// Thrown where a decision would take more than most_work: work per pixel is bounded. It is counted in cuts
+/// of a region by a half-plane.
+struct TooMuchWork {};
+inline constexpr std::size_t most_work = 50'000;
+
 /// Decides by the signs of Number: exactly with rationals; with Interval, throws UndecidedSign where double
-/// precision is not enough. With double, an estimate.
+/// precision is not enough. With double, an estimate. Throws TooMuchWork.
 template <class Number>
 class AdmissibleSet {
   public:
@@ -112,12 +117,18 @@ class AdmissibleSet {
     template <class Occludes, class Stays>
     std::optional<std::vector<size_t>> covered_by(std::optional<size_t> seen, const Occludes& occludes,
                                                   const Stays& stays);
+    bool holds_centre(size_t occluder, std::optional<size_t> seen);
     template <class Occludes>
     bool leaves_bare(std::optional<size_t> seen, const Occludes& occludes);
     template <class Occludes>
     bool leaves_bare_by(EdgeRule rule, std::optional<size_t> seen, const Occludes& occludes);
 
+    void spend(std::size_t work);
+    std::vector<Region<Number>> left_of(const std::vector<Region<Number>>& regions,
+                                        const HalfPlanes<Number>& half_planes);
+
     const Neighbourhood& around_;
+    std::size_t spent_ = 0;
     double half_side_px_;
     ViewRay<Number> ray_;
     std::deque<Line<Number>> lines_;  ///< regions point at lines: all live as long as the set

@@ -42,12 +42,10 @@ class VisibleWithin {
     std::optional<AdmissibleSet<double>> set_;
 };
 
-}  // namespace
-
 /// What is seen in a square is seen in every larger one: by ever larger strides from the likely half-side,
 /// and then by bisection.
-std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer,
-                                            CoplanarCache& coplanar) {
+std::optional<double> least_displacement(const Neighbourhood& around, PrimitiveId answer,
+                                         CoplanarCache& coplanar) {
     VisibleWithin seen_within(around, answer, coplanar);
     const auto is_seen = [&](int step) { return seen_within(around.eps_px * step / displacement_steps); };
     if (is_seen(1)) return std::nullopt;
@@ -62,6 +60,17 @@ std::optional<double> displacement_over_eps(const Neighbourhood& around, Primiti
         if (step <= too_small || step >= enough) step = (too_small + enough) / 2;
     }
     return double(too_small) / displacement_steps;
+}
+
+}  // namespace
+
+std::optional<double> displacement_over_eps(const Neighbourhood& around, PrimitiveId answer,
+                                            CoplanarCache& coplanar) {
+    try {
+        return least_displacement(around, answer, coplanar);
+    } catch (const TooMuchWork&) {
+        return std::nullopt;
+    }
 }
 
 }  // namespace zproof

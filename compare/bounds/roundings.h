@@ -18,15 +18,15 @@ inline double unit_of(Arithmetic arithmetic) {
 /// gamma(k) for the small k that every triangle asks for.
 class Gammas {
   public:
-    explicit Gammas(double unit) {
+    constexpr explicit Gammas(double unit) {
         for (std::size_t k = 0; k < values_.size(); ++k) values_[k] = gamma(int(k), unit);
     }
-    double operator[](std::size_t k) const { return values_[k]; }
+    constexpr double operator[](std::size_t k) const { return values_[k]; }
 
   private:
     std::array<double, 17> values_{};
 };
-inline const Gammas single_gammas(unit_roundoff_float32), double_gammas(unit_roundoff_float64);
+inline constexpr Gammas single_gammas(unit_roundoff_float32), double_gammas(unit_roundoff_float64);
 inline const Gammas& gammas_of(double unit) {
     return unit == unit_roundoff_float32 ? single_gammas : double_gammas;
 }

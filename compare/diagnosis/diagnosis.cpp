@@ -41,7 +41,7 @@ std::vector<std::uint32_t> agreeing_beside_defects(const Verdict& verdict, Resol
     Plane<std::uint8_t> holds_defect({right + 1, lowest + 1});
     for (const Finding& f : verdict.findings) {
         const auto [column, row] = place(f.x, f.y);
-        if (!passes(f.verdict)) holds_defect.at(column, row) = 1;
+        if (is_defect(f.verdict)) holds_defect.at(column, row) = 1;
     }
     std::vector<std::uint32_t> pixels;
     for (int y = 0; y < size.height; ++y)
@@ -58,7 +58,7 @@ class DefectSet {
   public:
     DefectSet(const Frame& candidate, const Verdict& verdict) : candidate_(candidate), verdict_(verdict) {
         for (const Finding& f : verdict.findings)
-            if (!passes(f.verdict)) {
+            if (is_defect(f.verdict)) {
                 defects_.push_back({f.x, f.y, f.candidate});
                 are_all_depths_ &= f.verdict == PixelClass::wrong_depth;
             }

@@ -52,6 +52,9 @@ std::string reason(const Finding& f) {
             return "both are admissible " + square + ": the near or far plane cuts there";
         case PixelClass::reference_wrong:
             return "the candidate is admissible " + square + ", the reference is not";
+        case PixelClass::undecidable:
+            return "undecidable at eps = " + number(f.eps_px, 4) +
+                   " px: too many triangles may be shown there";
         case PixelClass::wrong_depth:
             return "the id is right, the depth is not: " + depth_sentence(f);
         case PixelClass::hole:
@@ -76,6 +79,8 @@ const char* words_for(Admissibility s) {
             return "admissible: within the depth bounds of the nearest";
         case Admissibility::through_a_crack:
             return "admissible only through a crack of the scene";
+        case Admissibility::undecidable:
+            return "undecidable: too many triangles within eps";
         case Admissibility::hole:
             return "not admissible: covered for certain";
         case Admissibility::outside:

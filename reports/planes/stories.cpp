@@ -27,6 +27,8 @@ std::string_view word_for(Admissibility admissibility) {
             return "tied in depth";
         case Admissibility::through_a_crack:
             return "through a crack";
+        case Admissibility::undecidable:
+            return "undecidable";
         case Admissibility::hole:
             return "covered";
         case Admissibility::outside:

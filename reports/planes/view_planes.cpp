@@ -75,7 +75,8 @@ Block colour_block(const std::string& name, const Picture& colours) {
 std::vector<const Finding*> listed_findings(const Verdict& verdict) {
     std::vector<const Finding*> listed;
     for (const Finding& finding : verdict.findings) listed.push_back(&finding);
-    std::stable_partition(listed.begin(), listed.end(), [](const Finding* f) { return !passes(f->verdict); });
+    std::stable_partition(listed.begin(), listed.end(),
+                          [](const Finding* f) { return is_defect(f->verdict); });
     if (listed.size() > most_findings) listed.resize(most_findings);
     std::ranges::sort(listed, {}, [](const Finding* f) { return std::pair{f->y, f->x}; });
     return listed;

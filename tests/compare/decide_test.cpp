@@ -32,7 +32,10 @@ TEST(Decide, SaysWhatExactRationalsSayForEveryAnswer) {
             exact += decision.exact;
         }
     }
-    for (std::size_t word = 0; word < said.size(); ++word) EXPECT_GT(said[word], 3) << "word " << word;
+    for (std::size_t word = 0; word < said.size(); ++word) {
+        const std::size_t least = Admissibility(word) == Admissibility::undecidable ? 0 : 4;
+        EXPECT_GE(said[word], least) << "word " << word;
+    }
     EXPECT_GT(exact, 100);
 }
 

@@ -71,7 +71,7 @@ TEST_P(DepthErrors, OfARunAreThoseOfItsPixelsWhateverItsLength) {
                                     PlaneRayPrecision{},
                                     RasterPrecision{.subpixel_bits = 0, .depth_roundings = 4000},
                                     RasterPrecision{.depth_buffer = DepthBuffer::reversed_z,
-.depth_interpolation = DepthInterpolation::plane}};
+                                                    .depth_interpolation = DepthInterpolation::plane}};
     Tried tried;
     for (std::uint32_t seed = 0; seed < 240; ++seed) {
         SCOPED_TRACE(seed);

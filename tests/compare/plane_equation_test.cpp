@@ -118,7 +118,7 @@ TEST(PlaneEquation, APolygonIsAsBadAsItsThinnestThreeCorners) {
 std::vector<WindowCorner> seen(const CornersWorld& p) {
     const View view = wide_view();
     return window_polygon(view, ViewBounds(view, RasterPrecision{}).extent_of(p), Clipping::view_volume,
- z_range(view.camera, {.depth_buffer = DepthBuffer::reversed_z}));
+                          z_range(view.camera, {.depth_buffer = DepthBuffer::reversed_z}));
 }
 
 TEST(WindowPolygon, KeepsATriangleInsideAsItIs) {

@@ -4,7 +4,7 @@ import {counted, grouped} from './numbers';
 import {defects, differing} from './run';
 import type {ClassStyle, Run, ViewEntry} from './run';
 
-const marks: Record<string, string> = {proven: '✓', defective: '✗', unreadable: '!', not_judged: '?'};
+const marks: Record<string, string> = {proven: '✓', defective: '✗', undecided: '?', unreadable: '!', not_judged: '?'};
 
 export class SceneList {
     readonly search = element('input', {type: 'search', placeholder: 'Search  /', 'aria-label': 'search views'});
