@@ -15,8 +15,8 @@ class Models : public testing::Test {
     Models() {
         folder.write("models/one.gltf", one_triangle());
         folder.write("views/one.view.json", R"({"scene": "one.gltf", "views": [{"name": "front", "width": 8,
-            "height": 6, "projection": "perspective", "yfov_degrees": 60, "eye": [0, 0, 0], "target": [0, 0, -1],
-            "up": [0, 1, 0], "near": 1, "far": 9}]})");
+            "height": 6, "projection": "perspective", "yfov_degrees": 60, "near": 1, "far": 9, "eye": [0, 0, 0],
+            "target": [0, 0, -1], "up": [0, 1, 0]}]})");
     }
     Folder folder;
 };
