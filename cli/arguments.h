@@ -61,6 +61,7 @@ struct ReportArguments {
 
 struct RunArguments {
     std::vector<std::string> scenes;  ///< empty: the whole suite
+    std::filesystem::path models;     ///< where view files' models may lie; empty: beside them only
     Shard shard;
     ChosenRenderers renderers;
     RenderSettings settings;
@@ -69,22 +70,25 @@ struct RunArguments {
 
 struct CompareArguments {
     std::string scene;
-    std::string view;           ///< empty: the scene's only view
-    ChosenRenderers renderers;  ///< the candidate is a stored frame
+    std::filesystem::path models;  ///< where view files' models may lie; empty: beside them only
+    std::string view;              ///< empty: the scene's only view
+    ChosenRenderers renderers;     ///< the candidate is a stored frame
     int threads = available_threads();
     ReportArguments report{.evidence = Evidence::all};  ///< one frame, which somebody asks about
 };
 
 struct ExplainArguments {
     std::string scene;
-    int x = 0, y = 0;           ///< pixel
-    std::string view;           ///< empty: the scene's first view
-    ChosenRenderers renderers;  ///< oracles are not asked
+    std::filesystem::path models;  ///< where view files' models may lie; empty: beside them only
+    int x = 0, y = 0;              ///< pixel
+    std::string view;              ///< empty: the scene's first view
+    ChosenRenderers renderers;     ///< oracles are not asked
     RenderSettings settings;
 };
 
 struct RenderArguments {
     std::string scene;
+    std::filesystem::path models;  ///< where view files' models may lie; empty: beside them only
     RendererChoice renderer;
     std::optional<FilterChoice> filter;  ///< also write the textures, read this way
     std::filesystem::path out = "zproof-render";
@@ -94,6 +98,7 @@ struct RenderArguments {
 struct MeasureArguments {
     RendererChoice renderer;
     MeasurementFormat format = MeasurementFormat::table;
+    std::filesystem::path emit;  ///< for the measured precision; empty: it is not written
 };
 
 struct ContractCheckArguments {

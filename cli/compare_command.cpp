@@ -23,7 +23,7 @@ std::string view_meant(const CompareArguments& arguments, const SceneSource& sou
 ExitCode execute(const CompareArguments& arguments) {
     const auto& candidate = std::get<StoredFrame>(arguments.renderers.candidate.who);
     const Resolution size = frame_size(candidate.file);
-    const SceneSource source = select_scene(arguments.scene);
+    const SceneSource source = select_scene(arguments.scene, arguments.models);
     return judge_and_report({.sources = {source},
                              .renderers = arguments.renderers,
                              .settings = {.resolution = size, .threads = arguments.threads},

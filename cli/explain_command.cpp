@@ -38,7 +38,7 @@ PixelExplanation story_of(const ExplainArguments& arguments, const Scene& scene,
 }  // namespace
 
 ExitCode execute(const ExplainArguments& arguments) {
-    const SceneSource source = select_scene(arguments.scene);
+    const SceneSource source = select_scene(arguments.scene, arguments.models);
     const Loaded loaded = load(source, arguments.settings.resolution);
     const View& view = view_named(arguments.view, loaded);
     require_inside(arguments, view);

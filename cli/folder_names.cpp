@@ -27,8 +27,8 @@ std::string safe_name(const std::string& text) {
     return safe;
 }
 
-std::string FolderNames::next(const std::string& scene, const std::string& view) {
-    const std::string wanted = safe_name(scene + "-" + view);
+std::string FolderNames::next(const std::string& text) {
+    const std::string wanted = safe_name(text);
     std::string name = wanted;
     for (int i = 2; !taken_.insert(in_lower_case(name)).second; ++i) name = wanted + "-" + std::to_string(i);
     return name;

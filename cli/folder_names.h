@@ -1,4 +1,4 @@
-/// Names of evidence folders: safe on any file system, no two alike.
+/// Names of folders and files: safe on any file system, no two alike.
 #pragma once
 
 #include <set>
@@ -13,7 +13,8 @@ std::string safe_name(const std::string& text);
 class FolderNames {
   public:
     /// "SCENE-VIEW", followed by "-2", "-3", ... where that is taken already (letter case does not count).
-    std::string next(const std::string& scene, const std::string& view);
+    std::string next(const std::string& scene, const std::string& view) { return next(scene + "-" + view); }
+    std::string next(const std::string& text);  ///< the same of any text
 
   private:
     std::set<std::string> taken_;  ///< in lower case

@@ -30,7 +30,8 @@ void write_colours(const std::string& stem, const Picture& picture) {
 }  // namespace
 
 ExitCode execute(const RenderArguments& arguments) {
-    const Loaded loaded = load(select_scene(arguments.scene), arguments.settings.resolution);
+    const Loaded loaded =
+        load(select_scene(arguments.scene, arguments.models), arguments.settings.resolution);
     OutputFolder out{arguments.out};
     note_interrupts();
     std::vector<std::string> written;

@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <memory>
 
 #include "cli/nearest_word.h"
+#include "cli/renderers/kept_input.h"
 #include "cli/renderers/registry.h"
 #include "cli/usage_error.h"
 
@@ -62,6 +64,13 @@ OracleChoice oracle_choice(const std::string& name, const RendererWords& words) 
     return choice;
 }
 
+std::shared_ptr<KeptInput> kept_input(const RendererWords& words, const RendererChoice& choice) {
+    if (words.keep_input.empty()) return nullptr;
+    if (std::holds_alternative<Program>(choice.who)) return std::make_shared<KeptInput>(words.keep_input);
+    throw UsageError{"--keep-input: only a renderer that is a program is handed files, found '" +
+                     name_of(choice) + "'; expected a command with {scene} and {out} in it"};
+}
+
 }  // namespace
 
 void add_precision_options(CLI::App& app, RendererWords& words) {
@@ -79,6 +88,12 @@ void add_renderer_options(CLI::App& app, RendererWords& words) {
            "who is judged: zproof, embree, opengl, povray, or 'CMD {scene} {camera} {width} {height} {out}'")
         ->capture_default_str();
     add_precision_options(app, words);
+    add_keep_input(app, words);
+}
+
+void add_keep_input(CLI::App& app, RendererWords& words) {
+    app.add_option("--keep-input", words.keep_input,
+                   "folder for the scenes and cameras that a renderer that is a program is handed");
 }
 
 void add_stored_frame_options(CLI::App& app, RendererWords& words) {
@@ -107,6 +122,7 @@ RendererChoice candidate_of(const RendererWords& words) {
         words.candidate.empty() ? renderer_from_word(words.renderer) : stored_frame(words.candidate, "");
     choice.precision_word = words.precision;
     choice.time_limit = std::chrono::seconds{words.time_limit_s};
+    choice.kept_input = kept_input(words, choice);
     return choice;
 }
 

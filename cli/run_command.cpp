@@ -7,7 +7,7 @@
 namespace zproof {
 
 ExitCode execute(const RunArguments& arguments) {
-    const std::vector<SceneSource> selected = select_scenes(arguments.scenes);
+    const std::vector<SceneSource> selected = select_scenes(arguments.scenes, arguments.models);
     if (selected.empty()) {
         std::cerr << "zproof: nothing to judge: no .gltf, .glb or .view.json in what was named\n";
         return ExitCode::nothing;

@@ -89,7 +89,7 @@ void make_names_unique(std::vector<SceneSource>& sources) {
 
 }  // namespace
 
-std::vector<SceneSource> select_scenes(const std::vector<std::string>& words) {
+std::vector<SceneSource> select_scenes(const std::vector<std::string>& words, const fs::path& models) {
     const std::vector<SuiteEntry> manifest = suite_manifest();
     std::vector<SceneSource> sources;
     std::set<std::string> seen;
@@ -97,12 +97,18 @@ std::vector<SceneSource> select_scenes(const std::vector<std::string>& words) {
         for (SceneSource& source : meant_by(word, manifest))
             if (seen.insert(word_for(source)).second) sources.push_back(std::move(source));
     make_names_unique(sources);
-    for (std::size_t i = 0; i < sources.size(); ++i) sources[i].place = i;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        sources[i].place = i;
+        sources[i].models = models;
+    }
     return sources;
 }
 
-SceneSource select_scene(const std::string& word) {
-    if (const auto scene = single_scene(word, suite_manifest())) return *scene;
+SceneSource select_scene(const std::string& word, const fs::path& models) {
+    if (auto scene = single_scene(word, suite_manifest())) {
+        scene->models = models;
+        return *scene;
+    }
     throw SceneError{word + ": a folder, where one scene was expected; name a file in it"};
 }
 
@@ -113,7 +119,7 @@ Loaded load(const SceneSource& source, Resolution resolution) {
         case SceneSource::Kind::gltf:
             return load_gltf(source.origin, resolution.width, resolution.height);
         case SceneSource::Kind::view_file:
-            return load_view_file(source.origin);
+            return load_view_file(source.origin, source.models);
     }
     throw std::logic_error{"a scene source of no kind"};
 }

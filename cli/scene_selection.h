@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,16 +20,18 @@ struct SceneSource {
     std::string reason;                ///< why the suite has it; empty for files
     std::vector<std::string> expects;  ///< classes that must occur; empty for files
     std::uint64_t place = 0;           ///< in the selection, from 0
+    std::filesystem::path models{};    ///< where a view file's model may lie; empty: in its own folder only
 };
 
 /// The scenes that the words mean, in their order, each once: "suite" or no word at all is the whole suite; a
 /// folder is every .gltf, .glb and .view.json below it, sorted, where NAME.view.json speaks for a NAME.gltf
 /// or NAME.glb beside it. A suite scene's name goes before a file of that name. Nothing is opened. Throws
 /// SceneError for a word that is none of this.
-std::vector<SceneSource> select_scenes(const std::vector<std::string>& words);
+std::vector<SceneSource> select_scenes(const std::vector<std::string>& words,
+                                       const std::filesystem::path& models = {});
 
 /// The one scene that the word means; a folder is not one. Throws SceneError.
-SceneSource select_scene(const std::string& word);
+SceneSource select_scene(const std::string& word, const std::filesystem::path& models = {});
 
 /// Loads or generates it. The resolution does not touch view files. Throws SceneError.
 Loaded load(const SceneSource& source, Resolution resolution);

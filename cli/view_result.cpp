@@ -83,8 +83,11 @@ std::string explain_command_for(const ViewContext& context, const RendererChoice
     std::string command = "zproof explain " + shell_quoted(word_for(context.source)) + " " +
                           std::to_string(x) + " " + std::to_string(y) + " --view " +
                           shell_quoted(context.view.name) + renderer_options(context, candidate);
+    const bool is_view_file = context.source.kind == SceneSource::Kind::view_file;
+    if (is_view_file && !context.source.models.empty())
+        command += " --models " + shell_quoted(context.source.models.string());
     const Resolution size{context.view.width, context.view.height};
-    if (context.source.kind == SceneSource::Kind::view_file || size == default_resolution) return command;
+    if (is_view_file || size == default_resolution) return command;
     return command + " --width " + std::to_string(size.width) + " --height " + std::to_string(size.height);
 }
 

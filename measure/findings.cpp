@@ -19,6 +19,7 @@ class Allowed {
     Allowed(const Allowed&) = delete;
 
     bool is_raster() const { return raster_ != nullptr; }
+    bool is_watertight() const { return zproof::is_watertight(precision_); }
     /// The declared grid; nothing where none is.
     std::optional<int> subpixel_bits() const {
         return raster_ && raster_->snap != Snap::none ? std::optional(raster_->subpixel_bits) : std::nullopt;
@@ -237,7 +238,8 @@ void Findings::add_fill(const FillSides& fill) {
 void Findings::add_watertightness(const Watertightness& w) {
     const auto count = [](std::uint64_t n) { return Bracket{double(n), double(n)}; };
     const std::string of = "of " + std::to_string(w.pixels) + " pixels of closed meshes";
-    list_.push_back({"holes", "holes", count(w.holes), "", of, "0", conformity_of(w.holes > 0)});
+    list_.push_back({"holes", "holes", count(w.holes), "", of, "0",
+                     conformity_of(w.holes > 0 && allowed_.is_watertight())});
     list_.push_back(
         {"double_hits", "double hits", count(w.double_hits), "", of, "0", conformity_of(w.double_hits > 0)});
 }

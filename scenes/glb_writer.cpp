@@ -30,17 +30,35 @@ struct ElementRange {
     std::size_t first = 0, count = 0;
 };
 
+constexpr int no_material = -1;  ///< of a tinygltf::Primitive
+
+/// The scene's parts; one of all triangles where it has none. Throws SceneError where a triangle is in no
+/// part: the ids of those after it would not be counted as the scene counts them.
+std::vector<Part> parts_of(const Scene& scene) {
+    const auto triangles = static_cast<std::uint32_t>(scene.triangles.size());
+    if (scene.parts.empty() && triangles > 0)
+        return {{.node = {}, .mesh = {}, .triangle_count = triangles, .material = no_material}};
+    std::uint64_t next = 0;
+    for (const Part& part : scene.parts) {
+        if (part.first_triangle != next) break;
+        next += part.triangle_count;
+    }
+    if (next == triangles) return scene.parts;
+    throw SceneError("scene '" + scene.name + "': triangle " + std::to_string(next) + " of " +
+                     std::to_string(triangles) + " begins no part; expected parts that follow one another");
+}
+
 /// The vertices that a part may use: all from its own first one to the next part's first one, where the
 /// parts' vertices follow one another as the parts do, so that a loader counts them as they are counted here;
 /// otherwise from the lowest to the highest index used.
-std::vector<ElementRange> vertex_ranges(const Scene& scene) {
+std::vector<ElementRange> vertex_ranges(const Scene& scene, const std::vector<Part>& parts) {
     struct Used {
         std::size_t low = std::numeric_limits<std::size_t>::max(), end = 0;
     };
-    std::vector<Used> used(scene.parts.size());
+    std::vector<Used> used(parts.size());
     for (std::size_t p = 0; p < used.size(); ++p)
-        for (std::uint32_t i = 0; i < scene.parts[p].triangle_count; ++i) {
-            const glm::uvec3& t = scene.triangles[scene.parts[p].first_triangle + i];
+        for (std::uint32_t i = 0; i < parts[p].triangle_count; ++i) {
+            const glm::uvec3& t = scene.triangles[parts[p].first_triangle + i];
             used[p].low = std::min<std::size_t>(used[p].low, std::min({t.x, t.y, t.z}));
             used[p].end = std::max<std::size_t>(used[p].end, std::max({t.x, t.y, t.z}) + std::size_t{1});
         }
@@ -89,12 +107,13 @@ std::string png_of(const Image& image) {
 /// The scene in tinygltf's structures.
 class GlbModel {
   public:
-    explicit GlbModel(const Scene& scene) : scene_(scene) {
+    explicit GlbModel(const Scene& scene) : scene_(scene), parts_(parts_of(scene)) {
         model_.asset.version = "2.0";
         model_.asset.generator = "zproof";
         model_.defaultScene = 0;
         model_.scenes.emplace_back().nodes = {0};
-        model_.nodes.emplace_back().name = utf8(scene.name);
+        // Without a mesh and a name, tinygltf would write null in the place of the node.
+        model_.nodes.emplace_back().name = scene.name.empty() ? "scene" : utf8(scene.name);
         model_.buffers.emplace_back();
         add_mesh();
         for (const Image& image : scene.images) add_image(image);
@@ -141,7 +160,7 @@ class GlbModel {
     }
 
     void add_mesh() {
-        const std::vector<ElementRange> ranges = vertex_ranges(scene_);
+        const std::vector<ElementRange> ranges = vertex_ranges(scene_, parts_);
         const std::vector<std::uint32_t> indices = indices_within(ranges);
         if (indices.empty()) return;
         const Vertices& vertices = scene_.vertices;
@@ -157,12 +176,12 @@ class GlbModel {
         mesh.name = utf8(scene_.name);
         std::size_t first_index = 0;
         for (std::size_t p = 0; p < ranges.size(); ++p) {
-            const std::size_t count = 3 * std::size_t{scene_.parts[p].triangle_count};
+            const std::size_t count = 3 * std::size_t{parts_[p].triangle_count};
             if (count == 0) continue;
             tinygltf::Primitive& primitive = mesh.primitives.emplace_back();
             primitive.mode = TINYGLTF_MODE_TRIANGLES;
             primitive.indices = add_accessor(index, {first_index, count});
-            primitive.material = scene_.parts[p].material;
+            primitive.material = parts_[p].material;
             add_attributes(ranges[p], primitive);
             first_index += count;
         }
@@ -173,9 +192,9 @@ class GlbModel {
         std::vector<std::uint32_t> indices;
         indices.reserve(3 * scene_.triangles.size());
         for (std::size_t p = 0; p < ranges.size(); ++p)
-            for (std::uint32_t i = 0; i < scene_.parts[p].triangle_count; ++i)
+            for (std::uint32_t i = 0; i < parts_[p].triangle_count; ++i)
                 for (const int corner : {0, 1, 2})
-                    indices.push_back(scene_.triangles[scene_.parts[p].first_triangle + i][corner] -
+                    indices.push_back(scene_.triangles[parts_[p].first_triangle + i][corner] -
                                       static_cast<std::uint32_t>(ranges[p].first));
         return indices;
     }
@@ -285,6 +304,7 @@ class GlbModel {
     }
 
     const Scene& scene_;
+    const std::vector<Part> parts_;
     tinygltf::Model model_;
     Attribute position_, normal_, color_;
     std::vector<Attribute> uv_;

@@ -7,8 +7,9 @@
 
 namespace zproof {
 
-/// Writes the scene alone, under that name: positions, normals, uv sets, colours, materials and images.
-/// Throws SceneError where it cannot write.
+/// Writes the scene alone, under that name: positions, normals, uv sets, colours, materials and images. A
+/// scene without parts is one primitive, and one without triangles has no mesh. Throws SceneError where it
+/// cannot write, and where the parts leave a triangle out.
 void write_glb_file(const std::filesystem::path& file, const Scene& scene);
 
 /// Writes FOLDER/NAME.glb, and FOLDER/NAME.view.json with the views, so that load_view_file gives back the

@@ -31,18 +31,23 @@ bool is_within(const fs::path& folder, const fs::path& file) {
     return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
-/// What keeps the text from being a path beneath the folder, or nothing.
-std::string fault_of(const std::string& relative) {
+/// What keeps the text from being a relative path, or nothing.
+std::string fault_of_relative(const std::string& relative) {
     if (relative.empty()) return "expected a path, found nothing";
     const bool printable =
         std::ranges::all_of(relative, [](char c) { return static_cast<unsigned char>(c) >= 0x20; });
     if (!printable || relative.find('\\') != std::string::npos)
         return "expected a path without control characters and backslashes";
     if (has_scheme(relative)) return "expected a relative path without a scheme";
-    const fs::path path = fs::path(relative).lexically_normal();
-    if (path.is_absolute()) return "expected a relative path";
-    if (*path.begin() == "..") return "the path leaves the file's folder";
+    if (fs::path(relative).is_absolute()) return "expected a relative path";
     return {};
+}
+
+/// What keeps the text from being a path beneath the folder, or nothing.
+std::string fault_of(const std::string& relative) {
+    if (std::string fault = fault_of_relative(relative); !fault.empty()) return fault;
+    const fs::path path = fs::path(relative).lexically_normal();
+    return *path.begin() == ".." ? "the path leaves the file's folder" : "";
 }
 
 /// The path in quotes, as a message shows it.
@@ -51,6 +56,14 @@ std::string quoted(const std::string& path) {
     text += on_one_line(path.substr(0, 100));
     text += '"';
     return text;
+}
+
+/// The folder in which a file lies, symbolic links resolved.
+fs::path folder_of(const fs::path& file, const std::string& place) {
+    std::error_code error;
+    const fs::path folder = fs::canonical(fs::absolute(file).parent_path(), error);
+    if (error) refuse(file, place, "the file's folder cannot be resolved");
+    return folder;
 }
 
 /// The size of a regular file.
@@ -97,20 +110,37 @@ std::string percent_decoded(const std::string& uri) {
     return text;
 }
 
-fs::path beneath_folder_of(const fs::path& from, const std::string& place, const std::string& relative) {
-    const std::string remedy = "; put the file next to the scene and name it by a relative path";
+fs::path beneath_folder_of(const fs::path& from, const std::string& place, const std::string& relative,
+                           const std::string& remedy) {
+    const std::string end = "; " + remedy;
     if (const std::string fault = fault_of(relative); !fault.empty())
-        refuse(from, place, quoted(relative) + ": " + fault + remedy);
+        refuse(from, place, quoted(relative) + ": " + fault + end);
+    const fs::path folder = folder_of(from, place);
     std::error_code error;
-    const fs::path folder = fs::canonical(fs::absolute(from).parent_path(), error);
-    if (error) refuse(from, place, "the file's folder cannot be resolved");
     const fs::path file = fs::canonical(folder / relative, error);
-    if (error) refuse(from, place, quoted(relative) + " not found in the file's folder");
+    if (error) refuse(from, place, quoted(relative) + " not found in the file's folder" + end);
     if (!is_within(folder, file))
-        refuse(from, place, quoted(relative) + " leads out of the file's folder" + remedy);
+        refuse(from, place, quoted(relative) + " leads out of the file's folder" + end);
     if (!fs::is_regular_file(file, error))
-        refuse(from, place, quoted(relative) + " is not a regular file" + remedy);
+        refuse(from, place, quoted(relative) + " is not a regular file" + end);
     return file;
+}
+
+fs::path beneath_folder_or_root(const fs::path& from, const std::string& place, const std::string& relative,
+                                const fs::path& root) {
+    if (const std::string fault = fault_of_relative(relative); !fault.empty())
+        refuse(from, place, quoted(relative) + ": " + fault);
+    std::error_code error;
+    const fs::path folder = folder_of(from, place), models = fs::canonical(root, error);
+    if (error) refuse(from, place, "the folder of models " + quoted(root.string()) + " is not there");
+    for (const fs::path& base : {folder, models}) {
+        const fs::path file = fs::canonical(base / relative, error);
+        if (error || !(is_within(folder, file) || is_within(models, file))) continue;
+        if (fs::is_regular_file(file, error)) return file;
+    }
+    refuse(from, place,
+           quoted(relative) + ": no such file beneath the file's folder or beneath the folder of models " +
+               quoted(root.string()) + "; put the model into either");
 }
 
 AdmittedFile Admission::admit(const std::string& place, const std::string& uri,

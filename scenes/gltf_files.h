@@ -22,9 +22,16 @@ void read_first(const std::filesystem::path& file, std::span<unsigned char> to);
 
 /// The file that a relative path names beneath the folder of `from`: no scheme, not absolute, no step
 /// outside, neither by ".." nor by a symbolic link, and a regular file. Throws SceneError, naming from and
-/// place.
-std::filesystem::path beneath_folder_of(const std::filesystem::path& from, const std::string& place,
-                                        const std::string& relative);
+/// place, with the remedy at its end.
+std::filesystem::path beneath_folder_of(
+    const std::filesystem::path& from, const std::string& place, const std::string& relative,
+    const std::string& remedy = "put the file next to the scene and name it by a relative path");
+
+/// The file that a relative path names from the folder of `from` or else from `root`, and that lies beneath
+/// either, symbolic links resolved: a view file's model where a folder of models is named. Throws SceneError,
+/// naming from and place.
+std::filesystem::path beneath_folder_or_root(const std::filesystem::path& from, const std::string& place,
+                                             const std::string& relative, const std::filesystem::path& root);
 
 /// A URI without its %XX escapes.
 std::string percent_decoded(const std::string& uri);

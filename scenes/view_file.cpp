@@ -246,15 +246,21 @@ std::vector<View> views_at(const LocatedValue& list) {
     return views;
 }
 
+Path model_of(const Path& file, const std::string& relative, const Path& models) {
+    if (!models.empty()) return beneath_folder_or_root(file, "/scene", relative, models);
+    return beneath_folder_of(file, "/scene", relative,
+                             "put the model beneath the view file's folder, or name its own: --models DIR");
+}
+
 }  // namespace
 
-Loaded load_view_file(const std::filesystem::path& file) {
+Loaded load_view_file(const Path& file, const Path& models) {
     const Bytes bytes = read_file(file, largest_file);
     const json content = parse_json(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     const LocatedValue root(file, content, "");
     root.allow({"scene", "views"});
     std::vector<View> views = views_at(root.at("views"));
-    return {load_gltf_scene(beneath_folder_of(file, "/scene", root.at("scene").text())), std::move(views)};
+    return {load_gltf_scene(model_of(file, root.at("scene").text(), models)), std::move(views)};
 }
 
 }  // namespace zproof

@@ -7,8 +7,9 @@
 
 namespace zproof {
 
-/// Loads the glTF that the view file names (a path inside the view file's folder) and the views it lists.
-/// Throws SceneError, naming the file and the JSON pointer, for anything missing, unknown or out of range.
-Loaded load_view_file(const std::filesystem::path& file);
+/// Loads the glTF that the view file names and the views it lists. The glTF lies beneath the view file's
+/// folder, or beneath that of models, where one is named. Throws SceneError, naming the file and the JSON
+/// pointer, for anything missing, unknown or out of range.
+Loaded load_view_file(const std::filesystem::path& file, const std::filesystem::path& models = {});
 
 }  // namespace zproof

@@ -27,6 +27,7 @@ constexpr auto all = std::to_array<Example>({
     {"measure", "zproof measure zproof", "a table: measured, declared, and whether it is kept"},
     {"measure", "zproof measure zproof --json", "the same for programs"},
     {"measure", "zproof measure opengl", "an OpenGL driver"},
+    {"measure", "zproof measure zproof --emit measured.json", "what was measured, as --precision takes it"},
     {"contract-check", "zproof contract-check './mine {scene} {camera} {width} {height} {out}'",
      "three small scenes; what is wrong is said in words"},
     {"contract-check",

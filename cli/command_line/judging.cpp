@@ -32,6 +32,7 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("run", "render, ask the reference, judge, write the reports");
     app.add_option("SCENE", words.run.scenes,
                    std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
+    add_models(app, words.run.models);
     add_renderer_options(app, words.renderers);
     add_oracle_options(app, words.renderers);
     add_render_settings(app, words.run.settings);
@@ -52,6 +53,7 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
 Branch add_compare(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("compare", "judge frames that were rendered elsewhere");
     add_frames(app, words.compare, words.renderers);
+    add_models(app, words.compare.models);
     app.add_option("--view", words.compare.view, "name of the view; needed where the scene has several");
     add_precision_options(app, words.renderers);
     add_reference_precision(app, words.renderers);
@@ -75,6 +77,7 @@ Branch add_explain(CLI::App& parent, CommandWords& words) {
     app.add_option("SCENE", explain.scene, scene_words)->required();
     app.add_option("X", explain.x, "pixel column, 0 = left")->required()->check(CLI::Range(0, 32767));
     app.add_option("Y", explain.y, "pixel row, 0 = top")->required()->check(CLI::Range(0, 32767));
+    add_models(app, explain.models);
     app.add_option("--view", explain.view, "name of the view; default: the scene's first");
     add_renderer_options(app, words.renderers);
     add_stored_frame_options(app, words.renderers);

@@ -23,6 +23,11 @@ void add_detail(CLI::App& app, ReportArguments& report) {
 
 }  // namespace
 
+void add_models(CLI::App& app, std::filesystem::path& models) {
+    app.add_option("--models", models, "folder beneath which the models of view files may lie")
+        ->check(CLI::ExistingDirectory);
+}
+
 void add_threads(CLI::App& app, int& threads) {
     app.add_option("--threads", threads, "the verdict is the same for any number")
         ->check(CLI::Range(1, 1024))

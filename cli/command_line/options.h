@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value,
         ->default_str("auto");
 }
 
+/// --models
+void add_models(CLI::App& app, std::filesystem::path& models);
 void add_threads(CLI::App& app, int& threads);
 void add_render_settings(CLI::App& app, RenderSettings& settings);  ///< --width, --height, --threads
 void add_report(CLI::App& app, ReportArguments& report);            ///< --out, --color and what is printed

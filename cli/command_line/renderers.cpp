@@ -19,6 +19,7 @@ constexpr const char* contract_remark =
 Branch add_render(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("render", "write a renderer's frames as EXR and PNG, not judged");
     app.add_option("SCENE", words.render.scene, scene_words)->required();
+    add_models(app, words.render.models);
     app.add_option("-o,--out", words.render.out, "folder for the frames")->capture_default_str();
     add_renderer_options(app, words.renderers);
     app.add_option("--filter", words.renderers.filter,
@@ -40,6 +41,9 @@ Branch add_measure(CLI::App& parent, CommandWords& words) {
                    "a name, or 'CMD {scene} {camera} {width} {height} {out}'")
         ->required();
     add_precision_options(app, words.renderers);
+    add_keep_input(app, words.renderers);
+    app.add_option("--emit", words.measure.emit,
+                   "also write what was measured as a precision file (.json), for --precision");
     app.add_flag_callback(
         "--json", [&words] { words.measure.format = MeasurementFormat::json; },
         "print JSON instead of a table");
@@ -57,6 +61,7 @@ Branch add_contract_check(CLI::App& parent, CommandWords& words) {
                    "with {scene}, {camera}, {width}, {height} and {out} in it")
         ->required();
     add_precision_options(app, words.renderers);
+    add_keep_input(app, words.renderers);
     add_threads(app, words.contract_check.threads);
     app.footer(contract_remark);
     return {&app, [&words] {

@@ -113,6 +113,14 @@ constexpr std::array meanings{
             [](const OutlineCommand&) {
                 return Candidates{{}, Paths::folders};
             }},
+    Meaning{"--models",
+            [](const OutlineCommand&) {
+                return Candidates{{}, Paths::folders};
+            }},
+    Meaning{"--keep-input",
+            [](const OutlineCommand&) {
+                return Candidates{{}, Paths::folders};
+            }},
     Meaning{"DIR",
             [](const OutlineCommand&) {
                 return Candidates{{}, Paths::folders};

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +13,8 @@
 #include "frame/precision.h"
 
 namespace zproof {
+
+class KeptInput;
 
 /// One of those that zproof knows by name: see renderer_names().
 struct BuiltIn {
@@ -30,8 +33,9 @@ struct StoredFrame {
 
 struct RendererChoice {
     std::variant<BuiltIn, Program, StoredFrame> who;
-    std::string precision_word;            ///< as typed after --precision; empty: its own promise
-    std::chrono::seconds time_limit{600};  ///< for one picture, of those that run as programs
+    std::string precision_word;               ///< as typed after --precision; empty: its own promise
+    std::chrono::seconds time_limit{600};     ///< for one picture, of those that run as programs
+    std::shared_ptr<KeptInput> kept_input{};  ///< where a program's input is kept; null: nowhere
 };
 
 /// Who is compared besides candidate and reference.

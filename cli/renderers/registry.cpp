@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "cli/renderers/kept_input.h"
 #include "cli/version.h"
 #include "frame/frame_error.h"
 #include "frame/precision_text.h"
@@ -112,16 +113,22 @@ Answers stored(const std::filesystem::path& file) {
     }};
 }
 
-Answers program(const Program& program, const Scene& scene, std::chrono::seconds time_limit) {
-    const auto external = std::make_shared<const oracle::External>(scene, program.command, time_limit);
-    return {[external](const View& view) { return external->render(view); }};
+Answers program(const RendererChoice& choice, const Scene& scene) {
+    const auto external = std::make_shared<const oracle::External>(
+        scene, std::get<Program>(choice.who).command, choice.time_limit);
+    if (!choice.kept_input) return {[external](const View& view) { return external->render(view); }};
+    const std::string name = choice.kept_input->keep(scene);
+    return {[external, name, kept_input = choice.kept_input](const View& view) {
+        kept_input->keep(name, view);
+        return external->render(view);
+    }};
 }
 
 Answers answers_on(const RendererChoice& choice, const Scene& scene) {
     if (const auto* built_in = std::get_if<BuiltIn>(&choice.who))
         return known_as(*built_in).on(scene, choice.time_limit);
     if (const auto* file = std::get_if<StoredFrame>(&choice.who)) return stored(file->file);
-    return program(std::get<Program>(choice.who), scene, choice.time_limit);
+    return program(choice, scene);
 }
 
 }  // namespace

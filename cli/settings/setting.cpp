@@ -6,6 +6,7 @@ std::span<const Setting> known_settings() {
     using enum Setting::Kind;
     static const std::vector<Setting> all{
         {"scenes", paths},
+        {"models", path},
         {"renderer", text},
         {"precision", text},
         {"oracle", list},

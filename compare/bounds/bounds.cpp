@@ -21,6 +21,15 @@ Precision shown_precision(const Precision& precision) {
     return reported;
 }
 
+bool is_watertight(const Precision& precision) {
+    return std::visit(
+        [](const auto& p) {
+            if constexpr (requires { p.watertight; }) return p.watertight;
+            return true;
+        },
+        precision);
+}
+
 ViewBounds::ViewBounds(const View& view, const Precision& precision)
     : facts_(view),
       of_kind_(std::visit([&](const auto& p) -> OfKind { return for_kind(facts_, p); }, precision)) {}

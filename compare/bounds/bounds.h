@@ -14,6 +14,9 @@ namespace zproof {
 /// The precision of the depths that a frame shows, where the depth test may have another.
 Precision shown_precision(const Precision& precision);
 
+/// Does the renderer promise to leave no gap between triangles that share an edge?
+bool is_watertight(const Precision& precision);
+
 /// What a renderer's precision means for one view.
 class ViewBounds {
   public:

@@ -28,6 +28,29 @@ TEST(Contract, ThePythonExampleIsProvenOnThreeScenes) {
     EXPECT_NE(ran.out.find("The contract is kept."), std::string::npos) << ran.out;
 }
 
+TEST(Contract, TheCppExampleIsProvenInBothProjections) {
+    const Folder folder;
+    const Ran ran = run(folder, {"run", "guard_band", "oblique", "--width", "40", "--height", "24",
+                                 "--oracle", "none", "--precision", "ray,arithmetic=float64", "--renderer",
+                                 "'" ZPROOF_CASTER "' {scene} {camera} {out}"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+}
+
+TEST(Contract, ThePythonModuleRefusesIdsOfAnotherType) {
+    const Folder folder;
+    folder.write("one.gltf", one_triangle());
+    folder.write("float_ids.py",
+                 "import sys\nfrom array import array\nsys.path.insert(0, '" + source +
+                     "/examples/contract')\nimport zproof_contract as contract\n"
+                     "def render(triangles, camera):\n"
+                     "    frame = contract.Frame(camera.width, camera.height)\n"
+                     "    frame.id = array('f', frame.id)\n    return frame\ncontract.main(render)\n");
+    const Ran ran = run(folder, {"run", "one.gltf", "--width", "8", "--height", "6", "--oracle", "none",
+                                 "--renderer", "python3 float_ids.py {scene} {camera} {out}"});
+    EXPECT_EQ(ran.exit_code, 3) << ran.out << ran.err;
+    EXPECT_NE(ran.out.find("expected 8 x 6 values of type uint32"), std::string::npos) << ran.out;
+}
+
 /// A frame that keeps the form of the contract and not its meaning.
 struct WrongFrame {
     const char* fault;

@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
 """The example renderer with one fault: faulty_renderer.py FAULT SCENE CAMERA OUT."""
-import json
 import math
 import os
 import struct
@@ -9,8 +8,9 @@ import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'examples'))
 import zbuffer  # noqa: E402
+import zproof_contract as contract  # noqa: E402 (zbuffer names its folder)
 
-NO_ID = zbuffer.BACKGROUND
+NO_ID = contract.BACKGROUND
 
 
 def flipped_in_y(frame, camera):
@@ -34,7 +34,7 @@ def depth_is_ndc_z(frame, camera):
 
 
 def depth_is_ray_length(frame, camera):
-    window = camera.view['exact_window']
+    window = camera.window
     for i, depth in enumerate(frame.depth):
         x, y = i % frame.width + 0.5, i // frame.width + 0.5
         u = window['left'] + (window['right'] - window['left']) * x / frame.width
@@ -76,17 +76,17 @@ def writes_no_exr(out, camera):
 
 
 def writes_half_a_file(out, camera):
-    zbuffer.write_exr(out, zbuffer.Frame(camera.width, camera.height))
+    contract.write_exr(out, contract.Frame(camera.width, camera.height))
     os.truncate(out, os.path.getsize(out) // 2)
 
 
 def another_size(out, camera):
-    zbuffer.write_exr(out, zbuffer.Frame(camera.width + 1, camera.height))
+    contract.write_exr(out, contract.Frame(camera.width + 1, camera.height))
 
 
 def written_with(replacements, out, camera):
     """A background frame in whose file some bytes are others."""
-    zbuffer.write_exr(out, zbuffer.Frame(camera.width, camera.height))
+    contract.write_exr(out, contract.Frame(camera.width, camera.height))
     with open(out, 'rb') as file:
         content = file.read()
     for old, new in replacements:
@@ -119,15 +119,13 @@ NO_FRAMES = {f.__name__: f for f in (exits_with_status_7, crashes, never_ends, w
 
 def main():
     fault, scene, camera_file, out = sys.argv[1:]
-    camera = zbuffer.Camera(camera_file)
+    camera = contract.Camera(camera_file)
     if fault in NO_FRAMES:
         NO_FRAMES[fault](out, camera)
         return
-    with open(camera_file) as file:
-        camera.view = json.load(file)
-    frame = zbuffer.render(zbuffer.read_triangles(scene), camera)
+    frame = zbuffer.render(contract.read_triangles(scene), camera)
     WRONG_FRAMES[fault](frame, camera)
-    zbuffer.write_exr(out, frame)
+    contract.write_exr(out, frame)
 
 
 if __name__ == '__main__':

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <limits>
 
+#include "scenes/gltf.h"
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
 #include "scenes/view_file.h"
@@ -45,6 +46,12 @@ Loaded written_and_loaded(const Loaded& loaded) {
     const OwnFolder folder;
     write_glb(folder.path(), loaded);
     return load_view_file(folder.path() / (loaded.scene.name + ".view.json"));
+}
+
+Scene written_alone_and_loaded(const Scene& scene) {
+    const OwnFolder folder;
+    write_glb_file(folder.path() / "scene.glb", scene);
+    return load_gltf_scene(folder.path() / "scene.glb");
 }
 
 std::array<std::uint32_t, 3> bits(const glm::vec3& v) {
@@ -227,6 +234,38 @@ TEST(GlbWriter, KeepsTrianglesOfPartsThatUseTheSameVertices) {
     before.scene.triangles = {{0, 1, 5}, {3, 5, 4}, {2, 1, 0}};
     before.scene.parts[1].triangle_count = 2;
     EXPECT_EQ(all_corners(before.scene), all_corners(written_and_loaded(before).scene));
+}
+
+TEST(GlbWriter, KeepsTrianglesThatAreInNoPart) {
+    Scene before = with_every_attribute().scene;
+    before.parts.clear();
+    before.materials.clear();
+    before.images.clear();
+    const Scene after = written_alone_and_loaded(before);
+    EXPECT_EQ(after.triangles, before.triangles);
+    EXPECT_EQ(all_corners(after), all_corners(before));
+}
+
+TEST(GlbWriter, WritesASceneWithoutTrianglesWithoutAMesh) {
+    Scene scene;
+    EXPECT_TRUE(written_alone_and_loaded(scene).triangles.empty());
+    scene.vertices.position_world = {{1, 2, 3}};
+    const OwnFolder folder;
+    write_glb_file(folder.path() / "empty.glb", scene);
+    const std::string glb = content(folder.path() / "empty.glb");
+    EXPECT_EQ(glb.find("meshes"), std::string::npos);
+    EXPECT_EQ(glb.find("BIN"), std::string::npos);
+}
+
+TEST(GlbWriter, RefusesPartsThatLeaveATriangleOut) {
+    const OwnFolder folder;
+    Loaded loaded = with_every_attribute();
+    loaded.scene.parts.pop_back();
+    EXPECT_THROW(write_glb(folder.path(), loaded), SceneError);
+    loaded = with_every_attribute();
+    loaded.scene.parts.erase(loaded.scene.parts.begin());
+    EXPECT_THROW(write_glb(folder.path(), loaded), SceneError);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(GlbWriter, WritesOneMeshWhoseChunksFillTheFile) {

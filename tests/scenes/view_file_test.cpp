@@ -199,6 +199,51 @@ TEST_F(ViewFile, KeepsTheSceneInsideItsFolder) {
             << scene;
 }
 
+/// A view file in a folder of its own, beside that of its model.
+class ViewFileElsewhere : public ViewFile {
+  protected:
+    ViewFileElsewhere() {
+        std::filesystem::create_directories(folder_.path() / "views");
+        std::filesystem::create_directories(models());
+        for (const char* name : {"scene.gltf", "scene.bin"})
+            std::filesystem::rename(folder_.path() / name, models() / name);
+    }
+
+    std::filesystem::path models() const { return folder_.path() / "models"; }
+
+    std::string outcome(const std::string& scene, const std::filesystem::path& root) const {
+        const json content{{"scene", scene}, {"views", {perspective()}}};
+        try {
+            return std::to_string(load_view_file(folder_.write("views/test.view.json", content.dump()), root)
+                                      .scene.triangles.size());
+        } catch (const SceneError& error) {
+            return error.what();
+        }
+    }
+};
+
+TEST_F(ViewFileElsewhere, FindsItsModelBeneathTheFolderOfModels) {
+    EXPECT_EQ(outcome("scene.gltf", models()), "1");
+    EXPECT_EQ(outcome("../models/scene.gltf", models()), "1");
+    EXPECT_EQ(outcome("models/scene.gltf", folder_.path()), "1");
+}
+
+TEST_F(ViewFileElsewhere, IsToldOfTheFolderOfModelsWhereNoneIsNamed) {
+    for (const char* scene : {"scene.gltf", "../models/scene.gltf"})
+        EXPECT_NE(outcome(scene, {}).find("/scene: \"" + std::string{scene} + "\""), std::string::npos);
+    EXPECT_NE(outcome("scene.gltf", {}).find("--models DIR"), std::string::npos);
+}
+
+TEST_F(ViewFileElsewhere, KeepsForeignFilesOutAllTheSame) {
+    folder_.write("scene.gltf", "{}");
+    folder_.write("elsewhere.gltf", "{}");
+    std::filesystem::create_symlink(folder_.path() / "elsewhere.gltf", models() / "link.gltf");
+    for (const std::string scene : {"../scene.gltf", "../../scene.gltf", "link.gltf", "/etc/passwd", ".", "",
+                                    "file:///etc/passwd", "absent.gltf"})
+        EXPECT_NE(outcome(scene, models()).find(": /scene: "), std::string::npos) << scene;
+    EXPECT_NE(outcome("scene.gltf", folder_.path() / "absent").find("is not there"), std::string::npos);
+}
+
 TEST_F(ViewFile, RefusesWhatIsNotJson) {
     EXPECT_THROW(load_view_file(folder_.write("test.view.json", "{")), SceneError);
     EXPECT_THROW(load_view_file(folder_.write("test.view.json", std::string(100000, '['))), SceneError);
