@@ -81,6 +81,14 @@ void add_renderer_options(CLI::App& app, RendererWords& words) {
     add_precision_options(app, words);
 }
 
+void add_ids_option(CLI::App& app, RendererWords& words) {
+    app.add_option(
+           "--ids", words.ids,
+           "what the ids of the frame that is judged stand for: triangle, none (depth alone), primitive, "
+           "node, material, cryptomatte-object, cryptomatte-material, or a JSON file of labels")
+        ->capture_default_str();
+}
+
 void add_stored_frame_options(CLI::App& app, RendererWords& words) {
     app.add_option("--candidate", words.candidate, "a stored frame (.exr) in the renderer's place");
     app.add_option("--reference", words.reference, "a stored frame (.exr) in Embree's place");
@@ -106,6 +114,7 @@ RendererChoice candidate_of(const RendererWords& words) {
     RendererChoice choice =
         words.candidate.empty() ? renderer_from_word(words.renderer) : stored_frame(words.candidate, "");
     choice.precision_word = words.precision;
+    choice.ids = ids_from_word(words.ids);
     choice.time_limit = std::chrono::seconds{words.time_limit_s};
     return choice;
 }

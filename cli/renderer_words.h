@@ -19,12 +19,14 @@ struct RendererWords {
     std::string candidate, reference, reference_precision;  ///< stored frames
     std::optional<std::vector<std::string>> oracles;        ///< nothing: the usual ones
     std::vector<std::string> required;
-    std::string filter;  ///< of textures; empty: none
+    std::string ids = "triangle";  ///< of the candidate
+    std::string filter;            ///< of textures; empty: none
     int time_limit_s = 600;
 };
 
 void add_renderer_options(CLI::App& app, RendererWords& words);   ///< --renderer, --precision, --time-limit
 void add_precision_options(CLI::App& app, RendererWords& words);  ///< --precision, --time-limit
+void add_ids_option(CLI::App& app, RendererWords& words);         ///< --ids
 void add_stored_frame_options(CLI::App& app, RendererWords& words);  ///< --candidate, --reference
 void add_reference_precision(CLI::App& app, RendererWords& words);
 void add_oracle_options(CLI::App& app, RendererWords& words);  ///< --oracle, --require

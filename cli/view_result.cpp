@@ -86,7 +86,8 @@ std::string explain_command_for(const ViewContext& context, const RendererChoice
     return command + " --width " + std::to_string(size.width) + " --height " + std::to_string(size.height);
 }
 
-ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate) {
+ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate,
+                          const CandidateFrame& candidate) {
     ViewResult result = unjudged(context.source, Outcome::proven, "");
     result.scene_sha256 = context.scene_sha256;
     result.view = context.view.name;
@@ -107,6 +108,8 @@ ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, co
     result.worst =
         stories(context, context.renderers.candidate,
                 worst_of(hold_to_waivers(context, verdict.findings, gate, result), most_reported_findings));
+    for (ReportedFinding& told : result.worst)
+        told.explanation += candidate.label_sentence(told.finding.x, told.finding.y);
     if (unwaived_defects(result) > 0) result.outcome = Outcome::defective;
     return result;
 }

@@ -46,6 +46,7 @@ const std::map<std::string, Names> may_include_in_compare{
     {"adjudicate", {"bounds", "admissible", "agree"}},
     {"diagnosis", {"bounds", "admissible", "adjudicate"}},
     {"explanation", {"bounds", "admissible", "agree", "adjudicate"}},
+    {"labels", {"bounds", "admissible", "adjudicate"}},
     {"metrics", {}},
     {"waivers", {}},
 };

@@ -33,6 +33,7 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     app.add_option("SCENE", words.run.scenes,
                    std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
     add_renderer_options(app, words.renderers);
+    add_ids_option(app, words.renderers);
     add_oracle_options(app, words.renderers);
     add_render_settings(app, words.run.settings);
     add_report(app, words.run.report);
@@ -54,6 +55,7 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     add_frames(app, words.compare, words.renderers);
     app.add_option("--view", words.compare.view, "name of the view; needed where the scene has several");
     add_precision_options(app, words.renderers);
+    add_ids_option(app, words.renderers);
     add_reference_precision(app, words.renderers);
     add_oracle_options(app, words.renderers);
     add_threads(app, words.compare.threads);
@@ -77,6 +79,7 @@ Branch add_explain(CLI::App& parent, CommandWords& words) {
     app.add_option("Y", explain.y, "pixel row, 0 = top")->required()->check(CLI::Range(0, 32767));
     app.add_option("--view", explain.view, "name of the view; default: the scene's first");
     add_renderer_options(app, words.renderers);
+    add_ids_option(app, words.renderers);
     add_stored_frame_options(app, words.renderers);
     add_render_settings(app, explain.settings);
     return {&app, [&words] {

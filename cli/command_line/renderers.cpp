@@ -57,6 +57,7 @@ Branch add_contract_check(CLI::App& parent, CommandWords& words) {
                    "with {scene}, {camera}, {width}, {height} and {out} in it")
         ->required();
     add_precision_options(app, words.renderers);
+    add_ids_option(app, words.renderers);
     add_threads(app, words.contract_check.threads);
     app.footer(contract_remark);
     return {&app, [&words] {

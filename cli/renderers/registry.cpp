@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/version.h"
+#include "compare/labels/labelled_frame.h"
 #include "frame/frame_error.h"
 #include "frame/precision_text.h"
 #include "image_io/image_io.h"
@@ -101,8 +102,8 @@ Precision own_promise(const RendererChoice& choice) {
     return RasterPrecision{};
 }
 
-Answers stored(const std::filesystem::path& file) {
-    const auto frame = std::make_shared<const Frame>(read_frame(file));
+Answers stored(const std::filesystem::path& file, IdChannel ids) {
+    const auto frame = std::make_shared<const Frame>(read_frame(file, ids));
     return {[frame, file](const View& view) {
         const Resolution size = frame->size();
         if (size == Resolution{view.width, view.height}) return *frame;
@@ -112,16 +113,30 @@ Answers stored(const std::filesystem::path& file) {
     }};
 }
 
-Answers program(const Program& program, const Scene& scene, std::chrono::seconds time_limit) {
-    const auto external = std::make_shared<const oracle::External>(scene, program.command, time_limit);
+Answers program(const RendererChoice& choice, const Scene& scene) {
+    const auto external = std::make_shared<const oracle::External>(
+        scene, std::get<Program>(choice.who).command, choice.time_limit, id_channel_of(choice));
     return {[external](const View& view) { return external->render(view); }};
 }
 
 Answers answers_on(const RendererChoice& choice, const Scene& scene) {
     if (const auto* built_in = std::get_if<BuiltIn>(&choice.who))
         return known_as(*built_in).on(scene, choice.time_limit);
-    if (const auto* file = std::get_if<StoredFrame>(&choice.who)) return stored(file->file);
-    return program(std::get<Program>(choice.who), scene, choice.time_limit);
+    if (const auto* file = std::get_if<StoredFrame>(&choice.who))
+        return stored(file->file, id_channel_of(choice));
+    return program(choice, scene);
+}
+
+std::shared_ptr<const TriangleLabels> labels_of(const RendererChoice& choice, const Scene& scene) {
+    if (choice.ids == RendererChoice{}.ids) return nullptr;
+    return std::make_shared<const TriangleLabels>(label_triangles(choice.ids, scene));
+}
+
+/// Those that zproof knows by name give triangles.
+void give_labels(Answers& answers, const std::shared_ptr<const TriangleLabels>& labels) {
+    answers.render = [render = answers.render, labels](const View& view) {
+        return with_labels(render(view), *labels);
+    };
 }
 
 }  // namespace
@@ -145,14 +160,22 @@ RendererFacts facts_of(const RendererChoice& choice) {
     const auto* built_in = std::get_if<BuiltIn>(&choice.who);
     return {.name = name_of(choice),
             .version = built_in == nullptr ? "" : known_as(*built_in).version(),
-            .precision = precision_to_json(declared_precision(choice))};
+            .precision = precision_to_json(declared_precision(choice)),
+            .ids = choice.ids};
+}
+
+IdChannel id_channel_of(const RendererChoice& choice) {
+    return choice.ids == "none" ? IdChannel::absent : IdChannel::present;
 }
 
 Renderer open(const RendererChoice& choice, const Scene& scene) {
     if (const std::string absent = absence_of(choice); !absent.empty())
         throw OracleError{name_of(choice) + ": " + absent};
     Answers answers = answers_on(choice, scene);
-    return {name_of(choice), declared_precision(choice), std::move(answers.render), std::move(answers.paint)};
+    std::shared_ptr<const TriangleLabels> labels = labels_of(choice, scene);
+    if (labels && std::holds_alternative<BuiltIn>(choice.who)) give_labels(answers, labels);
+    return {name_of(choice), declared_precision(choice), std::move(answers.render), std::move(answers.paint),
+            std::move(labels)};
 }
 
 }  // namespace zproof
