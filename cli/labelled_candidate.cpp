@@ -7,7 +7,8 @@
 namespace zproof {
 
 std::string CandidateFrame::label_sentence(int x, int y) const {
-    return labels ? zproof::label_sentence(*labels, own_ids.at(x, y)) : "";
+    const bool names_label = labels && frame.primitive.at(x, y) != PrimitiveId::none;
+    return names_label ? zproof::label_sentence(*labels, own_ids.at(x, y)) : "";
 }
 
 CandidateFrame candidate_frame(const Scene& scene, const View& view, const Renderer& renderer, Frame given,

@@ -14,7 +14,7 @@ struct CandidateFrame {
     std::shared_ptr<const TriangleLabels> labels;  ///< what its own ids stand for; nothing: triangles
     Plane<PrimitiveId> own_ids;                    ///< where they stand for labels
 
-    /// What it says itself at a pixel, to follow a finding; empty where it names triangles.
+    /// What it says itself at a pixel, to follow a finding; empty where that is a triangle or background.
     std::string label_sentence(int x, int y) const;
 };
 

@@ -234,7 +234,7 @@ Frame with_triangles(const Scene& scene, const View& view, const RenderedFrame& 
 }
 
 std::string label_sentence(const TriangleLabels& labels, PrimitiveId said) {
-    if (labels.are_absent) return "; the frame has no ids, and this triangle fits its depth best";
+    if (labels.are_absent) return "; the frame has no ids: this triangle stands for its depth";
     const auto label = std::uint32_t(said);
     const auto name = labels.names.find(label);
     return "; the frame says " + labels.ids + " " + std::to_string(label) +

@@ -41,7 +41,8 @@ SearchReach::SearchReach(const Scene& scene, const View& view, const ViewBounds&
     });
 }
 
-/// docs/labels.md says why that is far enough.
+/// docs/labels.md says why that is far enough. 2: TileWork asks as far as twice an answer's eps whose eps
+/// counts.
 double SearchReach::at(const PixelCoord& pixel) const {
     double reach_px = least_px;
     for (const Wide& wide : wide_) {

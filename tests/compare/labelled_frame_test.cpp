@@ -192,7 +192,7 @@ TEST(ALabel, IsToldBesideTheFinding) {
     EXPECT_EQ(label_sentence(two, PrimitiveId(7)), "; the frame says material 7 (Wood)");
     EXPECT_EQ(label_sentence(two, PrimitiveId(5)), "; the frame says material 5");
     EXPECT_EQ(label_sentence({.ids = "none", .of_triangle = {}, .are_absent = true}, PrimitiveId::none),
-              "; the frame has no ids, and this triangle fits its depth best");
+              "; the frame has no ids: this triangle stands for its depth");
 }
 
 }  // namespace
