@@ -58,6 +58,13 @@ std::string judged_views(const Results& results) {
     return left.views + left.whole_scenes == 0 ? tried : tried + "; " + in_words(left) + " not judged";
 }
 
+/// What was judged, where that is less than triangles: ", ids: material".
+std::string what_was_judged(const Results& results) {
+    if (results.renderers.empty()) return "";
+    const RendererFacts& candidate = results.renderers.front();
+    return candidate.ids == "triangle" ? "" : ", " + ids_in_words(candidate);
+}
+
 /// The page if one was written, else results.json.
 std::string where_to_look(const ReportArguments& report) {
     const bool page = is_asked_for(report, ReportFormat::html);
@@ -75,8 +82,8 @@ ExitCode announce(const Results& results, const ReportArguments& report) {
         summarize_step(results);
     }
     remark_on_waivers(results);
-    std::cout << in_words(code) << ": " << judged_views(results) << "; report: " << where_to_look(report)
-              << "\n";
+    std::cout << in_words(code) << ": " << judged_views(results) << what_was_judged(results)
+              << "; report: " << where_to_look(report) << "\n";
     return code;
 }
 

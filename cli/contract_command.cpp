@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/labelled_candidate.h"
 #include "cli/renderers/registry.h"
 #include "cli/threads.h"
 #include "cli/work_progress.h"
@@ -31,27 +32,30 @@ struct ContractTally {
     std::map<std::string, int> causes;  ///< of how many wrong pictures each is the likely one
 };
 
-std::string in_words(const Scene& scene, const Verdict& verdict, const std::optional<Diagnosis>& diagnosis) {
+std::string in_words(const Scene& scene, const CandidateFrame& candidate, const Verdict& verdict,
+                     const std::optional<Diagnosis>& diagnosis) {
     std::string text = counted(defect_count(verdict), "pixel") + " wrong";
     if (diagnosis) text += "\n    " + zproof::in_words(*diagnosis);
     for (const Finding& finding : verdict.findings)
         if (!passes(finding.verdict))
             return text + "\n    first: pixel " + std::to_string(finding.x) + ", " +
-                   std::to_string(finding.y) + ": " + zproof::in_words(scene, finding);
+                   std::to_string(finding.y) + ": " + zproof::in_words(scene, finding) +
+                   candidate.label_sentence(finding.x, finding.y);
     return text;
 }
 
 /// One picture: what came of it, in words that end a line.
 std::string judged(const Scene& scene, const View& view, const Renderer& renderer, ContractTally& tally) {
     const Renderer embree = open({.who = BuiltIn{"embree"}, .precision_word = {}}, scene);
-    const Frame candidate = renderer.render(view), reference = embree.render(view);
-    const RenderedFrame ours{candidate, renderer.precision}, theirs{reference, embree.precision};
+    const Frame reference = embree.render(view);
+    const CandidateFrame candidate = candidate_frame(scene, view, renderer, renderer.render(view), reference);
+    const RenderedFrame ours{candidate.frame, renderer.precision}, theirs{reference, embree.precision};
     const Verdict verdict = judge(scene, view, ours, theirs);
     if (defect_count(verdict) == 0) return "kept\n";
     const std::optional<Diagnosis> diagnosis = diagnose(scene, view, ours, theirs, verdict);
     ++tally.wrong;
     if (diagnosis && diagnosis->cause) ++tally.causes[diagnosis->cause->name];
-    return in_words(scene, verdict, diagnosis) + "\n";
+    return in_words(scene, candidate, verdict, diagnosis) + "\n";
 }
 
 /// Judges the frame, or says why none came.

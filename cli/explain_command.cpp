@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/labelled_candidate.h"
 #include "cli/renderers/registry.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
@@ -27,12 +28,22 @@ void require_inside(const ExplainArguments& arguments, const View& view) {
                      " x " + std::to_string(view.height) + "; see --width, --height"};
 }
 
-PixelExplanation story_of(const ExplainArguments& arguments, const Scene& scene, const View& view) {
+/// The story of one pixel, ready to be told.
+struct Story {
+    std::string text;
+    std::string of_label;  ///< empty where the candidate names triangles
+    PixelClass verdict = PixelClass::agree;
+};
+
+Story story_of(const ExplainArguments& arguments, const Scene& scene, const View& view) {
     const Renderer ours = open(arguments.renderers.candidate, scene),
                    theirs = open(arguments.renderers.reference, scene);
-    const Frame candidate = ours.render(view), reference = theirs.render(view);
-    return explain(scene, view, {candidate, ours.precision}, {reference, theirs.precision},
-                   {arguments.x, arguments.y});
+    const Frame reference = theirs.render(view);
+    const CandidateFrame candidate = candidate_frame(scene, view, ours, ours.render(view), reference);
+    const PixelExplanation story = explain(scene, view, {candidate.frame, ours.precision},
+                                           {reference, theirs.precision}, {arguments.x, arguments.y});
+    return {in_words(scene, story), candidate.label_sentence(arguments.x, arguments.y),
+            story.finding.verdict};
 }
 
 }  // namespace
@@ -46,10 +57,11 @@ ExitCode execute(const ExplainArguments& arguments) {
         std::cerr << "zproof: " << source.name << ": the scene has no triangles, nothing to explain\n";
         return ExitCode::nothing;
     }
-    PixelExplanation story;
+    Story story;
     on_threads(arguments.settings.threads, [&] { story = story_of(arguments, loaded.scene, view); });
-    std::cout << in_words(loaded.scene, story);
-    return passes(story.finding.verdict) ? ExitCode::proven : ExitCode::defect;
+    std::cout << story.text;
+    if (!story.of_label.empty()) std::cout << story.of_label.substr(2) << '\n';
+    return passes(story.verdict) ? ExitCode::proven : ExitCode::defect;
 }
 
 }  // namespace zproof

@@ -96,6 +96,14 @@ void add_keep_input(CLI::App& app, RendererWords& words) {
                    "folder for the scenes and cameras that a renderer that is a program is handed");
 }
 
+void add_ids_option(CLI::App& app, RendererWords& words) {
+    app.add_option(
+           "--ids", words.ids,
+           "what the ids of the frame that is judged stand for: triangle, none (depth alone), primitive, "
+           "node, material, cryptomatte-object, cryptomatte-material, or a JSON file of labels")
+        ->capture_default_str();
+}
+
 void add_stored_frame_options(CLI::App& app, RendererWords& words) {
     app.add_option("--candidate", words.candidate, "a stored frame (.exr) in the renderer's place");
     app.add_option("--reference", words.reference, "a stored frame (.exr) in Embree's place");
@@ -121,6 +129,7 @@ RendererChoice candidate_of(const RendererWords& words) {
     RendererChoice choice =
         words.candidate.empty() ? renderer_from_word(words.renderer) : stored_frame(words.candidate, "");
     choice.precision_word = words.precision;
+    choice.ids = ids_from_word(words.ids);
     choice.time_limit = std::chrono::seconds{words.time_limit_s};
     choice.kept_input = kept_input(words, choice);
     return choice;

@@ -19,13 +19,15 @@ struct RendererWords {
     std::string candidate, reference, reference_precision;  ///< stored frames
     std::optional<std::vector<std::string>> oracles;        ///< nothing: the usual ones
     std::vector<std::string> required;
-    std::string filter;      ///< of textures; empty: none
-    std::string keep_input;  ///< folder for what a program is handed; empty: it is not kept
+    std::string ids = "triangle";  ///< of the candidate
+    std::string filter;            ///< of textures; empty: none
+    std::string keep_input;        ///< folder for what a program is handed; empty: it is not kept
     int time_limit_s = 600;
 };
 
-void add_renderer_options(CLI::App& app, RendererWords& words);      ///< --renderer, those of the next two
+void add_renderer_options(CLI::App& app, RendererWords& words);      ///< --renderer, those of the next three
 void add_precision_options(CLI::App& app, RendererWords& words);     ///< --precision, --time-limit
+void add_ids_option(CLI::App& app, RendererWords& words);            ///< --ids
 void add_keep_input(CLI::App& app, RendererWords& words);            ///< --keep-input
 void add_stored_frame_options(CLI::App& app, RendererWords& words);  ///< --candidate, --reference
 void add_reference_precision(CLI::App& app, RendererWords& words);

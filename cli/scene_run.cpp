@@ -145,11 +145,13 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     if (interrupted()) return std::nullopt;
 
     begin(view_run, "render", &StageTimes::render);
-    const Frame candidate = ask(opened.candidate, view_run);
+    Frame given = ask(opened.candidate, view_run);
     if (interrupted()) return std::nullopt;
 
     begin(view_run, "judge", &StageTimes::judge);
-    const RenderedFrame ours{candidate, opened.candidate.precision},
+    const CandidateFrame candidate =
+        candidate_frame(scene, view, opened.candidate, std::move(given), reference);
+    const RenderedFrame ours{candidate.frame, opened.candidate.precision},
         theirs{reference, opened.reference.precision};
     Verdict verdict;
     std::optional<Diagnosis> diagnosis;
@@ -158,13 +160,13 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
         diagnosis = diagnose(scene, view, ours, theirs, verdict);
     };
     if (!done_uninterrupted(judge_and_diagnose)) return std::nullopt;
-    ViewResult result = to_view_result(context, verdict, config.gate);
+    ViewResult result = to_view_result(context, verdict, config.gate, candidate);
     result.diagnosis = std::move(diagnosis);
 
     if (leaves_evidence(verdict, config.evidence)) {
         begin(view_run, "write", &StageTimes::write);
         result.folder = "scenes/" + config.names.next(source.name, view.name);
-        write_view_evidence(config.run_folder / result.folder, candidate, reference, verdict);
+        write_view_evidence(config.run_folder / result.folder, candidate.frame, reference, verdict);
     }
 
     clock.begin(&StageTimes::oracles);

@@ -104,7 +104,8 @@ std::string undecidable_words(const Verdict& verdict) {
     return text.str();
 }
 
-ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate) {
+ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate,
+                          const CandidateFrame& candidate) {
     ViewResult result = unjudged(context.source, Outcome::proven, "");
     result.scene_sha256 = context.scene_sha256;
     result.view = context.view.name;
@@ -129,6 +130,8 @@ ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, co
         result.outcome = Outcome::undecided;
         result.message = undecidable_words(verdict);
     }
+    for (ReportedFinding& told : result.worst)
+        told.explanation += candidate.label_sentence(told.finding.x, told.finding.y);
     if (unwaived_defects(result) > 0) result.outcome = Outcome::defective;
     return result;
 }

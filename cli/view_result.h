@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/gate/gate.h"
+#include "cli/labelled_candidate.h"
 #include "cli/renderers/choice.h"
 #include "cli/scene_selection.h"
 #include "compare/verdict.h"
@@ -27,7 +28,8 @@ struct ViewContext {
 std::string explain_command_for(const ViewContext& context, const RendererChoice& candidate, int x, int y);
 
 /// Everything but times and folder. A view whose defects are all waived is proven.
-ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate);
+ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate,
+                          const CandidateFrame& candidate);
 
 /// What the judge said of an oracle.
 OracleResult to_oracle_result(const ViewContext& context, const RendererChoice& oracle,

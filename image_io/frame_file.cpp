@@ -79,12 +79,12 @@ FrameFiles files_of(const fs::path& file) {
 /// The headers of a frame, checked; its samples are still to be read.
 class StoredPlanes {
   public:
-    explicit StoredPlanes(const fs::path& file) : StoredPlanes(files_of(file)) {}
+    StoredPlanes(const fs::path& file, IdChannel ids) : StoredPlanes(files_of(file), ids) {}
 
     Resolution size() const { return size_; }
     Frame frame() const {
         Frame frame(size_);
-        const WantedChannel ids{id_place_, [&](const SampleRow& row) {
+        const WantedChannel ids{id_place_.value_or(ChannelPlace{}), [&](const SampleRow& row) {
                                     spread_ids(row, frame.primitive.row(row.y).subspan(std::size_t(row.x)));
                                 }};
         const WantedChannel depths{
@@ -92,31 +92,41 @@ class StoredPlanes {
                 spread_reals(row, frame.camera_depth.row(row.y).subspan(std::size_t(row.x)),
                              [](float& to, const float& value) { std::memcpy(&to, &value, sizeof to); });
             }};
-        if (second_) {
-            first_.read({&ids, 1});
-            second_->read({&depths, 1});
-        } else {
-            first_.read(std::array{ids, depths});
-        }
+        if (id_file_) id_file_->read({&ids, 1});
+        if (id_place_ && !id_file_)
+            depth_file_.read(std::array{ids, depths});
+        else
+            depth_file_.read({&depths, 1});
         return frame;
     }
 
   private:
-    explicit StoredPlanes(const FrameFiles& files) : first_(files.ids, "an OpenEXR frame") {
-        if (files.depths != files.ids) second_.emplace(files.depths, "the depths of a frame");
-        const ImageFile& depths = second_ ? *second_ : first_;
-        id_place_ = require(first_, id_layer);
-        depth_place_ = require(depths, depth_layer);
-        size_ = first_.size_of(id_place_.part);
-        if (const Resolution other = depths.size_of(depth_place_.part); other != size_)
-            throw FrameError(depths.name() + ": depths of " + std::to_string(other.width) + " x " +
-                             std::to_string(other.height) + " pixels; the ids have " +
-                             std::to_string(size_.width) + " x " + std::to_string(size_.height));
+    StoredPlanes(const FrameFiles& files, IdChannel ids)
+        : depth_file_(files.depths,
+                      files.ids == files.depths ? "an OpenEXR frame" : "the depths of a frame") {
+        if (ids == IdChannel::present) find_ids(files);
+        depth_place_ = require(depth_file_, depth_layer);
+        size_ = depth_file_.size_of(depth_place_.part);
+        if (id_place_) require_size_of_ids();
     }
 
-    ImageFile first_;
-    std::optional<ImageFile> second_;
-    ChannelPlace id_place_, depth_place_;
+    void find_ids(const FrameFiles& files) {
+        if (files.ids != files.depths) id_file_.emplace(files.ids, "an OpenEXR frame");
+        id_place_ = require(id_file_ ? *id_file_ : depth_file_, id_layer);
+    }
+
+    void require_size_of_ids() const {
+        const Resolution of_ids = (id_file_ ? *id_file_ : depth_file_).size_of(id_place_->part);
+        if (of_ids == size_) return;
+        throw FrameError(depth_file_.name() + ": depths of " + std::to_string(size_.width) + " x " +
+                         std::to_string(size_.height) + " pixels; the ids have " +
+                         std::to_string(of_ids.width) + " x " + std::to_string(of_ids.height));
+    }
+
+    ImageFile depth_file_;
+    std::optional<ImageFile> id_file_;  ///< where it is another
+    std::optional<ChannelPlace> id_place_;
+    ChannelPlace depth_place_;
     Resolution size_;
 };
 
@@ -135,9 +145,9 @@ void write_raster(const fs::path& file, const Raster& raster) {
 
 }  // namespace
 
-Frame read_frame(const fs::path& file) { return StoredPlanes(file).frame(); }
+Frame read_frame(const fs::path& file, IdChannel ids) { return StoredPlanes(file, ids).frame(); }
 
-Resolution frame_size(const fs::path& file) { return StoredPlanes(file).size(); }
+Resolution frame_size(const fs::path& file, IdChannel ids) { return StoredPlanes(file, ids).size(); }
 
 void write_frame(const fs::path& file, const Frame& frame) {
     struct Pixel {

@@ -16,12 +16,15 @@
 
 namespace zproof {
 
+/// Has a frame ids? Where they are absent, depths alone are read, and every id is PrimitiveId::none.
+enum class IdChannel { present, absent };
+
 /// Reads ids and depths, each value as the file has it: NaN and stray ids pass through. `file` is an OpenEXR,
 /// TIFF, PNG or PFM file, or two of them, "IDS+DEPTHS". docs/images.md says which channels and types are
 /// read. The frame is the display window; where the file has no data, it is background.
-Frame read_frame(const std::filesystem::path& file);
+Frame read_frame(const std::filesystem::path& file, IdChannel ids = IdChannel::present);
 /// The size of that frame, from the headers alone.
-Resolution frame_size(const std::filesystem::path& file);
+Resolution frame_size(const std::filesystem::path& file, IdChannel ids = IdChannel::present);
 /// OpenEXR with the channels `id` (uint32) and `Z` (float32), bit for bit. The same frame gives the same
 /// bytes.
 void write_frame(const std::filesystem::path& file, const Frame& frame);

@@ -54,9 +54,9 @@ std::string about_out(std::string complaint, const fs::path& out) {
     return complaint;
 }
 
-Frame read_answer(const fs::path& file, const View& view) {
-    const Resolution size = frame_size(file);
-    if (size == Resolution{view.width, view.height}) return read_frame(file);
+Frame read_answer(const fs::path& file, const View& view, IdChannel ids) {
+    const Resolution size = frame_size(file, ids);
+    if (size == Resolution{view.width, view.height}) return read_frame(file, ids);
     throw FrameError{file.string() + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) +
                      " pixels; " + std::to_string(view.width) + " x " + std::to_string(view.height) +
                      " were asked for"};
@@ -64,8 +64,11 @@ Frame read_answer(const fs::path& file, const View& view) {
 
 }  // namespace
 
-External::External(const Scene& scene, std::string command, std::chrono::seconds time_limit)
-    : command_(std::move(command)), time_limit_(time_limit), folder_(std::make_unique<ScratchFolder>()) {
+External::External(const Scene& scene, std::string command, std::chrono::seconds time_limit, IdChannel ids)
+    : command_(std::move(command)),
+      time_limit_(time_limit),
+      ids_(ids),
+      folder_(std::make_unique<ScratchFolder>()) {
     try {
         write_glb_file(folder_->path() / "scene.glb", scene);
     } catch (const SceneError& e) {
@@ -93,7 +96,7 @@ Frame External::render(const View& view) const {
         throw OracleError{"renderer '" + command_ + "': " + in_words(outcome, time_limit_) +
                           what_it_said(outcome)};
     try {
-        return read_answer(out, view);
+        return read_answer(out, view, ids_);
     } catch (const FrameError& e) {
         throw OracleError{"renderer '" + command_ + "': " + about_out(e.what(), out) + what_it_said(outcome)};
     }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "frame/frame.h"
+#include "image_io/image_io.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
@@ -20,7 +21,8 @@ class External {
     /// The command is a line for /bin/sh in which {scene} (binary glTF), {camera} (JSON), {width}, {height}
     /// and {out} (OpenEXR, to be written) stand for the words that they name, quoted. It runs in the current
     /// folder, for at most time_limit a picture. Throws OracleError where the scene cannot be written.
-    External(const Scene& scene, std::string command, std::chrono::seconds time_limit);
+    External(const Scene& scene, std::string command, std::chrono::seconds time_limit,
+             IdChannel ids = IdChannel::present);
     ~External();
     External(External&&) noexcept;
     External& operator=(External&&) noexcept;
@@ -33,6 +35,7 @@ class External {
   private:
     std::string command_;
     std::chrono::seconds time_limit_;
+    IdChannel ids_;
     std::unique_ptr<const ScratchFolder> folder_;
 };
 

@@ -24,7 +24,7 @@ std::string facts_of(const Results& results, const RendererRecord& r) {
     for (const RendererFacts& facts : results.renderers)
         if (facts.name == r.name)
             return escaped(facts.version) + (facts.version.empty() ? "" : "<br>") + "<code>" +
-                   escaped(breakable(facts.precision)) + "</code>";
+                   escaped(breakable(facts.precision)) + "</code><br>" + escaped(ids_in_words(facts));
     return "";
 }
 

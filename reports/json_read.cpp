@@ -222,8 +222,10 @@ Results results_from_json(const std::string& text) try {
                     .renderers = {},
                     .views = {}};
     for (const Json& one : run.at("renderers"))
-        results.renderers.push_back(
-            {.name = one.at("name"), .version = one.at("version"), .precision = one.at("precision").dump()});
+        results.renderers.push_back({.name = one.at("name"),
+                                     .version = one.at("version"),
+                                     .precision = one.at("precision").dump(),
+                                     .ids = one.value("ids", "triangle")});
     read_gate(root, results);
     for (const Json& one : root.at("views")) results.views.push_back(view(one));
     return results;

@@ -179,7 +179,10 @@ Json view_object(const ViewResult& v) {
 Json renderers(const std::vector<RendererFacts>& all) {
     Json list = Json::array();
     for (const RendererFacts& r : all)
-        list.push_back({{"name", r.name}, {"version", r.version}, {"precision", Json::parse(r.precision)}});
+        list.push_back({{"name", r.name},
+                        {"version", r.version},
+                        {"precision", Json::parse(r.precision)},
+                        {"ids", r.ids}});
     return list;
 }
 

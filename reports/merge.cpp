@@ -14,7 +14,7 @@ namespace {
 std::string renderers_of(const Results& r) {
     std::string text;
     for (const RendererFacts& facts : r.renderers)
-        text += (text.empty() ? "" : "; ") + title_of(facts) + " " + facts.precision;
+        text += (text.empty() ? "" : "; ") + title_of(facts) + " " + facts.precision + " ids: " + facts.ids;
     return text;
 }
 

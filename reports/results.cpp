@@ -46,7 +46,7 @@ std::string_view in_words(Outcome outcome) {
 }
 
 std::string title_of(const RendererFacts& renderer) {
-    const auto& [name, version, precision] = renderer;
+    const std::string &name = renderer.name, &version = renderer.version;
     const auto alike = [](char a, char b) {
         return std::tolower(std::uint8_t(a)) == std::tolower(std::uint8_t(b));
     };
@@ -54,6 +54,10 @@ std::string title_of(const RendererFacts& renderer) {
     const bool repeats =
         version.size() >= name.size() && std::equal(name.begin(), name.end(), version.begin(), alike);
     return repeats ? version : name + " " + version;
+}
+
+std::string ids_in_words(const RendererFacts& renderer) {
+    return renderer.ids == "none" ? "depth only" : "ids: " + renderer.ids;
 }
 
 bool was_judged(const ViewResult& view) {

@@ -51,10 +51,15 @@ struct RendererFacts {
     std::string name;
     std::string version;    ///< in its own words; empty where it has none
     std::string precision;  ///< what it declares, as JSON (frame/precision_text.h)
+    /// What the ids of its frames stand for (scenes/triangle_labels.h): "triangle", "material", "none" ...
+    std::string ids = "triangle";
 };
 
 /// Name and version: "povray POV-Ray 3.7"; the version alone where it begins with the name, "Embree 4.3".
 std::string title_of(const RendererFacts& renderer);
+
+/// What its ids stand for: "ids: material"; "depth only" where it has none.
+std::string ids_in_words(const RendererFacts& renderer);
 
 /// One more renderer, judged against the same reference. Its defects are its own: they do not fail the view.
 struct OracleResult {

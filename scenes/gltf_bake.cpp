@@ -169,7 +169,7 @@ class Baker {
                                 on_one_line(model_.gltf.meshes[static_cast<std::size_t>(node.mesh)].name),
                                 index, static_cast<std::uint32_t>(scene_.triangles.size()),
                                 corners.triangle_count(),
-                                primitive.material < 0 ? default_material : primitive.material});
+                                primitive.material < 0 ? default_material : primitive.material, placed.node});
     }
 
     /// Makes room for the vertices of the placement. Vertices before it that lack the attribute get

@@ -77,7 +77,8 @@ struct Part {
     std::string node, mesh;
     int primitive = 0;  ///< index within the mesh
     std::uint32_t first_triangle = 0, triangle_count = 0;
-    int material = 0;  ///< index into Scene::materials
+    int material = 0;    ///< index into Scene::materials
+    int node_index = 0;  ///< of the glTF file; 0 in a scene that is from none
 };
 
 struct Scene {

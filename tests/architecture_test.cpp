@@ -27,7 +27,7 @@ const std::map<std::string, Names> may_include{
     {"texture", {"math"}},
     {"rasterizer", {"math", "frame", "scenes", "texture"}},
     {"oracle", {"math", "frame", "image_io", "scenes", "texture"}},
-    {"compare", {"math", "frame", "scenes"}},  // judges evidence; never meets a renderer
+    {"compare", {"math", "frame", "scenes"}},             // judges evidence; never meets a renderer
     {"measure", {"math", "frame", "scenes", "compare"}},  // is handed a renderer as a function; knows none
     {"study",
      {"math", "frame", "scenes", "texture", "rasterizer", "oracle",
@@ -46,6 +46,7 @@ const std::map<std::string, Names> may_include_in_compare{
     {"adjudicate", {"bounds", "admissible", "agree"}},
     {"diagnosis", {"bounds", "admissible", "adjudicate"}},
     {"explanation", {"bounds", "admissible", "agree", "adjudicate"}},
+    {"labels", {"bounds", "admissible", "adjudicate"}},
     {"metrics", {}},
     {"waivers", {}},
 };

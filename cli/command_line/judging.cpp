@@ -34,6 +34,7 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
                    std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
     add_models(app, words.run.models);
     add_renderer_options(app, words.renderers);
+    add_ids_option(app, words.renderers);
     add_oracle_options(app, words.renderers);
     add_render_settings(app, words.run.settings);
     add_report(app, words.run.report);
@@ -56,6 +57,7 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     add_models(app, words.compare.models);
     app.add_option("--view", words.compare.view, "name of the view; needed where the scene has several");
     add_precision_options(app, words.renderers);
+    add_ids_option(app, words.renderers);
     add_reference_precision(app, words.renderers);
     add_oracle_options(app, words.renderers);
     add_threads(app, words.compare.threads);
@@ -80,6 +82,7 @@ Branch add_explain(CLI::App& parent, CommandWords& words) {
     add_models(app, explain.models);
     app.add_option("--view", explain.view, "name of the view; default: the scene's first");
     add_renderer_options(app, words.renderers);
+    add_ids_option(app, words.renderers);
     add_stored_frame_options(app, words.renderers);
     add_render_settings(app, explain.settings);
     return {&app, [&words] {

@@ -62,6 +62,7 @@ Branch add_contract_check(CLI::App& parent, CommandWords& words) {
         ->required();
     add_precision_options(app, words.renderers);
     add_keep_input(app, words.renderers);
+    add_ids_option(app, words.renderers);
     add_threads(app, words.contract_check.threads);
     app.footer(contract_remark);
     return {&app, [&words] {

@@ -9,6 +9,7 @@
 #include "compare/pixel_class.h"
 #include "scenes/filter_scenes.h"
 #include "scenes/suite.h"
+#include "scenes/triangle_labels.h"
 #include "study/filters/regions.h"
 #include "texture/catalogue.h"
 
@@ -109,6 +110,10 @@ constexpr std::array meanings{
     Meaning{"--class", [](const OutlineCommand&) { return Candidates{class_names()}; }},
     Meaning{"--precision", promises},
     Meaning{"--reference-precision", promises},
+    Meaning{"--ids",
+            [](const OutlineCommand&) {
+                return Candidates{label_words(), Paths::files, Listing::single};
+            }},
     Meaning{"--out",
             [](const OutlineCommand&) {
                 return Candidates{{}, Paths::folders};

@@ -6,6 +6,7 @@
 #include "cli/nearest_word.h"
 #include "cli/renderers/registry.h"
 #include "cli/usage_error.h"
+#include "scenes/triangle_labels.h"
 
 namespace zproof {
 namespace {
@@ -37,10 +38,18 @@ RendererChoice renderer_from_word(const std::string& word) {
                      did_you_mean(word, renderer_names())};
 }
 
+std::string ids_from_word(const std::string& word) {
+    if (std::ranges::count(label_words(), word) > 0 || std::filesystem::is_regular_file(word)) return word;
+    std::string words;
+    for (const std::string& known : label_words()) words += known + ", ";
+    throw UsageError{"--ids " + word + ": expected " + words +
+                     "or a JSON file with a label for each triangle" + did_you_mean(word, label_words())};
+}
+
 bool are_the_usual(const ChosenRenderers& renderers) {
     const ChosenRenderers usual{.oracles = {}};
     const auto same = [](const RendererChoice& a, const RendererChoice& b) {
-        return name_of(a) == name_of(b) && a.precision_word == b.precision_word;
+        return name_of(a) == name_of(b) && a.precision_word == b.precision_word && a.ids == b.ids;
     };
     return same(renderers.candidate, usual.candidate) && same(renderers.reference, usual.reference);
 }
@@ -54,6 +63,7 @@ std::string name_of(const RendererChoice& choice) {
 std::string options_for(const RendererChoice& choice) {
     std::string options = std::visit([](const auto& who) { return option_of(who); }, choice.who);
     if (!choice.precision_word.empty()) options += " --precision " + shell_quoted(choice.precision_word);
+    if (choice.ids != RendererChoice{}.ids) options += " --ids " + shell_quoted(choice.ids);
     return options;
 }
 

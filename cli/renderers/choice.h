@@ -36,6 +36,7 @@ struct RendererChoice {
     std::string precision_word;               ///< as typed after --precision; empty: its own promise
     std::chrono::seconds time_limit{600};     ///< for one picture, of those that run as programs
     std::shared_ptr<KeptInput> kept_input{};  ///< where a program's input is kept; null: nowhere
+    std::string ids = "triangle";  ///< what they stand for: a word of scenes/triangle_labels.h, or a file
 };
 
 /// Who is compared besides candidate and reference.
@@ -60,6 +61,9 @@ struct ChosenRenderers {
 
 /// A word after --renderer: a name that zproof knows, or a command with {out} in it. Throws UsageError.
 RendererChoice renderer_from_word(const std::string& word);
+
+/// What is typed after --ids. Throws UsageError for what is neither a word nor a file.
+std::string ids_from_word(const std::string& word);
 
 /// zproof's own rasterizer against Embree, both as they declare themselves? Only of these does the suite's
 /// manifest know which classes must occur.

@@ -7,6 +7,7 @@
 
 #include "cli/renderers/kept_input.h"
 #include "cli/version.h"
+#include "compare/labels/labelled_frame.h"
 #include "frame/frame_error.h"
 #include "frame/precision_text.h"
 #include "image_io/image_io.h"
@@ -102,8 +103,8 @@ Precision own_promise(const RendererChoice& choice) {
     return RasterPrecision{};
 }
 
-Answers stored(const std::filesystem::path& file) {
-    const auto frame = std::make_shared<const Frame>(read_frame(file));
+Answers stored(const std::filesystem::path& file, IdChannel ids) {
+    const auto frame = std::make_shared<const Frame>(read_frame(file, ids));
     return {[frame, file](const View& view) {
         const Resolution size = frame->size();
         if (size == Resolution{view.width, view.height}) return *frame;
@@ -115,7 +116,7 @@ Answers stored(const std::filesystem::path& file) {
 
 Answers program(const RendererChoice& choice, const Scene& scene) {
     const auto external = std::make_shared<const oracle::External>(
-        scene, std::get<Program>(choice.who).command, choice.time_limit);
+        scene, std::get<Program>(choice.who).command, choice.time_limit, id_channel_of(choice));
     if (!choice.kept_input) return {[external](const View& view) { return external->render(view); }};
     const std::string name = choice.kept_input->keep(scene);
     return {[external, name, kept_input = choice.kept_input](const View& view) {
@@ -127,8 +128,21 @@ Answers program(const RendererChoice& choice, const Scene& scene) {
 Answers answers_on(const RendererChoice& choice, const Scene& scene) {
     if (const auto* built_in = std::get_if<BuiltIn>(&choice.who))
         return known_as(*built_in).on(scene, choice.time_limit);
-    if (const auto* file = std::get_if<StoredFrame>(&choice.who)) return stored(file->file);
+    if (const auto* file = std::get_if<StoredFrame>(&choice.who))
+        return stored(file->file, id_channel_of(choice));
     return program(choice, scene);
+}
+
+std::shared_ptr<const TriangleLabels> labels_of(const RendererChoice& choice, const Scene& scene) {
+    if (choice.ids == RendererChoice{}.ids) return nullptr;
+    return std::make_shared<const TriangleLabels>(label_triangles(choice.ids, scene));
+}
+
+/// Those that zproof knows by name give triangles.
+void give_labels(Answers& answers, const std::shared_ptr<const TriangleLabels>& labels) {
+    answers.render = [render = answers.render, labels](const View& view) {
+        return with_labels(render(view), *labels);
+    };
 }
 
 }  // namespace
@@ -156,15 +170,22 @@ RendererFacts facts_of(const RendererChoice& choice) {
     const auto* built_in = std::get_if<BuiltIn>(&choice.who);
     return {.name = name_of(choice),
             .version = built_in == nullptr ? "" : known_as(*built_in).version(),
-            .precision = precision_to_json(declared_precision(choice))};
+            .precision = precision_to_json(declared_precision(choice)),
+            .ids = choice.ids};
+}
+
+IdChannel id_channel_of(const RendererChoice& choice) {
+    return choice.ids == "none" ? IdChannel::absent : IdChannel::present;
 }
 
 Renderer open(const RendererChoice& choice, const Scene& scene) {
     if (const std::string absent = absence_of(choice); !absent.empty())
         throw OracleError{name_of(choice) + ": " + absent};
     Answers answers = answers_on(choice, scene);
-    return {name_of(choice), declared_precision(choice), declared_projections(choice),
-            std::move(answers.render), std::move(answers.paint)};
+    std::shared_ptr<const TriangleLabels> labels = labels_of(choice, scene);
+    if (labels && std::holds_alternative<BuiltIn>(choice.who)) give_labels(answers, labels);
+    return {name_of(choice),           declared_precision(choice), declared_projections(choice),
+            std::move(answers.render), std::move(answers.paint),   std::move(labels)};
 }
 
 }  // namespace zproof

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,9 +10,11 @@
 #include "frame/frame.h"
 #include "frame/picture.h"
 #include "frame/precision.h"
+#include "image_io/image_io.h"
 #include "reports/results.h"
 #include "scenes/light.h"
 #include "scenes/scene.h"
+#include "scenes/triangle_labels.h"
 #include "scenes/view.h"
 
 namespace zproof {
@@ -23,6 +26,7 @@ struct Renderer {
     Projections projections;                                  ///< what it can be asked about
     std::function<Frame(const View&)> render;                 ///< OracleError or FrameError where it cannot
     std::function<Picture(const View&, const Light&)> paint;  ///< empty: has no colours of its own
+    std::shared_ptr<const TriangleLabels> labels;             ///< what its ids stand for; nothing: triangles
 };
 
 /// The names that zproof knows, its own rasterizer first.
@@ -42,7 +46,12 @@ Projections declared_projections(const RendererChoice& choice);
 /// declared_precision does.
 RendererFacts facts_of(const RendererChoice& choice);
 
-/// Hands it the scene, which must outlive the result. Throws OracleError where it is absent or refuses.
+/// Do its frames have ids?
+IdChannel id_channel_of(const RendererChoice& choice);
+
+/// Hands it the scene, which must outlive the result. Of one that zproof knows by name, triangles become the
+/// labels that its ids are to stand for. Throws OracleError where it is absent or refuses, SceneError where
+/// the labels are no scene's.
 Renderer open(const RendererChoice& choice, const Scene& scene);
 
 }  // namespace zproof

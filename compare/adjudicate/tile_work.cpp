@@ -29,6 +29,14 @@ TileWork::TileWork(const Setting& setting, std::span<const std::uint32_t> near)
       coplanar_(coplanar_pairs),
       around_{.view = setting.view, .neighbours = {}} {}
 
+std::vector<std::uint32_t> TileWork::triangles_within(double reach_px, const PixelCoord& pixel) const {
+    std::vector<std::uint32_t> within;
+    for (std::size_t place = 0; place < triangles_.count(); ++place)
+        if (distance_px_from(triangles_.box(place), pixel) <= reach_px)
+            within.push_back(triangles_.triangle(place));
+    return within;
+}
+
 /// Collects the triangles within that reach of the pixel's centre, by the renderer's bounds.
 void TileWork::look_at(const PixelQuery& query, double reach_px) {
     const PixelCoord pixel{query.x, query.y};

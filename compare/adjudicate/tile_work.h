@@ -26,6 +26,8 @@ class TileWork {
     /// Decides the query, where no triangle farther than searched_px from its centre can matter, and says 0.
     /// Otherwise the reach that it needs. Queries about one pixel should follow each other.
     double decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated);
+    /// The triangles whose image's box comes within reach_px of the pixel's centre, ascending.
+    std::vector<std::uint32_t> triangles_within(double reach_px, const PixelCoord& pixel) const;
 
   private:
     /// A triangle near the pixel at hand.

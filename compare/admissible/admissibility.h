@@ -25,7 +25,7 @@ constexpr bool is_inadmissible(Admissibility s) { return s > Admissibility::unde
 
 /// Among more triangles than these nothing is decided about a pixel. It bounds time and memory, and no
 /// verdict passes by it.
-inline constexpr std::size_t most_neighbours = 1024;
+inline constexpr std::size_t most_neighbours = 65'536;
 
 struct Decision {
     Admissibility admissibility = Admissibility::visible;

@@ -215,7 +215,10 @@ auto AdmissibleSet<Number>::left_of(const std::vector<Region<Number>>& regions,
 
 template <class Number>
 auto AdmissibleSet<Number>::drawn(size_t index) -> const NeighbourImage& {
-    if (!drawn_[index]) drawn_[index] = draw(around_.neighbours[index]);
+    if (!drawn_[index]) {
+        spend(8);  // an image costs as much as some cuts
+        drawn_[index] = draw(around_.neighbours[index]);
+    }
     return *drawn_[index];
 }
 

@@ -15,8 +15,8 @@ class Models : public testing::Test {
     Models() {
         folder.write("models/one.gltf", one_triangle());
         folder.write("views/one.view.json", R"({"scene": "one.gltf", "views": [{"name": "front", "width": 8,
-            "height": 6, "projection": "perspective", "yfov_degrees": 60, "near": 1, "far": 9, "eye": [0, 0, 0],
-            "target": [0, 0, -1], "up": [0, 1, 0]}]})");
+            "height": 6, "projection": "perspective", "yfov_degrees": 60, "near": 1, "far": 9,
+            "eye": [0, 0, 0], "target": [0, 0, -1], "up": [0, 1, 0]}]})");
     }
     Folder folder;
 };
@@ -33,7 +33,7 @@ TEST_F(Models, AreFoundByEveryCommandThatReadsAViewFile) {
 
 TEST_F(Models, AreNamedInTheCommandsOfFindings) {
     const Ran ran = run(folder, {"run", "views", "--models", "models", "--oracle", "none", "--precision",
-                                 "ray,arithmetic=float64"});
+                                 "bounded,eps_px=1e-12"});
     EXPECT_EQ(ran.exit_code, 1) << ran.out << ran.err;
     EXPECT_THAT(folder.read("zproof-out/results.json"), HasSubstr("--models models"));
 }

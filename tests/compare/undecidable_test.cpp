@@ -11,8 +11,8 @@ namespace {
 TestScene crowded() {
     std::vector<Triangle> triangles{wall(4)};
     for (std::size_t i = 0; i <= most_neighbours; ++i) {
-        const double x = double(i % 32) / 2, y = double(i / 32) / 4;
-        triangles.push_back({{{x, y, 8}, {x + 0.25, y, 8}, {x, y + 0.25, 8}}});
+        const double x = double(i % 256) / 16, y = double(i / 256) / 16;
+        triangles.push_back({{{x, y, 8}, {x + 0.03125, y, 8}, {x, y + 0.03125, 8}}});
     }
     TestScene t(Projection::parallel, 16, 16, triangles);
     answer_everywhere(t.reference, 0, 4);

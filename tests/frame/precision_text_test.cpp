@@ -26,7 +26,7 @@ TEST(PrecisionText, ComesBackKeyForKey) {
                                   .snap = Snap::truncate,
                                   .clipping = Clipping::view_volume,
                                   .depth_buffer = DepthBuffer::reversed_z,
-.depth_interpolation = DepthInterpolation::plane,
+                                  .depth_interpolation = DepthInterpolation::plane,
                                   .interpolation = Arithmetic::float64,
                                   .depth_roundings = 1};
     for (const Precision& precision :
@@ -65,7 +65,8 @@ TEST(PrecisionText, ARefusalNamesPlaceAndRemedy) {
     EXPECT_NE(refusal("raster,subpixel_bits=4.5").find("whole number"), std::string::npos);
     EXPECT_NE(refusal("raster,bits=8").find("/bits: unknown key; allowed here: kind, projections, transform"),
               std::string::npos);
-    EXPECT_NE(refusal("raster,snap=round").find("expected \"nearest\" or \"truncate\" or \"none\", found \"round\""),
+    EXPECT_NE(refusal("raster,snap=round")
+                  .find("expected \"nearest\" or \"truncate\" or \"none\", found \"round\""),
               std::string::npos);
     EXPECT_NE(refusal("ray,subpixel_bits=4").find("unknown key"), std::string::npos);
     EXPECT_NE(refusal("plane_ray,aim_offset_px=-1").find("from 0 to 1, found -1"), std::string::npos);

@@ -1,0 +1,21 @@
+#include "cli/labelled_candidate.h"
+
+#include <utility>
+
+#include "compare/labels/labelled_frame.h"
+
+namespace zproof {
+
+std::string CandidateFrame::label_sentence(int x, int y) const {
+    const bool names_label = labels && frame.primitive.at(x, y) != PrimitiveId::none;
+    return names_label ? zproof::label_sentence(*labels, own_ids.at(x, y)) : "";
+}
+
+CandidateFrame candidate_frame(const Scene& scene, const View& view, const Renderer& renderer, Frame given,
+                               const Frame& reference) {
+    if (!renderer.labels) return {.frame = std::move(given), .labels = nullptr, .own_ids = {}};
+    Frame frame = with_triangles(scene, view, {given, renderer.precision}, *renderer.labels, reference);
+    return {std::move(frame), renderer.labels, std::move(given.primitive)};
+}
+
+}  // namespace zproof

@@ -1,0 +1,246 @@
+#include "compare/labels/labelled_frame.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <tuple>
+
+#include "compare/adjudicate/adjudicator.h"
+#include "compare/adjudicate/tile_work.h"
+#include "compare/admissible/depth_rule.h"
+#include "compare/labels/search_reach.h"
+
+namespace zproof {
+
+namespace {
+
+bool is_background(const TriangleLabels& labels, std::uint32_t label, float depth) {
+    if (labels.are_absent) return depth == background_depth;
+    return std::ranges::count(labels.background, label) > 0;
+}
+
+/// A triangle of the pixel's label, held against the pixel's depth.
+struct DepthFit {
+    PrimitiveId triangle = PrimitiveId::none;
+    bool is_within_bound = false;
+    double error = 0;
+
+    bool operator<(const DepthFit& other) const {
+        return std::tuple{!is_within_bound, error, triangle} <
+               std::tuple{!other.is_within_bound, other.error, other.triangle};
+    }
+};
+
+/// Each label with its first triangle, ascending.
+class FirstTriangles {
+  public:
+    explicit FirstTriangles(std::span<const std::uint32_t> of_triangle) {
+        for (std::size_t t = 0; t < of_triangle.size(); ++t)
+            if (t == 0 || of_triangle[t] != of_triangle[t - 1])
+                first_.push_back({of_triangle[t], std::uint32_t(t)});
+        std::ranges::sort(first_);
+        const auto rest = std::ranges::unique(first_, {}, &std::pair<std::uint32_t, std::uint32_t>::first);
+        first_.erase(rest.begin(), rest.end());
+    }
+
+    PrimitiveId of(std::uint32_t label) const {
+        const auto found = std::ranges::lower_bound(first_, label, {}, [](const auto& p) { return p.first; });
+        return found == first_.end() || found->first != label ? no_such_triangle : PrimitiveId(found->second);
+    }
+
+  private:
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> first_;
+};
+
+/// One frame of labels being turned into triangles.
+class LabelledFrame {
+  public:
+    LabelledFrame(const Scene& scene, const View& view, const RenderedFrame& of_labels,
+                  const TriangleLabels& labels, const Frame& reference)
+        : scene_(scene),
+          view_(view),
+          labelled_(view, of_labels),
+          labels_(labels),
+          reference_(reference),
+          first_(labels.of_triangle) {}
+
+    Frame triangles() const {
+        Frame frame = labelled_.frame;
+        std::vector<std::vector<PixelCoord>> open_in_row(std::size_t(view_.height));
+        tbb::parallel_for(0, view_.height,
+                          [&](int y) { name_in_row(y, frame, open_in_row[std::size_t(y)]); });
+        std::vector<PixelCoord> open;
+        for (const auto& pixels : open_in_row) open.insert(open.end(), pixels.begin(), pixels.end());
+        search_at(open, frame);
+        return frame;
+    }
+
+  private:
+    std::uint32_t label_at(const PixelCoord& pixel) const {
+        return labels_.are_absent ? 0 : std::uint32_t(labelled_.frame.primitive.at(pixel.x, pixel.y));
+    }
+
+    /// Names what needs no search; lists the other pixels.
+    void name_in_row(int y, Frame& frame, std::vector<PixelCoord>& open) const {
+        DepthOfOne depth_of_reference;
+        for (int x = 0; x < view_.width; ++x) {
+            const PixelCoord pixel{x, y};
+            const std::uint32_t label = label_at(pixel);
+            const float depth = frame.camera_depth.at(x, y);
+            PrimitiveId& named = frame.primitive.at(x, y);
+            const PrimitiveId first = first_.of(label), reference = reference_.primitive.at(x, y);
+            if (is_background(labels_, label, depth))
+                named = PrimitiveId::none;
+            else if (first == no_such_triangle || std::isnan(depth) || depth < 0)
+                named = first;
+            else if (has_label(reference, label) && holds_depth(depth_of_reference, reference, pixel))
+                named = reference;
+            else
+                open.push_back(pixel);
+        }
+    }
+
+    bool has_label(PrimitiveId triangle, std::uint32_t label) const {
+        const auto t = std::size_t(triangle);
+        return t < labels_.of_triangle.size() && labels_.of_triangle[t] == label;
+    }
+
+    /// The depth of the triangle that was asked about last.
+    struct DepthOfOne {
+        PrimitiveId triangle = PrimitiveId::none;
+        CornersWorld p_world{};
+        TriangleDepth depth;
+    };
+
+    bool holds_depth(DepthOfOne& last, PrimitiveId triangle, const PixelCoord& pixel) const {
+        if (last.triangle != triangle) last = depth_of(triangle);
+        return check(last, pixel).is_admissible;
+    }
+
+    DepthOfOne depth_of(PrimitiveId triangle) const {
+        const CornersWorld p_world = corners_of(scene_, std::uint32_t(triangle));
+        return {triangle, p_world,
+                TriangleDepth(TriangleInView(view_, labelled_.shown_bounds, p_world), labelled_.shown_bounds)};
+    }
+
+    DepthCheck check(const DepthOfOne& of, const PixelCoord& pixel) const {
+        return check_depth(view_, labelled_.shown_bounds, of.p_world, of.depth, pixel,
+                           labelled_.frame.camera_depth.at(pixel.x, pixel.y));
+    }
+
+    /// Looks for a triangle among all that come near.
+    void search_at(std::span<const PixelCoord> open, Frame& frame) const {
+        if (open.empty()) return;
+        const SearchReach reach(scene_, view_, labelled_.bounds);
+        Adjudicator(scene_, view_, QueryDetail::admissibility)
+            .for_each_pixel(open, [&](TileWork& work, std::size_t i, double searched_px) {
+                const PixelCoord& pixel = open[i];
+                const double reach_px = reach.at(pixel);
+                if (reach_px > searched_px) return reach_px;
+                PixelSearch search{work, pixel, searched_px,
+                                   fits_at(work.triangles_within(reach_px, pixel), pixel)};
+                const std::optional<PrimitiveId> named = best_of(search);
+                if (named) frame.primitive.at(pixel.x, pixel.y) = *named;
+                return named ? 0 : search.needed_px;
+            });
+    }
+
+    /// The triangles of the pixel's label: those whose depth is within its bound first, the nearest depth
+    /// first.
+    std::vector<DepthFit> fits_at(std::span<const std::uint32_t> near, const PixelCoord& pixel) const {
+        std::vector<DepthFit> fits;
+        for (const std::uint32_t t : near) {
+            if (!has_label(PrimitiveId(t), label_at(pixel))) continue;
+            const DepthCheck depth = check(depth_of(PrimitiveId(t)), pixel);
+            const double error = labelled_.frame.camera_depth.at(pixel.x, pixel.y) - depth.bound.truth;
+            fits.push_back({PrimitiveId(t), depth.is_admissible, std::abs(error)});
+        }
+        std::ranges::sort(fits, std::less());
+        return fits;
+    }
+
+    /// The search at one pixel.
+    struct PixelSearch {
+        TileWork& work;
+        const PixelCoord& pixel;
+        double searched_px;
+        std::vector<DepthFit> fits;
+        double needed_px = 0;  ///< above 0: a decision needs that reach
+    };
+
+    /// The strongest reason for which one of them is admissible; otherwise the first that is hidden, not
+    /// outside.
+    struct Found {
+        PrimitiveId triangle = PrimitiveId::none;
+        Admissibility admissibility = Admissibility::outside;
+    };
+
+    Admissibility decide(PixelSearch& search, PrimitiveId triangle) const {
+        QueryResult found;
+        const PixelQuery query{&labelled_.bounds, triangle, search.pixel.x, search.pixel.y};
+        search.needed_px = std::max(search.needed_px, search.work.decide(query, search.searched_px, found));
+        return found.decision.admissibility;
+    }
+
+    /// The triangle to name, or nothing where a decision must look farther.
+    std::optional<PrimitiveId> best_of(PixelSearch& search) const {
+        const auto first_wrong = std::ranges::find(search.fits, false, &DepthFit::is_within_bound);
+        Found best{first_.of(label_at(search.pixel)), Admissibility::outside};
+        const auto try_fit = [&](const DepthFit& fit) {
+            const Admissibility admissibility = decide(search, fit.triangle);
+            if (is_better(admissibility, best.admissibility)) best = {fit.triangle, admissibility};
+        };
+        std::for_each(search.fits.begin(), first_wrong, try_fit);
+        if (search.needed_px > 0) return std::nullopt;
+        if (best.admissibility == Admissibility::outside) {
+            const PrimitiveId reference = reference_.primitive.at(search.pixel.x, search.pixel.y);
+            if (has_label(reference, label_at(search.pixel)))
+                return reference;  // it is said to be at a wrong depth
+            for (auto fit = first_wrong; fit != search.fits.end() && !is_admissible(best.admissibility);
+                 ++fit)
+                try_fit(*fit);
+        }
+        return search.needed_px > 0 ? std::nullopt : std::optional(best.triangle);
+    }
+
+    /// Admissible ones are ordered; one that nobody can decide comes next, then a hidden triangle.
+    static bool is_better(Admissibility a, Admissibility b) {
+        if (is_admissible(a)) return a < b;
+        if (a == Admissibility::undecidable) return is_inadmissible(b);
+        return a == Admissibility::hidden && b == Admissibility::outside;
+    }
+
+    const Scene& scene_;
+    const View& view_;
+    BoundedFrame labelled_;
+    const TriangleLabels& labels_;
+    const Frame& reference_;
+    FirstTriangles first_;
+};
+
+}  // namespace
+
+Frame with_labels(Frame frame, const TriangleLabels& labels) {
+    for (PrimitiveId& id : frame.primitive.pixels())
+        if (std::size_t(id) < labels.of_triangle.size())
+            id = PrimitiveId(labels.of_triangle[std::size_t(id)]);
+    return frame;
+}
+
+Frame with_triangles(const Scene& scene, const View& view, const RenderedFrame& of_labels,
+                     const TriangleLabels& labels, const Frame& reference) {
+    return LabelledFrame(scene, view, of_labels, labels, reference).triangles();
+}
+
+std::string label_sentence(const TriangleLabels& labels, PrimitiveId said) {
+    if (labels.are_absent) return "; the frame has no ids: this triangle stands for its depth";
+    const auto label = std::uint32_t(said);
+    const auto name = labels.names.find(label);
+    return "; the frame says " + labels.ids + " " + std::to_string(label) +
+           (name == labels.names.end() ? "" : " (" + name->second + ")");
+}
+
+}  // namespace zproof

@@ -1,0 +1,27 @@
+/// Frames whose ids are coarser than triangles: a label stands for many triangles, or there are no ids at
+/// all (docs/labels.md). The judge takes triangles, so each label is turned into one of its triangles first.
+#pragma once
+
+#include "compare/rendered_frame.h"
+#include "scenes/triangle_labels.h"
+
+namespace zproof {
+
+/// A triangle that no scene has: it stands for a label that no triangle has.
+inline constexpr PrimitiveId no_such_triangle{0xFFFF'FFFE};
+
+/// A frame of triangles as a frame of labels.
+Frame with_labels(Frame of_triangles, const TriangleLabels& labels);
+
+/// Names a triangle of each pixel's label that a faultless renderer may show there at that depth, if there is
+/// one: the reference's own, or else the one that is admissible for the strongest reason. Where there is
+/// none, a triangle of the label that lets the judge say what is wrong. Runs on the threads of the
+/// surrounding tbb::task_arena; the result does not depend on their number. All frames have the view's size.
+Frame with_triangles(const Scene& scene, const View& view, const RenderedFrame& of_labels,
+                     const TriangleLabels& labels, const Frame& reference);
+
+/// What the frame itself says at a pixel, after a finding about its triangle: "; the frame says material 3
+/// (Wood)". Empty where it gives triangles.
+std::string label_sentence(const TriangleLabels& labels, PrimitiveId said);
+
+}  // namespace zproof

@@ -1,0 +1,35 @@
+/// How far around a pixel triangles must be looked for, so that none is missed that is admissible there.
+#pragma once
+
+#include <vector>
+
+#include "compare/adjudicate/image_box.h"
+#include "compare/bounds/pixel_coord.h"
+#include "scenes/scene.h"
+
+namespace zproof {
+
+class SearchReach {
+  public:
+    /// Looks at every triangle once; on all threads. All must outlive it.
+    SearchReach(const Scene& scene, const View& view, const ViewBounds& bounds);
+
+    /// A triangle farther than this from the pixel's centre meets no square that an answer there is judged
+    /// in.
+    double at(const PixelCoord& pixel) const;
+
+  private:
+    /// A triangle that may reach farther than `least_px`.
+    struct Wide {
+        std::uint32_t triangle;
+        double most_px;  ///< its largest eps anywhere
+        Box box;         ///< around its image
+    };
+
+    const Scene& scene_;
+    const View& view_;
+    const ViewBounds& bounds_;
+    std::vector<Wide> wide_;  ///< the largest eps first
+};
+
+}  // namespace zproof

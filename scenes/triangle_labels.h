@@ -1,0 +1,30 @@
+/// What the ids of a frame stand for where they are coarser than triangles: one label for each triangle
+/// (docs/labels.md).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.h"
+
+namespace zproof {
+
+struct TriangleLabels {
+    std::string ids;                                     ///< the word that asked for them: "material"
+    std::vector<std::uint32_t> of_triangle;              ///< as many as the scene has triangles
+    std::map<std::uint32_t, std::string> names{};        ///< of labels that have one
+    std::vector<std::uint32_t> background{0xFFFF'FFFF};  ///< ids that mean background
+    /// Has the frame no ids at all? Then one label stands for every triangle, and depth tells background.
+    bool are_absent = false;
+};
+
+/// The words that label_triangles() knows, "triangle" and "none" among them.
+const std::vector<std::string>& label_words();
+
+/// The labels that a word stands for: one of label_words() but "triangle", or a file (scenes/label_file.h).
+/// Throws SceneError for a file that cannot be read or does not fit the scene.
+TriangleLabels label_triangles(const std::string& word, const Scene& scene);
+
+}  // namespace zproof
