@@ -3,8 +3,9 @@
 #include "cli/commands.h"
 #include "cli/gate/shard.h"
 #include "cli/judgement.h"
+#include "cli/renderers/registry.h"
 #include "cli/usage_error.h"
-#include "image_io/image_io.h"
+#include "oracle/convention/stored_frame.h"
 
 namespace zproof {
 namespace {
@@ -22,7 +23,8 @@ std::string view_meant(const CompareArguments& arguments, const SceneSource& sou
 
 ExitCode execute(const CompareArguments& arguments) {
     const auto& candidate = std::get<StoredFrame>(arguments.renderers.candidate.who);
-    const Resolution size = frame_size(candidate.file);
+    const Resolution size =
+        oracle::stored_frame_size(candidate.file, declared_convention(arguments.renderers.candidate));
     const SceneSource source = select_scene(arguments.scene);
     return judge_and_report({.sources = {source},
                              .renderers = arguments.renderers,

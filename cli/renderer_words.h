@@ -17,6 +17,7 @@ namespace zproof {
 struct RendererWords {
     std::string renderer = "zproof", precision;             ///< of the candidate
     std::string candidate, reference, reference_precision;  ///< stored frames
+    ConventionWords convention, reference_convention;       ///< how their frames are to be read
     std::optional<std::vector<std::string>> oracles;        ///< nothing: the usual ones
     std::vector<std::string> required;
     std::string filter;  ///< of textures; empty: none
@@ -24,9 +25,10 @@ struct RendererWords {
 };
 
 void add_renderer_options(CLI::App& app, RendererWords& words);   ///< --renderer, --precision, --time-limit
-void add_precision_options(CLI::App& app, RendererWords& words);  ///< --precision, --time-limit
+void add_precision_options(CLI::App& app, RendererWords& words);  ///< --precision, --time-limit, --convention
 void add_stored_frame_options(CLI::App& app, RendererWords& words);  ///< --candidate, --reference
-void add_reference_precision(CLI::App& app, RendererWords& words);
+/// --reference-precision, --reference-convention, --reference-channels
+void add_reference_words(CLI::App& app, RendererWords& words);
 void add_oracle_options(CLI::App& app, RendererWords& words);  ///< --oracle, --require
 
 /// The renderer that the words call the candidate. Throws UsageError.

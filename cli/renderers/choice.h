@@ -25,12 +25,18 @@ struct Program {
 
 /// A frame that was rendered elsewhere and stands for its renderer.
 struct StoredFrame {
-    std::filesystem::path file;  ///< as read_frame() takes it
+    std::filesystem::path file;  ///< as oracle::read_stored_frame() takes it
+};
+
+/// As typed after --convention and --channels; empty: the contract's.
+struct ConventionWords {
+    std::string convention, channels;
 };
 
 struct RendererChoice {
     std::variant<BuiltIn, Program, StoredFrame> who;
     std::string precision_word;            ///< as typed after --precision; empty: its own promise
+    ConventionWords convention{};          ///< of frames that somebody else made
     std::chrono::seconds time_limit{600};  ///< for one picture, of those that run as programs
 };
 

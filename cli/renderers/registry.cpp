@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "cli/version.h"
-#include "frame/frame_error.h"
+#include "frame/convention_text.h"
 #include "frame/precision_text.h"
-#include "image_io/image_io.h"
+#include "oracle/convention/stored_frame.h"
 #include "oracle/embree.h"
 #include "oracle/external.h"
 #include "oracle/opengl.h"
@@ -101,27 +101,23 @@ Precision own_promise(const RendererChoice& choice) {
     return RasterPrecision{};
 }
 
-Answers stored(const std::filesystem::path& file) {
-    const auto frame = std::make_shared<const Frame>(read_frame(file));
-    return {[frame, file](const View& view) {
-        const Resolution size = frame->size();
-        if (size == Resolution{view.width, view.height}) return *frame;
-        throw FrameError{file.string() + ": " + std::to_string(size.width) + " x " +
-                         std::to_string(size.height) + " pixels; the view '" + view.name + "' has " +
-                         std::to_string(view.width) + " x " + std::to_string(view.height)};
-    }};
+Answers stored(const std::filesystem::path& file, const Convention& convention) {
+    return {
+        [file, convention](const View& view) { return oracle::read_stored_frame(file, convention, view); }};
 }
 
-Answers program(const Program& program, const Scene& scene, std::chrono::seconds time_limit) {
-    const auto external = std::make_shared<const oracle::External>(scene, program.command, time_limit);
+Answers program(const RendererChoice& choice, const Scene& scene) {
+    const auto external = std::make_shared<const oracle::External>(
+        scene, std::get<Program>(choice.who).command, choice.time_limit, declared_convention(choice));
     return {[external](const View& view) { return external->render(view); }};
 }
 
 Answers answers_on(const RendererChoice& choice, const Scene& scene) {
     if (const auto* built_in = std::get_if<BuiltIn>(&choice.who))
         return known_as(*built_in).on(scene, choice.time_limit);
-    if (const auto* file = std::get_if<StoredFrame>(&choice.who)) return stored(file->file);
-    return program(std::get<Program>(choice.who), scene, choice.time_limit);
+    if (const auto* file = std::get_if<StoredFrame>(&choice.who))
+        return stored(file->file, declared_convention(choice));
+    return program(choice, scene);
 }
 
 }  // namespace
@@ -141,8 +137,13 @@ Precision declared_precision(const RendererChoice& choice) {
     return choice.precision_word.empty() ? own_promise(choice) : precision_from_word(choice.precision_word);
 }
 
+Convention declared_convention(const RendererChoice& choice) {
+    return convention_from_words(choice.convention.convention, choice.convention.channels);
+}
+
 RendererFacts facts_of(const RendererChoice& choice) {
     const auto* built_in = std::get_if<BuiltIn>(&choice.who);
+    declared_convention(choice);  // refused before anything is rendered
     return {.name = name_of(choice),
             .version = built_in == nullptr ? "" : known_as(*built_in).version(),
             .precision = precision_to_json(declared_precision(choice))};
