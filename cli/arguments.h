@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -14,6 +15,7 @@
 #include "cli/report_files.h"
 #include "cli/settings.h"
 #include "cli/study/arguments.h"
+#include "scenes/import/view_import.h"
 
 namespace zproof {
 
@@ -118,6 +120,18 @@ struct GenerateArguments {
     std::filesystem::path out = "zproof-scenes";
 };
 
+/// Whose file of cameras it is.
+enum class CameraSource { opencv, colmap, nerf };
+
+struct ViewsArguments {
+    CameraSource source = CameraSource::opencv;
+    std::filesystem::path cameras;  ///< COLMAP: a folder
+    std::filesystem::path model;
+    std::filesystem::path out;  ///< the view file; not a default, so that none is replaced unasked
+    DepthRange range{.near_depth = 0, .far_depth = std::numeric_limits<double>::infinity()};
+    std::optional<glm::ivec2> image_size;  ///< of files that do not say it
+};
+
 /// Text that the command line asked for: --help or --version.
 struct Answered {
     std::string text;
@@ -127,9 +141,9 @@ using Command =
     std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
                  ContractCheckArguments, SelftestArguments, MergeArguments, ReportAgainArguments,
                  DiffResultsArguments, WaiveListArguments, WaiveCheckArguments, WaivePruneArguments,
-                 WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments, FiltersRunArguments,
-                 FiltersListArguments, FiltersTableArguments, FiltersFigureArguments, FiltersCrowArguments,
-                 FiltersCheckArguments, StudyArguments, Answered>;
+                 WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments, ViewsArguments,
+                 FiltersRunArguments, FiltersListArguments, FiltersTableArguments, FiltersFigureArguments,
+                 FiltersCrowArguments, FiltersCheckArguments, StudyArguments, Answered>;
 
 /// What is not typed is taken from the settings (docs/gate.md). Throws UsageError, and ReportError where a
 /// settings file that is named cannot be read.

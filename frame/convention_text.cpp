@@ -94,12 +94,12 @@ bool store_background_depths(Convention& to, const Json& value) {
     return true;
 }
 
-struct Key {
+struct ConventionKey {
     std::string_view name, expected;
     bool (*store)(Convention& to, const Json& value);
 };
 
-constexpr auto keys = std::to_array<Key>({
+constexpr auto convention_keys = std::to_array<ConventionKey>({
     {"id_channel", "a channel's name",
      [](Convention& c, const Json& v) { return store_name(c.id_channel, v); }},
     {"depth_channel", "a channel's name",
@@ -137,7 +137,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 void store(Convention& to, const std::string& name, const Json& value, const std::string& place) {
     std::vector<std::string> known;
-    for (const Key& key : keys) {
+    for (const ConventionKey& key : convention_keys) {
         known.emplace_back(key.name);
         if (key.name != name) continue;
         if (!key.store(to, value))

@@ -31,13 +31,14 @@ bool fits_double(Sample sample) {
     return is_floating(sample) || (is_whole(sample) && sample != Sample::int64);
 }
 
-constexpr SampleTypes whole_numbers{is_whole, "an integer"}, floats{is_floating, "half, float or double"},
-    bytes{[](Sample sample) { return sample == Sample::uint8; }, "uint8"},
-    depths{fits_double, "half, float, double or an integer of up to 32 bits"};
+constexpr SampleTypes whole_types{is_whole, "an integer"};
+constexpr SampleTypes float_types{is_floating, "half, float or double"};
+constexpr SampleTypes byte_types{[](Sample sample) { return sample == Sample::uint8; }, "uint8"};
+constexpr SampleTypes depth_types{fits_double, "half, float, double or an integer of up to 32 bits"};
 
 const SampleTypes& types_of(IdCoding coding) {
-    if (coding == IdCoding::integer) return whole_numbers;
-    return coding == IdCoding::real ? floats : bytes;
+    if (coding == IdCoding::integer) return whole_types;
+    return coding == IdCoding::real ? float_types : byte_types;
 }
 
 /// Every channel that is called so: "Z" in any part, "left:Z" in the part of that name.
@@ -75,7 +76,7 @@ std::optional<ChannelPlace> find_channel(const ImageFile& file, const std::strin
     return named[0];
 }
 
-std::string missing(const ImageFile& file, const std::string& channel) {
+std::string missing_channel(const ImageFile& file, const std::string& channel) {
     return file.name() + ": channel '" + channel + "' is missing; the file holds " + file.what_it_holds() +
            "; --channels id=NAME,depth=NAME says which is which";
 }
@@ -177,7 +178,7 @@ class RawPlanes {
         for (const std::string& name : id_names(id_file_, convention_)) {
             const auto place = find_channel(id_file_, name, types_of(convention_.id_coding));
             if (!place) {
-                why_no_ids_ = missing(id_file_, name);
+                why_no_ids_ = missing_channel(id_file_, name);
                 id_places_.clear();
                 return;
             }
@@ -188,14 +189,14 @@ class RawPlanes {
     void find_depths() {
         const ImageFile& file = depth_file();
         auto place = find_channel(file, convention_.depth_channel, floats_or_any(file));
-        if (!place && second_) place = lone_channel(file, depths);
-        if (!place) throw FrameError(missing(file, convention_.depth_channel));
+        if (!place && second_) place = lone_channel(file, depth_types);
+        if (!place) throw FrameError(missing_channel(file, convention_.depth_channel));
         depth_place_ = *place;
     }
 
     /// A named channel may be of any type that a depth has; a lone one beside ids is known by being a float.
     const SampleTypes& floats_or_any(const ImageFile& file) const {
-        return channels_named(file, convention_.depth_channel).empty() ? floats : depths;
+        return channels_named(file, convention_.depth_channel).empty() ? float_types : depth_types;
     }
 
     const ImageFile& depth_file() const { return second_ ? *second_ : id_file_; }

@@ -8,6 +8,8 @@ std::span<const Setting> known_settings() {
         {"scenes", paths},
         {"renderer", text},
         {"precision", text},
+        {"convention", text},
+        {"channels", text},
         {"oracle", list},
         {"require", list},
         {"time-limit", number, {1, 86400, 600}},

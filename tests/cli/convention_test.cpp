@@ -115,5 +115,20 @@ TEST_F(Arrays, WhatIsNotUnderstoodIsRefusedBeforeAnythingIsWritten) {
     EXPECT_EQ(run(folder, {"run", "two.gltf", "--convention", "bop"}).exit_code, 2);
 }
 
+TEST(Views, OfColmapAreJudged) {
+    const Folder folder;
+    folder.write("two.gltf", two_triangles());
+    folder.write("sparse/cameras.txt", "1 PINHOLE 64 48 50 50 32 24\n");
+    folder.write("sparse/images.txt", "1 0 1 0 0 0 0 3 1 a.png\n\n");  // looks along -z, from z = 3
+    const Ran ran =
+        run(folder, {"views", "colmap", "sparse", "two.gltf", "--near", "0.1", "-o", "two.view.json"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    const Ran judged = run(folder, {"run", "two.view.json", "--oracle", "none"});
+    EXPECT_EQ(judged.exit_code, 0) << judged.out << judged.err;
+    const json view = json::parse(folder.read("zproof-out/results.json")).at("views").at(0);
+    EXPECT_EQ(view.at("view"), "a");
+    EXPECT_GT(view.at("counts").at("agree"), 0);
+}
+
 }  // namespace
 }  // namespace zproof::test
