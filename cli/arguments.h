@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -15,7 +14,7 @@
 #include "cli/report_files.h"
 #include "cli/settings.h"
 #include "cli/study/arguments.h"
-#include "scenes/import/view_import.h"
+#include "cli/views_arguments.h"
 
 namespace zproof {
 
@@ -118,18 +117,6 @@ struct ListArguments {};
 struct GenerateArguments {
     std::vector<std::string> names;  ///< empty: the whole suite
     std::filesystem::path out = "zproof-scenes";
-};
-
-/// Whose file of cameras it is.
-enum class CameraSource { opencv, colmap, nerf };
-
-struct ViewsArguments {
-    CameraSource source = CameraSource::opencv;
-    std::filesystem::path cameras;  ///< COLMAP: a folder
-    std::filesystem::path model;
-    std::filesystem::path out;  ///< the view file; not a default, so that none is replaced unasked
-    DepthRange range{.near_depth = 0, .far_depth = std::numeric_limits<double>::infinity()};
-    std::optional<glm::ivec2> image_size;  ///< of files that do not say it
 };
 
 /// Text that the command line asked for: --help or --version.

@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "frame/whole_file.h"
+#include "scenes/import/view_import.h"
 #include "scenes/scene_error.h"
 #include "scenes/view_document.h"
 

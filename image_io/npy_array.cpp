@@ -86,8 +86,8 @@ std::array<int, 3> image_sides(const std::string& shape, const std::filesystem::
 }
 
 Part part_of(const std::string& header, const std::filesystem::path& file) {
-    static const std::regex form{
-        R"(\{\s*'descr':\s*'([^']*)',\s*'fortran_order':\s*(True|False),\s*'shape':\s*\(([0-9, ]*)\),?\s*\}\s*)"};
+    static const std::regex form{R"(\{\s*'descr':\s*'([^']*)',\s*'fortran_order':\s*(True|False),\s*)"
+                                 R"('shape':\s*\(([0-9, ]*)\),?\s*\}\s*)"};
     std::smatch found;
     if (!std::regex_match(header, found, form))
         refuse_array(file,

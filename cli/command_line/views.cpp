@@ -17,7 +17,9 @@ Branch add_views(CLI::App& parent, CommandWords& words) {
     add_choice<CameraSource>(
         app, "SOURCE", views.source,
         {{"opencv", CameraSource::opencv}, {"colmap", CameraSource::colmap}, {"nerf", CameraSource::nerf}})
-        ->required();
+        ->required()
+        ->default_str("")
+        ->description("whose cameras: opencv, colmap or nerf");
     app.add_option("CAMERAS", views.cameras,
                    "opencv: JSON with K, R and t; colmap: the folder of cameras.txt and images.txt; nerf: "
                    "transforms.json")

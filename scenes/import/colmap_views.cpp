@@ -82,8 +82,7 @@ CalibratedCamera camera_of(std::istream& words, const ColmapLines& lines) {
     if (!words || !(words >> std::ws).eof())
         lines.fail("expected CAMERA_ID MODEL WIDTH HEIGHT and the numbers of " + name);
     if (is_distorted)
-        lines.fail(
-            "a lens with distortion has no straight lines; colmap image_undistorter makes PINHOLE cameras");
+        lines.fail("a distorted image has no straight lines; colmap image_undistorter makes PINHOLE cameras");
     return camera;
 }
 

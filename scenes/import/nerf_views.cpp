@@ -28,11 +28,11 @@ class NerfFrame {
     LocatedValue root_, frame_;
 };
 
-void refuse_other_lenses(const NerfFrame& frame) {
+void refuse_distortion(const NerfFrame& frame) {
     for (const char* key : {"k1", "k2", "k3", "k4", "p1", "p2"})
         if (frame.number(key, 0) != 0)
             frame.at(key).fail(
-                "a lens with distortion has no straight lines; undistort the images and leave it out");
+                "a distorted image has no straight lines; undistort the images and leave it out");
     if (frame.has("is_fisheye") && frame.at("is_fisheye").value() != false)
         frame.at("is_fisheye").fail("expected a pinhole");
     if (!frame.has("camera_model")) return;
@@ -94,7 +94,7 @@ void set_pose(const LocatedValue& matrix, CalibratedCamera& camera) {
 }
 
 ImportedView view_at(const NerfFrame& frame, const DepthRange& range, const std::optional<glm::ivec2>& size) {
-    refuse_other_lenses(frame);
+    refuse_distortion(frame);
     CalibratedCamera camera;
     camera.name = view_name_of_image(frame.place().at("file_path").text());
     camera.width = side_of(frame, "w", size ? std::optional(size->x) : std::nullopt);

@@ -46,7 +46,7 @@ void refuse_distortion(const LocatedValue& view) {
     for (std::size_t i = 0; i < list.value().size(); ++i)
         if (list.at(i).number() != 0)
             list.at(i).fail(
-                "a lens with distortion has no straight lines; undistort the images (cv2.undistort) and "
+                "a distorted image has no straight lines; undistort the images (cv2.undistort) and "
                 "leave it out");
 }
 

@@ -9,7 +9,7 @@
 
 namespace zproof {
 
-// Each throws SceneError, naming file and place, for what is missing, unknown or out of range, for lenses
+// Each throws SceneError, naming file and place, for what is missing, unknown or out of range, for cameras
 // that are no pinhole, and for two views of one name.
 
 /// OpenCV's K, R and t, as JSON: {"views": [{"name", "width", "height", "pixel_centre", "K", "R", "t"}]}.

@@ -68,7 +68,7 @@ TEST_F(NpyFile, MoreOrFewerSamplesThanTheHeaderSaysAreRefused) {
 
 TEST_F(NpyFile, AFileThatEndsWithinItsHeaderIsRefused) {
     for (const std::string& bytes : {std::string("\x93NUMPY"), std::string("\x93NUMPY\x01\0\x40", 9),
-                                    std::string("\x93NUMPY\x02\0\x40\0\0\0{", 13)}) {
+                                     std::string("\x93NUMPY\x02\0\x40\0\0\0{", 13)}) {
         std::ofstream(file("a.npy"), std::ios::binary) << bytes;
         EXPECT_THAT(refusal(), HasSubstr("the file ends within its .npy header"));
     }

@@ -164,7 +164,7 @@ TEST_F(ViewImport, WhatIsNoPinholeOfOpenCvsIsRefused) {
     };
     with("pixel_centre", nullptr, "\"pixel_centre\" is missing");
     with("pixel_centre", "corner", "/views/0/pixel_centre: expected \"integer\"");
-    with("distortion", {0, 0.1}, "/views/0/distortion/1: a lens with distortion");
+    with("distortion", {0, 0.1}, "/views/0/distortion/1: a distorted image");
     with("K", {{600, 1, 300}, {0, 600, 200}, {0, 0, 1}}, "/views/0/K: expected no skew");
     with("K", {{600, 0, 300}, {0, 600, 200}, {0, 0, 2}}, "/views/0/K: expected [[fx");
     with("K", {{-600, 0, 300}, {0, 600, 200}, {0, 0, 1}},
@@ -213,7 +213,7 @@ TEST_F(ViewImport, WhatIsNoPinholeOfColmapsIsRefusedWithItsLine) {
     const auto cameras = [&](const std::string& line, const std::string& said) {
         expect_refusal([&] { colmap("# first\n" + line + "\n", image); }, said);
     };
-    cameras("9 SIMPLE_RADIAL 640 480 600 320 240 0.01", "cameras.txt: line 2: a lens with distortion");
+    cameras("9 SIMPLE_RADIAL 640 480 600 320 240 0.01", "cameras.txt: line 2: a distorted image");
     cameras("9 OPENCV_FISHEYE 640 480 600 600 320 240 0 0 0 0",
             "camera model OPENCV_FISHEYE; expected a pinhole");
     cameras("9 PINHOLE 640 480 600 600 320", "cameras.txt: line 2: expected CAMERA_ID");
@@ -269,7 +269,7 @@ TEST_F(ViewImport, WhatIsNoPinholeOfNerfsIsRefused) {
         expect_refusal([&] { nerf(file); }, said);
     };
     EXPECT_EQ(refusal([&] { nerf(good); }), "imported");
-    with("k1", 0.01, "/k1: a lens with distortion");
+    with("k1", 0.01, "/k1: a distorted image");
     with("camera_model", "OPENCV_FISHEYE", "/camera_model: expected a pinhole");
     with("is_fisheye", true, "/is_fisheye: expected a pinhole");
     with("w", 640.5, "/w: expected a whole number");
