@@ -9,14 +9,15 @@ namespace {
 constexpr const char* views_remark =
     "\nExit status: 0 written, 3 a file that cannot be read, or a camera that is no pinhole.";
 
+const std::map<std::string, CameraSource> camera_sources{
+    {"opencv", CameraSource::opencv}, {"colmap", CameraSource::colmap}, {"nerf", CameraSource::nerf}};
+
 }  // namespace
 
 Branch add_views(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("views", "a view file from OpenCV's, COLMAP's or NeRF's cameras");
     ViewsArguments& views = words.views;
-    add_choice<CameraSource>(
-        app, "SOURCE", views.source,
-        {{"opencv", CameraSource::opencv}, {"colmap", CameraSource::colmap}, {"nerf", CameraSource::nerf}})
+    add_choice(app, "SOURCE", views.source, camera_sources)
         ->required()
         ->default_str("")
         ->description("whose cameras: opencv, colmap or nerf");
