@@ -14,6 +14,7 @@
 #include "cli/report_files.h"
 #include "cli/settings.h"
 #include "cli/study/arguments.h"
+#include "cli/views_arguments.h"
 
 namespace zproof {
 
@@ -132,9 +133,9 @@ using Command =
     std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
                  ContractCheckArguments, SelftestArguments, MergeArguments, ReportAgainArguments,
                  DiffResultsArguments, WaiveListArguments, WaiveCheckArguments, WaivePruneArguments,
-                 WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments, FiltersRunArguments,
-                 FiltersListArguments, FiltersTableArguments, FiltersFigureArguments, FiltersCrowArguments,
-                 FiltersCheckArguments, StudyArguments, Answered>;
+                 WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments, ViewsArguments,
+                 FiltersRunArguments, FiltersListArguments, FiltersTableArguments, FiltersFigureArguments,
+                 FiltersCrowArguments, FiltersCheckArguments, StudyArguments, Answered>;
 
 /// What is not typed is taken from the settings (docs/gate.md). Throws UsageError, and ReportError where a
 /// settings file that is named cannot be read.

@@ -65,6 +65,10 @@ ExitCode execute(const ListArguments& arguments);
 /// anything is written.
 ExitCode execute(const GenerateArguments& arguments);
 
+/// Writes a view file of a model from another program's cameras, and prints by how much they had to be
+/// changed. SceneError where they are no pinholes or no rotations.
+ExitCode execute(const ViewsArguments& arguments);
+
 /// Holds texture filters to the truth, scene by scene, and writes a study (docs/filters.md). SceneError for a
 /// scene that there is not. An interrupt ends it after the method in hand; what was done is written.
 ExitCode execute(const FiltersRunArguments& arguments);

@@ -5,7 +5,7 @@
 #include "cli/judgement.h"
 #include "cli/renderers/registry.h"
 #include "cli/usage_error.h"
-#include "image_io/image_io.h"
+#include "oracle/convention/stored_frame.h"
 
 namespace zproof {
 namespace {
@@ -23,7 +23,9 @@ std::string view_meant(const CompareArguments& arguments, const SceneSource& sou
 
 ExitCode execute(const CompareArguments& arguments) {
     const auto& candidate = std::get<StoredFrame>(arguments.renderers.candidate.who);
-    const Resolution size = frame_size(candidate.file, id_channel_of(arguments.renderers.candidate));
+    const RendererChoice& chosen = arguments.renderers.candidate;
+    const Resolution size =
+        oracle::stored_frame_size(candidate.file, declared_convention(chosen), id_channel_of(chosen));
     const SceneSource source = select_scene(arguments.scene, arguments.models);
     return judge_and_report({.sources = {source},
                              .renderers = arguments.renderers,

@@ -71,6 +71,21 @@ std::shared_ptr<KeptInput> kept_input(const RendererWords& words, const Renderer
                      name_of(choice) + "'; expected a command with {scene} and {out} in it"};
 }
 
+/// Only frames that somebody else made need to be told how to read.
+void refuse_convention_of_built_in(const RendererChoice& choice) {
+    if (!std::holds_alternative<BuiltIn>(choice.who)) return;
+    if (choice.convention.convention.empty() && choice.convention.channels.empty()) return;
+    throw UsageError{"--convention and --channels are for frames of a program or a file; renderer '" +
+                     name_of(choice) + "' needs none"};
+}
+
+/// --convention and --channels, or the same of the reference.
+void add_convention(CLI::App& app, const std::string& prefix, ConventionWords& words) {
+    app.add_option(prefix + "convention", words.convention,
+                   "how frames are to be read: a preset such as pytorch3d, KEY=VALUE,... or a JSON file");
+    app.add_option(prefix + "channels", words.channels, "their channels: id=NAME,depth=NAME");
+}
+
 }  // namespace
 
 void add_precision_options(CLI::App& app, RendererWords& words) {
@@ -80,6 +95,7 @@ void add_precision_options(CLI::App& app, RendererWords& words) {
                    "seconds for a picture of a renderer that is a program")
         ->check(CLI::Range(1, 86400))
         ->capture_default_str();
+    add_convention(app, "--", words.convention);
 }
 
 void add_renderer_options(CLI::App& app, RendererWords& words) {
@@ -107,12 +123,13 @@ void add_ids_option(CLI::App& app, RendererWords& words) {
 void add_stored_frame_options(CLI::App& app, RendererWords& words) {
     app.add_option("--candidate", words.candidate, "a stored frame (.exr) in the renderer's place");
     app.add_option("--reference", words.reference, "a stored frame (.exr) in Embree's place");
-    add_reference_precision(app, words);
+    add_reference_words(app, words);
 }
 
-void add_reference_precision(CLI::App& app, RendererWords& words) {
+void add_reference_words(CLI::App& app, RendererWords& words) {
     app.add_option("--reference-precision", words.reference_precision,
                    "what the renderer of a stored reference promises");
+    add_convention(app, "--reference-", words.reference_convention);
 }
 
 void add_oracle_options(CLI::App& app, RendererWords& words) {
@@ -130,6 +147,8 @@ RendererChoice candidate_of(const RendererWords& words) {
         words.candidate.empty() ? renderer_from_word(words.renderer) : stored_frame(words.candidate, "");
     choice.precision_word = words.precision;
     choice.ids = ids_from_word(words.ids);
+    choice.convention = words.convention;
+    refuse_convention_of_built_in(choice);
     choice.time_limit = std::chrono::seconds{words.time_limit_s};
     choice.kept_input = kept_input(words, choice);
     return choice;
@@ -137,8 +156,10 @@ RendererChoice candidate_of(const RendererWords& words) {
 
 ChosenRenderers chosen_renderers(const RendererWords& words) {
     ChosenRenderers renderers{.candidate = candidate_of(words), .oracles = {}};
-    if (!words.reference.empty())
+    if (!words.reference.empty()) {
         renderers.reference = stored_frame(words.reference, words.reference_precision);
+        renderers.reference.convention = words.reference_convention;
+    }
     for (const std::string& name : oracle_names(words))
         if (name != name_of(renderers.candidate) && name != name_of(renderers.reference))
             renderers.oracles.push_back(oracle_choice(name, words));

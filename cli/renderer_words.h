@@ -17,6 +17,7 @@ namespace zproof {
 struct RendererWords {
     std::string renderer = "zproof", precision;             ///< of the candidate
     std::string candidate, reference, reference_precision;  ///< stored frames
+    ConventionWords convention, reference_convention;       ///< how their frames are to be read
     std::optional<std::vector<std::string>> oracles;        ///< nothing: the usual ones
     std::vector<std::string> required;
     std::string ids = "triangle";  ///< of the candidate
@@ -25,12 +26,13 @@ struct RendererWords {
     int time_limit_s = 600;
 };
 
-void add_renderer_options(CLI::App& app, RendererWords& words);      ///< --renderer, those of the next three
-void add_precision_options(CLI::App& app, RendererWords& words);     ///< --precision, --time-limit
-void add_ids_option(CLI::App& app, RendererWords& words);            ///< --ids
-void add_keep_input(CLI::App& app, RendererWords& words);            ///< --keep-input
+void add_renderer_options(CLI::App& app, RendererWords& words);   ///< --renderer, those of the next three
+void add_precision_options(CLI::App& app, RendererWords& words);  ///< --precision, --time-limit, --convention
+void add_ids_option(CLI::App& app, RendererWords& words);         ///< --ids
+void add_keep_input(CLI::App& app, RendererWords& words);         ///< --keep-input
 void add_stored_frame_options(CLI::App& app, RendererWords& words);  ///< --candidate, --reference
-void add_reference_precision(CLI::App& app, RendererWords& words);
+/// --reference-precision, --reference-convention, --reference-channels
+void add_reference_words(CLI::App& app, RendererWords& words);
 void add_oracle_options(CLI::App& app, RendererWords& words);  ///< --oracle, --require
 
 /// The renderer that the words call the candidate. Throws UsageError.

@@ -74,6 +74,9 @@ std::string renderer_options(const ViewContext& context, const RendererChoice& c
         options += " --reference " + shell_quoted(stored->file.string());
     if (const std::string& word = context.renderers.reference.precision_word; !word.empty())
         options += " --reference-precision " + shell_quoted(word);
+    const auto& [convention, channels] = context.renderers.reference.convention;
+    if (!convention.empty()) options += " --reference-convention " + shell_quoted(convention);
+    if (!channels.empty()) options += " --reference-channels " + shell_quoted(channels);
     return options;
 }
 

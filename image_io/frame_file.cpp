@@ -5,6 +5,7 @@
 #include "frame/frame_error.h"
 #include "frame/frame_size.h"
 #include "frame/whole_file.h"
+#include "image_io/frame_files.h"
 #include "image_io/image_file.h"
 #include "image_io/image_io.h"
 #include "image_io/module.h"
@@ -61,25 +62,10 @@ ChannelPlace require(const ImageFile& file, const Layer& layer) {
     return *place;
 }
 
-/// The file of the ids and that of the depths, which may be one.
-struct FrameFiles {
-    fs::path ids, depths;
-};
-
-FrameFiles files_of(const fs::path& file) {
-    const std::string text = file.string();
-    if (fs::exists(file)) return {file, file};
-    for (std::size_t at = text.find('+'); at != std::string::npos; at = text.find('+', at + 1)) {
-        FrameFiles two{text.substr(0, at), text.substr(at + 1)};
-        if (fs::exists(two.ids) && fs::exists(two.depths)) return two;
-    }
-    return {file, file};
-}
-
 /// The headers of a frame, checked; its samples are still to be read.
 class StoredPlanes {
   public:
-    StoredPlanes(const fs::path& file, IdChannel ids) : StoredPlanes(files_of(file), ids) {}
+    StoredPlanes(const fs::path& file, IdChannel ids) : StoredPlanes(frame_files(file), ids) {}
 
     Resolution size() const { return size_; }
     Frame frame() const {

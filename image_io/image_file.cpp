@@ -10,28 +10,13 @@
 #include "frame/frame_error.h"
 #include "frame/frame_size.h"
 #include "image_io/module.h"
+#include "image_io/samples.h"
 
 namespace zproof::image_io {
 namespace {
 
 /// Read at once: as many rows as the largest compressed block of OpenEXR has.
 constexpr int rows_at_once = 256;
-
-std::size_t bytes_of(Sample sample) {
-    switch (sample) {
-        case Sample::uint8:
-            return 1;
-        case Sample::uint16:
-        case Sample::half:
-            return 2;
-        case Sample::uint32:
-        case Sample::float32:
-            return 4;
-        case Sample::other:
-            break;
-    }
-    return 8;  // no type of OpenImageIO is longer
-}
 
 /// Bytes of neighbouring channels in one pixel.
 std::size_t bytes_of(const Part& part, int first, int last) {
@@ -99,6 +84,7 @@ Format format_of(std::span<const unsigned char> first_bytes) {
         {"\xFF\xD8\xFF"sv, Format::jpeg},
         {"PF\n"sv, Format::pfm},
         {"Pf\n"sv, Format::pfm},
+        {"\x93NUMPY"sv, Format::npy},
     };
     const std::string_view bytes(reinterpret_cast<const char*>(first_bytes.data()), first_bytes.size());
     for (const auto& [signature, format] : signatures)
@@ -111,13 +97,17 @@ ImageFile::ImageFile(const std::filesystem::path& file, const std::string& expec
         throw FrameError(name_ + ": no such file; expected " + expected);
     format_ = format_of(first_bytes_of(file));
     if (format_ == Format::unknown)
-        throw FrameError(name_ + ": not a readable OpenEXR file, nor TIFF, PNG or PFM");
-    open({});
+        throw FrameError(name_ + ": not a readable OpenEXR file, nor TIFF, PNG, PFM or .npy");
+    if (format_ == Format::npy)
+        parts_.push_back(array_.emplace(file).part());
+    else
+        open({});
 }
 
 ImageFile::ImageFile(std::span<const unsigned char> bytes, std::string name)
     : name_(std::move(name)), format_(format_of(bytes)) {
-    if (format_ == Format::unknown) throw FrameError(name_ + ": expected a PNG or JPEG image");
+    if (format_ == Format::unknown || format_ == Format::npy)
+        throw FrameError(name_ + ": expected a PNG or JPEG image");
     open(bytes);
 }
 
@@ -141,7 +131,8 @@ const Channel& ImageFile::channel(ChannelPlace place) const {
 std::string ImageFile::what_it_holds() const {
     std::string all;
     for (const Part& part : parts_)
-        for (const Channel& channel : part.channels) all += (all.empty() ? "" : ", ") + channel.name;
+        for (const Channel& channel : part.channels)
+            all += (all.empty() ? "" : ", ") + (part.name.empty() ? "" : part.name + ":") + channel.name;
     return all;
 }
 
@@ -156,6 +147,7 @@ Resolution ImageFile::size_of(int part) const {
 }
 
 void ImageFile::read_block(const Block& block, const std::string& channel, std::span<std::byte> to) const {
+    if (array_) return array_->read(block, to);
     try {
         module().read(*file_, block, to.data());
     } catch (const std::runtime_error& e) {

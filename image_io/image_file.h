@@ -1,15 +1,17 @@
-/// An image file that is open for reading, through the module.
+/// An image file that is open for reading: through the module, or numpy's .npy.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "frame/plane.h"
 #include "image_io/module_table.h"
+#include "image_io/npy_array.h"
 
 namespace zproof::image_io {
 
@@ -47,7 +49,7 @@ class ImageFile {
     Format format() const { return format_; }
     const std::vector<Part>& parts() const { return parts_; }
     const Channel& channel(ChannelPlace place) const;
-    /// "R, G, B": the channels of all parts.
+    /// "R, G, B": the channels of all parts; "left:Z, right:Z" where the parts have names.
     std::string what_it_holds() const;
 
     /// The size of a part's display window. Throws FrameError for deep samples, and where the size of either
@@ -64,6 +66,7 @@ class ImageFile {
     std::string name_;
     Format format_ = Format::unknown;
     std::unique_ptr<OpenFile, void (*)(OpenFile*)> file_{nullptr, nullptr};
+    std::optional<NpyArray> array_;
     std::vector<Part> parts_;
 };
 

@@ -11,10 +11,10 @@
 
 namespace zproof::image_io {
 
-enum class Format { unknown, exr, tiff, png, jpeg, pfm };
+enum class Format { unknown, exr, tiff, png, jpeg, pfm, npy };
 
 /// Type of a sample as it lies in the file; `other` is none that zproof reads.
-enum class Sample { uint8, uint16, uint32, half, float32, other };
+enum class Sample { uint8, uint16, uint32, half, float32, int32, int64, float64, other };
 
 struct Channel {
     std::string name;
@@ -30,6 +30,7 @@ enum class Samples { flat, deep };
 
 /// The header of one image of a file: a part of OpenEXR, a page of TIFF.
 struct Part {
+    std::string name;  ///< empty where it has none
     Window data, display;
     Samples samples = Samples::flat;
     int rows_at_once = 1;  ///< reads begin at a multiple of it, counted from the data window's top
@@ -84,7 +85,7 @@ struct TextureLookup {
 class Textures;  ///< the module's own
 
 /// An interface of another number is not used.
-inline constexpr int interface_number = 1;
+inline constexpr int interface_number = 2;
 
 struct ModuleTable {
     int interface = interface_number;

@@ -21,8 +21,29 @@ inline bool is_real(Sample sample) { return sample == Sample::half || sample == 
 
 /// OpenEXR's words for its own types.
 inline std::string name_of(Sample sample) {
-    constexpr const char* names[] = {"uint8", "uint16", "uint", "half", "float", "unknown"};
+    constexpr const char* names[] = {"uint8", "uint16", "uint",   "half",   "float",
+                                     "int32", "int64",  "double", "unknown"};
     return names[std::size_t(sample)];
+}
+
+inline std::size_t bytes_of(Sample sample) {
+    switch (sample) {
+        case Sample::uint8:
+            return 1;
+        case Sample::uint16:
+        case Sample::half:
+            return 2;
+        case Sample::uint32:
+        case Sample::float32:
+        case Sample::int32:
+            return 4;
+        case Sample::int64:
+        case Sample::float64:
+            return 8;
+        case Sample::other:
+            break;
+    }
+    return 8;  // no type of OpenImageIO is longer
 }
 
 /// IEEE binary16 as binary32: every value, and the payloads of NaN.

@@ -1,10 +1,12 @@
 #include "oracle/external.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "frame/frame_error.h"
-#include "image_io/image_io.h"
+#include "oracle/convention/stored_frame.h"
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
 #include "oracle/subprocess.h"
@@ -54,19 +56,43 @@ std::string about_out(std::string complaint, const fs::path& out) {
     return complaint;
 }
 
-Frame read_answer(const fs::path& file, const View& view, IdChannel ids) {
-    const Resolution size = frame_size(file, ids);
-    if (size == Resolution{view.width, view.height}) return read_frame(file, ids);
-    throw FrameError{file.string() + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                     " pixels; " + std::to_string(view.width) + " x " + std::to_string(view.height) +
-                     " were asked for"};
+/// What lies beside `out` under its name and a suffix.
+std::vector<fs::path> files_beside(const fs::path& out) {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(out.parent_path()))
+        if (entry.path().filename().string().starts_with(out.filename().string() + "."))
+            files.push_back(entry.path());
+    std::ranges::sort(files);
+    return files;
+}
+
+void remove_answer(const fs::path& out) {
+    std::error_code ignored;
+    fs::remove(out, ignored);
+    for (const fs::path& file : files_beside(out)) fs::remove(file, ignored);
+}
+
+/// The file or the two files that the program wrote, as a frame is named.
+fs::path answer_at(const fs::path& out) {
+    if (fs::exists(out)) return out;
+    fs::path ids, depths, other;
+    for (const fs::path& file : files_beside(out)) {
+        const std::string name = file.string();
+        (name.starts_with(out.string() + ".id.")      ? ids
+         : name.starts_with(out.string() + ".depth.") ? depths
+                                                      : other) = file;
+    }
+    if (!ids.empty() && !depths.empty()) return ids.string() + "+" + depths.string();
+    return other.empty() ? out : other;
 }
 
 }  // namespace
 
-External::External(const Scene& scene, std::string command, std::chrono::seconds time_limit, IdChannel ids)
+External::External(const Scene& scene, std::string command, std::chrono::seconds time_limit,
+                   Convention convention, IdChannel ids)
     : command_(std::move(command)),
       time_limit_(time_limit),
+      convention_(std::move(convention)),
       ids_(ids),
       folder_(std::make_unique<ScratchFolder>()) {
     try {
@@ -83,8 +109,7 @@ External& External::operator=(External&&) noexcept = default;
 Frame External::render(const View& view) const {
     const fs::path camera = folder_->path() / "camera.json", out = folder_->path() / "frame.exr";
     folder_->write("camera.json", camera_document(view));
-    std::error_code ignored;
-    fs::remove(out, ignored);  // the last view's: a program that writes nothing must not pass with it
+    remove_answer(out);  // the last view's: a program that writes nothing must not pass with it
     const std::string line = filled_in(
         command_, std::array<Meaning, 5>{{{"{scene}", quoted((folder_->path() / "scene.glb").string())},
                                           {"{camera}", quoted(camera.string())},
@@ -96,7 +121,7 @@ Frame External::render(const View& view) const {
         throw OracleError{"renderer '" + command_ + "': " + in_words(outcome, time_limit_) +
                           what_it_said(outcome)};
     try {
-        return read_answer(out, view, ids_);
+        return read_stored_frame(answer_at(out), convention_, view, ids_);
     } catch (const FrameError& e) {
         throw OracleError{"renderer '" + command_ + "': " + about_out(e.what(), out) + what_it_said(outcome)};
     }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "frame/convention.h"
 #include "frame/frame.h"
 #include "image_io/image_io.h"
 #include "scenes/scene.h"
@@ -19,22 +20,25 @@ class ScratchFolder;
 class External {
   public:
     /// The command is a line for /bin/sh in which {scene} (binary glTF), {camera} (JSON), {width}, {height}
-    /// and {out} (OpenEXR, to be written) stand for the words that they name, quoted. It runs in the current
-    /// folder, for at most time_limit a picture. Throws OracleError where the scene cannot be written.
+    /// and {out} (the frame, to be written) stand for the words that they name, quoted. It runs in the
+    /// current folder, for at most time_limit a picture, and writes frames in this convention. Throws
+    /// OracleError where the scene cannot be written.
     External(const Scene& scene, std::string command, std::chrono::seconds time_limit,
-             IdChannel ids = IdChannel::present);
+             Convention convention = {}, IdChannel ids = IdChannel::present);
     ~External();
     External(External&&) noexcept;
     External& operator=(External&&) noexcept;
 
     /// Runs the command once. Throws OracleError, with the end of what it wrote to standard error, where it
-    /// fails, is too slow, or leaves anything but a frame of the view's size with uint32 ids and float32
-    /// depths. The values themselves are not judged here.
+    /// fails, is too slow, or leaves anything but a frame of the view's size in its convention. The frame is
+    /// {out}, or {out}.SUFFIX, or two files, {out}.id.SUFFIX and {out}.depth.SUFFIX. The values themselves
+    /// are not judged here.
     Frame render(const View& view) const;
 
   private:
     std::string command_;
     std::chrono::seconds time_limit_;
+    Convention convention_;
     IdChannel ids_;
     std::unique_ptr<const ScratchFolder> folder_;
 };

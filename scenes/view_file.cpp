@@ -14,6 +14,7 @@
 #include "scenes/gltf_camera.h"
 #include "scenes/gltf_files.h"
 #include "scenes/json_text.h"
+#include "scenes/located_value.h"
 #include "scenes/refusal.h"
 #include "scenes/scene_error.h"
 
@@ -21,75 +22,10 @@ namespace zproof {
 namespace {
 
 using nlohmann::json;
-using Path = std::filesystem::path;
-using Keys = std::initializer_list<const char*>;
 
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 24;
 constexpr std::size_t most_views = 1000;
 constexpr int largest_side = 16384;
-
-/// A value with the place where it stands, so that every error can name it.
-class LocatedValue {
-  public:
-    LocatedValue(const Path& file, const json& value, std::string pointer)
-        : file_(file), value_(value), pointer_(std::move(pointer)) {}
-
-    [[noreturn]] void fail(const std::string& text) const {
-        refuse(file_, pointer_.empty() ? "/" : pointer_, text);
-    }
-
-    const json& value() const { return value_; }
-    bool has(const char* key) const { return value_.contains(key); }
-
-    /// The member, which must be there.
-    LocatedValue at(const char* key) const {
-        if (!has(key)) fail(std::string("\"") + key + "\" is missing");
-        return {file_, value_.at(key), pointer_ + "/" + key};
-    }
-
-    LocatedValue at(std::size_t index) const {
-        return {file_, value_.at(index), pointer_ + "/" + std::to_string(index)};
-    }
-
-    /// Throws for a member that is not among the keys.
-    void allow(Keys keys) const {
-        if (!value_.is_object()) fail("expected an object");
-        std::string list;
-        for (const char* key : keys) list += (list.empty() ? "" : ", ") + std::string(key);
-        for (const auto& member : value_.items())
-            if (std::find_if(keys.begin(), keys.end(),
-                             [&](const char* key) { return member.key() == key; }) == keys.end())
-                refuse(file_, pointer_ + "/" + member.key().substr(0, 60),
-                       "unknown key; allowed here: " + list);
-    }
-
-    std::string text() const {
-        if (!value_.is_string()) fail("expected a string");
-        return value_.get<std::string>();
-    }
-
-    double number() const {
-        if (!value_.is_number()) fail("expected a number");
-        return value_.get<double>();
-    }
-
-    /// An array of `size` numbers.
-    const json& numbers(std::size_t size) const {
-        if (!value_.is_array() || value_.size() != size)
-            fail("expected an array of " + std::to_string(size) + " numbers");
-        for (std::size_t i = 0; i < size; ++i) at(i).number();
-        return value_;
-    }
-
-    glm::dvec3 vector() const {
-        return {numbers(3)[0].get<double>(), value_[1].get<double>(), value_[2].get<double>()};
-    }
-
-  private:
-    const Path& file_;
-    const json& value_;
-    std::string pointer_;
-};
 
 template <typename T>
 T choice(const LocatedValue& place, std::initializer_list<std::pair<std::string_view, T>> choices) {

@@ -19,6 +19,7 @@ Branch add_waive(CLI::App& parent, CommandWords& words);
 Branch add_doctor(CLI::App& parent, CommandWords& words);
 Branch add_list(CLI::App& parent);
 Branch add_scenes(CLI::App& parent, CommandWords& words);
+Branch add_views(CLI::App& parent, CommandWords& words);
 Branch add_filters(CLI::App& parent, CommandWords& words);
 Branch add_study(CLI::App& parent, CommandWords& words);
 Branch add_completion(CLI::App& parent, CommandWords& words);

@@ -58,7 +58,7 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     app.add_option("--view", words.compare.view, "name of the view; needed where the scene has several");
     add_precision_options(app, words.renderers);
     add_ids_option(app, words.renderers);
-    add_reference_precision(app, words.renderers);
+    add_reference_words(app, words.renderers);
     add_oracle_options(app, words.renderers);
     add_threads(app, words.compare.threads);
     add_report(app, words.compare.report);

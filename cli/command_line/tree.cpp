@@ -55,6 +55,7 @@ CommandTree::CommandTree()
                  add_doctor(*root_, words_),
                  add_list(*root_),
                  add_scenes(*root_, words_),
+                 add_views(*root_, words_),
                  add_filters(*root_, words_),
                  add_study(*root_, words_),
                  add_completion(*root_, words_),

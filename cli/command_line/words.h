@@ -24,6 +24,8 @@ struct CommandWords {
     ContractCheckArguments contract_check;
     SelftestArguments selftest;
     GenerateArguments generate;
+    ViewsArguments views;
+    glm::ivec2 image_size{0, 0};  ///< --width, --height of views
     MergeArguments merge;
     ReportAgainArguments report_again;
     DiffResultsArguments diff_results;

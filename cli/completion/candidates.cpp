@@ -7,6 +7,7 @@
 #include "cli/renderers/registry.h"
 #include "cli/report_files.h"
 #include "compare/pixel_class.h"
+#include "frame/convention_text.h"
 #include "scenes/filter_scenes.h"
 #include "scenes/suite.h"
 #include "scenes/triangle_labels.h"
@@ -72,6 +73,8 @@ Candidates promises(const OutlineCommand& command) {
     return {{"raster", "ray", "plane_ray"}, Paths::files, Listing::single};
 }
 
+Candidates conventions(const OutlineCommand&) { return {convention_names(), Paths::files, Listing::single}; }
+
 /// One name that stands for the same wherever it occurs.
 struct Meaning {
     const char* name;
@@ -114,6 +117,10 @@ constexpr std::array meanings{
             [](const OutlineCommand&) {
                 return Candidates{label_words(), Paths::files, Listing::single};
             }},
+    Meaning{"--convention", conventions},
+    Meaning{"--reference-convention", conventions},
+    Meaning{"--channels", [](const OutlineCommand&) { return Candidates{}; }},
+    Meaning{"--reference-channels", [](const OutlineCommand&) { return Candidates{}; }},
     Meaning{"--out",
             [](const OutlineCommand&) {
                 return Candidates{{}, Paths::folders};

@@ -64,6 +64,9 @@ std::string options_for(const RendererChoice& choice) {
     std::string options = std::visit([](const auto& who) { return option_of(who); }, choice.who);
     if (!choice.precision_word.empty()) options += " --precision " + shell_quoted(choice.precision_word);
     if (choice.ids != RendererChoice{}.ids) options += " --ids " + shell_quoted(choice.ids);
+    const auto& [convention, channels] = choice.convention;
+    if (!convention.empty()) options += " --convention " + shell_quoted(convention);
+    if (!channels.empty()) options += " --channels " + shell_quoted(channels);
     return options;
 }
 

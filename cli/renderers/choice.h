@@ -28,12 +28,18 @@ struct Program {
 
 /// A frame that was rendered elsewhere and stands for its renderer.
 struct StoredFrame {
-    std::filesystem::path file;  ///< as read_frame() takes it
+    std::filesystem::path file;  ///< as oracle::read_stored_frame() takes it
+};
+
+/// As typed after --convention and --channels; empty: the contract's.
+struct ConventionWords {
+    std::string convention, channels;
 };
 
 struct RendererChoice {
     std::variant<BuiltIn, Program, StoredFrame> who;
     std::string precision_word;               ///< as typed after --precision; empty: its own promise
+    ConventionWords convention{};             ///< of frames that somebody else made
     std::chrono::seconds time_limit{600};     ///< for one picture, of those that run as programs
     std::shared_ptr<KeptInput> kept_input{};  ///< where a program's input is kept; null: nowhere
     std::string ids = "triangle";  ///< what they stand for: a word of scenes/triangle_labels.h, or a file

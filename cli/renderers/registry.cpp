@@ -8,9 +8,9 @@
 #include "cli/renderers/kept_input.h"
 #include "cli/version.h"
 #include "compare/labels/labelled_frame.h"
-#include "frame/frame_error.h"
+#include "frame/convention_text.h"
 #include "frame/precision_text.h"
-#include "image_io/image_io.h"
+#include "oracle/convention/stored_frame.h"
 #include "oracle/embree.h"
 #include "oracle/external.h"
 #include "oracle/opengl.h"
@@ -103,20 +103,16 @@ Precision own_promise(const RendererChoice& choice) {
     return RasterPrecision{};
 }
 
-Answers stored(const std::filesystem::path& file, IdChannel ids) {
-    const auto frame = std::make_shared<const Frame>(read_frame(file, ids));
-    return {[frame, file](const View& view) {
-        const Resolution size = frame->size();
-        if (size == Resolution{view.width, view.height}) return *frame;
-        throw FrameError{file.string() + ": " + std::to_string(size.width) + " x " +
-                         std::to_string(size.height) + " pixels; the view '" + view.name + "' has " +
-                         std::to_string(view.width) + " x " + std::to_string(view.height)};
+Answers stored(const std::filesystem::path& file, const Convention& convention, IdChannel ids) {
+    return {[file, convention, ids](const View& view) {
+        return oracle::read_stored_frame(file, convention, view, ids);
     }};
 }
 
 Answers program(const RendererChoice& choice, const Scene& scene) {
     const auto external = std::make_shared<const oracle::External>(
-        scene, std::get<Program>(choice.who).command, choice.time_limit, id_channel_of(choice));
+        scene, std::get<Program>(choice.who).command, choice.time_limit, declared_convention(choice),
+        id_channel_of(choice));
     if (!choice.kept_input) return {[external](const View& view) { return external->render(view); }};
     const std::string name = choice.kept_input->keep(scene);
     return {[external, name, kept_input = choice.kept_input](const View& view) {
@@ -129,7 +125,7 @@ Answers answers_on(const RendererChoice& choice, const Scene& scene) {
     if (const auto* built_in = std::get_if<BuiltIn>(&choice.who))
         return known_as(*built_in).on(scene, choice.time_limit);
     if (const auto* file = std::get_if<StoredFrame>(&choice.who))
-        return stored(file->file, id_channel_of(choice));
+        return stored(file->file, declared_convention(choice), id_channel_of(choice));
     return program(choice, scene);
 }
 
@@ -166,8 +162,13 @@ Projections declared_projections(const RendererChoice& choice) {
     return choice.precision_word.empty() ? Projections{} : projections_from_word(choice.precision_word);
 }
 
+Convention declared_convention(const RendererChoice& choice) {
+    return convention_from_words(choice.convention.convention, choice.convention.channels);
+}
+
 RendererFacts facts_of(const RendererChoice& choice) {
     const auto* built_in = std::get_if<BuiltIn>(&choice.who);
+    declared_convention(choice);  // refused before anything is rendered
     return {.name = name_of(choice),
             .version = built_in == nullptr ? "" : known_as(*built_in).version(),
             .precision = precision_to_json(declared_precision(choice)),

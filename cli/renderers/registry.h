@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/renderers/choice.h"
+#include "frame/convention.h"
 #include "frame/frame.h"
 #include "frame/picture.h"
 #include "frame/precision.h"
@@ -42,8 +43,11 @@ Precision declared_precision(const RendererChoice& choice);
 /// The projections that the same word says it has.
 Projections declared_projections(const RendererChoice& choice);
 
+/// How its frames are to be read. Throws FrameError for words that cannot be understood.
+Convention declared_convention(const RendererChoice& choice);
+
 /// Name, version in its own words, declared precision. Only for one that is not absent. Throws FrameError as
-/// declared_precision does.
+/// declared_precision and declared_convention do.
 RendererFacts facts_of(const RendererChoice& choice);
 
 /// Do its frames have ids?

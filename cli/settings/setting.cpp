@@ -9,6 +9,8 @@ std::span<const Setting> known_settings() {
         {"models", path},
         {"renderer", text},
         {"precision", text},
+        {"convention", text},
+        {"channels", text},
         {"oracle", list},
         {"require", list},
         {"time-limit", number, {1, 86400, 600}},

@@ -58,6 +58,8 @@ Sample sample_of(OIIO::TypeDesc type) {
     if (type == OIIO::TypeUInt16) return Sample::uint16;
     if (type == OIIO::TypeUInt32) return Sample::uint32;
     if (type == OIIO::TypeHalf) return Sample::half;
+    if (type == OIIO::TypeInt32) return Sample::int32;
+    if (type == OIIO::TypeDesc::DOUBLE) return Sample::float64;
     return type == OIIO::TypeFloat ? Sample::float32 : Sample::other;
 }
 
@@ -95,7 +97,8 @@ OpenFile* open(const Source& source) {
 void close(OpenFile* file) { delete file; }
 
 Part part_of(const OIIO::ImageSpec& spec) {
-    Part part{.data = {spec.x, spec.y, spec.width, spec.height},
+    Part part{.name = spec.get_string_attribute("oiio:subimagename"),
+              .data = {spec.x, spec.y, spec.width, spec.height},
               .display = {spec.full_x, spec.full_y, spec.full_width, spec.full_height},
               .samples = spec.deep ? Samples::deep : Samples::flat,
               .rows_at_once = spec.tile_height > 0 ? spec.tile_height : 1,

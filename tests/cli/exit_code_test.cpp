@@ -37,6 +37,8 @@ class ExitCodesOf : public testing::TestWithParam<Case> {
         folder.write("mixed/b.gltf", one_triangle());
         folder.write("foreign/thesis.tex", "years of work");
         folder.write("file", "not a folder");
+        folder.write("colmap/cameras.txt", "1 PINHOLE 64 48 50 50 32 24\n");
+        folder.write("colmap/images.txt", "1 1 0 0 0 0 0 2 1 a.png\n\n");
     }
     Folder folder;
 };
@@ -67,6 +69,10 @@ const std::vector<Case> cases{
     {"Manual", {"man"}, 0, ".TH ZPROOF 1"},
     {"Doctor", {"doctor", "--config", "none"}, 0, "everything that these settings need is here"},
     {"Generate", {"scenes", "generate", "guard_band"}, 0, "guard_band.view.json"},
+    {"Views",
+     {"views", "colmap", "colmap", "one.gltf", "--near", "0.1", "-o", "v.view.json"},
+     0,
+     "1 view; eyes"},
     {"Render", {"render", "one.gltf", "--width", "8", "--height", "6"}, 0, "frame-all.exr"},
     {"Explain", {"explain", "one.gltf", "1", "1", "--width", "8", "--height", "6"}, 0, "agree"},
     {"FiltersList", {"filters", "list"}, 0, "nearest"},
@@ -86,6 +92,7 @@ const std::vector<Case> cases{
     {"MisspelledOracle", {"run", "one.gltf", "--oracle", "povry"}, 2, "did you mean 'povray'?"},
     {"MisspelledMethod", {"filters", "run", "worked", "--methods", "neares"}, 2, "did you mean 'nearest'?"},
     {"UnknownShell", {"completion", "csh"}, 2, "csh"},
+    {"ViewsWithoutNear", {"views", "colmap", "colmap", "one.gltf", "-o", "v.view.json"}, 2, "--near"},
     {"ScenesWithoutVerb", {"scenes"}, 2, "generate"},
     {"UnknownOption", {"run", "--frobnicate"}, 2, "--frobnicate"},
     {"OptionWithoutValue", {"run", "one.gltf", "--out"}, 2, "--out"},
@@ -106,6 +113,14 @@ const std::vector<Case> cases{
     {"ExplainMalformed", {"explain", "broken.gltf", "1", "1"}, 3, "broken.gltf"},
     {"ForeignOutputFolder", {"run", "one.gltf", "--out", "foreign"}, 3, "foreign"},
     {"OutputBelowAFile", {"run", "one.gltf", "--out", "file/out"}, 3, "file"},
+    {"ViewsOfNothing",
+     {"views", "nerf", "none.json", "one.gltf", "--near", "0.1", "-o", "v.view.json"},
+     3,
+     "none.json"},
+    {"ViewsBesideTheModel",
+     {"views", "colmap", "colmap", "one.gltf", "--near", "0.1", "-o", "colmap/v.view.json"},
+     3,
+     "stands in its model's folder"},
     {"UnknownSuiteScene", {"scenes", "generate", "nix"}, 3, "nix: no such scene in the suite (zproof list"},
     {"MisspelledSuiteScene", {"scenes", "generate", "guard_band", "rom"}, 3, "did you mean 'room'?"},
     {"UnknownScene", {"run", "nix"}, 3, "nix: no such file, folder or suite scene"},

@@ -112,7 +112,7 @@ TEST_F(ExternalRenderer, AFrameOfAnotherSizeIsRefused) {
     larger.width = 5;
     EXPECT_THROW(
         try { External(scene_, copy(), 20s).render(larger); } catch (const OracleError& e) {
-            EXPECT_THAT(e.what(), HasSubstr("{out}: 4 x 3 pixels; 5 x 3 were asked for"));
+            EXPECT_THAT(e.what(), HasSubstr("{out}: 4 x 3 pixels; the view 'v' has 5 x 3"));
             throw;
         },
         OracleError);

@@ -1,0 +1,19 @@
+#include "image_io/frame_files.h"
+
+#include <string>
+
+namespace zproof::image_io {
+
+namespace fs = std::filesystem;
+
+FrameFiles frame_files(const fs::path& named) {
+    const std::string text = named.string();
+    if (fs::exists(named)) return {named, named};
+    for (std::size_t at = text.find('+'); at != std::string::npos; at = text.find('+', at + 1)) {
+        FrameFiles two{text.substr(0, at), text.substr(at + 1)};
+        if (fs::exists(two.ids) && fs::exists(two.depths)) return two;
+    }
+    return {named, named};
+}
+
+}  // namespace zproof::image_io

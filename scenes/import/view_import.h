@@ -1,0 +1,25 @@
+/// Views from other programs' files of cameras (docs/conventions.md).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "scenes/import/calibrated_camera.h"
+
+namespace zproof {
+
+// Each throws SceneError, naming file and place, for what is missing, unknown or out of range, for cameras
+// that are no pinhole, and for two views of one name.
+
+/// OpenCV's K, R and t, as JSON: {"views": [{"name", "width", "height", "pixel_centre", "K", "R", "t"}]}.
+std::vector<ImportedView> import_opencv(const std::filesystem::path& file, const DepthRange& range);
+
+/// cameras.txt and images.txt of a COLMAP model, in this folder.
+std::vector<ImportedView> import_colmap(const std::filesystem::path& folder, const DepthRange& range);
+
+/// transforms.json of NeRF, instant-ngp or nerfstudio. `size` is the images', for files that do not say it.
+std::vector<ImportedView> import_nerf(const std::filesystem::path& file, const DepthRange& range,
+                                      const std::optional<glm::ivec2>& size);
+
+}  // namespace zproof
