@@ -96,6 +96,15 @@ struct MeasureArguments {
     MeasurementFormat format = MeasurementFormat::table;
 };
 
+struct FitArguments {
+    std::vector<std::string> scenes;  ///< empty: the whole suite
+    std::string view;                 ///< empty: all; of a stored frame, the scene's only one
+    RendererChoice renderer;
+    RenderSettings settings;
+    std::filesystem::path out = "zproof-fit";
+    std::string typed;  ///< the command line, quoted for a shell
+};
+
 struct ContractCheckArguments {
     RendererChoice renderer;
     int threads = available_threads();
@@ -125,6 +134,7 @@ struct Answered {
 
 using Command =
     std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
+                 FitArguments,
                  ContractCheckArguments, SelftestArguments, MergeArguments, ReportAgainArguments,
                  DiffResultsArguments, WaiveListArguments, WaiveCheckArguments, WaivePruneArguments,
                  WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments, FiltersRunArguments,
