@@ -51,7 +51,7 @@ Command parse_command_line(int argc, const char* const* argv, const Environment&
     CommandTree tree;
     CommandWords& words = tree.words();
     const std::vector<std::string> typed{argv + 1, argv + argc};
-    words.filters.run.typed = words.study.typed = shell_line(typed);
+    words.filters.run.typed = words.study.typed = words.fit.typed = shell_line(typed);
     for (ReportArguments* report : {&words.run.report, &words.compare.report}) {
         report->argv = typed;
         report->typed = shell_line(typed);

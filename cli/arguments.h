@@ -102,6 +102,15 @@ struct MeasureArguments {
     std::filesystem::path emit;  ///< for the measured precision; empty: it is not written
 };
 
+struct FitArguments {
+    std::vector<std::string> scenes;  ///< empty: the whole suite
+    std::string view;                 ///< empty: all; of a stored frame, the scene's only one
+    RendererChoice renderer;
+    RenderSettings settings;
+    std::filesystem::path out = "zproof-fit";
+    std::string typed;  ///< the command line, quoted for a shell
+};
+
 struct ContractCheckArguments {
     RendererChoice renderer;
     int threads = available_threads();
@@ -131,6 +140,7 @@ struct Answered {
 
 using Command =
     std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
+                 FitArguments,
                  ContractCheckArguments, SelftestArguments, MergeArguments, ReportAgainArguments,
                  DiffResultsArguments, WaiveListArguments, WaiveCheckArguments, WaivePruneArguments,
                  WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments, ViewsArguments,

@@ -26,6 +26,10 @@ ExitCode execute(const RenderArguments& arguments);
 /// Measures a renderer and prints what it does beside what it declares; a defect where it is worse.
 ExitCode execute(const MeasureArguments& arguments);
 
+/// Finds the least promise that explains a renderer's frames or a stored one, prints it and writes a folder;
+/// a defect where a pixel is left out. UsageError where it is not clear which view a frame is of.
+ExitCode execute(const FitArguments& arguments);
+
 /// Has a program draw three small scenes and says in words what is wrong with them.
 ExitCode execute(const ContractCheckArguments& arguments);
 

@@ -30,6 +30,8 @@ constexpr auto all = std::to_array<Example>({
     {"measure", "zproof measure zproof --json", "the same for programs"},
     {"measure", "zproof measure opengl", "an OpenGL driver"},
     {"measure", "zproof measure zproof --emit measured.json", "what was measured, as --precision takes it"},
+    {"fit", "zproof fit room --renderer opengl", "how far an OpenGL driver errs"},
+    {"fit", "zproof fit model.glb --candidate frame.exr --view cam", "how far a stored frame does"},
     {"contract-check", "zproof contract-check './mine {scene} {camera} {width} {height} {out}'",
      "three small scenes; what is wrong is said in words"},
     {"contract-check",

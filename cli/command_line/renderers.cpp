@@ -1,4 +1,4 @@
-// The commands that look at renderers and scenes without judging a run: render, measure, contract-check,
+// The commands that look at renderers and scenes without judging a run: render, measure, fit, contract-check,
 // selftest, list, scenes.
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
@@ -10,6 +10,9 @@ namespace {
 constexpr const char* measure_remark =
     "\nExit status: 0 everything as declared, 1 worse than declared, 2 no such renderer, "
     "3 a picture that does not come.";
+
+constexpr const char* fit_remark =
+    "\nExit status: 0 every pixel is explained, 1 pixels are left out, 2 to 4 as for run.";
 
 constexpr const char* contract_remark =
     "\nThree small scenes. Exit status: 0 the contract is kept, 1 a frame is wrong, 3 no frame came.";
@@ -51,6 +54,31 @@ Branch add_measure(CLI::App& parent, CommandWords& words) {
     return {&app, [&words] {
                 words.measure.renderer = candidate_of(words.renderers);
                 return words.measure;
+            }};
+}
+
+Branch add_fit(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand(
+        "fit", "the least promise that explains every pixel, whatever the renderer declares");
+    FitArguments& fit = words.fit;
+    app.add_option("SCENE", fit.scenes,
+                   std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
+    app.add_option("--view", fit.view, "name of the view; default: all");
+    app.add_option("--renderer", words.renderers.renderer,
+                   "whose frames: zproof, embree, opengl, povray, or 'CMD {scene} {camera} {width} {height} {out}'")
+        ->capture_default_str();
+    app.add_option("--time-limit", words.renderers.time_limit_s,
+                   "seconds for a picture of a renderer that is a program")
+        ->check(CLI::Range(1, 86400))
+        ->capture_default_str();
+    app.add_option("--candidate", words.renderers.candidate, "a stored frame in the renderer's place");
+    app.add_option("-o,--out", fit.out, "folder for tables, chart, fit.json and precision.json")
+        ->capture_default_str();
+    add_render_settings(app, fit.settings);
+    app.footer(fit_remark);
+    return {&app, [&words] {
+                words.fit.renderer = candidate_of(words.renderers);
+                return words.fit;
             }};
 }
 

@@ -21,6 +21,7 @@ struct CommandWords {
     ExplainArguments explain;
     RenderArguments render;
     MeasureArguments measure;
+    FitArguments fit;
     ContractCheckArguments contract_check;
     SelftestArguments selftest;
     GenerateArguments generate;

@@ -99,6 +99,7 @@ TEST_F(Shells, BashOffersNamesAndFilesInTheirPlaces) {
     EXPECT_THAT(bash({"compare", "ro"}), Not(Contains("room"))) << "a frame, not a scene";
     EXPECT_THAT(bash({"compare", "frame.exr", "ro"}), ElementsAre("room"));
     EXPECT_THAT(bash({"measure", "e"}), ElementsAre("embree"));
+    EXPECT_THAT(bash({"fit", "mi"}), ElementsAre("million_triangles"));
     EXPECT_THAT(bash({"filters", "check", "near"}), Contains("nearest"));
     EXPECT_THAT(bash({"filters", "check", "nearest", "checker_p"}), ElementsAre("checker_plane"));
     EXPECT_THAT(bash({"completion", ""}), ElementsAre("bash", "fish", "zsh"));

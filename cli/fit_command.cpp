@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <iostream>
+
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/renderers/registry.h"
+#include "cli/scene_selection.h"
+#include "cli/threads.h"
+#include "cli/usage_error.h"
+#include "cli/version.h"
+#include "cli/work_progress.h"
+#include "frame/precision_text.h"
+#include "frame/whole_file.h"
+#include "image_io/image_io.h"
+#include "reports/document/folder.h"
+#include "reports/document/terminal.h"
+#include "reports/fit/fit_report.h"
+#include "reports/output_folder.h"
+
+namespace zproof {
+namespace {
+
+/// A stored frame has the size of its own, and stands for every view's.
+Resolution resolution_of(const FitArguments& arguments) {
+    const auto* stored = std::get_if<StoredFrame>(&arguments.renderer.who);
+    return stored ? frame_size(stored->file) : arguments.settings.resolution;
+}
+
+/// The views that are fitted: of a stored frame one.
+std::vector<View> fitted_views(const FitArguments& arguments, const Loaded& loaded) {
+    std::vector<View> views = loaded.views;
+    const bool is_stored = std::holds_alternative<StoredFrame>(arguments.renderer.who);
+    if (arguments.view.empty() && (!is_stored || views.size() == 1)) return views;
+    std::erase_if(views, [&](const View& v) { return v.name != arguments.view; });
+    if (!views.empty()) return views;
+    throw UsageError{"fit: " + loaded.scene.name + " has the views " + names_of(loaded.views) +
+                     "; say which with --view"};
+}
+
+/// How many views were asked for, and what was found of them before an interrupt.
+struct Fitted {
+    std::vector<FittedView> views;
+    Share share{0, 0};
+};
+
+void fit_scene(const FitArguments& arguments, const SceneSource& source, WorkProgress& progress,
+               Fitted& fitted) {
+    const Loaded loaded = load(source, resolution_of(arguments));
+    if (loaded.scene.triangles.empty()) {
+        progress.say(std::cerr, "zproof: " + source.name + ": the scene has no triangles, nothing to fit\n");
+        return;
+    }
+    const std::vector<View> views = fitted_views(arguments, loaded);
+    fitted.share.all += views.size();
+    progress.expect_more(double(views.size()) - 1);
+    const Renderer renderer = open(arguments.renderer, loaded.scene);
+    for (const View& view : views) {
+        if (interrupted()) return;
+        progress.begin(source.name + " / " + view.name);
+        fitted.views.push_back(
+            {source.name, view.name, measure::fit(loaded.scene, view, renderer.render(view))});
+        ++fitted.share.done;
+    }
+}
+
+Fitted fit_all(const FitArguments& arguments, const std::vector<SceneSource>& sources) {
+    Fitted fitted;
+    WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(sources.size())};
+    on_threads(arguments.settings.threads, [&] {
+        for (std::size_t i = 0; i < sources.size(); ++i) {
+            if (interrupted()) fitted.share.scenes_left = sources.size() - i;
+            if (interrupted()) return;
+            fit_scene(arguments, sources[i], progress, fitted);
+        }
+    });
+    return fitted;
+}
+
+void write(const FitArguments& arguments, const std::vector<FittedView>& views) {
+    const std::string renderer = name_of(arguments.renderer);
+    document::Document document = fit_document(renderer, views);
+    document.command = arguments.typed;
+    document.version = version_number();
+    OutputFolder out{arguments.out};
+    document::write_document(out.working(), document);
+    write_whole_file(out.working() / "fit.json", fit_json(renderer, views));
+    write_whole_file(out.working() / "precision.json", precision_to_json(promise_of(views)) + "\n");
+    out.publish();
+    std::cout << document::terminal_text(document) << "\nfit: " << (arguments.out / "study.html").string()
+              << "\n";
+}
+
+}  // namespace
+
+ExitCode execute(const FitArguments& arguments) {
+    const std::vector<SceneSource> sources = select_scenes(arguments.scenes);
+    note_interrupts();
+    const Fitted fitted = fit_all(arguments, sources);
+    if (!fitted.views.empty()) write(arguments, fitted.views);
+    if (interrupted() && (fitted.share.done < fitted.share.all || fitted.share.scenes_left > 0))
+        return say_interrupted(fitted.share, "view", "fitted and written");
+    if (fitted.views.empty()) {
+        std::cerr << "zproof: nothing to fit\n";
+        return ExitCode::nothing;
+    }
+    return explains_all(fitted.views) ? ExitCode::proven : ExitCode::defect;
+}
+
+}  // namespace zproof

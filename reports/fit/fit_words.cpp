@@ -1,0 +1,77 @@
+#include "reports/fit/fit_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "reports/wording.h"
+
+namespace zproof {
+namespace {
+
+using measure::LeftOut;
+using measure::ViewFit;
+using Why = LeftOut::Why;
+
+constexpr std::size_t most_places = 5;
+
+std::vector<PixelCoord> places_of(const ViewFit& fit, Why why) {
+    std::vector<PixelCoord> places;
+    for (const LeftOut& l : fit.left_out)
+        if (l.why == why) places.push_back(l.pixel);
+    return places;
+}
+
+std::string look_at(const std::vector<PixelCoord>& places) {
+    std::string text = "look at ";
+    for (std::size_t i = 0; i < std::min(places.size(), most_places); ++i)
+        text += (i == 0 ? "(" : ", (") + std::to_string(places[i].x) + ", " + std::to_string(places[i].y) + ")";
+    return places.size() > most_places ? text + ", ..." : text;
+}
+
+/// "; 3 pixels MIDDLE: look at (12, 7)"; empty where there is none.
+std::string remark(const ViewFit& fit, Why why, const std::string& middle) {
+    const std::vector<PixelCoord> places = places_of(fit, why);
+    if (places.empty()) return "";
+    return "; " + counted(places.size(), "pixel") + " " + middle + ": " + look_at(places);
+}
+
+std::string most_px() { return rounded(std::ldexp(1.0, measure::most_octave)) + " px"; }
+
+}  // namespace
+
+std::string_view name_of(Why why) {
+    switch (why) {
+        case Why::alone_by_place:
+            return "alone_by_place";
+        case Why::alone_by_depth:
+            return "alone_by_depth";
+        case Why::beyond_all_places:
+            return "beyond_all_places";
+        case Why::beyond_all_depths:
+            return "beyond_all_depths";
+        case Why::no_answer:
+            return "no_answer";
+    }
+    return "no_answer";
+}
+
+std::string fit_in_words(const ViewFit& fit) {
+    const std::vector<PixelCoord> alone = places_of(fit, Why::alone_by_place);
+    std::string text = "eps " + rounded(fit.eps.found_px()) + " px explains ";
+    if (fit.left_out.empty()) return text + "every pixel";
+    if (alone.empty())
+        text += "every other pixel";
+    else
+        text += "all but " + counted(alone.size(), "pixel") + "; those need " +
+                rounded(fit.eps_of_alone.found_px()) + " px: " + look_at(alone);
+    return text +
+           remark(fit, Why::alone_by_depth,
+                  "with a depth error of " + rounded(fit.depth_of_alone.error.relative) +
+                      ", far above all others") +
+           remark(fit, Why::beyond_all_places, "that no eps up to " + most_px() + " explains") +
+           remark(fit, Why::beyond_all_depths, "at a depth that no error explains") +
+           remark(fit, Why::no_answer, "without an answer");
+}
+
+}  // namespace zproof
