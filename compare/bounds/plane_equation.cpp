@@ -57,29 +57,12 @@ ClipPolygon inside_window(const Camera& c, ClipPolygon polygon, const Window& w)
     return clipped(polygon, [&](const ClipPoint& p) { return w.top * scale(p) - p.y; });
 }
 
-/// The window's part of the image plane, grown to the guard band.
-Window guard_band_of(const View& view) {
-    const Window& w = view.camera.window;
-    const double u_per_px = (w.right - w.left) / view.width, v_per_px = (w.top - w.bottom) / view.height;
-    const double reach_u = guard_band_px * u_per_px, reach_v = guard_band_px * v_per_px;
-    return {.left = w.left - reach_u,
-            .right = w.left + reach_u,
-            .bottom = w.top - reach_v,
-            .top = w.top + reach_v};
-}
-
 ClipPolygon after_clipping(const View& view, ClipPolygon polygon, Clipping clipping) {
     const Camera& c = view.camera;
     polygon = clipped(polygon, [&](const ClipPoint& p) { return p.depth - c.near_depth; });
-    switch (clipping) {
-        case Clipping::guard_band:
-            return inside_window(c, polygon, guard_band_of(view));
-        case Clipping::view_volume:
-            if (std::isfinite(c.far_depth))
-                polygon = clipped(polygon, [&](const ClipPoint& p) { return c.far_depth - p.depth; });
-            return inside_window(c, polygon, c.window);
-    }
-    return polygon;
+    if (std::isfinite(c.far_depth))
+        polygon = clipped(polygon, [&](const ClipPoint& p) { return c.far_depth - p.depth; });
+    return inside_window(c, polygon, clipping == Clipping::guard_band ? guard_band_of(view) : c.window);
 }
 
 struct Vector2 {
@@ -171,6 +154,16 @@ class PlaneEquation {
 
 }  // namespace
 
+Window guard_band_of(const View& view) {
+    const Window& w = view.camera.window;
+    const double u_per_px = (w.right - w.left) / view.width, v_per_px = (w.top - w.bottom) / view.height;
+    const double reach_u = guard_band_px * u_per_px, reach_v = guard_band_px * v_per_px;
+    return {.left = w.left - reach_u,
+            .right = w.left + reach_u,
+            .bottom = w.top - reach_v,
+            .top = w.top + reach_v};
+}
+
 std::vector<WindowCorner> window_polygon(const View& view, const TriangleExtent& extent, Clipping clipping,
                                          const ZRange& z) {
     const Camera& c = view.camera;
@@ -203,18 +196,25 @@ PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon,
     return worst;
 }
 
-WindowAreas window_areas(std::span<const WindowCorner> polygon, double drift_px, double unit) {
+WindowAreas window_areas(std::span<const WindowCorner> polygon, const EdgeShift& shift, double unit) {
     if (polygon.size() < 3) return {};
-    WindowAreas areas{.least_px2 = unlimited, .of_area = 0};
+    WindowAreas areas{.least_px2 = unlimited};
+    const double drift = shift.drift_px;
     const auto consider = [&](const WindowCorner& p, const WindowCorner& q, const WindowCorner& r) {
         const Vector2 e1{p.x - q.x, p.y - q.y}, e2{r.x - p.x, r.y - p.y};
         const double ahead = e1.x * e2.y, across = e1.y * e2.x;
         const double around = std::abs(e1.x) + std::abs(e1.y) + std::abs(e2.x) + std::abs(e2.y);
-        const double left = std::abs(ahead - across) - 2 * drift_px * around - 8 * drift_px * drift_px;
+        const double moved = 2 * drift * around + 8 * drift * drift;
+        const double left = std::abs(ahead - across) - moved;
         areas.least_px2 = std::min(areas.least_px2, left / 2);
-        const double terms =
-            std::abs(ahead) + std::abs(across) + 2 * drift_px * around + 8 * drift_px * drift_px;
+        const double terms = std::abs(ahead) + std::abs(across) + moved;
         areas.of_area = std::max(areas.of_area, left > 0 ? gamma(4, unit) * terms / left : unlimited);
+        // a point inside lies no farther from an edge's corner than the triangle reaches
+        const double reach = 2 * (drift + shift.edges_px);
+        const Vector2 extent{std::max({std::abs(e1.x), std::abs(e2.x), std::abs(e1.x + e2.x)}) + reach,
+                             std::max({std::abs(e1.y), std::abs(e2.y), std::abs(e1.y + e2.y)}) + reach};
+        const double of_edges = gamma(4, unit) * 6 * extent.x * extent.y;  // three edges, two products each
+        areas.of_weights = std::max(areas.of_weights, left > 0 ? of_edges / left : unlimited);
     };
     for_each_triangle(polygon, consider);
     return areas;

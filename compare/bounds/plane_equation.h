@@ -43,11 +43,21 @@ struct PlaneEquationBounds {
 PlaneEquationBounds plane_equation_bounds(std::span<const WindowCorner> polygon, const CornerShift& shift,
                                           const View& view);
 
+/// The window grown to the guard band, in units of the image plane.
+Window guard_band_of(const View& view);
+
+/// How far corners and edges of a triangle in the window may be off.
+struct EdgeShift {
+    double drift_px = 0;  ///< of corners
+    double edges_px = 0;  ///< of edge functions, beside that
+};
+
 /// The areas of the triangles that a polygon may be cut into.
 struct WindowAreas {
-    double least_px2 = 0;  ///< what displacement by drift_px leaves of the smallest; not above 0: unknown
-    double of_area = 0;    ///< the largest relative error of an area that is rounded in `unit`
+    double least_px2 = 0;   ///< what displacement by the drift leaves of the smallest; not above 0: unknown
+    double of_area = 0;     ///< the largest relative error of an area that is rounded in `unit`
+    double of_weights = 0;  ///< the largest sum of the errors of a point's weights, inside the triangle
 };
-WindowAreas window_areas(std::span<const WindowCorner> polygon, double drift_px, double unit);
+WindowAreas window_areas(std::span<const WindowCorner> polygon, const EdgeShift& shift, double unit);
 
 }  // namespace zproof

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/bounds/homogeneous.h"
 #include "compare/bounds/roundings.h"
 #include "compare/bounds/window_triangle.h"
 
@@ -27,16 +28,17 @@ double window_reach_px(const ViewFacts& facts) {
     return 2 * std::max(facts.scale.px_per_u * facts.largest_u, facts.scale.px_per_v * facts.largest_v);
 }
 
-/// Planes of the view volume with a corner of the triangle beyond.
-int cut_count(const ViewFacts& facts, const TriangleExtent& extent) {
+/// Planes with a corner of the triangle beyond: near, far, and the sides of what is clipped to.
+int cut_count(const ViewFacts& facts, const TriangleExtent& extent, Clipping clipping) {
     const Camera& c = facts.view.camera;
+    const Window sides = clipping == Clipping::view_volume ? c.window : guard_band_of(facts.view);
     std::array<bool, 6> cuts{};
     for (std::size_t i = 0; i < 3; ++i) {
         const double depth = extent.size.depth[i], w = facts.perspective ? depth : 1;
         const glm::dvec2 at = facts.before_divide(extent, i);
         const std::array<bool, 6> beyond{depth<c.near_depth, depth> c.far_depth,
-                                         at.x<c.window.left * w, at.x> c.window.right * w,
-                                         at.y<c.window.bottom * w, at.y> c.window.top * w};
+                                         at.x<sides.left * w, at.x> sides.right * w,
+                                         at.y<sides.bottom * w, at.y> sides.top * w};
         for (std::size_t plane = 0; plane < cuts.size(); ++plane) cuts[plane] |= beyond[plane];
     }
     return int(std::ranges::count(cuts, true));
@@ -54,20 +56,6 @@ double reach_px(const ViewFacts& facts, const TriangleExtent& extent, double lim
                           facts.scale.px_per_v * (std::abs(at.y) + facts.largest_v)});
     }
     return std::min(reach, limit);
-}
-
-/// What rounding corners before the divide leaves uncertain of an edge between two of them, px.
-double homogeneous_eps_px(const ViewFacts& facts, const TriangleExtent& extent, std::size_t edge,
-                          double unit) {
-    const auto corner = [&](std::size_t i) {
-        return glm::dvec3(facts.before_divide(extent, i), facts.perspective ? extent.size.depth[i] : 1.0);
-    };
-    const glm::dvec3 from = corner((edge + 1) % 3), to = corner((edge + 2) % 3);
-    const glm::dvec3 normal = glm::cross(from, to), ray{facts.largest_u, facts.largest_v, 1};
-    const double error = gammas_of(unit)[6] * glm::dot(abs_cross(from, to), ray);
-    const double slope =
-        std::abs(normal.x) / facts.scale.px_per_u + std::abs(normal.y) / facts.scale.px_per_v;
-    return slope > 0 ? error / slope : 0;  // an edge without extent in the image bounds no area
 }
 
 double largest_z(std::span<const WindowCorner> polygon) {
@@ -99,6 +87,8 @@ bool RasterBounds::has_plain_depth() const {
            precision_.depth_interpolation == DepthInterpolation::barycentrics;
 }
 
+bool RasterBounds::is_homogeneous() const { return precision_.edge_functions == EdgeFunctions::homogeneous; }
+
 bool RasterBounds::keeps_to_corners() const { return has_plain_depth() && has_plain_coverage(); }
 
 /// The error is relative to the size of what is transformed.
@@ -128,21 +118,32 @@ double RasterBounds::reach_limit_px(const ViewFacts& facts) const {
     return precision_.clipping == Clipping::view_volume ? window_reach_px(facts) : guard_band_px;
 }
 
-TriangleBounds RasterBounds::of(const ViewFacts& facts, const TriangleExtent& extent) const {
-    const Gammas& gammas = gammas_of(precision_.transform);
-    const bool in_volume = precision_.clipping == Clipping::view_volume;
-    const double transform = transform_error(facts, in_volume ? cut_count(facts, extent) : 0);
-    // division, scale, offset; clipping's interpolation. In float64 the whole guard band costs 3e-11 px
+/// A homogeneous rasterizer clips nothing. In float64 a guard band costs next to nothing (docs/bounds.md).
+int RasterBounds::counted_cuts(const ViewFacts& facts, const TriangleExtent& extent) const {
+    const bool is_free =
+        precision_.transform == Arithmetic::float64 && precision_.clipping == Clipping::guard_band;
+    return is_homogeneous() || is_free ? 0 : cut_count(facts, extent, precision_.clipping);
+}
+
+/// Division, scale, offset; clipping's interpolation. In float64 the whole guard band costs 3e-11 px.
+double RasterBounds::viewport_px(const ViewFacts& facts, const TriangleExtent& extent) const {
+    if (is_homogeneous()) return 0;
     const bool is_coarse = precision_.transform == Arithmetic::float32;
     const double limit = reach_limit_px(facts);
-    const double viewport = gammas[8] * (is_coarse ? reach_px(facts, extent, limit) : limit);
-    TriangleBounds bounds = bounds_of(terms(facts, transform, viewport).of(extent.size));
+    return gammas_of(precision_.transform)[8] * (is_coarse ? reach_px(facts, extent, limit) : limit);
+}
+
+TriangleBounds RasterBounds::of(const ViewFacts& facts, const TriangleExtent& extent) const {
+    const Gammas& gammas = gammas_of(precision_.transform);
+    const double transform = transform_error(facts, counted_cuts(facts, extent));
+    TriangleBounds bounds = bounds_of(terms(facts, transform, viewport_px(facts, extent)).of(extent.size));
     bounds.near_slack = bounds.far_slack = bounds.depth_absolute + gammas[8] * extent.largest_depth();
     if (has_plain_depth() && has_plain_coverage()) return bounds;
     const std::vector<WindowCorner> polygon =
         window_polygon(facts.view, extent, precision_.clipping, z_range(facts.view.camera, precision_));
     if (!has_plain_depth()) set_z(bounds, facts, extent, polygon, transform);
     if (!has_plain_coverage()) add_coverage(bounds, facts, extent, polygon);
+    if (is_homogeneous()) add_homogeneous(bounds, facts, extent, transform);
     return bounds;
 }
 
@@ -201,16 +202,51 @@ void RasterBounds::add_coverage(TriangleBounds& bounds, const ViewFacts& facts, 
     const double drift = snap_px_ + drift_px(bounds, polygon);
     const double edges = edge_functions_eps_px(facts, extent);
     bounds.eps_base_px += edges + tolerance_eps_px(facts, extent);
-    const bool by_weights = precision_.depth_interpolation == DepthInterpolation::barycentrics;
-    // two weights err, each as its edge does; they are divided by an area that errs
-    if (by_weights) bounds.depth_eps_base_px += 2 * edges;
-    const WindowAreas areas = window_areas(polygon, drift, unit_of(precision_.edge_arithmetic));
-    if (by_weights && precision_.edge_functions != EdgeFunctions::exact) bounds.depth_factor += areas.of_area;
+    const WindowAreas areas = window_areas(polygon, {drift, edges}, unit_of(precision_.edge_arithmetic));
+    if (precision_.depth_interpolation == DepthInterpolation::barycentrics)
+        add_weights(bounds, facts, areas, polygon);
+    if (precision_.least_area_px2 > 0)
+        bounds.may_be_missing = least_area_px2(facts, extent, areas, drift) < precision_.least_area_px2;
+}
+
+/// Weights err, and may be negative where a point counts as inside by error or by tolerance.
+void RasterBounds::add_weights(TriangleBounds& bounds, const ViewFacts& facts, const WindowAreas& areas,
+                               std::span<const WindowCorner> polygon) const {
+    const bool are_exact = precision_.edge_functions != EdgeFunctions::from_corner;
+    const double of_weights = are_exact ? 0 : areas.of_weights;
+    const double spread = 1 + 2 * (of_weights + 3 * precision_.barycentric_tolerance);
+    bounds.depth_eps_base_px *= spread;
+    bounds.depth_eps_per_inverse_depth *= spread;
+    if (!are_exact) {
+        const double largest =
+            largest_z(polygon) / std::abs(z_range(facts.view.camera, precision_).per_inverse_depth);
+        bounds.inverse_depth_error += of_weights * largest;
+        bounds.depth_factor += areas.of_area;
+    }
     if (precision_.area_epsilon_px2 > 0)
         bounds.depth_factor +=
             areas.least_px2 > 0 ? precision_.area_epsilon_px2 / areas.least_px2 : unlimited;
-    if (precision_.least_area_px2 > 0)
-        bounds.may_be_missing = least_area_px2(facts, extent, areas, drift) < precision_.least_area_px2;
+}
+
+void RasterBounds::add_homogeneous(TriangleBounds& bounds, const ViewFacts& facts,
+                                   const TriangleExtent& extent, double transform) const {
+    const TriangleSize& size = extent.size;
+    const Vector3<double>& from = precision_.origin == Origin::eye ? size.from_eye : size.from_origin;
+    const HomogeneousBounds own =
+        homogeneous_bounds(facts, extent, {transform * from.x, transform * from.y, transform * from.z},
+                           z_range(facts.view.camera, precision_), unit_of(precision_.edge_arithmetic));
+    bounds.eps_base_px += own.eps_px;
+    bounds.inverse_depth_error += own.inverse_depth_error;
+    bounds.depth_factor += own.depth_factor;
+    // pixels beyond near and far are cut one by one, by their depths
+    const auto slack = [&](double depth) {
+        const double of_sum = own.inverse_depth_error * (facts.perspective ? depth : 1 / depth);
+        const double share = compounded(bounds.depth_factor + of_sum);
+        return std::isinf(share) ? share : depth * share;
+    };
+    const Camera& c = facts.view.camera;
+    bounds.near_slack += slack(c.near_depth);
+    bounds.far_slack += std::isfinite(c.far_depth) ? slack(c.far_depth) : 0;
 }
 
 /// What displacement leaves of a triangle's area; where near cuts it, of the smallest piece.
@@ -228,12 +264,8 @@ double RasterBounds::edge_functions_eps_px(const ViewFacts& facts, const Triangl
         case EdgeFunctions::from_corner:
             // 4 roundings of (x - x0) dy - (y - y0) dx, over |dx| + |dy|: a share of the larger difference
             return gammas_of(unit)[4] * reach_px(facts, extent, reach_limit_px(facts));
-        case EdgeFunctions::homogeneous: {
-            double largest = 0;
-            for (std::size_t edge = 0; edge < 3; ++edge)
-                largest = std::max(largest, homogeneous_eps_px(facts, extent, edge, unit));
-            return largest;
-        }
+        case EdgeFunctions::homogeneous:
+            return 0;  // add_homogeneous() has them
     }
     return unlimited;
 }

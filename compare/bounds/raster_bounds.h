@@ -23,6 +23,8 @@ class RasterBounds {
     double background_eps_px() const { return background_eps_px_; }
 
   private:
+    int counted_cuts(const ViewFacts& facts, const TriangleExtent& extent) const;
+    double viewport_px(const ViewFacts& facts, const TriangleExtent& extent) const;
     double transform_error(const ViewFacts& facts, int cuts) const;
     RasterTerms terms(const ViewFacts& facts, double transform, double viewport) const;
     double reach_limit_px(const ViewFacts& facts) const;
@@ -41,6 +43,13 @@ class RasterBounds {
     double tolerance_eps_px(const ViewFacts& facts, const TriangleExtent& extent) const;
     /// The largest displacement of a corner of the polygon.
     double drift_px(const TriangleBounds& bounds, std::span<const WindowCorner> polygon) const;
+    /// Adds what weights err by where depth is their mean.
+    void add_weights(TriangleBounds& bounds, const ViewFacts& facts, const WindowAreas& areas,
+                     std::span<const WindowCorner> polygon) const;
+    /// Adds what edge functions and depth err by where nothing is divided before. `transform` as above.
+    void add_homogeneous(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
+                         double transform) const;
+    bool is_homogeneous() const;
     bool has_plain_coverage() const;
     bool has_plain_depth() const;
 

@@ -1,4 +1,4 @@
-/// A triangle that near does not cut, as it lies in the window.
+/// A triangle that neither near nor far cuts, as it lies in the window.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ inline std::optional<WindowTriangle> window_triangle(const ViewFacts& facts, con
     WindowTriangle triangle;
     for (std::size_t i = 0; i < 3; ++i) {
         const double depth = extent.size.depth[i];
-        if (!(depth >= c.near_depth)) return std::nullopt;
+        if (!(depth >= c.near_depth && depth <= c.far_depth)) return std::nullopt;
         const glm::dvec2 at = facts.before_divide(extent, i) / (facts.perspective ? depth : 1.0);
         triangle.corner_px[i] = {(at.x - c.window.left) * facts.scale.px_per_u,
                                  (c.window.top - at.y) * facts.scale.px_per_v};
