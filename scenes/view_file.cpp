@@ -21,6 +21,8 @@
 namespace zproof {
 namespace {
 
+using Path = std::filesystem::path;
+
 using nlohmann::json;
 
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 24;
@@ -190,7 +192,7 @@ Path model_of(const Path& file, const std::string& relative, const Path& models)
 
 }  // namespace
 
-Loaded load_view_file(const Path& file, const Path& models) {
+Loaded load_view_file(const std::filesystem::path& file, const std::filesystem::path& models) {
     const Bytes bytes = read_file(file, largest_file);
     const json content = parse_json(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     const LocatedValue root(file, content, "");
