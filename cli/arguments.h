@@ -134,12 +134,11 @@ struct Answered {
 
 using Command =
     std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
-                 FitArguments,
-                 ContractCheckArguments, SelftestArguments, MergeArguments, ReportAgainArguments,
-                 DiffResultsArguments, WaiveListArguments, WaiveCheckArguments, WaivePruneArguments,
-                 WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments, FiltersRunArguments,
-                 FiltersListArguments, FiltersTableArguments, FiltersFigureArguments, FiltersCrowArguments,
-                 FiltersCheckArguments, StudyArguments, Answered>;
+                 FitArguments, ContractCheckArguments, SelftestArguments, MergeArguments,
+                 ReportAgainArguments, DiffResultsArguments, WaiveListArguments, WaiveCheckArguments,
+                 WaivePruneArguments, WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments,
+                 FiltersRunArguments, FiltersListArguments, FiltersTableArguments, FiltersFigureArguments,
+                 FiltersCrowArguments, FiltersCheckArguments, StudyArguments, Answered>;
 
 /// What is not typed is taken from the settings (docs/gate.md). Throws UsageError, and ReportError where a
 /// settings file that is named cannot be read.
