@@ -64,8 +64,9 @@ Branch add_fit(CLI::App& parent, CommandWords& words) {
     app.add_option("SCENE", fit.scenes,
                    std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
     app.add_option("--view", fit.view, "name of the view; default: all");
-    app.add_option("--renderer", words.renderers.renderer,
-                   "whose frames: zproof, embree, opengl, povray, or 'CMD {scene} {camera} {width} {height} {out}'")
+    app.add_option(
+           "--renderer", words.renderers.renderer,
+           "whose frames: zproof, embree, opengl, povray, or 'CMD {scene} {camera} {width} {height} {out}'")
         ->capture_default_str();
     app.add_option("--time-limit", words.renderers.time_limit_s,
                    "seconds for a picture of a renderer that is a program")

@@ -168,6 +168,10 @@ ViewFit Fitter::operator()() {
         rule_.inadmissible(place.parts.kept, fit_.promise.eps_px, {.depth_relative = least}).empty();
     fit_.depth = suffices ? depth.kept : greater(depth.kept, beside_place);
     fit_.promise.depth_relative = promised_relative(fit_.depth.error.relative);
+    for (const int factor : {2, 4, 8}) {
+        const double eps_px = factor * fit_.promise.eps_px;
+        fit_.trade.push_back({eps_px, fit_depth(kept, eps_px).kept.error});
+    }
     tell(place, depth);
     leave_out(answers.none, LeftOut::Why::no_answer);
     return std::move(fit_);

@@ -30,6 +30,12 @@ struct LeastDepth {
     PixelCoord decided_by;
 };
 
+/// The depth error that would be left if more displacement were granted.
+struct DepthBeside {
+    double eps_px = 0;
+    DepthError error;
+};
+
 struct ViewFit {
     std::uint64_t pixels = 0;
     OctaveCounts eps_px, depth_relative;  ///< of the answers that are one: what each needs
@@ -37,9 +43,10 @@ struct ViewFit {
     std::uint64_t gaps = 0;   ///< pixels that show a gap between triangles that share an edge
     LeastEps eps;             ///< of all pixels but those that are left out
     LeastDepth depth;         ///< the same
-    LeastEps eps_of_alone;    ///< of those that stand alone by place
-    LeastDepth depth_of_alone;      ///< of those that stand alone by depth
-    std::vector<LeftOut> left_out;  ///< reason by reason, each in raster order
+    std::vector<DepthBeside> trade;  ///< by twice, 4 and 8 times the promised eps
+    LeastEps eps_of_alone;           ///< of those that stand alone by place
+    LeastDepth depth_of_alone;       ///< of those that stand alone by depth
+    std::vector<LeftOut> left_out;   ///< reason by reason, each in raster order
     /// What the figures come to, rounded up to three digits.
     BoundedPrecision promise;
     std::uint64_t defects = 0;  ///< pixels that the judge calls defects under the promise

@@ -44,6 +44,16 @@ Json json_of(const std::vector<measure::LeftOut>& left_out) {
     return pixels;
 }
 
+Json json_of(const std::vector<measure::DepthBeside>& trade) {
+    Json all = Json::array();
+    for (const measure::DepthBeside& beside : trade)
+        all.push_back({{"eps_px", beside.eps_px},
+                       {"relative", beside.error.relative},
+                       {"ulps", beside.error.ulps},
+                       {"of_range", beside.error.of_range}});
+    return all;
+}
+
 Json json_of(const FittedView& view) {
     const measure::ViewFit& fit = view.fit;
     return {{"scene", view.scene},
@@ -51,6 +61,7 @@ Json json_of(const FittedView& view) {
             {"pixels", fit.pixels},
             {"eps", json_of(fit.eps)},
             {"depth", json_of(fit.depth)},
+            {"trade", json_of(fit.trade)},
             {"seams", fit.seams},
             {"gaps", fit.gaps},
             {"eps_curve", json_of(fit.eps_px)},

@@ -98,6 +98,18 @@ document::Plot curve_plot(const std::vector<FittedView>& views) {
                       .series = {eps, depth}}};
 }
 
+Table trade_table(const std::vector<FittedView>& views) {
+    Table table{
+        .name = "trade",
+        .caption = "The depth error that is left where more displacement is granted",
+        .columns = {{"view", "", ""}, {"eps", "px", ""}, {"depth error", "", ""}, {"in ULPs", "", ""}},
+        .rows = {}};
+    for (const FittedView& view : views)
+        for (const measure::DepthBeside& beside : view.fit.trade)
+            table.rows.push_back({title_of(view), beside.eps_px, beside.error.relative, beside.error.ulps});
+    return table;
+}
+
 Table left_out_table(const std::vector<FittedView>& views) {
     Table table{.name = "left-out",
                 .caption = "Pixels that are left out",
@@ -130,13 +142,16 @@ bool explains_all(const std::vector<FittedView>& views) {
 }
 
 document::Document fit_document(const std::string& renderer, const std::vector<FittedView>& views) {
-    document::Document document{.title = "The least promise of " + renderer, .command = {}, .version = {},
-                                .introduction = {}, .sections = {}};
+    document::Document document{.title = "The least promise of " + renderer,
+                                .command = {},
+                                .version = {},
+                                .introduction = {},
+                                .sections = {}};
     for (const FittedView& view : views)
         document.introduction.push_back(title_of(view) + ": " + fit_in_words(view.fit) + ".");
     document.introduction.push_back("Precision of all views, for --precision: " +
                                     precision_to_json(promise_of(views)));
-    document.sections.push_back({"Views", {}, {figures(views)}});
+    document.sections.push_back({"Views", {}, {figures(views), trade_table(views)}});
     document.sections.push_back({"Curve", {}, {curve_table(views), curve_plot(views)}});
     if (!explains_all(views)) document.sections.push_back({"Left out", {}, {left_out_table(views)}});
     return document;

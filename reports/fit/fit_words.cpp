@@ -25,7 +25,8 @@ std::vector<PixelCoord> places_of(const ViewFit& fit, Why why) {
 std::string look_at(const std::vector<PixelCoord>& places) {
     std::string text = "look at ";
     for (std::size_t i = 0; i < std::min(places.size(), most_places); ++i)
-        text += (i == 0 ? "(" : ", (") + std::to_string(places[i].x) + ", " + std::to_string(places[i].y) + ")";
+        text +=
+            (i == 0 ? "(" : ", (") + std::to_string(places[i].x) + ", " + std::to_string(places[i].y) + ")";
     return places.size() > most_places ? text + ", ..." : text;
 }
 

@@ -50,11 +50,13 @@ TEST(CommandLine, OfMeasureIsUnderstood) {
 }
 
 TEST(CommandLine, OfFitIsUnderstood) {
-    const auto fit = std::get<FitArguments>(parsed({"fit", "room", "--renderer", "embree", "--view", "door"}));
+    const auto fit =
+        std::get<FitArguments>(parsed({"fit", "room", "--renderer", "embree", "--view", "door"}));
     EXPECT_EQ(fit.scenes, (std::vector<std::string>{"room"}));
     EXPECT_EQ(name_of(fit.renderer), "embree");
     EXPECT_EQ(fit.view, "door");
-    EXPECT_EQ(name_of(std::get<FitArguments>(parsed({"fit", "room", "--candidate", "a.exr"})).renderer), "a.exr");
+    EXPECT_EQ(name_of(std::get<FitArguments>(parsed({"fit", "room", "--candidate", "a.exr"})).renderer),
+              "a.exr");
 }
 
 TEST(CommandLine, NamesRenderersProgramsAndStoredFrames) {

@@ -175,6 +175,16 @@ TEST(Fit, RecoversSubpixelBits) {
     }
 }
 
+TEST(Fit, DepthErrorsThatDisplacementMakesGoWhereItIsGranted) {
+    const Loaded room = generate_suite_scene("room", 256, 144);
+    const ViewFit found = fit(room.scene, room.views.front(), drawn_with_bits(room, room.views.front(), 6));
+    ASSERT_EQ(found.trade.size(), 3u);
+    EXPECT_GE(found.trade.back().eps_px, 0x1p-7);
+    EXPECT_LT(found.trade.back().error.ulps, 2);
+    for (std::size_t i = 1; i < found.trade.size(); ++i)
+        EXPECT_LE(found.trade[i].error.relative, found.trade[i - 1].error.relative);
+}
+
 TEST(Fit, RecoversABiasOfAThousandthOfAPixel) {
     const Loaded room = generate_suite_scene("room", 480, 270);
     const View& view = room.views.front();
