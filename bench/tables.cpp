@@ -13,12 +13,12 @@
 namespace zproof::bench {
 namespace {
 
-constexpr int side = 4096;
+constexpr int table_side = 4096;
 
 template <class Code>
 struct Table {
     explicit Table(int channels)
-        : codes(std::size_t{side} * side * std::size_t(channels)), sums(codes.size()) {
+        : codes(std::size_t{table_side} * table_side * std::size_t(channels)), sums(codes.size()) {
         std::mt19937 rng(1);
         for (Code& code : codes) code = Code(rng());
     }
@@ -42,7 +42,7 @@ template <class Code>
 void add_table(const std::string& name, int channels) {
     const Lazy<Table<Code>> table{[=] { return Table<Code>{channels}; }};
     add("sat/" + name + "/zproof", [=] {
-        texture::sum_codes(texture::Codes<Code>{side, side, channels, table->codes}, table->sums);
+        texture::sum_codes(texture::Codes<Code>{table_side, table_side, channels, table->codes}, table->sums);
     });
     add("sat/" + name + "/memset", [=] { clear(table->sums); });
 }

@@ -12,7 +12,7 @@ bool occurs(const std::string& class_name, const ViewResult& view) {
     return false;
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string in_a_row(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
     return text;
@@ -27,7 +27,7 @@ void hold_to_expectations(const SceneSource& source, std::vector<ViewResult>& vi
             missing.push_back(expected);
     if (missing.empty() || views.empty()) return;
     views.back().outcome = Outcome::defective;
-    views.back().message = "the suite expects pixels of class " + joined(missing) +
+    views.back().message = "the suite expects pixels of class " + in_a_row(missing) +
                            " in this scene, and there are none: it no longer tests what it is there for";
 }
 

@@ -20,7 +20,7 @@ using texture::MipKernel;
 using texture::SatStorage;
 
 /// One key: sets what the text says, or returns false where it cannot be that.
-struct Setting {
+struct MethodSetting {
     std::string key, expects, meaning;
     bool (*set)(Texturing&, const std::string& text);
 };
@@ -59,8 +59,8 @@ constexpr std::array<std::pair<std::string_view, rasterizer::UvInterpolation>, 2
     {{"perspective", rasterizer::UvInterpolation::perspective},
      {"affine", rasterizer::UvInterpolation::affine}}};
 
-const std::vector<Setting>& settings() {
-    static const std::vector<Setting> all{
+const std::vector<MethodSetting>& method_settings() {
+    static const std::vector<MethodSetting> all{
         {"bias", "a number from -16 to 16", "added to the LOD before it is clamped",
          [](Texturing& t, const std::string& s) { return set_number(t.options.lod_bias, s, -16.0, 16.0); }},
         {"lod-min", "a number from 0 to 1000", "least LOD",
@@ -83,7 +83,7 @@ const std::vector<Setting>& settings() {
     return all;
 }
 
-std::vector<std::string> split(const std::string& word) {
+std::vector<std::string> name_and_settings(const std::string& word) {
     std::vector<std::string> parts;
     std::istringstream in{word};
     for (std::string part; std::getline(in, part, ':');) parts.push_back(part);
@@ -105,10 +105,10 @@ const texture::Method& method_called(const std::string& name) {
 void apply(Texturing& texturing, const std::string& part, const std::string& word) {
     const std::size_t equals = std::min(part.find('='), part.size());
     const std::string key = part.substr(0, equals), text = part.substr(std::min(equals + 1, part.size()));
-    const auto setting = std::ranges::find(settings(), key, &Setting::key);
-    if (setting == settings().end()) {
+    const auto setting = std::ranges::find(method_settings(), key, &MethodSetting::key);
+    if (setting == method_settings().end()) {
         std::vector<std::string> keys;
-        for (const Setting& known : settings()) keys.push_back(known.key);
+        for (const MethodSetting& known : method_settings()) keys.push_back(known.key);
         throw UsageError{"filter '" + word + "': unknown setting '" + key + "'" + did_you_mean(key, keys) +
                          " (see: zproof render --help)"};
     }
@@ -127,7 +127,7 @@ FilterChoice filter_choice(const std::string& word) {
 }
 
 FilterChoice study_choice(const std::string& word) {
-    const std::vector<std::string> parts = split(word);
+    const std::vector<std::string> parts = name_and_settings(word);
     FilterChoice choice{word, {.method = method_called(parts.empty() ? "" : parts[0])}};
     choice.other = study::find_other_sampler(choice.texturing.method.name);
     for (std::size_t i = 1; i < parts.size(); ++i)
@@ -144,7 +144,7 @@ FilterChoice study_choice(const std::string& word) {
 std::string filter_settings_help() {
     constexpr std::size_t longest_key = std::string_view{"max-anisotropy"}.size();
     std::string help;
-    for (const Setting& setting : settings())
+    for (const MethodSetting& setting : method_settings())
         help += "  " + setting.key + std::string(longest_key + 2 - setting.key.size(), ' ') +
                 setting.expects + "; " + setting.meaning + "\n";
     return help;

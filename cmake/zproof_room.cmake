@@ -1,7 +1,21 @@
-# What most sources of every room include, parsed once for each room. A source still names all that it needs.
+# What most sources include, parsed once for each level of optimization. A source still names all that it needs.
 set(zproof_precompiled
     <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <iterator> <limits> <map> <memory> <optional>
     <span> <sstream> <stdexcept> <string> <string_view> <utility> <vector> <glm/glm.hpp>)
+
+# zproof_build_quickly(target [-O1] [header ...]): with these headers precompiled too, as all targets of these options.
+function(zproof_build_quickly target optimize)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${optimize}>)
+    string(MAKE_C_IDENTIFIER "zproof_precompiled${optimize}${ARGN}" headers)
+    if(NOT TARGET ${headers})
+        file(CONFIGURE OUTPUT nothing_else.cpp CONTENT "")
+        add_library(${headers} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/nothing_else.cpp)
+        target_link_libraries(${headers} PRIVATE zproof_strict)
+        target_compile_options(${headers} PRIVATE $<$<CONFIG:Release>:${optimize}>)
+        target_precompile_headers(${headers} PRIVATE ${zproof_precompiled} ${ARGN})
+    endif()
+    target_precompile_headers(${target} REUSE_FROM ${headers})
+endfunction()
 
 # zproof_room(name SOURCES a.cpp ... USES rooms-and-libraries ... [OPTIMIZE -O1]): one static library per folder,
 # zproof::name. A room that only shows and reads text is optimized less, for a quick build.
@@ -11,8 +25,7 @@ function(zproof_room name)
     add_library(zproof::${name} ALIAS zproof_${name})
     set_target_properties(zproof_${name} PROPERTIES EXPORT_NAME ${name})
     target_link_libraries(zproof_${name} PUBLIC zproof_strict ${ROOM_USES})
-    target_compile_options(zproof_${name} PRIVATE $<$<CONFIG:Release>:${ROOM_OPTIMIZE}>)
-    target_precompile_headers(zproof_${name} PRIVATE ${zproof_precompiled})
+    zproof_build_quickly(zproof_${name} "${ROOM_OPTIMIZE}")
 endfunction()
 
 # zproof_test(room SOURCES a_test.cpp ... USES ...): one test program per room; every TEST is one ctest entry. What is
@@ -21,7 +34,6 @@ function(zproof_test room)
     cmake_parse_arguments(TEST "" "" "SOURCES;USES" ${ARGN})
     add_executable(${room}_test ${TEST_SOURCES})
     target_link_libraries(${room}_test PRIVATE zproof_strict ${TEST_USES} GTest::gtest_main)
-    target_compile_options(${room}_test PRIVATE $<$<CONFIG:Release>:-O1>)
-    target_precompile_headers(${room}_test PRIVATE ${zproof_precompiled} <gtest/gtest.h>)
+    zproof_build_quickly(${room}_test -O1 <gtest/gtest.h>)
     gtest_discover_tests(${room}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int cell_length = 16, cell_height = 8;  ///< px
 constexpr int cells_across = 4, cells_along = 16;
-constexpr int rise = 4;  ///< px; how far the moving corner goes
-constexpr int row = 1;   ///< of the cell: where the edge is watched
+constexpr int corner_rise = 4;  ///< px; how far the moving corner goes
+constexpr int watched_row = 1;  ///< of the cell: where the edge is watched
 
 /// An edge from the fixed corner of its cell to a moving corner `length` px across. It passes the
 /// sample of the watched pixel when the moving corner passes `threshold`, so that one corner's place is read
@@ -37,7 +37,8 @@ std::vector<ProbeEdge> probe_edges(double sample_along, double sample_across) {
             if (i == cells_across * cells_along) return all;
             ProbeEdge probe_edge{cell_length * (i % cells_across), cell_height * (i / cells_across), length,
                                  pixel, 0};
-            probe_edge.threshold = probe_edge.along + (row + sample_along) * length / (pixel + sample_across);
+            probe_edge.threshold =
+                probe_edge.along + (watched_row + sample_along) * length / (pixel + sample_across);
             if (!is_on_a_grid(probe_edge.threshold)) all.push_back(probe_edge);
         }
     }
@@ -47,7 +48,7 @@ std::vector<ProbeEdge> probe_edges(double sample_along, double sample_across) {
 Probe probe_of(const ProbeEdge& probe_edge, Axis axis) {
     const double across = probe_edge.across, along = probe_edge.along;
     return {.low = float(along),
-            .high = float(along + rise),
+            .high = float(along + corner_rise),
             .draw =
                 [=](Scene& scene, float place) {
                     add_triangle(scene, axis,
@@ -57,7 +58,7 @@ Probe probe_of(const ProbeEdge& probe_edge, Axis axis) {
                 },
             .answer =
                 [=](const Frame& frame) {
-                    return is_covered(frame, axis, probe_edge.along + row,
+                    return is_covered(frame, axis, probe_edge.along + watched_row,
                                       probe_edge.across + probe_edge.pixel);
                 }};
 }

@@ -6,7 +6,7 @@
 namespace zproof::measure {
 namespace {
 
-constexpr int side = 128;  ///< of the image, px
+constexpr int image_side = 128;  ///< of the image, px
 
 /// A triangle and its colour. Triangles of one colour do not touch, so that a picture of them alone shows
 /// every one of their fragments.
@@ -25,7 +25,7 @@ int scattered(int i, int j, int n) {
 /// A sheet of 8 px cells whose corners are moved by quarters of a pixel, so that many edges run through
 /// samples. Moved by less than 2 px, no triangle turns over: (8 - 2 m)^2 > (2 m)^2.
 Mesh moved_sheet(const Sample& sample) {
-    constexpr int cell = 8, cells = side / cell + 2;
+    constexpr int cell = 8, cells = image_side / cell + 2;
     const auto corner = [&](int i, int j) {
         const double dx = (scattered(i, j, 15) - 7) / 4.0, dy = (scattered(j + 999, i, 15) - 7) / 4.0;
         return RasterPoint{cell * (i - 1) + sample.x + dx, cell * (j - 1) + sample.y + dy};
@@ -44,7 +44,7 @@ Mesh moved_sheet(const Sample& sample) {
 
 /// Squares of 16 px, each a fan around a sample, with rim points 2 px apart on samples: every slope.
 Mesh fans(const Sample& sample) {
-    constexpr int cell = 16, cells = side / cell + 2, spokes = 32;
+    constexpr int cell = 16, cells = image_side / cell + 2, spokes = 32;
     const auto rim = [](int k) {
         const int along = 2 * (k % 8), turn = k / 8 % 4;
         const glm::ivec2 corner[] = {{along, 0}, {cell, along}, {cell - along, cell}, {0, cell - along}};
@@ -70,12 +70,12 @@ Frame picture(const Renderer& renderer, const Mesh& mesh, Wanted wanted) {
     for (const ColouredTriangle& triangle : mesh) {
         if (wanted(triangle)) add_triangle(scene, Axis::x, triangle.corners);
     }
-    return renderer.render(scene, raster_view(side, side));
+    return renderer.render(scene, raster_view(image_side, image_side));
 }
 
 void add_flaws(Watertightness& sum, const Renderer& renderer, const Mesh& mesh) {
     const std::size_t colours = std::ranges::max(mesh, {}, &ColouredTriangle::colour).colour + 1;
-    Plane<std::uint32_t> hits({side, side});
+    Plane<std::uint32_t> hits({image_side, image_side});
     for (std::size_t colour = 0; colour < colours; ++colour) {
         const Frame frame =
             picture(renderer, mesh, [=](const ColouredTriangle& t) { return t.colour == colour; });

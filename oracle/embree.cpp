@@ -59,17 +59,17 @@ void set_lane(Packet& packet, int lane, const PrimaryRay& ray) {
 }
 
 /// What of the block lies in the image.
-struct Part {
+struct BlockPart {
     int columns, rows;
 
     bool is_whole() const { return columns == block_side && rows == block_side; }
 };
 
-Part part_in(const Resolution& size, const Block& block) {
+BlockPart part_in(const Resolution& size, const Block& block) {
     return {std::min(block_side, size.width - block.x), std::min(block_side, size.height - block.y)};
 }
 
-void leave_out_what_is_beyond(Packet& packet, const Part& part) {
+void leave_out_what_is_beyond(Packet& packet, const BlockPart& part) {
     for (int lane = 0; lane < lane_count; ++lane)
         if (lane % block_side >= part.columns || lane / block_side >= part.rows)
             packet.valid[std::size_t(lane)] = 0;
@@ -106,7 +106,7 @@ void store_row(const T* values, int columns, T* to) {
         std::copy_n(values, columns, to);
 }
 
-void store(const ClosestHits& hits, const Block& block, const Part& part, Frame& frame) {
+void store(const ClosestHits& hits, const Block& block, const BlockPart& part, Frame& frame) {
     for (int row = 0; row < part.rows; ++row) {
         const auto first = std::size_t(row * block_side);
         store_row(&hits.primitive[first], part.columns, &frame.primitive.at(block.x, block.y + row));
@@ -123,7 +123,7 @@ void intersect(RTCScene scene, Packet& packet) {
 
 /// packet: begun for the view, and left as the block before had it.
 void trace_block(RTCScene scene, const BlockRays& rays, const Block& block, Packet& packet, Frame& frame) {
-    const Part part = part_in(frame.size(), block);
+    const BlockPart part = part_in(frame.size(), block);
     packet.begin();
     if (!part.is_whole()) leave_out_what_is_beyond(packet, part);
     rays.aim(block.x, block.y, packet.rays.ray);

@@ -17,8 +17,8 @@ namespace zproof {
 
 namespace {
 
-constexpr std::size_t most_digits = 32, cells = 12;
-constexpr std::size_t most_row_bytes = cells * (most_digits + 1);
+constexpr std::size_t most_digits = 32, cells_in_row = 12;
+constexpr std::size_t most_row_bytes = cells_in_row * (most_digits + 1);
 
 /// The last real number of a column and how it is written: what stands above is often the same.
 template <class Real>

@@ -8,6 +8,7 @@
 #include "reports/document/page.h"
 #include "reports/extent.h"
 #include "reports/html_parts.h"
+#include "reports/page_parts.h"
 #include "reports/page_scripts.h"
 #include "reports/wording.h"
 
@@ -21,13 +22,6 @@ std::ptrdiff_t number_of(const Results& results, Outcome outcome) {
     return std::ranges::count(results.views, outcome, &ViewResult::outcome);
 }
 
-std::string colour_text(Rgb8 c) {
-    constexpr std::string_view hex = "0123456789abcdef";
-    std::string text = "#";
-    for (const std::uint8_t channel : {c.r, c.g, c.b}) text += {hex[channel >> 4], hex[channel & 15]};
-    return text;
-}
-
 /// Ink that stands out from a ground; the weights are luma's (BT.601).
 std::string_view ink_on(Rgb8 c) {
     return 299 * c.r + 587 * c.g + 114 * c.b > 110'000 ? "#16181c" : "#ffffff";
@@ -37,7 +31,7 @@ std::string class_colours() {
     std::string css;
     for (int i = 0; i < pixel_class_count; ++i) {
         const Rgb8 colour = colour_of(PixelClass(i));
-        css += ".c" + std::to_string(i) + "{background:" + colour_text(colour) +
+        css += ".c" + std::to_string(i) + "{background:" + css_colour(colour) +
                ";color:" + std::string(ink_on(colour)) + "}\n";
     }
     return css;

@@ -3,6 +3,7 @@
 #include "reports/class_colour.h"
 #include "reports/deep_link.h"
 #include "reports/html_parts.h"
+#include "reports/page_parts.h"
 #include "reports/planes/container.h"
 #include "reports/wording.h"
 
@@ -119,20 +120,13 @@ json facts_of(const Choice& choice) {
     return facts;
 }
 
-std::string colour_text(Rgb8 c) {
-    constexpr std::string_view hex = "0123456789abcdef";
-    std::string text = "#";
-    for (const std::uint8_t channel : {c.r, c.g, c.b}) text += {hex[channel >> 4], hex[channel & 15]};
-    return text;
-}
-
 json classes() {
     json all = json::array();
     for (int i = 0; i < pixel_class_count; ++i) {
         const ClassFacts facts = facts_of(PixelClass(i));
         all.push_back({{"name", facts.name},
                        {"glyph", facts.glyph},
-                       {"colour", colour_text(colour_of(PixelClass(i)))},
+                       {"colour", css_colour(colour_of(PixelClass(i)))},
                        {"meaning", facts.meaning},
                        {"passes", passes(PixelClass(i))}});
     }

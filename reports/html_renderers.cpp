@@ -14,9 +14,9 @@ std::string compared(const RendererRecord& r) {
 }
 
 /// JSON with a blank after every comma, so that a narrow column can break it.
-std::string breakable(const std::string& json) {
+std::string breakable(const std::string& json_text) {
     std::string text;
-    for (const char c : json) text += c == ',' ? std::string{", "} : std::string{c};
+    for (const char c : json_text) text += c == ',' ? std::string{", "} : std::string{c};
     return text;
 }
 

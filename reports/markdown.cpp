@@ -44,7 +44,7 @@ std::string word_of(Outcome outcome) {
     return "";
 }
 
-std::string headline(const Results& results) {
+std::string markdown_headline(const Results& results) {
     const auto count = [&](Outcome outcome) {
         return std::uint64_t(std::ranges::count(results.views, outcome, &ViewResult::outcome));
     };
@@ -71,7 +71,7 @@ std::string pixel(const ReportedFinding& told) {
     return "  - " + plain(told.explanation) + "\n" + code_block(told.command);
 }
 
-std::string story(const ViewResult& v) {
+std::string view_story(const ViewResult& v) {
     std::string text =
         "- " + word_of(v.outcome) + " " + plain(v.scene) + (v.view.empty() ? "" : "/" + plain(v.view)) + ": ";
     std::string what = v.message.empty() ? "" : plain(v.message);
@@ -92,7 +92,7 @@ std::string waiver_row(const WaiverStatus& s) {
            plain(s.waiver->reason) + " | " + plain(s.waiver->link) + " |\n";
 }
 
-std::vector<std::string> waivers(const Results& results) {
+std::vector<std::string> waiver_lines(const Results& results) {
     const std::vector<WaiverStatus> statuses = waiver_statuses(results);
     if (statuses.empty()) return {};
     std::vector<std::string> parts{
@@ -104,14 +104,14 @@ std::vector<std::string> waivers(const Results& results) {
 
 /// All of it, in pieces that may be left out one by one from the end.
 std::vector<std::string> parts_of(const Results& results) {
-    std::vector<std::string> parts{headline(results) +
+    std::vector<std::string> parts{markdown_headline(results) +
                                    "| verdict | scene | view | pixels | defects | waived | error / bound |\n"
                                    "|---|---|---|---:|---:|---:|---:|\n"};
     for (const ViewResult* v : failed_first(results)) parts.push_back(row(*v));
-    std::ranges::move(waivers(results), std::back_inserter(parts));
+    std::ranges::move(waiver_lines(results), std::back_inserter(parts));
     parts.emplace_back("\n");
     for (const ViewResult* v : failed_first(results))
-        if (v->outcome != Outcome::proven) parts.push_back(story(*v));
+        if (v->outcome != Outcome::proven) parts.push_back(view_story(*v));
     return parts;
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 using measure::Bracket;
 using measure::Conformity;
-using measure::Finding;
 
 std::string with_digits(double value, int digits) {
     std::array<char, 64> buffer{};
@@ -30,7 +29,7 @@ std::string number_of(const Bracket& bracket, const std::string& unit) {
     return unit.empty() ? text : text + " " + unit;
 }
 
-std::string measured(const Finding& finding) {
+std::string measured(const measure::Finding& finding) {
     if (!finding.value) return finding.words;
     const std::string number = number_of(*finding.value, finding.unit);
     return finding.words.empty() ? number : number + " (" + finding.words + ")";
@@ -76,8 +75,8 @@ std::string table_of(const std::vector<Row>& rows) {
     return text;
 }
 
-std::string verdict(const std::string& renderer, std::span<const Finding> findings) {
-    const auto worse = std::ranges::count(findings, Conformity::worse, &Finding::conformity);
+std::string verdict(const std::string& renderer, std::span<const measure::Finding> findings) {
+    const auto worse = std::ranges::count(findings, Conformity::worse, &measure::Finding::conformity);
     if (worse == 0) return renderer + ": as declared\n";
     return renderer + ": worse than declared in " + std::to_string(worse) + " of " +
            std::to_string(findings.size()) + "\n";
@@ -85,16 +84,16 @@ std::string verdict(const std::string& renderer, std::span<const Finding> findin
 
 }  // namespace
 
-std::string measurement_table(const std::string& renderer, std::span<const Finding> findings) {
+std::string measurement_table(const std::string& renderer, std::span<const measure::Finding> findings) {
     std::vector<Row> rows{{"finding", "measured", "declared", "conformity"}};
-    for (const Finding& f : findings)
+    for (const measure::Finding& f : findings)
         rows.push_back({f.title, one_line(measured(f)), f.declared, std::string{in_words(f.conformity)}});
     return table_of(rows) + "\n" + verdict(renderer, findings);
 }
 
-std::string measurement_json(const std::string& renderer, std::span<const Finding> findings) {
+std::string measurement_json(const std::string& renderer, std::span<const measure::Finding> findings) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const Finding& f : findings) {
+    for (const measure::Finding& f : findings) {
         nlohmann::ordered_json one{{"name", f.name}, {"title", f.title}};
         if (f.value) one["value"] = {{"low", f.value->low}, {"high", f.value->high}};
         if (!f.unit.empty()) one["unit"] = f.unit;

@@ -18,6 +18,13 @@ std::string page_head(const std::string& title, std::string_view own_style) {
            "</style>\n</head>\n";
 }
 
+std::string css_colour(Rgb8 c) {
+    constexpr std::string_view hex = "0123456789abcdef";
+    std::string text = "#";
+    for (const std::uint8_t channel : {c.r, c.g, c.b}) text += {hex[channel >> 4], hex[channel & 15]};
+    return text;
+}
+
 std::string png_uri(const Plane<Rgb8>& picture) {
     const std::vector<std::byte> png = encode_png(picture);
     return "data:image/png;base64," + base64({reinterpret_cast<const char*>(png.data()), png.size()});

@@ -16,6 +16,9 @@ std::string page_head(const std::string& title, std::string_view own_style);
 /// it.
 std::string page_end();
 
+/// "#0072b2"
+std::string css_colour(Rgb8 colour);
+
 /// A PNG as a data URI.
 std::string png_uri(const Plane<Rgb8>& picture);
 

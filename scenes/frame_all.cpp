@@ -15,9 +15,9 @@
 namespace zproof {
 namespace {
 
-constexpr double yfov = std::numbers::pi / 4;
-constexpr double margin = 1.05;                ///< air around the bounds
-constexpr std::size_t worth_a_task = 1 << 12;  ///< triangles
+constexpr double framing_yfov = std::numbers::pi / 4;
+constexpr double margin = 1.05;                          ///< air around the bounds
+constexpr std::size_t triangles_worth_a_task = 1 << 12;  ///< triangles
 const glm::dvec3 towards_eye = glm::normalize(glm::dvec3(0.5, 0.35, 1));
 
 /// A vertex and whatever follows it in memory, side by side.
@@ -56,7 +56,7 @@ Bounds bounds_of(const Positions& position, std::span<const glm::uvec3> triangle
 Bounds bounds_of(const Scene& scene) {
     const std::span<const glm::uvec3> triangles = scene.triangles;
     return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, triangles.size(), worth_a_task), Bounds{},
+        tbb::blocked_range<std::size_t>(0, triangles.size(), triangles_worth_a_task), Bounds{},
         [&](const auto& some, Bounds bounds) {
             const Bounds more =
                 bounds_of(scene.vertices.position_world, triangles.subspan(some.begin(), some.size()));
@@ -110,13 +110,13 @@ void enclose(const std::array<glm::dvec3, 8>& corners, Camera& camera) {
 Camera frame_all(const Scene& scene, double aspect) {
     if (scene.triangles.empty()) {
         Camera camera = look_at({0, 0, 1}, {0, 0, 0}, {0, 1, 0});
-        camera.window = symmetric_window(yfov, aspect);
+        camera.window = symmetric_window(framing_yfov, aspect);
         return camera;
     }
     const std::array<glm::dvec3, 8> corners = corners_of_bounds(scene);
     const glm::dvec3 centre = corners[0] / 2.0 + corners[7] / 2.0;
     Camera camera = look_at(towards_eye, {0, 0, 0}, {0, 1, 0});
-    camera.window = symmetric_window(yfov, aspect);
+    camera.window = symmetric_window(framing_yfov, aspect);
     const double distance = distance_to_fit(corners, centre, camera);
     camera.eye_world = glm::vec3(centre + distance * camera.back);
     if (!std::isfinite(glm::length(glm::dvec3(camera.eye_world))))

@@ -27,7 +27,7 @@ std::size_t element_bytes(const Elements& elements) {
 
 /// An integer as the number that it stands for (glTF 2.0, 3.11 of the extension KHR_mesh_quantization).
 template <typename T>
-double integer(const Elements& elements, const unsigned char* from) {
+double value_of_integer(const Elements& elements, const unsigned char* from) {
     const double value = load<T>(from);
     return elements.is_normalized ? std::max(value / std::numeric_limits<T>::max(), -1.0) : value;
 }
@@ -44,15 +44,15 @@ double component(const Elements& elements, std::size_t i, int c) {
                                 static_cast<std::size_t>(c) * component_bytes(elements.component_type);
     switch (elements.component_type) {
         case TINYGLTF_COMPONENT_TYPE_BYTE:
-            return integer<std::int8_t>(elements, from);
+            return value_of_integer<std::int8_t>(elements, from);
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-            return integer<std::uint8_t>(elements, from);
+            return value_of_integer<std::uint8_t>(elements, from);
         case TINYGLTF_COMPONENT_TYPE_SHORT:
-            return integer<std::int16_t>(elements, from);
+            return value_of_integer<std::int16_t>(elements, from);
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-            return integer<std::uint16_t>(elements, from);
+            return value_of_integer<std::uint16_t>(elements, from);
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-            return integer<std::uint32_t>(elements, from);
+            return value_of_integer<std::uint32_t>(elements, from);
         default:
             return static_cast<double>(load<float>(from));
     }

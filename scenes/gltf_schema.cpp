@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-enum class Kind {
+enum class ValueKind {
     text,
     boolean,
     number,
@@ -30,11 +30,11 @@ enum class Kind {
 /// required where the object around it is there.
 struct Rule {
     std::string_view path;
-    Kind kind;
+    ValueKind kind;
     std::string_view choices = {};  ///< set apart by blanks
 };
 
-using enum Kind;
+using enum ValueKind;
 
 const Rule rules[] = {
     {"asset!/version!", text},

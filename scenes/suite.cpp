@@ -13,34 +13,34 @@ namespace zproof {
 
 namespace {
 
-struct Generator {
+struct SuiteGenerator {
     std::string_view name;
     Loaded (*build)(suite::ImageSize size);
 };
 
-constexpr std::array generators{
-    Generator{"near_plane", suite::near_plane},
-    Generator{"clip_blades", suite::clip_blades},
-    Generator{"guard_band", suite::guard_band},
-    Generator{"million_triangles", suite::million_triangles},
-    Generator{"deep_overdraw", suite::deep_overdraw},
-    Generator{"slivers", suite::slivers},
-    Generator{"degenerate", suite::degenerate},
-    Generator{"fan_at_pixel_centre", suite::fan_at_pixel_centre},
-    Generator{"shared_edges", suite::shared_edges},
-    Generator{"coplanar", suite::coplanar},
-    Generator{"interpenetrating", suite::interpenetrating},
-    Generator{"t_junctions", suite::t_junctions},
-    Generator{"abutting_strips", suite::abutting_strips},
-    Generator{"far_from_origin", suite::far_from_origin},
-    Generator{"depth_range", suite::depth_range},
-    Generator{"back_faces", suite::back_faces},
-    Generator{"closed_surfaces", suite::closed_surfaces},
-    Generator{"off_axis", suite::off_axis},
-    Generator{"orthographic", suite::orthographic},
-    Generator{"oblique", suite::oblique},
-    Generator{"textured_ground", suite::textured_ground},
-    Generator{"room", suite::room},
+constexpr std::array suite_generators{
+    SuiteGenerator{"near_plane", suite::near_plane},
+    SuiteGenerator{"clip_blades", suite::clip_blades},
+    SuiteGenerator{"guard_band", suite::guard_band},
+    SuiteGenerator{"million_triangles", suite::million_triangles},
+    SuiteGenerator{"deep_overdraw", suite::deep_overdraw},
+    SuiteGenerator{"slivers", suite::slivers},
+    SuiteGenerator{"degenerate", suite::degenerate},
+    SuiteGenerator{"fan_at_pixel_centre", suite::fan_at_pixel_centre},
+    SuiteGenerator{"shared_edges", suite::shared_edges},
+    SuiteGenerator{"coplanar", suite::coplanar},
+    SuiteGenerator{"interpenetrating", suite::interpenetrating},
+    SuiteGenerator{"t_junctions", suite::t_junctions},
+    SuiteGenerator{"abutting_strips", suite::abutting_strips},
+    SuiteGenerator{"far_from_origin", suite::far_from_origin},
+    SuiteGenerator{"depth_range", suite::depth_range},
+    SuiteGenerator{"back_faces", suite::back_faces},
+    SuiteGenerator{"closed_surfaces", suite::closed_surfaces},
+    SuiteGenerator{"off_axis", suite::off_axis},
+    SuiteGenerator{"orthographic", suite::orthographic},
+    SuiteGenerator{"oblique", suite::oblique},
+    SuiteGenerator{"textured_ground", suite::textured_ground},
+    SuiteGenerator{"room", suite::room},
 };
 
 }  // namespace
@@ -59,8 +59,8 @@ Loaded generate_suite_scene(const std::string& name, int width, int height) {
     if (width < 1 || height < 1)
         throw SceneError("suite scene '" + name + "': the image is " + std::to_string(width) + " x " +
                          std::to_string(height) + " pixels, expected at least 1 x 1");
-    const auto generator = std::ranges::find(generators, name, &Generator::name);
-    if (generator == generators.end())
+    const auto generator = std::ranges::find(suite_generators, name, &SuiteGenerator::name);
+    if (generator == suite_generators.end())
         throw SceneError("the suite has no scene '" + name +
                          "'; its manifest, scenes/suite/manifest.json, lists all");
     return generator->build({.width = width, .height = height});

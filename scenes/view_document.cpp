@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 
 /// nlohmann::json writes every double with as many digits as it takes to read the same double back.
-json numbers(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+json coordinates(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 std::string name_of(NdcDepth depth) {
     switch (depth) {
@@ -31,10 +31,10 @@ json view_entry(const View& view) {
     json entry = {{"name", view.name},
                   {"width", view.width},
                   {"height", view.height},
-                  {"eye", numbers(glm::dvec3(camera.eye_world))},
-                  {"right", numbers(camera.right)},
-                  {"up", numbers(camera.up)},
-                  {"back", numbers(camera.back)},
+                  {"eye", coordinates(glm::dvec3(camera.eye_world))},
+                  {"right", coordinates(camera.right)},
+                  {"up", coordinates(camera.up)},
+                  {"back", coordinates(camera.back)},
                   {"near", camera.near_depth},
                   {"ndc_depth", name_of(camera.ndc_depth)}};
     entry["exact_window"] = {

@@ -39,13 +39,13 @@ T choice(const LocatedValue& place, std::initializer_list<std::pair<std::string_
     place.fail("expected one of " + list);
 }
 
-enum class Kind { perspective, orthographic, oblique, parallel };
+enum class ProjectionKind { perspective, orthographic, oblique, parallel };
 
-Kind kind_of(const LocatedValue& view) {
-    return choice<Kind>(view.at("projection"), {{"perspective", Kind::perspective},
-                                                {"orthographic", Kind::orthographic},
-                                                {"oblique", Kind::oblique},
-                                                {"parallel", Kind::parallel}});
+ProjectionKind projection_kind(const LocatedValue& view) {
+    return choice<ProjectionKind>(view.at("projection"), {{"perspective", ProjectionKind::perspective},
+                                                          {"orthographic", ProjectionKind::orthographic},
+                                                          {"oblique", ProjectionKind::oblique},
+                                                          {"parallel", ProjectionKind::parallel}});
 }
 
 Window window_at(const LocatedValue& place) {
@@ -57,7 +57,7 @@ Window window_at(const LocatedValue& place) {
     return window;
 }
 
-double positive(const LocatedValue& place) {
+double positive_number(const LocatedValue& place) {
     if (!(place.number() > 0)) place.fail("expected a number above 0");
     return place.number();
 }
@@ -71,19 +71,19 @@ Window window_of_field(const LocatedValue& view, double aspect) {
 /// The window on the plane at depth 1 is the one on the near plane, scaled by 1 / near.
 Window window_at_near(const LocatedValue& view) {
     const Window w = window_at(view.at("near_window"));
-    const double near = positive(view.at("near"));
+    const double near = positive_number(view.at("near"));
     return {w.left / near, w.right / near, w.bottom / near, w.top / near};
 }
 
 Window window_of_magnification(const LocatedValue& view) {
-    const double x = positive(view.at("xmag")), y = positive(view.at("ymag"));
+    const double x = positive_number(view.at("xmag")), y = positive_number(view.at("ymag"));
     return {-x, x, -y, y};
 }
 
-Window window_of(const LocatedValue& view, Kind kind, double aspect) {
+Window window_of(const LocatedValue& view, ProjectionKind kind, double aspect) {
     const int forms = view.has("yfov_degrees") + view.has("near_window") + view.has("exact_window") +
                       (view.has("xmag") || view.has("ymag"));
-    const bool is_perspective = kind == Kind::perspective;
+    const bool is_perspective = kind == ProjectionKind::perspective;
     if (forms == 1 && view.has("exact_window")) return window_at(view.at("exact_window"));
     if (forms == 1 && is_perspective && view.has("yfov_degrees")) return window_of_field(view, aspect);
     if (forms == 1 && is_perspective && view.has("near_window")) return window_at_near(view);
@@ -93,8 +93,8 @@ Window window_of(const LocatedValue& view, Kind kind, double aspect) {
                   : "expected either \"xmag\" and \"ymag\" or \"exact_window\"");
 }
 
-glm::dvec2 shear_of(const LocatedValue& view, Kind kind) {
-    if (kind == Kind::oblique || (kind == Kind::parallel && view.has("shear"))) {
+glm::dvec2 shear_of(const LocatedValue& view, ProjectionKind kind) {
+    if (kind == ProjectionKind::oblique || (kind == ProjectionKind::parallel && view.has("shear"))) {
         const json& shear = view.at("shear").numbers(2);
         return {shear[0].get<double>(), shear[1].get<double>()};
     }
@@ -126,10 +126,10 @@ double far_of(const LocatedValue& view) {
 }
 
 Camera camera_of(const LocatedValue& view, double aspect) {
-    const Kind kind = kind_of(view);
+    const ProjectionKind kind = projection_kind(view);
     Camera camera;
     set_pose(view, camera);
-    camera.projection = kind == Kind::perspective ? Projection::perspective : Projection::parallel;
+    camera.projection = kind == ProjectionKind::perspective ? Projection::perspective : Projection::parallel;
     camera.window = window_of(view, kind, aspect);
     camera.shear = shear_of(view, kind);
     camera.near_depth = view.at("near").number();

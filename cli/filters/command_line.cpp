@@ -112,7 +112,7 @@ void add_check(CLI::App& app, FiltersWords& words) {
     app.footer(check_remark);
 }
 
-std::vector<std::string> split(const std::string& text) {
+std::vector<std::string> words_of_list(const std::string& text) {
     std::vector<std::string> parts;
     std::istringstream in{text};
     for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
@@ -121,7 +121,7 @@ std::vector<std::string> split(const std::string& text) {
 
 CropBox crop_box(const std::string& text) {
     std::array<int, 4> numbers{};
-    const std::vector<std::string> parts = split(text);
+    const std::vector<std::string> parts = words_of_list(text);
     bool is_right = parts.size() == numbers.size();
     for (std::size_t i = 0; is_right && i < numbers.size(); ++i) {
         const char* const end = parts[i].data() + parts[i].size();
@@ -147,7 +147,7 @@ std::vector<FilterChoice> filter_choices(const std::string& words,
         if (std::ranges::find(choices, word, &FilterChoice::typed) == choices.end())
             choices.push_back(choice(word));
     };
-    for (const std::string& word : split(words)) {
+    for (const std::string& word : words_of_list(words)) {
         if (word != "all")
             add(word);
         else
@@ -162,8 +162,9 @@ namespace {
 FiltersCheckArguments chosen_check(FiltersWords& words) {
     FiltersCheckArguments& check = words.check;
     check.methods = filter_choices(words.check_methods, filter_choice);
-    check.views = split(words.check_views);
-    if (!words.precision.empty()) check.precision = filter_precision_from_words(split(words.precision));
+    check.views = words_of_list(words.check_views);
+    if (!words.precision.empty())
+        check.precision = filter_precision_from_words(words_of_list(words.precision));
     if (!check.picture.empty() && check.methods.size() != 1)
         throw UsageError{"--picture: one method is expected, and one view"};
     return check;
@@ -191,7 +192,7 @@ FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) 
     if (typed("run")) {
         words.run.methods = filter_choices(words.methods, study_choice);
         words.run.truth = reconstruction(words.truth);
-        words.run.views = split(words.views);
+        words.run.views = words_of_list(words.views);
         return words.run;
     }
     if (typed("list")) return words.list;
@@ -202,7 +203,7 @@ FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) 
         throw UsageError{
             "filters: 'run', 'list', 'table', 'figure', 'check' or 'crow' expected (see: zproof filters "
             "--help)"};
-    words.figure.labels = split(words.only);
+    words.figure.labels = words_of_list(words.only);
     if (!words.crop.empty()) words.figure.crop = crop_box(words.crop);
     return words.figure;
 }

@@ -7,7 +7,7 @@
 namespace zproof {
 namespace {
 
-document::Document perform(const StudyTask& task) {
+document::Document perform_cost_study(const StudyTask& task) {
     const int repeats = task.arguments.cost.repeats;
     task.progress.expect_more(study::cost::units_of_model());
     const study::cost::Model model =
@@ -27,7 +27,7 @@ document::Document perform(const StudyTask& task) {
     return document;
 }
 
-void add_options(CLI::App& app, StudyArguments& arguments) {
+void add_cost_options(CLI::App& app, StudyArguments& arguments) {
     app.add_option("--repeats", arguments.cost.repeats, "measured runs for each time")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
@@ -41,8 +41,8 @@ Study cost_study() {
             .subjects = {"closed_surfaces", "room", "deep_overdraw"},
             .resolution = {960, 540},
             .units_per_view = 2,
-            .add_options = add_options,
-            .perform = perform};
+            .add_options = add_cost_options,
+            .perform = perform_cost_study};
 }
 
 }  // namespace zproof

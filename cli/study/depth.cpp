@@ -22,7 +22,7 @@ DepthQuestion question_of(const StudyTask& task) {
     return question;
 }
 
-document::Document perform(const StudyTask& task) {
+document::Document perform_depth_study(const StudyTask& task) {
     const DepthQuestion question = question_of(task);
     const auto announce = [&](const std::string& what) { task.progress.begin(what); };
     task.progress.expect_more(study::depth::units_of_gaps());
@@ -41,7 +41,7 @@ document::Document perform(const StudyTask& task) {
     return document;
 }
 
-void add_options(CLI::App& app, StudyArguments& arguments) {
+void add_depth_options(CLI::App& app, StudyArguments& arguments) {
     app.add_option("--near", arguments.depth.near,
                    "which format to choose is asked for these planes; default: the first view's");
     app.add_option("--far", arguments.depth.far, "likewise");
@@ -56,8 +56,8 @@ Study depth_study() {
             .subjects = {"depth_range"},
             .resolution = {480, 270},
             .units_per_view = study::depth::units_of_depth(),
-            .add_options = add_options,
-            .perform = perform};
+            .add_options = add_depth_options,
+            .perform = perform_depth_study};
 }
 
 }  // namespace zproof

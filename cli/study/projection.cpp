@@ -77,7 +77,7 @@ ProjectedView projected(const StudiedView& one, const StudyTask& task, const ora
     return found;
 }
 
-document::Document perform(const StudyTask& task) {
+document::Document perform_projection_study(const StudyTask& task) {
     std::vector<ProjectedView> views;
     std::optional<oracle::Embree> embree;
     const Scene* shown_to_embree = nullptr;
@@ -100,7 +100,7 @@ document::Document perform(const StudyTask& task) {
     return document;
 }
 
-void add_options(CLI::App& app, StudyArguments& arguments) {
+void add_projection_options(CLI::App& app, StudyArguments& arguments) {
     app.add_option("--vertices", arguments.projection.vertices, "at most so many are studied, evenly spread")
         ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
@@ -117,8 +117,8 @@ Study projection_study() {
             .subjects = {"room", "far_from_origin"},
             .resolution = {960, 540},
             .units_per_view = 3,
-            .add_options = add_options,
-            .perform = perform};
+            .add_options = add_projection_options,
+            .perform = perform_projection_study};
 }
 
 }  // namespace zproof

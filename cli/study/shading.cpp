@@ -6,7 +6,7 @@ namespace {
 
 constexpr int most_levels = 6, side_px = 256;
 
-document::Document perform(const StudyTask& task) {
+document::Document perform_shading_study(const StudyTask& task) {
     const auto announce = [&](const std::string& what) { task.progress.begin(what); };
     task.progress.expect_more(1);
     announce("a sphere");
@@ -29,7 +29,7 @@ Study shading_study() {
             .resolution = {480, 270},
             .units_per_view = study::shading::units_of_shading(),
             .add_options = {},
-            .perform = perform};
+            .perform = perform_shading_study};
 }
 
 }  // namespace zproof

@@ -50,7 +50,7 @@ Results results_with_waivers(const Gate& gate, const std::filesystem::path& resu
     return seen;
 }
 
-std::string text_of(const std::filesystem::path& file) {
+std::string waivers_text(const std::filesystem::path& file) {
     std::ifstream in{file, std::ios::binary};
     return {std::istreambuf_iterator<char>{in}, {}};
 }
@@ -89,7 +89,7 @@ ExitCode execute(const WaivePruneArguments& arguments) {
         std::cout << "removed " << one_line(status.waiver->id) << ": " << name_of(status.state) << "\n";
     }
     if (!ids.empty())
-        write_text(arguments.gate.waivers, without_waivers(text_of(arguments.gate.waivers), ids));
+        write_text(arguments.gate.waivers, without_waivers(waivers_text(arguments.gate.waivers), ids));
     std::cout << counted(gate.waivers.size() - ids.size(), "waiver") << " left\n";
     return ExitCode::proven;
 }

@@ -15,7 +15,7 @@ constexpr std::int64_t largest_count = std::numeric_limits<std::int32_t>::max();
 
 const std::vector<std::string> keys{"id",    "scene",  "view", "class",   "where",   "allow_all",
                                     "count", "reason", "link", "created", "expires", "scene_sha256"};
-const std::vector<std::string> places{"triangles", "pairs", "rectangles", "pixels", "size"};
+const std::vector<std::string> place_keys{"triangles", "pairs", "rectangles", "pixels", "size"};
 
 std::vector<std::string> waivable_names() {
     std::vector<std::string> names;
@@ -115,7 +115,7 @@ decltype(Waiver::where) place_of(const TomlReader& entry) {
     }
     if (all != nullptr) entry.refuse(*all, "allow_all: has no meaning beside 'where'; remove one of them");
     const TomlReader where{entry.file(), *place};
-    where.allow_only(places);
+    where.allow_only(place_keys);
     const TomlValue *triangles = where.find("triangles"), *pairs = where.find("pairs");
     const bool pixels = where.find("rectangles") != nullptr || where.find("pixels") != nullptr;
     if ((triangles != nullptr) + (pairs != nullptr) + pixels != 1)

@@ -13,14 +13,14 @@ namespace zproof {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
 
 /// The number of pairs remembered at one pixel.
-constexpr std::size_t coplanar_pairs = 64;
+constexpr std::size_t explained_coplanar_pairs = 64;
 
 std::array<double, 3> edge_distances(const ViewRay<double>& ray, const CornersWorld& p_world) {
     const auto image = image_of(ray, corners<double>(p_world));
-    std::array<double, 3> distance{nan, nan, nan};
+    std::array<double, 3> distance{unmeasured, unmeasured, unmeasured};
     for (std::size_t i = 0; image && i < 3; ++i) {
         const Affine<double>& edge = image->edge[i];
         distance[i] = 256 * edge.c / std::hypot(edge.a, edge.b);
@@ -81,7 +81,7 @@ void Explainer::finish(PixelExplanation& explanation, const SearchPixel& search_
     Neighbourhood around =
         neighbourhood_of(scene, view, candidate.bounds, search_pixel, search_pixel.reach_px);
     around.eps_px = search_pixel.reach_px;
-    CoplanarCache coplanar(coplanar_pairs);
+    CoplanarCache coplanar(explained_coplanar_pairs);
     explanation.candidates = candidates_in(view, candidate.shown_bounds, around, coplanar);
     explanation.background = decide(around, PrimitiveId::none, coplanar);
 }

@@ -4,6 +4,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <cmath>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -33,5 +34,7 @@ inline void require_one_size(const LinearPicture& candidate, const LinearPicture
 inline double mean_of(std::span<double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
+
+inline double root_mean(std::span<double> squares) { return std::sqrt(mean_of(squares)); }
 
 }  // namespace zproof

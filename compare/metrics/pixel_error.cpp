@@ -35,8 +35,6 @@ Plane<double> error_map(const LinearPicture& candidate, const LinearPicture& tru
     return errors(candidate, truth, of_distances);
 }
 
-double root_mean(std::span<double> squares) { return std::sqrt(mean_of(squares)); }
-
 double decibels(std::span<double> squares) { return -10 * std::log10(mean_of(squares)); }
 
 /// The least value that at least 99 % of all do not exceed (nearest rank).

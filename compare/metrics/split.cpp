@@ -72,8 +72,6 @@ Plane<double> share_map(const LinearPicture& candidate, const LinearPicture& tru
     return mapped(size, [&](int x, int y) { return shares.at(x / window_side, y / window_side); });
 }
 
-double root_mean(std::span<double> squares) { return std::sqrt(mean_of(squares)); }
-
 }  // namespace
 
 PictureMetric bias_metric() {

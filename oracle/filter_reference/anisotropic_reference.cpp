@@ -62,7 +62,7 @@ std::vector<Line> along_ellipse(const PixelFootprint& f, int most) {
 
 using Lines = std::vector<Line> (*)(const PixelFootprint&, int);
 
-Definition anisotropic(const std::string& name, Lines lines, Placement placement) {
+Definition anisotropic_definition(const std::string& name, Lines lines, Placement placement) {
     return {"aniso-" + name, over_levels([=](const Levels& levels, const FilterQuery& q) {
                 PermittedColours all;
                 for (const Line& line : lines(q.footprint(), levels.settings().max_anisotropy))
@@ -111,9 +111,9 @@ PermittedColours feline(const Levels& levels, const FilterQuery& q) {
 }  // namespace
 
 std::vector<Definition> anisotropic_definitions() {
-    return {anisotropic("ext", along_longer_step, to_the_letter),
-            anisotropic("midpoint", along_longer_step, midpoints),
-            anisotropic("d3d11", along_ellipse, midpoints),
+    return {anisotropic_definition("ext", along_longer_step, to_the_letter),
+            anisotropic_definition("midpoint", along_longer_step, midpoints),
+            anisotropic_definition("d3d11", along_ellipse, midpoints),
             {"aniso-feline", over_levels(feline)}};
 }
 

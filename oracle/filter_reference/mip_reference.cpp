@@ -8,7 +8,7 @@ Interval level_at(LodRule rule, const Levels& levels, const FilterQuery& q, cons
     return level_of(lod(rule, footprint), levels.settings(), levels.count(), q.precision);
 }
 
-Definition trilinear(const std::string& name, LodRule rule) {
+Definition trilinear_definition(const std::string& name, LodRule rule) {
     return {"trilinear-" + name,
             over_levels([rule](const Levels& levels, const FilterQuery& q) -> PermittedColours {
                 const PixelFootprint f = q.footprint();
@@ -45,12 +45,12 @@ PermittedColours mip_nearest_bilinear(const Levels& levels, const FilterQuery& q
 std::vector<Definition> mip_definitions() {
     return {{"mip-nearest-point", over_levels(mip_nearest_point)},
             {"mip-nearest-bilinear", over_levels(mip_nearest_bilinear)},
-            trilinear("gl", LodRule::gl_maximum),
-            trilinear("ellipse", LodRule::ellipse_major),
-            trilinear("rms", LodRule::root_mean_square),
-            trilinear("area", LodRule::root_of_area),
-            trilinear("pbrt", LodRule::pbrt),
-            trilinear("mesa", LodRule::mesa_longer_step)};
+            trilinear_definition("gl", LodRule::gl_maximum),
+            trilinear_definition("ellipse", LodRule::ellipse_major),
+            trilinear_definition("rms", LodRule::root_mean_square),
+            trilinear_definition("area", LodRule::root_of_area),
+            trilinear_definition("pbrt", LodRule::pbrt),
+            trilinear_definition("mesa", LodRule::mesa_longer_step)};
 }
 
 }  // namespace zproof::oracle::filter_reference

@@ -28,7 +28,7 @@ void main() {
     colour = has_steps ? textureGrad(image, at.xy, step.xy, step.zw) : texture(image, at.xy);
 })";
 
-GLint wrap_of(Wrap wrap) {
+GLint gl_wrap_of(Wrap wrap) {
     if (wrap == Wrap::repeat) return GL_REPEAT;
     return wrap == Wrap::clamp_to_edge ? GL_CLAMP_TO_EDGE : GL_MIRRORED_REPEAT;
 }
@@ -62,8 +62,8 @@ Texture2d mipped_texture(const Image& image, const Sampler& sampler, PeerFilter 
                        image.height);
     glTextureSubImage2D(name, 0, 0, 0, image.width, image.height, GL_RGBA, GL_FLOAT, linear.texels.data());
     glGenerateTextureMipmap(name);
-    glTextureParameteri(name, GL_TEXTURE_WRAP_S, wrap_of(sampler.wrap_u));
-    glTextureParameteri(name, GL_TEXTURE_WRAP_T, wrap_of(sampler.wrap_v));
+    glTextureParameteri(name, GL_TEXTURE_WRAP_S, gl_wrap_of(sampler.wrap_u));
+    glTextureParameteri(name, GL_TEXTURE_WRAP_T, gl_wrap_of(sampler.wrap_v));
     glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTextureParameteri(name, GL_TEXTURE_MIN_FILTER,
                         filter == PeerFilter::bilinear ? GL_LINEAR : GL_LINEAR_MIPMAP_LINEAR);

@@ -14,7 +14,7 @@ namespace {
 
 using namespace study;
 
-constexpr std::string_view own_style = R"css(
+constexpr std::string_view filters_style = R"css(
 .plots {
   display: grid; grid-template-columns: repeat(auto-fit, minmax(430px, 1fr)); gap: 1rem; margin: 1.2rem 0;
 }
@@ -35,14 +35,14 @@ dt { font-weight: 600; }
 @media (max-width: 700px) { .plots { grid-template-columns: 1fr; } }
 )css";
 
-std::string headline(const StudyResults& results) {
+std::string filters_headline(const StudyResults& results) {
     return counted(results.methods.size(), "texture filter") + " held to the truth in " +
            counted(results.views.size(), "view");
 }
 
 std::string opening(const StudyResults& r) {
     std::string text =
-        "<header>\n<h1>" + headline(r) + "</h1>\n<p>" + escaped(truth_in_words(r.truth)) + ".</p>\n";
+        "<header>\n<h1>" + filters_headline(r) + "</h1>\n<p>" + escaped(truth_in_words(r.truth)) + ".</p>\n";
     if (!r.is_complete)
         text +=
             "<p class=\"message\">The study was interrupted: what follows is what was done until then.</p>\n";
@@ -154,7 +154,8 @@ std::string legend(const StudyResults& results) {
 
 std::string filters_page(const StudyResults& results, const std::vector<ViewFigures>& figures,
                          const std::vector<Plot>& overview) {
-    std::string page = page_head(headline(results), own_style) + "<body>\n" + opening(results) + "<main>\n";
+    std::string page =
+        page_head(filters_headline(results), filters_style) + "<body>\n" + opening(results) + "<main>\n";
     if (!overview.empty())
         page += "<section>\n<h2>All views together</h2>\n" + plots_of(overview) + "</section>\n";
     for (std::size_t i = 0; i < results.views.size(); ++i)

@@ -13,7 +13,7 @@ using document::Drawing;
 using document::Item;
 using document::Table;
 
-std::int64_t whole(std::uint64_t count) { return std::int64_t(count); }
+std::int64_t count_cell(std::uint64_t count) { return std::int64_t(count); }
 
 Table distances_table(const ProjectedView& view) {
     Table table{
@@ -37,12 +37,12 @@ Table distances_table(const ProjectedView& view) {
                     {"at", "", "The pair's first pixel."}},
         .rows = {}};
     for (const EdgeAgreement& a : view.agreements)
-        table.rows.push_back({a.renderer, whole(a.boundaries), whole(a.crossed), whole(a.displaced),
-                              whole(a.by_depth), whole(a.by_others), whole(a.beyond), a.largest_px,
-                              a.largest_share, a.largest_px > 0 ? a.farthest.expected_px : 0.0,
-                              a.largest_px > 0
-                                  ? std::to_string(a.farthest.x) + ", " + std::to_string(a.farthest.y)
-                                  : std::string{"nowhere"}});
+        table.rows.push_back(
+            {a.renderer, count_cell(a.boundaries), count_cell(a.crossed), count_cell(a.displaced),
+             count_cell(a.by_depth), count_cell(a.by_others), count_cell(a.beyond), a.largest_px,
+             a.largest_share, a.largest_px > 0 ? a.farthest.expected_px : 0.0,
+             a.largest_px > 0 ? std::to_string(a.farthest.x) + ", " + std::to_string(a.farthest.y)
+                              : std::string{"nowhere"}});
     return table;
 }
 

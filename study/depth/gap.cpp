@@ -9,9 +9,9 @@
 namespace zproof::study::depth {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int side_px = 48, triangles_per_distance = 6, most_rungs = 80;
-constexpr double spread = 1 + 1.0 / 64;
+constexpr double place_spread = 1 + 1.0 / 64;
 
 /// A triangle in the image with its corners' depths in double, and the pixels that it covers.
 struct Probe {
@@ -36,7 +36,7 @@ std::vector<Pixel> covered(const Drawn& triangle) {
 
 Probe probe_at(double depth, suite::Random& random) {
     const auto place = [&] { return glm::dvec2{random.uniform(0, side_px), random.uniform(0, side_px)}; };
-    const auto distance = [&] { return depth * random.uniform(1 / spread, spread); };
+    const auto distance = [&] { return depth * random.uniform(1 / place_spread, place_spread); };
     while (true) {
         Probe probe{{place(), place(), place()}, {distance(), distance(), distance()}, {}};
         if (std::abs(probe.at(1).doubled_area()) < side_px) continue;
@@ -56,7 +56,7 @@ bool keeps_order(const Probe& probe, const Coder& coder, Interpolation interpola
 /// The least rho of the ladder down to which all of it is ordered right; +inf where not even the first is.
 double smallest_rho(const std::vector<Probe>& probes, const Coder& coder, Interpolation interpolation,
                     double first) {
-    double last_right = infinite;
+    double last_right = infinity;
     for (int rung = 0; rung < most_rungs; ++rung) {
         const double rho = first * std::exp2(-rung / 8.0);
         const auto is_right = [&](const Probe& p) { return keeps_order(p, coder, interpolation, rho); };
@@ -69,7 +69,7 @@ double smallest_rho(const std::vector<Probe>& probes, const Coder& coder, Interp
 /// The largest predicted gap of a probe's pixels, as a share of their depth: at either end of their depths,
 /// or where s passes a power of two and a float32's step is largest beside it.
 double predicted_rho(const Coder& coder, Interpolation interpolation, double depth) {
-    const double nearest = depth / spread, farthest = depth * spread;
+    const double nearest = depth / place_spread, farthest = depth * place_spread;
     std::vector<double> depths{nearest, farthest};
     const double a = coder.ideal(nearest), b = coder.ideal(farthest);
     const int exponent = std::ilogb(std::max(a, b));
@@ -77,7 +77,8 @@ double predicted_rho(const Coder& coder, Interpolation interpolation, double dep
         depths.push_back(coder.depth_of(std::ldexp(1.0, exponent)));
     double largest = 0;
     for (const double d : depths)
-        largest = std::max(largest, smallest_gap_behind(coder, interpolation, d, spread * spread) / d);
+        largest =
+            std::max(largest, smallest_gap_behind(coder, interpolation, d, place_spread * place_spread) / d);
     return largest;
 }
 
@@ -89,11 +90,11 @@ double first_rho(const GapAt& point, double room) {
 }
 
 GapAt gap_at(const Coder& coder, Interpolation interpolation, const Planes& planes, double depth) {
-    GapAt point{depth, depth * predicted_rho(coder, interpolation, depth), infinite};
+    GapAt point{depth, depth * predicted_rho(coder, interpolation, depth), infinity};
     suite::Random random{17};
     std::vector<Probe> probes;
     for (int i = 0; i < triangles_per_distance; ++i) probes.push_back(probe_at(depth, random));
-    const double room = planes.far / (depth * spread) - 1;  // rho of far
+    const double room = planes.far / (depth * place_spread) - 1;  // rho of far
     if (room > 0) point.measured = depth * smallest_rho(probes, coder, interpolation, first_rho(point, room));
     return point;
 }
@@ -103,7 +104,7 @@ GapAt gap_at(const Coder& coder, Interpolation interpolation, const Planes& plan
 GapCurve gap_curve(const Format& format, Interpolation interpolation, const Planes& planes, int distances) {
     GapCurve curve{format, interpolation, planes, {}};
     const Coder coder{format, planes};
-    const double first = planes.near * spread, last = planes.far / (spread * spread);
+    const double first = planes.near * place_spread, last = planes.far / (place_spread * place_spread);
     for (int i = 0; i < distances; ++i) {
         const double depth = first * std::pow(last / first, double(i) / (distances - 1));
         curve.points.push_back(gap_at(coder, interpolation, planes, depth));

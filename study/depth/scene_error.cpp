@@ -20,7 +20,7 @@ namespace {
 
 constexpr double no_depth = std::numeric_limits<double>::quiet_NaN();
 
-std::array<glm::dvec3, 3> corners_of(const Scene& scene, std::uint32_t triangle) {
+std::array<glm::dvec3, 3> world_corners(const Scene& scene, std::uint32_t triangle) {
     const glm::uvec3 index = scene.triangles[triangle];
     const auto& p = scene.vertices.position_world;
     return {glm::dvec3(p[index.x]), glm::dvec3(p[index.y]), glm::dvec3(p[index.z])};
@@ -142,7 +142,7 @@ class Sharing {
         : scene_(scene), planes_(planes), projector_(view), exact_(view), width_(view.width) {}
 
     std::vector<SeenTriangle> share(std::uint32_t triangle, std::span<const std::size_t> pixels) const {
-        const auto world = corners_of(scene_, triangle);
+        const auto world = world_corners(scene_, triangle);
         std::vector<SeenTriangle> pieces;
         for (const auto& part : before_near(
                  {projector_.camera(world[0]), projector_.camera(world[1]), projector_.camera(world[2])},

@@ -136,7 +136,7 @@ void add_bends(LevelScore& score, const View& view, const Frame& frame, const Pl
     score.bend_inside = percentile99(std::move(inside));
 }
 
-Plane<double> difference_of(const Plane<double>& a, const Plane<double>& b) {
+Plane<double> intensity_difference(const Plane<double>& a, const Plane<double>& b) {
     Plane<double> difference(a.size());
     for (std::size_t i = 0; i < a.pixels().size(); ++i)
         difference.pixels()[i] = std::abs(a.pixels()[i] - b.pixels()[i]);
@@ -255,7 +255,7 @@ TessellationStudy study_tessellation(const Lighting& lighting, int most_levels, 
             score.edge_px = median_edge_px(loaded.scene, view);
             LevelPicture shown{
                 level, method, picture(loaded.scene, view, frame, lighting, {.method = method}), {}, {}};
-            shown.difference = difference_of(shown.intensity, round);
+            shown.difference = intensity_difference(shown.intensity, round);
             shown.bend = bends(shown.intensity);
             add_errors(score, shown.difference);
             add_bends(score, view, frame, shown.bend);

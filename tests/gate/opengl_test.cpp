@@ -28,13 +28,13 @@ TEST_P(OpenGlOnSuite, HasNoUnexplainedPixelAndKeepsItsDepthBounds) {
     }
 }
 
-std::vector<std::string> suite_names() {
+std::vector<std::string> opengl_scene_names() {
     std::vector<std::string> names;
     for (const SuiteEntry& entry : suite_manifest()) names.push_back(entry.name);
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Suite, OpenGlOnSuite, testing::ValuesIn(suite_names()),
+INSTANTIATE_TEST_SUITE_P(Suite, OpenGlOnSuite, testing::ValuesIn(opengl_scene_names()),
                          [](const auto& scene) { return scene.param; });
 
 class OpenGlAsOracle : public testing::TestWithParam<std::string> {};

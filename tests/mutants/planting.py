@@ -84,17 +84,25 @@ def without_precompiled(words):
     return [word for word in words[:at] + words[at + 2:] if word != "-Winvalid-pch"]
 
 
+def sources_of(unit):
+    """What is compiled together: the sources that a file of the build's includes, or one source."""
+    if "Unity" not in unit.parts:
+        return [unit]
+    return [pathlib.Path(file) for file in re.findall(r'^#include "(.+)"', unit.read_text(), re.MULTILINE)]
+
+
 def compile_words(build, is_wanted):
-    """Words that compile sources, up to a name, each with the sources that they are for: some have flags of their
-    own."""
-    sources = {}
+    """The units that hold such a source: words that compile, up to a name, and all sources that are compiled together.
+    A defect in one of them can be in the code of all."""
+    units = []
     for command in json.loads((build / "compile_commands.json").read_text()):
-        file = pathlib.Path(command["file"])
-        if file.is_relative_to(ROOT) and is_wanted(file.relative_to(ROOT)):
+        sources = [file.relative_to(ROOT) for file in sources_of(pathlib.Path(command["file"]))
+                   if file.is_relative_to(ROOT)]
+        if any(is_wanted(source) for source in sources):
             words = without_precompiled(shlex.split(command["command"]))
-            flags = tuple(word for word in words[:words.index("-o")] if word not in ("-Werror", "-O3", "-g1"))
-            sources.setdefault(flags, []).append(file.relative_to(ROOT).as_posix())
-    return [(list(flags), files) for flags, files in sources.items()]
+            flags = [word for word in words[:words.index("-o")] if word not in ("-Werror", "-O3", "-g1")]
+            units.append((flags, [source.as_posix() for source in sources]))
+    return units
 
 
 def link_words(build, target):

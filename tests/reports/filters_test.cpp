@@ -35,7 +35,7 @@ MethodScore method(const std::string& label, double rmse, double texels) {
             .file = "pictures/s-v/" + label + ".exr"};
 }
 
-StudyResults sample() {
+StudyResults sample_study() {
     StudyResults r;
     r.version = "1", r.command = "zproof filters run <x>", r.compiler = "g++", r.truth = "B", r.threads = 2;
     r.metrics = {{.name = "rmse", .definition = "d", .source = "s"},
@@ -58,7 +58,7 @@ StudyResults sample() {
 }
 
 TEST(FiltersJson, ReadsBackWhatItWrote) {
-    StudyResults results = sample();
+    StudyResults results = sample_study();
     results.views[0].methods[1].regions[0].values[1] = std::numeric_limits<double>::infinity();
     const std::string text = filters_json(results);
     const StudyResults again = filters_from_json(text);
@@ -68,7 +68,7 @@ TEST(FiltersJson, ReadsBackWhatItWrote) {
 }
 
 TEST(FiltersJson, RefusesWhatItDidNotWrite) {
-    std::string text = filters_json(sample());
+    std::string text = filters_json(sample_study());
     EXPECT_THROW(filters_from_json("{"), ReportError);
     EXPECT_THROW(filters_from_json("{}"), ReportError);
     text.replace(text.find("\"1.0\""), 5, "\"2.0\"");
@@ -76,7 +76,7 @@ TEST(FiltersJson, RefusesWhatItDidNotWrite) {
 }
 
 TEST(FiltersCsv, HasARowPerValueAndQuotesNames) {
-    const std::string csv = filters_csv(sample());
+    const std::string csv = filters_csv(sample_study());
     EXPECT_EQ(
         csv.find(
             "scene,view,width,height,method,truth,region,pixels,metric,value,truth_half_width,resolved\n"),
@@ -91,7 +91,7 @@ TEST(FiltersCsv, HasARowPerValueAndQuotesNames) {
 
 /// 0.01 is not five times 0.004; nor are 0.2 and 0.205 so far apart.
 TEST(FiltersTable, SaysWhatIsNotResolved) {
-    const std::string table = filters_table(sample(), "interior");
+    const std::string table = filters_table(sample_study(), "interior");
     EXPECT_EQ(table.find("scene / view, 64 x 32, region 'interior' (1,000 pixels), GT-B\n"), 0u);
     EXPECT_NE(table.find("\n   1  best, & \"only\"  not resolved  not resolved"), std::string::npos) << table;
     EXPECT_NE(table.find("\n   2  nearest "), std::string::npos) << table;
@@ -100,14 +100,14 @@ TEST(FiltersTable, SaysWhatIsNotResolved) {
 }
 
 TEST(FiltersLatex, EscapesWhatLatexWouldTakeForItself) {
-    const std::string latex = filters_latex(sample(), "interior");
+    const std::string latex = filters_latex(sample_study(), "interior");
     EXPECT_NE(latex.find("best, \\& \"only\" & not resolved"), std::string::npos);
     EXPECT_NE(latex.find("dear\\_one"), std::string::npos);
     EXPECT_NE(latex.find("\\begin{tabular}{rlrrrrrrrrr}"), std::string::npos) << latex;
 }
 
 TEST(FiltersPage, HoldsWhatPeopleTypedAndNothingFromTheNetwork) {
-    const StudyResults results = sample();
+    const StudyResults results = sample_study();
     const ViewFigures figures{.truth = {"The truth.", "data:image/png;base64,AA=="},
                               .crop = {1, 2, 3, 4},
                               .crops = {{"truth", "data:,"}},
@@ -125,7 +125,7 @@ TEST(FiltersPage, HoldsWhatPeopleTypedAndNothingFromTheNetwork) {
 }
 
 TEST(FiltersPlots, TheFrontIsWhatNobodyBeatsInBoth) {
-    const std::vector<Plot> plots = filters_plots(sample(), {});
+    const std::vector<Plot> plots = filters_plots(sample_study(), {});
     ASSERT_EQ(plots.size(), 3u);
     EXPECT_EQ(plots[0].name, "pareto");
     EXPECT_EQ(plots[1].name, "anisotropy");

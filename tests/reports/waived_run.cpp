@@ -34,7 +34,7 @@ ReportedFinding hidden_at(int x, const std::string& by) {
             .waiver = by};
 }
 
-ViewResult room() {
+ViewResult waived_room() {
     ViewResult v;
     v.scene = "room";
     v.source = "models/room.glb";
@@ -73,7 +73,7 @@ Results waived_run() {
     r.waivers.push_back(waiver("expired", "2026-04-09", 40));
     r.waivers.push_back(waiver("unused", "2026-05-09", 52));
     r.waivers.push_back(waiver("elsewhere", "2026-05-09", 64));
-    r.views = {room()};
+    r.views = {waived_room()};
     return r;
 }
 

@@ -54,12 +54,14 @@ Scene written_alone_and_loaded(const Scene& scene) {
     return load_gltf_scene(folder.path() / "scene.glb");
 }
 
-std::array<std::uint32_t, 3> bits(const glm::vec3& v) {
+std::array<std::uint32_t, 3> bits_of_vector(const glm::vec3& v) {
     return std::bit_cast<std::array<std::uint32_t, 3>>(v);
 }
 
 void expect_same_bits(const Vertices& a, const Vertices& b) {
-    const auto same = [](const glm::vec3& p, const glm::vec3& q) { return bits(p) == bits(q); };
+    const auto same = [](const glm::vec3& p, const glm::vec3& q) {
+        return bits_of_vector(p) == bits_of_vector(q);
+    };
     EXPECT_TRUE(std::ranges::equal(a.position_world, b.position_world, same));
     EXPECT_TRUE(std::ranges::equal(a.normal_world, b.normal_world, same));
     EXPECT_EQ(a.uv, b.uv);
@@ -72,7 +74,7 @@ void expect_same(const View& a, const View& b) {
     EXPECT_EQ(a.name, b.name);
     EXPECT_EQ(a.width, b.width);
     EXPECT_EQ(a.height, b.height);
-    EXPECT_EQ(bits(a.camera.eye_world), bits(b.camera.eye_world));
+    EXPECT_EQ(bits_of_vector(a.camera.eye_world), bits_of_vector(b.camera.eye_world));
     EXPECT_EQ(a.camera.right, b.camera.right);
     EXPECT_EQ(a.camera.up, b.camera.up);
     EXPECT_EQ(a.camera.back, b.camera.back);

@@ -16,15 +16,6 @@ using nlohmann::json;
 
 const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0};
 
-std::string refusal_of(const std::filesystem::path& file) {
-    try {
-        load_gltf(file);
-    } catch (const SceneError& error) {
-        return error.what();
-    }
-    return "loaded";
-}
-
 /// A value that does not belong at the place of a file of one triangle, and what is said of it.
 struct Fault {
     const char *place, *value, *message;

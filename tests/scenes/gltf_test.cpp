@@ -18,15 +18,6 @@ using Triangles = Bulk<glm::uvec3>;
 
 const std::vector<float> five_points{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0};
 
-std::string refusal_of(const std::filesystem::path& file) {
-    try {
-        load_gltf(file);
-    } catch (const SceneError& error) {
-        return error.what();
-    }
-    return "loaded";
-}
-
 bool has_note(const Scene& scene, const std::string& part) {
     for (const std::string& note : scene.notes)
         if (note.find(part) != std::string::npos) return true;

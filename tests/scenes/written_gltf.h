@@ -11,6 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "scenes/gltf.h"
+#include "scenes/scene_error.h"
+
 namespace zproof {
 
 /// A folder that lives as long as the test, named after it.
@@ -93,5 +96,15 @@ class WrittenGltf {
   private:
     std::vector<char> bytes_;
 };
+
+/// What is said of a file that is refused.
+inline std::string refusal_of(const std::filesystem::path& file) {
+    try {
+        load_gltf(file);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "loaded";
+}
 
 }  // namespace zproof

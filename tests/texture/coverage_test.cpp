@@ -5,12 +5,12 @@
 #include <random>
 #include <vector>
 
+#include "math/rounding.h"
+
 namespace zproof::texture {
 namespace {
 
 using Weights = std::vector<double>;
-
-constexpr double unit_roundoff = 0x1p-53;
 
 /// Each texel's share of [low, high], texel by texel along the unwrapped line: the definition itself.
 Weights by_brute_force(const Extent& extent, Wrap wrap, int size) {
@@ -41,7 +41,7 @@ Weights of_prefixes(const Extent& extent, Wrap wrap, int size) {
 /// A coordinate's rounding, over the interval's length, at either end and once more per period: 32 of them.
 void expect_close(const Weights& expected, const Weights& found, const Extent& extent) {
     const double farthest = 1 + std::max(std::abs(extent.low), std::abs(extent.high)),
-                 bound = 32 * unit_roundoff * farthest * farthest / (extent.high - extent.low);
+                 bound = 32 * unit_roundoff_float64 * farthest * farthest / (extent.high - extent.low);
     for (std::size_t i = 0; i < expected.size(); ++i)
         EXPECT_NEAR(expected[i], found[i], bound)
             << "texel " << i << " of " << extent.low << " to " << extent.high;

@@ -7,14 +7,13 @@
 #include <limits>
 #include <set>
 
+#include "math/rounding.h"
 #include "tests/support/footprints.h"
 #include "texture/catalogue.h"
 #include "texture/mip_chain.h"
 
 namespace zproof::texture {
 namespace {
-
-constexpr double unit_roundoff = 0x1p-53;
 
 std::vector<std::string> methods_of_texels() {
     std::vector<std::string> names;
@@ -40,7 +39,7 @@ class EveryMethod : public testing::TestWithParam<std::string> {
 };
 
 /// Each weight carries the roundings of a few products and quotients, each sum one more a tap.
-double roundings(std::size_t taps) { return (double(taps) + 16) * unit_roundoff; }
+double roundings(std::size_t taps) { return (double(taps) + 16) * unit_roundoff_float64; }
 
 TEST_P(EveryMethod, HasWeightsOfSumOne) {
     const Sampler sampler = method().prepare(random_image(48, 33, 1), {});
@@ -118,7 +117,7 @@ TEST_P(EveryMethod, WrapsAsItIsTold) {
     };
     const Sampler repeat = sampler(Wrap::repeat), mirror = sampler(Wrap::mirrored_repeat),
                   clamp = sampler(Wrap::clamp_to_edge);
-    const double slack = 1000 * unit_roundoff;
+    const double slack = 1000 * unit_roundoff_float64;
     for (std::uint32_t seed = 0; seed < footprints; ++seed) {
         SCOPED_TRACE(seed);
         Rng rng{seed};
@@ -219,7 +218,7 @@ TEST(Trilinear, FindsItsPlaceInLevelsOfOddSizes) {
                     there = flat_footprint({37.25 / 50 * 12, 11.5 / 21 * 5}, {1, 0}, {0, 1});
     // A place of some ten texels, each rounded once or twice on its way.
     EXPECT_LE(distance(prepared("trilinear-gl", image).colour(f), prepared("bilinear", level).colour(there)),
-              64 * unit_roundoff);
+              64 * unit_roundoff_float64);
 }
 
 /// Half an octave on: OpenGL blends half and half, OpenImageIO by sqrt(2) - 1.
@@ -495,7 +494,7 @@ TEST(Supersample, IsTheMeanOfThePlacesSeen) {
         for (const double x : {1 / 6.0, 0.5, 5 / 6.0}) sum += bilinear.colour({.centre = f.at({x, y})});
     const Sampler nine = prepared("supersample-bilinear", image, {.subdivisions = 3});
     // A place some hundred texels out carries that many roundoffs, and values differ by at most 1 a texel.
-    EXPECT_LE(distance(nine.colour(f), sum / 9.0), 4096 * unit_roundoff);
+    EXPECT_LE(distance(nine.colour(f), sum / 9.0), 4096 * unit_roundoff_float64);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ glm::dvec4 mean(const LinearImage& image) {
 }
 
 /// The largest of the channels' differences.
-double distance(const glm::dvec4& a, const glm::dvec4& b) {
+double largest_difference(const glm::dvec4& a, const glm::dvec4& b) {
     double most = 0;
     for (int i = 0; i < 4; ++i) most = std::max(most, std::abs(a[i] - b[i]));
     return most;
@@ -72,14 +72,16 @@ TEST(MipChain, PolyphaseKeepsTheMeanOfEverySize) {
         const LinearImage image = random_image(width, 41 - width, std::uint32_t(width));
         const auto levels = mip_chain(image, MipKernel::polyphase);
         for (std::size_t level = 0; level < levels.size(); ++level)
-            EXPECT_LE(distance(mean(levels[level]), mean(image)), double(level) * float_roundoff) << width;
+            EXPECT_LE(largest_difference(mean(levels[level]), mean(image)), double(level) * float_roundoff)
+                << width;
     }
 }
 
 TEST(MipChain, BoxKeepsTheMeanOfPowersOfTwoOnly) {
     const LinearImage even = random_image(16, 64, 5), odd = random_image(15, 15, 5);
-    EXPECT_LE(distance(mean(mip_chain(even, MipKernel::box).back()), mean(even)), 6 * float_roundoff);
-    EXPECT_GT(distance(mean(mip_chain(odd, MipKernel::box).back()), mean(odd)), 1e-3);
+    EXPECT_LE(largest_difference(mean(mip_chain(even, MipKernel::box).back()), mean(even)),
+              6 * float_roundoff);
+    EXPECT_GT(largest_difference(mean(mip_chain(odd, MipKernel::box).back()), mean(odd)), 1e-3);
 }
 
 TEST(MipChain, WeightsOfEveryKernelSumToOneAndStayWithinTheLine) {
@@ -128,7 +130,7 @@ TEST(MipChain, OfAConstantIsConstant) {
     for (const MipKernel kernel : kernels)
         for (const LinearImage& level : mip_chain(constant_image(37, 20, value), kernel))
             for (const glm::vec4& texel : level.texels)
-                EXPECT_LE(distance(glm::dvec4{texel}, glm::dvec4{value}), 6 * float_roundoff);
+                EXPECT_LE(largest_difference(glm::dvec4{texel}, glm::dvec4{value}), 6 * float_roundoff);
 }
 
 TEST(MipChain, BoxesAreToldAsOneRectangle) {
@@ -158,7 +160,7 @@ TEST(MipChain, StoredImagesTellWhatTheyAreMadeOf) {
                         for (int y = 0; y < share.rows; ++y)
                             for (int x = 0; x < share.columns; ++x)
                                 sum += share.weight * glm::dvec4{image.at(share.column + x, share.row + y)};
-                    EXPECT_LE(distance(sum, glm::dvec4{levels[k].at(column, row)}),
+                    EXPECT_LE(largest_difference(sum, glm::dvec4{levels[k].at(column, row)}),
                               double(2 * k) * 4 * float_roundoff);
                 }
         }

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/rounding.h"
 #include "tests/support/footprints.h"
 #include "tests/support/worked_setup.h"
 #include "texture/catalogue.h"
 
 namespace zproof::texture {
 namespace {
-
-constexpr double unit_roundoff = 0x1p-53;
 
 constexpr BaseLevel square{64, 64, {}};
 
@@ -44,7 +43,7 @@ TEST(Recorder, TrilinearsKernelIsMadeOfBoxes) {
     EXPECT_EQ(kernel.first_column, 20);
     EXPECT_EQ(kernel.width, 4);
     EXPECT_EQ(kernel.height, 4);
-    for (const double weight : kernel.weights) EXPECT_NEAR(weight, 1.0 / 16, 8 * unit_roundoff);
+    for (const double weight : kernel.weights) EXPECT_NEAR(weight, 1.0 / 16, 8 * unit_roundoff_float64);
     const Kernel aside = kernel_of("trilinear-gl", flat_footprint({23, 22}, {step, 0}, {0, step}));
     EXPECT_EQ(aside.first_column, 20);
     EXPECT_EQ(aside.width, 8);
@@ -53,7 +52,8 @@ TEST(Recorder, TrilinearsKernelIsMadeOfBoxes) {
         0.75 / 32, 0.75 / 32, 0.75 / 32 + 1.0 / 16, 0.75 / 32 + 1.0 / 16, 0.25 / 32, 0.25 / 32,
         0.25 / 32, 0.25 / 32};
     for (int column = 20; column < 28; ++column)
-        EXPECT_NEAR(aside.at(column, 22), row[std::size_t(column - 20)], 16 * unit_roundoff) << column;
+        EXPECT_NEAR(aside.at(column, 22), row[std::size_t(column - 20)], 16 * unit_roundoff_float64)
+            << column;
 }
 
 TEST(Recorder, SummedAreasKernelIsItsBox) {
@@ -64,18 +64,19 @@ TEST(Recorder, SummedAreasKernelIsItsBox) {
     ASSERT_EQ(kernel.height, 4);
     for (int row = 28; row < 32; ++row)
         for (int column = 16; column < 25; ++column)
-            EXPECT_NEAR(kernel.at(column, row), (column == 24 ? 0.5 : 1) / 34, 64 * unit_roundoff) << column;
+            EXPECT_NEAR(kernel.at(column, row), (column == 24 ? 0.5 : 1) / 34, 64 * unit_roundoff_float64)
+                << column;
 }
 
 TEST(Recorder, ABoxOfWholeTexelsHasAUniformBoxsVarianceLessATexels) {
     const Footprint f = flat_footprint({20, 30}, {8, 0}, {0, 4});
     const KernelShape shape = shape_of(kernel_of("sat-moment", f));
     const glm::dmat2 footprint = footprint_covariance(f);
-    EXPECT_NEAR(shape.covariance[0][0], (64 - 1) / 12.0, 1e3 * unit_roundoff);
-    EXPECT_NEAR(shape.covariance[1][1], (16 - 1) / 12.0, 1e3 * unit_roundoff);
+    EXPECT_NEAR(shape.covariance[0][0], (64 - 1) / 12.0, 1e3 * unit_roundoff_float64);
+    EXPECT_NEAR(shape.covariance[1][1], (16 - 1) / 12.0, 1e3 * unit_roundoff_float64);
     EXPECT_EQ(footprint[0][0], 64 / 12.0);
     EXPECT_EQ(footprint[1][1], 16 / 12.0);
-    EXPECT_NEAR(shape.centroid.x, 20, 1e3 * unit_roundoff);
+    EXPECT_NEAR(shape.centroid.x, 20, 1e3 * unit_roundoff_float64);
 }
 
 TEST(Recorder, UnwrapsARepeatedAxis) {
@@ -84,8 +85,8 @@ TEST(Recorder, UnwrapsARepeatedAxis) {
     EXPECT_EQ(kernel.width, 8);
     EXPECT_EQ(kernel.first_row, 63);
     EXPECT_EQ(kernel.height, 6);
-    EXPECT_NEAR(shape_of(kernel).centroid.x, -1, 1e3 * unit_roundoff);
-    EXPECT_NEAR(shape_of(kernel).centroid.y, 66, 1e3 * unit_roundoff);
+    EXPECT_NEAR(shape_of(kernel).centroid.x, -1, 1e3 * unit_roundoff_float64);
+    EXPECT_NEAR(shape_of(kernel).centroid.y, 66, 1e3 * unit_roundoff_float64);
 }
 
 TEST(Recorder, LeavesAClampedAxisAlone) {
@@ -94,7 +95,8 @@ TEST(Recorder, LeavesAClampedAxisAlone) {
     const Kernel kernel = record(sat, flat_footprint({-1, 10}, {8, 0}, {0, 6}), {64, 64, clamp});
     EXPECT_EQ(kernel.first_column, 0);
     EXPECT_EQ(kernel.width, 3);
-    EXPECT_NEAR(kernel.at(0, 10), 6 / 48.0, 64 * unit_roundoff);  // five texels beyond the edge and its own
+    EXPECT_NEAR(kernel.at(0, 10), 6 / 48.0,
+                64 * unit_roundoff_float64);  // five texels beyond the edge and its own
     const Kernel beyond = record(sat, flat_footprint({-70, 10}, {8, 0}, {0, 6}), {64, 64, clamp});
     EXPECT_EQ(beyond.first_column, 0);
     EXPECT_EQ(beyond.width, 1);
@@ -149,7 +151,7 @@ TEST_P(EveryKernel, TimesTheTextureIsTheColour) {
                     weights += std::abs(weight);
                 }
             // Levels of a chain are rounded to float32 once each, 6 of them; coordinates reach 10^4 texels.
-            const double bound = weights * (6 * 0x1p-24 + 1e4 * 64 * unit_roundoff);
+            const double bound = weights * (6 * 0x1p-24 + 1e4 * 64 * unit_roundoff_float64);
             EXPECT_NEAR(sum, sampler.colour(f).r, bound) << "row " << y << ", wrap " << int(wrap);
             EXPECT_NEAR(shape_of(kernel).sum, 1, bound);
         }

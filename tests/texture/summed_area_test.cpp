@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "math/rounding.h"
 #include "tests/support/footprints.h"
 #include "tests/support/worked_setup.h"
 #include "texture/catalogue.h"
@@ -13,7 +14,6 @@
 namespace zproof::texture {
 namespace {
 
-constexpr double unit_roundoff = 0x1p-53;
 constexpr std::array storages{SatStorage::integer, SatStorage::float64, SatStorage::float32,
                               SatStorage::float32_less_mean};
 
@@ -77,7 +77,7 @@ TEST(SummedArea, RoundsToItsStorageOnce) {
 }
 
 /// sum |weight| of a mean is 1, and each term has at most 8 roundings; the sum of up to 25 terms has 25 more.
-constexpr double mean_bound = 40 * unit_roundoff;
+constexpr double mean_bound = 40 * unit_roundoff_float64;
 
 TEST(SatMethods, OverOneTexelAreBilinear) {
     const LinearImage image = noise(16, 9);
@@ -93,7 +93,7 @@ TEST(SatMethods, OverOneTexelAreBilinear) {
                 const glm::dvec4 difference = glm::abs(sat.colour(small) - bilinear.colour(small));
                 // The places themselves are rounded: 2^-53 times 20 texels, times the steepest slope, 1.
                 for (int c = 0; c < 4; ++c)
-                    EXPECT_LE(difference[c], mean_bound + 80 * unit_roundoff) << method.name;
+                    EXPECT_LE(difference[c], mean_bound + 80 * unit_roundoff_float64) << method.name;
             }
         }
     }
@@ -121,7 +121,7 @@ TEST(SatMethods, GiveTheMeanOfTheWrappedTextureOverTheirBox) {
             expected /= extent.x * extent.y;
             const double found = sat.colour(flat_footprint(centre, {extent.x, 0}, {0, extent.y})).r;
             // 32 x 32 terms of the definition, each rounded; places up to 64 over lengths of at least 1.
-            EXPECT_NEAR(found, expected, (1024 + 4 * 64) * unit_roundoff);
+            EXPECT_NEAR(found, expected, (1024 + 4 * 64) * unit_roundoff_float64);
         }
     }
 }
@@ -142,7 +142,7 @@ TEST(SatMethods, TapsTimesStoredSumsAreTheColour) {
                 absolute += std::abs(tap.weight) * 21 * 13;
             }
             // Coordinates reach 15000 texels; the weights of either sign inherit their rounding.
-            const double bound = 64 * unit_roundoff * (absolute + 15000);
+            const double bound = 64 * unit_roundoff_float64 * (absolute + 15000);
             EXPECT_LE(glm::length(sum - sat.colour(f)), bound) << method.name << " row " << y;
         }
     }
@@ -160,7 +160,7 @@ TEST(SatMethods, ShareOneConstant) {
                 const glm::dvec4 colour = sat.colour(f);
                 const double far = 1 + std::abs(f.centre.x) + std::abs(f.centre.y) + glm::length(f.per_y);
                 for (int c = 0; c < 4; ++c)
-                    EXPECT_NEAR(colour[c], double(image.texels[0][c]), 64 * far * unit_roundoff)
+                    EXPECT_NEAR(colour[c], double(image.texels[0][c]), 64 * far * unit_roundoff_float64)
                         << method.name << y;
             }
         }

@@ -61,7 +61,7 @@ struct OwnTrilinear {
 };
 
 /// Probes along the longer axis, from -reach to reach.
-struct Line {
+struct ProbeLine {
     glm::dvec2 reach;  ///< (major - minor) along the axis, texels
     int probes = 1;
     double exponent = 0;  ///< a probe at p of the reach, -1 < p < 1, weighs exp(-2 (exponent p)^2)
@@ -73,7 +73,7 @@ double aspect_of(double major, double minor, double most) {
     return major > minor ? std::min(major / minor, most) : 1;
 }
 
-Line line_of(const MipReads& mips, const Footprint& footprint) {
+ProbeLine probe_line(const MipReads& mips, const Footprint& footprint) {
     const glm::dvec2 size = size_of(mips.levels[0]);
     const Ellipse axes = ellipse(in_unit_square(footprint, size));
     const double most = mips.options.max_anisotropy, largest = std::max(size.x, size.y);
@@ -91,7 +91,7 @@ Line line_of(const MipReads& mips, const Footprint& footprint) {
 
 struct OwnAnisotropic {
     void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
-        const Line line = line_of(mips, footprint);
+        const ProbeLine line = probe_line(mips, footprint);
         if (line.probes == 1) return read_both(mips, line.levels, {footprint.centre, 1}, read);
         const auto place = [&](int i) { return (2 * i + 1.0) / line.probes - 1; };
         const auto weight = [&](int i) {

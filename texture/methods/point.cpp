@@ -5,8 +5,8 @@ namespace zproof::texture {
 
 namespace {
 
-/// Level 0 alone, read by Kind.
-enum class Kind { nearest, bilinear, bicubic };
+/// How level 0, the only one, is read.
+enum class PointRead { nearest, bilinear, bicubic };
 
 /// Catmull-Rom at distance x from a texel's centre, |x| < 2: Keys 1981 with a = -1/2.
 double catmull_rom(double x) {
@@ -27,16 +27,16 @@ void read_bicubic(const LinearImage& image, const Addressing& wrap, const glm::d
                 tap.weight * catmull_rom(low.x + right - between.x) * catmull_rom(low.y + down - between.y)});
 }
 
-template <Kind kind>
+template <PointRead kind>
 struct PointRule {
     LinearImage image;
     Addressing wrap;
 
     void operator()(const Footprint& footprint, auto&& read) const {
         const Tap whole{.image = 0, .weight = 1};
-        if constexpr (kind == Kind::nearest)
+        if constexpr (kind == PointRead::nearest)
             read_nearest(image, wrap, footprint.centre, whole, read);
-        else if constexpr (kind == Kind::bilinear)
+        else if constexpr (kind == PointRead::bilinear)
             read_bilinear(image, wrap, footprint.centre, whole, read);
         else
             read_bicubic(image, wrap, footprint.centre, whole, read);
@@ -44,8 +44,8 @@ struct PointRule {
     glm::dvec4 value(const Tap& tap) const { return glm::dvec4{image.at(tap.column, tap.row)}; }
 };
 
-template <Kind kind>
-Sampler prepare(const LinearImage& image, const FilterOptions& options) {
+template <PointRead kind>
+Sampler prepare_point(const LinearImage& image, const FilterOptions& options) {
     return sampler(PointRule<kind>{image, options.addressing}, {level_zero(image)});
 }
 
@@ -58,13 +58,13 @@ std::vector<Method> point_methods() {
                   .lod = "Level 0.",
                   .taps = "The texel that holds the place.",
                   .source = "OpenGL 4.6 core, 8.14.3"},
-         .prepare = prepare<Kind::nearest>},
+         .prepare = prepare_point<PointRead::nearest>},
         {.name = "bilinear",
          .card = {.footprint = "The pixel's centre.",
                   .lod = "Level 0.",
                   .taps = "The four texels whose centres surround the place, weighted by product.",
                   .source = "OpenGL 4.6 core, 8.14.3"},
-         .prepare = prepare<Kind::bilinear>},
+         .prepare = prepare_point<PointRead::bilinear>},
         {.name = "bicubic",
          .card = {.footprint = "The pixel's centre.",
                   .lod = "Level 0.",
@@ -72,7 +72,7 @@ std::vector<Method> point_methods() {
                       "The sixteen texels around the place, weighted by the product of two Catmull-Rom "
                       "cubics (a = -1/2). Weights may be negative: the result may leave the texels' range.",
                   .source = "Keys 1981; Catmull and Rom 1974"},
-         .prepare = prepare<Kind::bicubic>}};
+         .prepare = prepare_point<PointRead::bicubic>}};
 }
 
 }  // namespace zproof::texture

@@ -63,7 +63,7 @@ struct RipmapRule {
     }
 };
 
-Sampler prepare(const LinearImage& image, const FilterOptions& options) {
+Sampler prepare_ripmap(const LinearImage& image, const FilterOptions& options) {
     const AxisChain columns = axis_chain(image.width, options.mip_kernel, options.addressing.u),
                     rows = axis_chain(image.height, options.mip_kernel, options.addressing.v);
     RipmapRule rule{{}, columns.made_of.size(), rows.made_of.size(), options};
@@ -95,7 +95,7 @@ std::vector<Method> ripmap_methods() {
                   .taps = "Bilinear in the four images around the pair of LODs, weighted by the product of "
                           "their fractions.",
                   .source = "McReynolds and Blythe 1999, course notes (attribution from memory)"},
-         .prepare = prepare}};
+         .prepare = prepare_ripmap}};
 }
 
 }  // namespace zproof::texture

@@ -117,7 +117,7 @@ struct SatRule {
 };
 
 template <Shape shape>
-Sampler prepare(const LinearImage& image, const FilterOptions& options) {
+Sampler prepare_sat(const LinearImage& image, const FilterOptions& options) {
     const auto rule = std::make_shared<const SatRule<shape>>(
         SatRule<shape>{SummedArea(image, options.sat_storage), options});
     const StoredImage sums{image.width, image.height, rule->table.bytes_per_texel(), [](int column, int row) {
@@ -145,7 +145,7 @@ Method described(Shape shape, std::string name, std::string footprint, std::stri
 template <Shape shape>
 Method method(std::string name, std::string footprint, std::string source) {
     Method made = described(shape, std::move(name), std::move(footprint), std::move(source));
-    made.prepare = prepare<shape>;
+    made.prepare = prepare_sat<shape>;
     return made;
 }
 

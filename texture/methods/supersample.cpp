@@ -5,10 +5,10 @@ namespace zproof::texture {
 
 namespace {
 
-enum class Kind { nearest, bilinear };
+enum class TexelRead { nearest, bilinear };
 
 /// The mean of level 0 at n x n places of the pixel.
-template <Kind kind>
+template <TexelRead kind>
 struct SupersampleRule {
     LinearImage image;
     FilterOptions options;
@@ -23,7 +23,7 @@ struct SupersampleRule {
     }
     void read_at(const glm::dvec2& place, double weight, auto&& read) const {
         const Tap whole{.image = 0, .weight = weight};
-        if constexpr (kind == Kind::nearest)
+        if constexpr (kind == TexelRead::nearest)
             read_nearest(image, options.addressing, place, whole, read);
         else
             read_bilinear(image, options.addressing, place, whole, read);
@@ -31,8 +31,8 @@ struct SupersampleRule {
     glm::dvec4 value(const Tap& tap) const { return glm::dvec4{image.at(tap.column, tap.row)}; }
 };
 
-template <Kind kind>
-Sampler prepare(const LinearImage& image, const FilterOptions& options) {
+template <TexelRead kind>
+Sampler prepare_supersample(const LinearImage& image, const FilterOptions& options) {
     return sampler(SupersampleRule<kind>{image, options}, {level_zero(image)});
 }
 
@@ -49,8 +49,10 @@ Method method(std::string name, std::string taps, decltype(Method::prepare) prep
 }  // namespace
 
 std::vector<Method> supersample_methods() {
-    return {method("supersample-nearest", "The texel that holds each place; mean.", prepare<Kind::nearest>),
-            method("supersample-bilinear", "Bilinear at each place; mean.", prepare<Kind::bilinear>)};
+    return {method("supersample-nearest", "The texel that holds each place; mean.",
+                   prepare_supersample<TexelRead::nearest>),
+            method("supersample-bilinear", "Bilinear at each place; mean.",
+                   prepare_supersample<TexelRead::bilinear>)};
 }
 
 }  // namespace zproof::texture

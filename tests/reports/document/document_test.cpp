@@ -30,7 +30,7 @@ Table errors() {
             .shown = 2};
 }
 
-Document sample() {
+Document sample_document() {
     Plane<Rgb8> pixels{{2, 1}};
     pixels.at(1, 0) = {255, 0, 0};
     const Plot plot{
@@ -64,12 +64,12 @@ class DocumentFolder : public testing::Test {
 };
 
 TEST_F(DocumentFolder, ComesBackAsItWas) {
-    write_document(folder_, sample());
-    EXPECT_EQ(read_document(folder_), sample());
+    write_document(folder_, sample_document());
+    EXPECT_EQ(read_document(folder_), sample_document());
 }
 
 TEST_F(DocumentFolder, HoldsAFileForEveryItem) {
-    write_document(folder_, sample());
+    write_document(folder_, sample_document());
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator{folder_}) names.insert(entry.path().filename());
     EXPECT_EQ(names, (std::set<std::string>{"curve.svg", "errors.csv", "left.png", "lines.svg", "study.html",
@@ -77,7 +77,7 @@ TEST_F(DocumentFolder, HoldsAFileForEveryItem) {
 }
 
 TEST_F(DocumentFolder, AMissingPictureIsNamed) {
-    write_document(folder_, sample());
+    write_document(folder_, sample_document());
     fs::remove(folder_ / "left.png");
     try {
         read_document(folder_);
@@ -88,7 +88,7 @@ TEST_F(DocumentFolder, AMissingPictureIsNamed) {
 }
 
 TEST(DocumentJson, NumbersKeepTheirKindAndTheirBits) {
-    Document document = sample();
+    Document document = sample_document();
     std::get<Table>(document.sections[0].items[0]).rows[0][1] = std::nan("");
     document.sections[1].items.clear();
     const Document back = document_from_json(json_of(document), [](const std::string&) { return ""; });
@@ -102,10 +102,10 @@ TEST(DocumentJson, NumbersKeepTheirKindAndTheirBits) {
 TEST(DocumentJson, WhatIsNoneIsRefusedByItsPlace) {
     const auto nothing = [](const std::string&) { return std::string{}; };
     EXPECT_THROW(document_from_json("{}", nothing), ReportError);
-    std::string text = json_of(sample());
+    std::string text = json_of(sample_document());
     text.replace(text.find("\"1.0\""), 5, "\"2.0\"");
     EXPECT_THROW(document_from_json(text, nothing), ReportError);
-    std::string other = json_of(sample());
+    std::string other = json_of(sample_document());
     other.replace(other.find("\"chart\""), 7, "\"chant\"");
     EXPECT_THROW(document_from_json(other, nothing), ReportError);
 }
@@ -117,7 +117,7 @@ TEST(DocumentCsv, HoldsEveryRowExactlyAndQuotesWhatMustBe) {
 }
 
 TEST(DocumentTerminal, ShowsTheFirstRowsInColumnsAndSaysHowManyThereAre) {
-    EXPECT_EQ(terminal_text(sample()),
+    EXPECT_EQ(terminal_text(sample_document()),
               "A study of <angles>\nWhat was asked.\n\nFirst\n\nErrors by route\n"
               "  route             error, px   vertices\n"
               "  stages, \"float\"         0.3     12,345\n"
@@ -126,7 +126,7 @@ TEST(DocumentTerminal, ShowsTheFirstRowsInColumnsAndSaysHowManyThereAre) {
 }
 
 TEST(DocumentPage, EscapesShowsAndCarriesExactValues) {
-    const std::string page = page_of(sample());
+    const std::string page = page_of(sample_document());
     EXPECT_NE(page.find("A study of &lt;angles&gt;"), std::string::npos);
     EXPECT_EQ(page.find("<angles>"), std::string::npos);
     EXPECT_NE(page.find("<table class=\"sortable\">"), std::string::npos);
@@ -138,19 +138,19 @@ TEST(DocumentPage, EscapesShowsAndCarriesExactValues) {
 }
 
 TEST(DocumentSound, MistakesOfOursAreNamed) {
-    Document twice = sample();
+    Document twice = sample_document();
     twice.sections[1].items.push_back(Drawing{"left", "", "<svg/>"});
     EXPECT_THROW(require_sound(twice), std::logic_error);
-    Document short_row = sample();
+    Document short_row = sample_document();
     std::get<Table>(short_row.sections[0].items[0]).rows[1].pop_back();
     EXPECT_THROW(require_sound(short_row), std::logic_error);
-    Document bad_name = sample();
+    Document bad_name = sample_document();
     std::get<Drawing>(bad_name.sections[1].items[1]).name = "../lines";
     EXPECT_THROW(require_sound(bad_name), std::logic_error);
-    Document reserved = sample();
+    Document reserved = sample_document();
     std::get<Drawing>(reserved.sections[1].items[1]).name = "study";
     EXPECT_THROW(require_sound(reserved), std::logic_error);
-    EXPECT_NO_THROW(require_sound(sample()));
+    EXPECT_NO_THROW(require_sound(sample_document()));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Scene square(float z) {
                     {{0, 1, 2}, {0, 4, 3}});
 }
 
-View front() {
+View view_of_square() {
     View view{.name = "front", .camera = {}};
     view.width = 64, view.height = 48;
     return view;
@@ -44,7 +44,7 @@ TEST(Edges, OfNoLengthAreLeftOut) {
 }
 
 TEST(Lines, StandWhereTheCornersAreSeen) {
-    const Wireframe w = wireframe_of(square(-1), front());
+    const Wireframe w = wireframe_of(square(-1), view_of_square());
     ASSERT_EQ(w.lines.size(), 5u);
     // x = -0.5 of [-1, 1] is a quarter of 64 px; y likewise of 48
     EXPECT_TRUE(std::ranges::any_of(w.lines, [](const WireLine& line) {
@@ -54,7 +54,7 @@ TEST(Lines, StandWhereTheCornersAreSeen) {
 }
 
 TEST(Lines, AreCutByNearFarAndThePicture) {
-    View view = front();
+    View view = view_of_square();
     const Scene through = scene_of({{0, -0.02f, 1}, {0, -0.02f, -1}, {9, -0.02f, -1}}, {{0, 1, 2}});
     for (const WireLine& line : wireframe_of(through, view).lines)
         for (const glm::dvec2& p : {line.segment.a, line.segment.b}) {
@@ -79,8 +79,8 @@ TEST(Lines, BehindAnotherSurfaceAreHidden) {
     for (const glm::vec3& p : before.vertices.position_world) scene.vertices.position_world.push_back(p);
     scene.triangles.push_back({5, 6, 7}), scene.triangles.push_back({5, 9, 8});
     scene.parts[0].triangle_count = 4;
-    const Wireframe w = wireframe_of(scene, front());
-    const Wireframe told = split_by_visibility(w, rasterizer::render(scene, front()).primitive);
+    const Wireframe w = wireframe_of(scene, view_of_square());
+    const Wireframe told = split_by_visibility(w, rasterizer::render(scene, view_of_square()).primitive);
     for (const WireLine& line : told.lines) {
         const bool is_behind = told.edges[line.edge].triangles.front() < 2;
         EXPECT_EQ(line.visibility, is_behind ? Visibility::hidden : Visibility::seen);
@@ -112,11 +112,11 @@ TEST(EdgeAgreement, OfOurRasterizerIsWithinItsSnapping) {
 
 TEST(EdgeAgreement, APictureThatIsShiftedIsFarFromItsWireframe) {
     const Scene scene = square(-1);
-    Plane<PrimitiveId> ids = rasterizer::render(scene, front()).primitive;
+    Plane<PrimitiveId> ids = rasterizer::render(scene, view_of_square()).primitive;
     Plane<PrimitiveId> shifted{ids.size(), PrimitiveId::none};
     for (int y = 0; y < 48; ++y)
         for (int x = 2; x < 64; ++x) shifted.at(x, y) = ids.at(x - 2, y);
-    const EdgeAgreement a = edge_agreement(scene, front(), shifted, rasterizer::precision());
+    const EdgeAgreement a = edge_agreement(scene, view_of_square(), shifted, rasterizer::precision());
     EXPECT_GT(a.beyond, 20u);
     EXPECT_GT(a.largest_px, 1);
     EXPECT_LT(a.largest_px, 2.1);
@@ -132,7 +132,8 @@ TEST(EdgeAgreement, SurfacesThatCrossHaveNoEdgeThere) {
                                   {0, 0.7f, -1}},
                                  {{0, 1, 2}, {3, 4, 5}});
     const EdgeAgreement a =
-        edge_agreement(scene, front(), rasterizer::render(scene, front()).primitive, rasterizer::precision());
+        edge_agreement(scene, view_of_square(), rasterizer::render(scene, view_of_square()).primitive,
+                       rasterizer::precision());
     EXPECT_GT(a.by_depth, 10u);
     EXPECT_EQ(a.beyond, 0u);
 }
