@@ -25,16 +25,16 @@ constexpr std::string_view answer =
     "\nzproof: interrupted; finishing the piece in hand (once more: ends at once)\n";
 
 /// Does only what POSIX allows in a signal handler.
-extern "C" void note(int) {
+extern "C" void note_signal(int) {
     if (noted.exchange(true)) return;
-    [[maybe_unused]] const ssize_t told = write(STDERR_FILENO, answer.data(), answer.size());
+    [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, answer.data(), answer.size());
 }
 
 }  // namespace
 
 void note_interrupts() {
     struct sigaction action {};
-    action.sa_handler = note;
+    action.sa_handler = note_signal;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);

@@ -53,7 +53,7 @@ constexpr RasterPrecision pytorch3d() {
             .depth_roundings = 16};
 }
 
-const std::array presets{
+const std::array known_precisions{
     PrecisionPreset{"opengl", opengl(),
                     "OpenGL 4.6 core, 13.7 (clipping), 13.8 (viewport), 14.6.1 (polygons)"},
     PrecisionPreset{"opengl-24bit", opengl_24bit(), "the same, with GL_DEPTH_COMPONENT24 (2.3.5)"},
@@ -78,11 +78,11 @@ const std::array presets{
 
 }  // namespace
 
-std::span<const PrecisionPreset> precision_presets() { return presets; }
+std::span<const PrecisionPreset> precision_presets() { return known_precisions; }
 
 std::optional<Precision> preset_precision(std::string_view name) {
-    const auto found = std::ranges::find(presets, name, &PrecisionPreset::name);
-    return found == presets.end() ? std::nullopt : std::optional(found->precision);
+    const auto found = std::ranges::find(known_precisions, name, &PrecisionPreset::name);
+    return found == known_precisions.end() ? std::nullopt : std::optional(found->precision);
 }
 
 }  // namespace zproof

@@ -30,7 +30,7 @@ const std::vector<Column> columns = [] {
         all.push_back({title, Align::right});
     return all;
 }();
-using Row = std::vector<std::string>;  ///< a text for each column
+using TextRow = std::vector<std::string>;  ///< a text for each column
 constexpr std::size_t longest_name = 40;
 
 std::string_view glyph_of(Outcome outcome) {
@@ -101,8 +101,8 @@ std::string defects_cell(const ViewResult& v) {
     return waived_count(v) == 0 ? failing : failing + " (" + grouped(waived_count(v)) + " waived)";
 }
 
-Row row_of(const ViewResult& v) {
-    Row row{verdict_text(v.outcome), shortened(title_of(v))};
+TextRow row_of(const ViewResult& v) {
+    TextRow row{verdict_text(v.outcome), shortened(title_of(v))};
     const bool was_begun = v.outcome != Outcome::not_judged || seconds(v.times) > 0;
     const std::string time = was_begun ? fixed(seconds(v.times), 2) : "";
     if (was_judged(v)) {
@@ -121,10 +121,10 @@ Row row_of(const ViewResult& v) {
 
 using Widths = std::vector<std::size_t>;
 
-Widths widths_of(const std::vector<Row>& rows) {
+Widths widths_of(const std::vector<TextRow>& rows) {
     Widths widths(columns.size());
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = width_of(columns[i].title);
-    for (const Row& row : rows)
+    for (const TextRow& row : rows)
         for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
     return widths;
 }
@@ -137,7 +137,7 @@ std::string heading(const Widths& widths) {
 }
 
 std::string table(const Results& results, Colour colour) {
-    std::vector<Row> rows;
+    std::vector<TextRow> rows;
     for (const ViewResult& v : results.views) rows.push_back(row_of(v));
     const Widths widths = widths_of(rows);
     std::string text = faint(heading(widths), colour) + "\n";

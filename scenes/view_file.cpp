@@ -25,7 +25,7 @@ using Path = std::filesystem::path;
 
 using nlohmann::json;
 
-constexpr std::uint64_t largest_file = std::uint64_t{1} << 24;
+constexpr std::uint64_t largest_view_file = std::uint64_t{1} << 24;
 constexpr std::size_t most_views = 1000;
 constexpr int largest_side = 16384;
 
@@ -193,7 +193,7 @@ Path model_of(const Path& file, const std::string& relative, const Path& models)
 }  // namespace
 
 Loaded load_view_file(const std::filesystem::path& file, const std::filesystem::path& models) {
-    const Bytes bytes = read_file(file, largest_file);
+    const Bytes bytes = read_file(file, largest_view_file);
     const json content = parse_json(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     const LocatedValue root(file, content, "");
     root.allow({"scene", "views"});

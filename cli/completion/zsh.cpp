@@ -7,7 +7,7 @@
 namespace zproof {
 namespace {
 
-std::string quoted(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
+std::string zsh_quoted(const std::string& text) { return "'" + replaced(text, "'", "'\\''") + "'"; }
 
 /// The text with its backslashes, brackets and colons escaped, as _arguments and _describe take it.
 std::string plain(std::string text) {
@@ -63,15 +63,15 @@ std::string option_line(const OutlineCommand& command, const OutlineOption& opti
         after += ":" + option.names.back() + ":" + offers.name_of(candidates_for(command, option));
     std::string text;
     for (const std::string& name : option.names)
-        text +=
-            " \\\n        " +
-            quoted(others + name + (option.takes != Takes::nothing && name.size() > 2 ? "=" : "") + after);
+        text += " \\\n        " +
+                zsh_quoted(others + name + (option.takes != Takes::nothing && name.size() > 2 ? "=" : "") +
+                           after);
     return text;
 }
 
 std::string positional_line(const OutlineCommand& command, const OutlineOption& positional, Offers& offers) {
-    return " \\\n        " + quoted((positional.takes == Takes::many ? "*:" : ":") + positional.names[0] +
-                                    ":" + offers.name_of(candidates_for(command, positional)));
+    return " \\\n        " + zsh_quoted((positional.takes == Takes::many ? "*:" : ":") + positional.names[0] +
+                                        ":" + offers.name_of(candidates_for(command, positional)));
 }
 
 /// A command with commands below it.
@@ -80,7 +80,7 @@ std::string group_tail(const OutlineCommand& command) {
         " \\\n        '1: :->command' '*:: :->rest'\n    case $state in\n        command)\n"
         "            local -a commands=(";
     for (const OutlineCommand& below : command.commands)
-        text += "\n                " + quoted(plain(below.name()) + ":" + below.description);
+        text += "\n                " + zsh_quoted(plain(below.name()) + ":" + below.description);
     text +=
         "\n            )\n            _describe command commands ;;\n        rest)\n"
         "            case $words[1] in\n";

@@ -10,7 +10,7 @@ namespace zproof {
 
 namespace {
 
-constexpr double u = unit_roundoff_float32;
+constexpr double u_float32 = unit_roundoff_float32;
 constexpr PlaneEquationBounds unknown{.z_error = unlimited, .spread = 1};
 constexpr double underflow = 16 * 0x1p-126;  ///< what 16 results, flushed to zero, may lack
 
@@ -100,7 +100,7 @@ class PlaneEquation {
                             2 * drift * (length(e1_) + length(e2_)) - 8 * drift * drift;
         if (!(area > 0)) return unknown;
         const Vector2 a1 = widen(e1_), a2 = widen(e2_);
-        const double of_area = gamma(4, u) * (a1.x * a2.y + a1.y * a2.x) / area;
+        const double of_area = gamma(4, u_float32) * (a1.x * a2.y + a1.y * a2.x) / area;
         if (!(of_area < 1)) return unknown;
         const double lost = of_area / (1 - of_area);
         const double spread = 1 + shift_.snap_px * (around + 6 * drift) / area;
@@ -131,11 +131,11 @@ class PlaneEquation {
         return {(std::abs(rise1_ * e2 - rise2_ * e1) + moved) / area, (rise1 * a2 + rise2 * a1) / area};
     }
     /// The error of a corner's z, from division and viewport.
-    double corner() const { return gamma(4, u) * std::max(z_max_, shift_.least_z_term); }
+    double corner() const { return gamma(4, u_float32) * std::max(z_max_, shift_.least_z_term); }
 
     double z_error(const View& view, const Shape& s) const {
         const double span = std::max({std::abs(rise1_), std::abs(rise2_), std::abs(rise1_ + rise2_)});
-        const double sixfold = gamma(6, u) * (1 + s.lost);
+        const double sixfold = gamma(6, u_float32) * (1 + s.lost);
         const Gradient dx = gradient(e1_.y, e2_.y, s.a1.y, s.a2.y, s.area);
         const Gradient dy = gradient(e1_.x, e2_.x, s.a1.x, s.a2.x, s.area);
         const double reach = shift_.snap_px + 2 * shift_.drift_px;
@@ -143,7 +143,8 @@ class PlaneEquation {
         const double slope_x = (1 + s.lost) * dx.most + sixfold * dx.terms;
         const double slope_y = (1 + s.lost) * dy.most + sixfold * dy.terms;
         return s.spread * (corner() + s.lost * span) + sixfold * (dx.terms * across + dy.terms * down) +
-               gamma(8, u) * (z_max_ + slope_x * (x_max_ + view.width) + slope_y * (y_max_ + view.height)) +
+               gamma(8, u_float32) *
+                   (z_max_ + slope_x * (x_max_ + view.width) + slope_y * (y_max_ + view.height)) +
                underflow;
     }
 

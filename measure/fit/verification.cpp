@@ -39,7 +39,7 @@ std::vector<PixelCoord> defects_under(const BoundedPrecision& promise, const Sce
                                       const Frame& frame) {
     const Frame nobody = frame_without_answers(frame.size());
     std::vector<PixelCoord> defects;
-    for (const Finding& f : judge(scene, view, {frame, promise}, {nobody, promise}).findings)
+    for (const zproof::Finding& f : judge(scene, view, {frame, promise}, {nobody, promise}).findings)
         defects.push_back({f.x, f.y});
     return defects;
 }

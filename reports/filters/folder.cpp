@@ -37,7 +37,7 @@ CropBox crop_of(const fs::path& folder, const ViewStudy& view, const Picture& tr
     return tally.worst(crop_side);
 }
 
-std::string name_of(const ViewStudy& view) {
+std::string study_view_name(const ViewStudy& view) {
     return fs::path{view.truth_file}.parent_path().filename().string();
 }
 
@@ -51,7 +51,8 @@ PageImage write_crop(const fs::path& file, const Picture& picture, const CropBox
 ViewFigures figures_of(const fs::path& folder, const StudyResults& results, const ViewStudy& view,
                        const FigureChoice& choice) {
     const Picture truth = read_picture(folder / view.truth_file);
-    const fs::path crops = folder / "crops" / name_of(view), plots = folder / "plots" / name_of(view);
+    const fs::path crops = folder / "crops" / study_view_name(view),
+                   plots = folder / "plots" / study_view_name(view);
     fs::create_directories(crops);
     fs::create_directories(plots);
     const Plane<Rgb8> whole = picture_of_light(truth);

@@ -27,7 +27,7 @@ constexpr std::size_t buffered_bytes = IGZIP_HIST_SIZE;
 /// pack them, and saves 2 % of the files.
 constexpr std::size_t own_codes_from = 4096, sample_bytes = 16384;
 
-enum class Ending { none, piece, stream };
+enum class BlockEnding { none, piece, stream };
 
 /// A piece of a long text: its first repetitions, which may not look back to what stands before, weigh
 /// little.
@@ -68,11 +68,11 @@ struct Deflater::Stream {
     /// Appends what becomes of all bytes. What igzip sees behind the last ones has to be its own buffer's,
     /// not what follows them in the caller's memory: it takes all into that buffer where they are few, and
     /// keeps the last of many there until it is told to end.
-    void pack(std::string_view bytes, Ending ending, std::string& packed) {
+    void pack(std::string_view bytes, BlockEnding ending, std::string& packed) {
         choose_codes(bytes);
         if (bytes.size() > buffered_bytes) {
             for (std::size_t at = 0; at < bytes.size(); at += largest_piece)
-                write_all(bytes.substr(at, largest_piece), Ending::none, packed);
+                write_all(bytes.substr(at, largest_piece), BlockEnding::none, packed);
             bytes = {};
         }
         write_all(bytes, ending, packed);
@@ -94,11 +94,11 @@ struct Deflater::Stream {
             throw std::logic_error{"igzip refused codes of its own"};
     }
 
-    void write_all(std::string_view bytes, Ending ending, std::string& packed) {
+    void write_all(std::string_view bytes, BlockEnding ending, std::string& packed) {
         state.next_in = readable(bytes);
         state.avail_in = static_cast<std::uint32_t>(bytes.size());
-        state.flush = ending == Ending::piece ? FULL_FLUSH : NO_FLUSH;
-        state.end_of_stream = ending == Ending::stream ? 1 : 0;
+        state.flush = ending == BlockEnding::piece ? FULL_FLUSH : NO_FLUSH;
+        state.end_of_stream = ending == BlockEnding::stream ? 1 : 0;
         for (std::size_t written = room_bytes; written == room_bytes;) {
             written = write();
             packed.append(room.get(), written);
@@ -123,7 +123,7 @@ Deflater& Deflater::operator=(Deflater&&) noexcept = default;
 std::string Deflater::deflated(std::string_view bytes) {
     std::string packed;
     stream_->begin(IGZIP_ZLIB);
-    stream_->pack(bytes, Ending::stream, packed);
+    stream_->pack(bytes, BlockEnding::stream, packed);
     return packed;
 }
 
@@ -133,7 +133,7 @@ DeflatedPiece Deflater::piece(std::string_view bytes) {
         .bits = "", .adler = isal_adler32(1, readable(bytes), bytes.size()), .size = bytes.size()};
     if (bytes.empty()) return made;
     stream_->begin(IGZIP_DEFLATE);
-    stream_->pack(bytes, Ending::piece, made.bits);
+    stream_->pack(bytes, BlockEnding::piece, made.bits);
     return made;
 }
 
