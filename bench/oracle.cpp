@@ -11,7 +11,7 @@
 namespace zproof::bench {
 namespace {
 
-constexpr int side = 4, lanes = side * side;
+constexpr int packet_side = 4, lanes = packet_side * packet_side;
 
 struct alignas(64) Packet {
     std::array<int, lanes> valid;
@@ -21,7 +21,8 @@ struct alignas(64) Packet {
 Packet packet_at(const View& view, int left, int top) {
     Packet packet;
     for (int lane = 0; lane < lanes; ++lane) {
-        const oracle::PrimaryRay ray = oracle::primary_ray(view, left + lane % side, top + lane / side);
+        const oracle::PrimaryRay ray =
+            oracle::primary_ray(view, left + lane % packet_side, top + lane / packet_side);
         packet.valid[std::size_t(lane)] = -1;
         RTCRay16& to = packet.rays.ray;
         to.org_x[lane] = ray.origin.x, to.org_y[lane] = ray.origin.y, to.org_z[lane] = ray.origin.z;
@@ -39,8 +40,9 @@ class BareEmbree {
     explicit BareEmbree(const TimedScene& timed)
         : device_(oracle::new_device()), scene_(oracle::share_triangles(device_.get(), timed.scene)) {
         rtcCommitScene(scene_.get());
-        for (int y = 0; y < timed.view.height; y += side)
-            for (int x = 0; x < timed.view.width; x += side) packets_.push_back(packet_at(timed.view, x, y));
+        for (int y = 0; y < timed.view.height; y += packet_side)
+            for (int x = 0; x < timed.view.width; x += packet_side)
+                packets_.push_back(packet_at(timed.view, x, y));
     }
     void trace() const {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, packets_.size(), 64), [&](const auto& some) {
@@ -61,7 +63,7 @@ class BareEmbree {
     std::vector<Packet> packets_;
 };
 
-void add_scene(const std::string& name, TimedScene (*make)()) {
+void add_embree_scene(const std::string& name, TimedScene (*make)()) {
     const Lazy<TimedScene> timed{make};
     const Lazy<oracle::Embree> ours{[=] { return oracle::Embree{timed->scene}; }};
     const Lazy<BareEmbree> bare{[=] { return BareEmbree{*timed}; }};
@@ -73,9 +75,9 @@ void add_scene(const std::string& name, TimedScene (*make)()) {
 }  // namespace
 
 void add_oracle() {
-    add_scene("room", room);
-    add_scene("ripples", [] { return ripples(); });
-    add_scene("soup", soup);
+    add_embree_scene("room", room);
+    add_embree_scene("ripples", [] { return ripples(); });
+    add_embree_scene("soup", soup);
 }
 
 }  // namespace zproof::bench

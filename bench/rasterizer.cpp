@@ -10,7 +10,7 @@
 namespace zproof::bench {
 namespace {
 
-void add_scene(const std::string& name, TimedScene (*make)()) {
+void add_opengl_scene(const std::string& name, TimedScene (*make)()) {
     const Lazy<TimedScene> timed{make};
     const Lazy<rasterizer::Renderer> ours{[] { return rasterizer::Renderer{}; }};
     add("rasterizer/" + name + "/zproof", [=] { ours->render(timed->scene, timed->view); });
@@ -22,9 +22,9 @@ void add_scene(const std::string& name, TimedScene (*make)()) {
 }  // namespace
 
 void add_rasterizer() {
-    add_scene("room", room);
-    add_scene("ripples", [] { return ripples(); });
-    add_scene("soup", soup);
+    add_opengl_scene("room", room);
+    add_opengl_scene("ripples", [] { return ripples(); });
+    add_opengl_scene("soup", soup);
 }
 
 }  // namespace zproof::bench

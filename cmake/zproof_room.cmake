@@ -3,16 +3,18 @@ set(zproof_precompiled
     <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <iterator> <limits> <map> <memory> <optional>
     <span> <sstream> <stdexcept> <string> <string_view> <utility> <vector> <glm/glm.hpp>)
 
-# zproof_build_quickly(target [-O1] [header ...]): with these headers precompiled too, as all targets of these options.
-function(zproof_build_quickly target optimize)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${optimize}>)
-    string(MAKE_C_IDENTIFIER "zproof_precompiled${optimize}${ARGN}" headers)
+# zproof_build_quickly(target [OPTIMIZE -O1] [LIBRARY name HEADER <name.h>]): all targets of the same options share what is
+# precompiled, that library's header too.
+function(zproof_build_quickly target)
+    cmake_parse_arguments(PARSE_ARGV 1 BUILD "" "OPTIMIZE;LIBRARY;HEADER" "")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${BUILD_OPTIMIZE}>)
+    string(MAKE_C_IDENTIFIER "zproof_precompiled${BUILD_OPTIMIZE}${BUILD_LIBRARY}" headers)
     if(NOT TARGET ${headers})
         file(CONFIGURE OUTPUT nothing_else.cpp CONTENT "")
         add_library(${headers} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/nothing_else.cpp)
-        target_link_libraries(${headers} PRIVATE zproof_strict)
-        target_compile_options(${headers} PRIVATE $<$<CONFIG:Release>:${optimize}>)
-        target_precompile_headers(${headers} PRIVATE ${zproof_precompiled} ${ARGN})
+        target_link_libraries(${headers} PRIVATE zproof_strict ${BUILD_LIBRARY})
+        target_compile_options(${headers} PRIVATE $<$<CONFIG:Release>:${BUILD_OPTIMIZE}>)
+        target_precompile_headers(${headers} PRIVATE ${zproof_precompiled} ${BUILD_HEADER})
     endif()
     target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()
@@ -25,15 +27,17 @@ function(zproof_room name)
     add_library(zproof::${name} ALIAS zproof_${name})
     set_target_properties(zproof_${name} PROPERTIES EXPORT_NAME ${name})
     target_link_libraries(zproof_${name} PUBLIC zproof_strict ${ROOM_USES})
-    zproof_build_quickly(zproof_${name} "${ROOM_OPTIMIZE}")
+    zproof_build_quickly(zproof_${name} OPTIMIZE ${ROOM_OPTIMIZE})
 endfunction()
 
 # zproof_test(room SOURCES a_test.cpp ... USES ...): one test program per room; every TEST is one ctest entry. What is
-# tested is compiled as it is shipped; the tests themselves, for a quick build, are optimized less.
+# tested is compiled as it is shipped; the tests themselves, for a quick build, are optimized less. Each source is compiled by
+# itself: tests share more names than programs do.
 function(zproof_test room)
     cmake_parse_arguments(TEST "" "" "SOURCES;USES" ${ARGN})
     add_executable(${room}_test ${TEST_SOURCES})
     target_link_libraries(${room}_test PRIVATE zproof_strict ${TEST_USES} GTest::gtest_main)
-    zproof_build_quickly(${room}_test -O1 <gtest/gtest.h>)
+    set_target_properties(${room}_test PROPERTIES UNITY_BUILD OFF)
+    zproof_build_quickly(${room}_test OPTIMIZE -O1 LIBRARY GTest::gtest_main HEADER <gtest/gtest.h>)
     gtest_discover_tests(${room}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()
