@@ -214,18 +214,31 @@ void RasterBounds::add_weights(TriangleBounds& bounds, const ViewFacts& facts, c
                                std::span<const WindowCorner> polygon) const {
     const bool are_exact = precision_.edge_functions != EdgeFunctions::from_corner;
     const double of_weights = are_exact ? 0 : areas.of_weights;
-    const double spread = 1 + 2 * (of_weights + 3 * precision_.barycentric_tolerance);
-    bounds.depth_eps_base_px *= spread;
-    bounds.depth_eps_per_inverse_depth *= spread;
-    if (!are_exact) {
-        const double largest =
-            largest_z(polygon) / std::abs(z_range(facts.view.camera, precision_).per_inverse_depth);
-        bounds.inverse_depth_error += of_weights * largest;
-        bounds.depth_factor += areas.of_area;
-    }
+    const double negative = 2 * (of_weights + 3 * precision_.barycentric_tolerance);
+    bounds.depth_eps_base_px *= 1 + negative;
+    bounds.depth_eps_per_inverse_depth *= 1 + negative;
+    if (negative > 0) add_reach_beyond_planes(bounds, facts, polygon, negative);
+    double of_area = are_exact ? 0 : areas.of_area;
     if (precision_.area_epsilon_px2 > 0)
-        bounds.depth_factor +=
-            areas.least_px2 > 0 ? precision_.area_epsilon_px2 / areas.least_px2 : unlimited;
+        of_area += areas.least_px2 > 0 ? precision_.area_epsilon_px2 / areas.least_px2 : unlimited;
+    const double slope = std::abs(z_range(facts.view.camera, precision_).per_inverse_depth);
+    // of a z-buffer's z it is a share of z, not of depth
+    (has_plain_depth() ? bounds.depth_factor : bounds.inverse_depth_error) +=
+        has_plain_depth() || of_area == 0 ? of_area : of_area * largest_z(polygon) / slope;
+    if (of_weights > 0) bounds.inverse_depth_error += of_weights * largest_z(polygon) / slope;
+}
+
+/// Weights of which some are negative, by `negative` in all, reach beyond the sides that near and far made.
+void RasterBounds::add_reach_beyond_planes(TriangleBounds& bounds, const ViewFacts& facts,
+                                           std::span<const WindowCorner> polygon, double negative) {
+    if (polygon.empty()) return;
+    const auto [low, high] =
+        std::ranges::minmax(polygon, {}, [](const WindowCorner& corner) { return corner.inverse_depth; });
+    const double beyond = negative * (high.inverse_depth - low.inverse_depth);
+    const Camera& c = facts.view.camera;
+    bounds.near_slack += facts.perspective ? beyond * c.near_depth * c.near_depth : beyond;
+    if (std::isfinite(c.far_depth))
+        bounds.far_slack += facts.perspective ? c.far_depth * compounded(beyond * c.far_depth) : beyond;
 }
 
 void RasterBounds::add_homogeneous(TriangleBounds& bounds, const ViewFacts& facts,

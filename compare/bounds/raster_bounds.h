@@ -46,6 +46,8 @@ class RasterBounds {
     /// Adds what weights err by where depth is their mean.
     void add_weights(TriangleBounds& bounds, const ViewFacts& facts, const WindowAreas& areas,
                      std::span<const WindowCorner> polygon) const;
+    static void add_reach_beyond_planes(TriangleBounds& bounds, const ViewFacts& facts,
+                                        std::span<const WindowCorner> polygon, double negative);
     /// Adds what edge functions and depth err by where nothing is divided before. `transform` as above.
     void add_homogeneous(TriangleBounds& bounds, const ViewFacts& facts, const TriangleExtent& extent,
                          double transform) const;

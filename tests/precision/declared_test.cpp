@@ -118,8 +118,6 @@ std::vector<Misdeclared> misdeclarations() {
     return {
         {"ReversedForStandard", "depth_range", opengl_24bit, world_reversed},
         {"UnormOf24ForOf16", "depth_range", fixed16, opengl_24bit},
-        {"FloatForUnormOf24", "depth_range", opengl_24bit,
-         with(opengl_24bit, &P::depth_format, DepthFormat::float32)},
         {"ZeroToOneForMinusOneToOne", "depth_range", wide_reversed, world_reversed},
         {"VaryingForBuffer", "depth_range", fixed16, with(fixed16, &P::shown_depth, ShownDepth::varying)},
         {"EyeForWorld", "far_from_origin", P{}, with(P{}, &P::origin, Origin::eye)},

@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+"""The gallery's adapters (docs/gallery.md): as declared, no pixel of theirs is a defect. Exit status 77 where the
+renderer is not installed.
+
+    gallery_test.py ZPROOF SOURCE open3d|vtk|blender
+"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+PYTHON = '/usr/bin/python3'  # Debian's own, which has Debian's packages
+NOT_INSTALLED = 77
+
+
+def has_modules(*modules):
+    return subprocess.run([PYTHON, '-c', 'import ' + ', '.join(modules)], capture_output=True).returncode == 0
+
+
+def open3d_command(source, folder):
+    mask = os.path.join(folder, 'open3d_mask.so')
+    subprocess.run(['cc', '-shared', '-fPIC', '-o', mask, os.path.join(source, 'examples/gallery/open3d_mask.c')],
+                   check=True)
+    return f'LD_PRELOAD={mask} {PYTHON} {source}/examples/gallery/open3d_render.py {{scene}} {{camera}} {{out}}'
+
+
+def vtk_command(source, _):
+    return f'xvfb-run -a {PYTHON} {source}/examples/gallery/vtk_render.py {{scene}} {{camera}} {{out}}'
+
+
+def blender_command(source, _):
+    return f'{PYTHON} {source}/examples/gallery/blender_render.py {{scene}} {{camera}} {{out}}'
+
+
+RENDERERS = {
+    'open3d': ('open3d', lambda: has_modules('open3d', 'numpy'), open3d_command),
+    'vtk': ('vtk', lambda: has_modules('vtkmodules', 'numpy') and shutil.which('xvfb-run'), vtk_command),
+    'blender': ('cycles', lambda: has_modules('OpenImageIO', 'numpy') and shutil.which('blender'), blender_command),
+}
+
+
+def main():
+    zproof, source, name = sys.argv[1:]
+    precision, is_installed, command = RENDERERS[name]
+    if not is_installed():
+        print(f'{name} is not installed')
+        return NOT_INSTALLED
+    with tempfile.TemporaryDirectory() as folder:
+        return subprocess.run([zproof, 'run', 'near_plane', '--width', '96', '--height', '54', '--oracle', 'none',
+                               '--precision', precision, '--renderer', command(source, folder), '--report', 'json',
+                               '-o', os.path.join(folder, 'out')]).returncode
+
+
+sys.exit(main())
