@@ -36,6 +36,7 @@ const std::set<std::string> passed_over{"build",
                                         ".git",
                                         "node_modules",
                                         "dist",
+                                        "blender_render.py",  // Blender's own names
                                         "LICENSE",
                                         "vocabulary_test.cpp",
                                         "package-lock.json",

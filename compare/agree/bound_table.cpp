@@ -37,8 +37,8 @@ void BoundTable::make() {
     for (std::size_t place = depths_.size(); place < triangles_.size(); ++place) {
         const TriangleInView triangle(first_pixel_, candidate.bounds,
                                       corners_of(scene, std::uint32_t(triangles_[place])));
-        depths_.push_back({TriangleDepth(triangle, candidate.shown_bounds),
-                           TriangleDepth(triangle, reference.shown_bounds)});
+        const ViewBounds &ours = candidate.shown_bounds, &theirs = reference.shown_bounds;
+        depths_.push_back({TriangleDepth(triangle, ours), TriangleDepth(triangle, theirs)});
     }
 }
 

@@ -122,8 +122,8 @@ class LabelledFrame {
 
     DepthOfOne depth_of(PrimitiveId triangle) const {
         const CornersWorld p_world = corners_of(scene_, std::uint32_t(triangle));
-        return {triangle, p_world,
-                TriangleDepth(TriangleInView(view_, labelled_.shown_bounds, p_world), labelled_.shown_bounds)};
+        const ViewBounds& shown = labelled_.shown_bounds;
+        return {triangle, p_world, TriangleDepth(TriangleInView(view_, shown, p_world), shown)};
     }
 
     DepthCheck check(const DepthOfOne& of, const PixelCoord& pixel) const {

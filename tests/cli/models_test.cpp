@@ -32,8 +32,13 @@ TEST_F(Models, AreFoundByEveryCommandThatReadsAViewFile) {
 }
 
 TEST_F(Models, AreNamedInTheCommandsOfFindings) {
-    const Ran ran = run(folder, {"run", "views", "--models", "models", "--oracle", "none", "--precision",
-                                 "bounded,eps_px=1e-12"});
+    const std::string view = folder.read("views/one.view.json");
+    std::string farther = view;
+    farther.replace(farther.find("[0, 0, 0]"), 9, "[0, 0, 2]");
+    folder.write("views/farther.view.json", farther);
+    run(folder, {"render", "views/farther.view.json", "--models", "models", "-o", "drawn"});
+    const Ran ran = run(folder, {"compare", "drawn/front.exr", "views/one.view.json", "--models", "models",
+                                 "--oracle", "none"});
     EXPECT_EQ(ran.exit_code, 1) << ran.out << ran.err;
     EXPECT_THAT(folder.read("zproof-out/results.json"), HasSubstr("--models models"));
 }

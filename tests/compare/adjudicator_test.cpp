@@ -264,7 +264,7 @@ TEST(Adjudicator, KnowsWhatContinuesAnEdgeJustBeyondTheSquare) {
     const View view = pixel_view(Projection::perspective, 48, 48);
     const ViewBounds bounds(view, RasterPrecision{.transform = Arithmetic::float32, .subpixel_bits = 8}),
         coarse(view, with_subpixel_bits(-2));
-    const Triangle swaying{{{24.5, -64, 8}, {24.5, 96, 8}, {-2e6, 24, 8}}};
+    const Triangle swaying{{{24.5, -64, 8}, {24.5, 96, 8}, {-1e6, 24, 8}}};
     const PixelQuery query{&bounds, PrimitiveId::none, 24, 24}, other{&coarse, PrimitiveId::none, 23, 23};
     const auto decided = [&](const Scene& scene, std::span<const PixelQuery> queries) {
         return adjudicate(scene, view, queries, QueryDetail::admissibility)[0].decision;
