@@ -200,7 +200,7 @@ Precision random_precision(RandomNumbers& numbers) {
                                             RasterPrecision{.origin = Origin::eye,
                                                             .clipping = Clipping::view_volume,
                                                             .depth_buffer = DepthBuffer::reversed_z,
-.depth_interpolation = DepthInterpolation::plane,
+                                                            .depth_interpolation = DepthInterpolation::plane,
                                                             .depth_roundings = 1},
                                             RasterPrecision{.subpixel_bits = 4, .snap = Snap::truncate},
                                             RayPrecision{},

@@ -40,11 +40,14 @@ std::string runs_of(const Plane<PixelClass>& classes, int y) {
 
 std::string counts_text(const ClassCounts& counts) {
     std::string text = "counts";
-    for (int c = 0; c < pixel_class_count; ++c)
+    for (int c = 0; c < pixel_class_count; ++c) {
+        // younger than the records, in which it does not occur
+        if (PixelClass(c) == PixelClass::undecidable && counts[std::size_t(c)] == 0) continue;
         text.append(" ")
             .append(name_of(PixelClass(c)))
             .append("=")
             .append(std::to_string(counts[std::size_t(c)]));
+    }
     return text + "\n";
 }
 
