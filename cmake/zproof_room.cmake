@@ -30,14 +30,20 @@ function(zproof_room name)
     zproof_build_quickly(zproof_${name} OPTIMIZE ${ROOM_OPTIMIZE})
 endfunction()
 
-# zproof_test(room SOURCES a_test.cpp ... USES ...): one test program per room; every TEST is one ctest entry. What is
+# zproof_test(room SOURCES a_test.cpp ... USES ... [SLOW filter]): one test program per room; every TEST is one ctest entry,
+# those that the filter of GoogleTest matches with the label slow. What is
 # tested is compiled as it is shipped; the tests themselves, for a quick build, are optimized less. Each source is compiled by
 # itself: tests share more names than programs do.
 function(zproof_test room)
-    cmake_parse_arguments(TEST "" "" "SOURCES;USES" ${ARGN})
+    cmake_parse_arguments(TEST "" "SLOW" "SOURCES;USES" ${ARGN})
     add_executable(${room}_test ${TEST_SOURCES})
     target_link_libraries(${room}_test PRIVATE zproof_strict ${TEST_USES} GTest::gtest_main)
     set_target_properties(${room}_test PROPERTIES UNITY_BUILD OFF)
     zproof_build_quickly(${room}_test OPTIMIZE -O1 LIBRARY GTest::gtest_main HEADER <gtest/gtest.h>)
-    gtest_discover_tests(${room}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+    if(NOT TEST_SLOW)
+        gtest_discover_tests(${room}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+        return()
+    endif()
+    gtest_discover_tests(${room}_test TEST_FILTER "-${TEST_SLOW}" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+    gtest_discover_tests(${room}_test TEST_FILTER "${TEST_SLOW}" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 1800 LABELS slow)
 endfunction()
