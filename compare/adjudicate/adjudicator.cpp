@@ -59,7 +59,7 @@ void Adjudicator::for_each_pixel(std::span<const PixelCoord> pixels, const DoAtP
     if (pixels.empty()) return;
     const Tiles tiles(view_);
     const ViewRays<double> rays(view_);
-    const TriangleSearch search(scene_, view_);
+    const TriangleSearch search(scene_, view_, renderers_);
     const TileWork::Setting setting{scene_, view_, rays, search, asked_, override_};
     std::vector<Pending> pending;
     for (std::size_t i = 0; i < pixels.size(); ++i) pending.push_back({std::uint32_t(i), first_search_px});

@@ -21,9 +21,14 @@ using DoAtPixel = std::function<double(TileWork& work, std::size_t pixel, double
 /// into one call.
 class Adjudicator {
   public:
-    /// All arguments must outlive it.
-    Adjudicator(const Scene& scene, const View& view, QueryDetail asked, RuleOverride override = nullptr)
-        : scene_(scene), view_(view), asked_(asked), override_(std::move(override)) {}
+    /// `renderers`: the bounds of all queries. Everything must outlive it.
+    Adjudicator(const Scene& scene, const View& view, std::vector<const ViewBounds*> renderers,
+                QueryDetail asked, RuleOverride override = nullptr)
+        : scene_(scene),
+          view_(view),
+          renderers_(std::move(renderers)),
+          asked_(asked),
+          override_(std::move(override)) {}
 
     /// Runs on all threads; one thread handles the pixels of a tile one after another. Leaves the rest undone
     /// where the surrounding task group is cancelled.
@@ -34,6 +39,7 @@ class Adjudicator {
   private:
     const Scene& scene_;
     const View& view_;
+    std::vector<const ViewBounds*> renderers_;
     QueryDetail asked_;
     RuleOverride override_;
 };

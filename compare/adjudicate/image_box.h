@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 
@@ -11,6 +12,9 @@ namespace zproof {
 
 /// A closed box of raster space, pixels; empty at first.
 struct Box {
+    /// Finite, so that an empty box does not meet what it bounds.
+    static constexpr double without_end = std::numeric_limits<double>::max();
+
     double left = std::numeric_limits<double>::infinity(), top = left, right = -left, bottom = -left;
 
     void add(double x, double y) {
@@ -25,7 +29,9 @@ struct Box {
     }
     void widen(double by) { left -= by, top -= by, right += by, bottom += by; }
     bool is_empty() const { return !(left <= right && top <= bottom); }
+    static Box unlimited() { return {-without_end, -without_end, without_end, without_end}; }
     bool fits(double side) const { return right - left <= side && bottom - top <= side; }
+    bool operator==(const Box&) const = default;
     bool meets(const Box& o) const {
         return left <= o.right && o.left <= right && top <= o.bottom && o.top <= bottom;
     }
@@ -41,21 +47,29 @@ class BoxProjection {
   public:
     explicit BoxProjection(const View& view);
 
-    /// The box around a triangle's image; nothing where it lies behind half the near depth.
+    /// The box around the image of what a triangle has beyond half the near depth; nothing where that is
+    /// none.
     std::optional<Box> operator()(const CornersWorld& p_world) const;
-    /// The box around one corner's image; nothing where it lies behind half the near depth or is no place.
+    /// The same of all that it has before the eye, however near, in a perspective.
+    std::optional<Box> before_eye(const CornersWorld& p_world) const;
+    /// The box around one corner's image; nothing where it lies nearer than half the near depth or is no
+    /// place.
     std::optional<Box> operator()(const glm::vec3& p_world) const;
 
   private:
+    struct InCamera {
+        std::array<glm::dvec3, 3> p_camera;
+        double size;  ///< the largest sum of a corner's absolute coordinates, from the eye
+    };
+    InCamera in_camera(const CornersWorld& p_world) const;
     glm::dvec3 to_camera(const glm::dvec3& from_eye) const;
     void add(Box& box, const glm::dvec3& p_camera) const;
-    Box widen(Box box, double size) const;
+    Box widen(Box box, double size, double nearest) const;
 
     Camera camera_;
     bool perspective_;
     double px_per_u_, px_per_v_;
-    double least_depth_;     ///< half the near depth
-    double px_of_rounding_;  ///< per unit of a corner's distance from the eye
+    double least_depth_;  ///< half the near depth
 };
 
 }  // namespace zproof

@@ -77,7 +77,9 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
         tell(i, pixel);
         return 0.0;
     };
-    Adjudicator(frames.scene, frames.view, QueryDetail::displacement).for_each_pixel(places, check_pixel);
+    Adjudicator(frames.scene, frames.view, {&frames.candidate.bounds, &frames.reference.bounds},
+                QueryDetail::displacement)
+        .for_each_pixel(places, check_pixel);
 }
 
 PixelClass class_of(const PixelCheck& pixel) {

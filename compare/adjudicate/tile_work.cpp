@@ -25,14 +25,15 @@ double distance_px_from(const Box& box, const PixelCoord& pixel) {
 
 TileWork::TileWork(const Setting& setting, std::span<const std::uint32_t> near)
     : setting_(setting),
-      triangles_(setting.scene, setting.search, near),
+      triangles_(setting.scene, setting.view, setting.search, near),
       coplanar_(coplanar_pairs),
       around_{.view = setting.view, .neighbours = {}} {}
 
-std::vector<std::uint32_t> TileWork::triangles_within(double reach_px, const PixelCoord& pixel) const {
+std::vector<std::uint32_t> TileWork::triangles_within(double reach_px, const PixelCoord& pixel,
+                                                      const ViewBounds& bounds) {
     std::vector<std::uint32_t> within;
     for (std::size_t place = 0; place < triangles_.count(); ++place)
-        if (distance_px_from(triangles_.box(place), pixel) <= reach_px)
+        if (distance_px_from(triangles_.box(place, bounds), pixel) <= reach_px)
             within.push_back(triangles_.triangle(place));
     return within;
 }
@@ -42,8 +43,10 @@ void TileWork::look_at(const PixelQuery& query, double reach_px) {
     const PixelCoord pixel{query.x, query.y};
     const Projection projection = setting_.view.camera.projection;
     if (pixel == pixel_ && reach_px == seen_px_) {
-        for (auto& [place, distance_px, n] : seen_)
+        for (auto& [place, distance_px, n] : seen_) {
+            distance_px = distance_px_from(triangles_.box(place, *query.bounds), pixel);
             set_bounds(n, triangles_.of(place, *query.bounds), projection);
+        }
         return;
     }
     pixel_ = pixel;
@@ -51,8 +54,8 @@ void TileWork::look_at(const PixelQuery& query, double reach_px) {
     seen_.clear();
     const ViewRay<double> ray = setting_.rays.at(pixel.x, pixel.y);
     for (std::size_t place = 0; place < triangles_.count(); ++place) {
-        const double distance_px = distance_px_from(triangles_.box(place), pixel);
-        if (distance_px > reach_px) continue;
+        if (distance_px_from(triangles_.widest_box(place), pixel) > reach_px) continue;
+        const double distance_px = distance_px_from(triangles_.box(place, *query.bounds), pixel);
         seen_.push_back({place, distance_px, neighbour_of(ray, triangles_.of(place, *query.bounds))});
         seen_.back().neighbour.triangle = triangles_.triangle(place);
     }
@@ -87,15 +90,15 @@ void TileWork::gather(double reach_px) {
         if (distance_px <= reach_px) around_.neighbours.push_back(neighbour);
 }
 
-std::size_t TileWork::count_within(const PixelCoord& pixel, double reach_px) const {
+std::size_t TileWork::count_within(const PixelQuery& query, double reach_px) {
     std::size_t count = 0;
     for (std::size_t place = 0; place < triangles_.count(); ++place)
-        count += distance_px_from(triangles_.box(place), pixel) <= reach_px;
+        count += distance_px_from(triangles_.box(place, *query.bounds), {query.x, query.y}) <= reach_px;
     return count;
 }
 
 double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated) {
-    if (count_within({query.x, query.y}, searched_px) > most_neighbours) {
+    if (count_within(query, searched_px) > most_neighbours) {
         adjudicated = {{Admissibility::undecidable, false, searched_px / first_reach}, std::nullopt};
         return 0;
     }

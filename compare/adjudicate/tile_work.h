@@ -26,8 +26,9 @@ class TileWork {
     /// Decides the query, where no triangle farther than searched_px from its centre can matter, and says 0.
     /// Otherwise the reach that it needs. Queries about one pixel should follow each other.
     double decide(const PixelQuery& query, double searched_px, QueryResult& adjudicated);
-    /// The triangles whose image's box comes within reach_px of the pixel's centre, ascending.
-    std::vector<std::uint32_t> triangles_within(double reach_px, const PixelCoord& pixel) const;
+    /// The triangles whose image's box comes within reach_px of the pixel's centre by the bounds, ascending.
+    std::vector<std::uint32_t> triangles_within(double reach_px, const PixelCoord& pixel,
+                                                const ViewBounds& bounds);
 
   private:
     /// A triangle near the pixel at hand.
@@ -39,7 +40,7 @@ class TileWork {
     void look_at(const PixelQuery& query, double reach_px);
     double own_eps_px(const PixelQuery& query) const;
     double eps_px_within(double reach_px, double own_eps_px) const;
-    std::size_t count_within(const PixelCoord& pixel, double reach_px) const;
+    std::size_t count_within(const PixelQuery& query, double reach_px);
     void gather(double reach_px);
 
     const Setting& setting_;

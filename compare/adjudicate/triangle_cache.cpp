@@ -4,11 +4,16 @@
 
 namespace zproof {
 
-TriangleCache::TriangleCache(const Scene& scene, const TriangleSearch& search,
+TriangleCache::TriangleCache(const Scene& scene, const View& view, const TriangleSearch& search,
                              std::span<const std::uint32_t> near)
-    : scene_(scene), near_(near) {
+    : scene_(scene), camera_(view.camera), near_(near) {
     boxes_.reserve(near.size());
-    for (const std::uint32_t triangle : near) boxes_.push_back(search.box_of(triangle));
+    for (const std::uint32_t triangle : near) boxes_.push_back(search.boxes_of(triangle));
+}
+
+const Box& TriangleCache::box(std::size_t place, const ViewBounds& bounds) {
+    const ImageBoxes& boxes = boxes_[place];
+    return boxes.are_one() ? boxes.all : boxes.by(of(place, bounds).bounds, camera_);
 }
 
 const BoundedTriangle& TriangleCache::of(std::size_t place, const ViewBounds& bounds) {

@@ -13,12 +13,15 @@ namespace zproof {
 class TriangleCache {
   public:
     /// `near` are those that the search found near the tile.
-    TriangleCache(const Scene& scene, const TriangleSearch& search, std::span<const std::uint32_t> near);
+    TriangleCache(const Scene& scene, const View& view, const TriangleSearch& search,
+                  std::span<const std::uint32_t> near);
 
     std::size_t count() const { return near_.size(); }
     std::uint32_t triangle(std::size_t place) const { return near_[place]; }
-    /// The box around the triangle's image.
-    const Box& box(std::size_t place) const { return boxes_[place]; }
+    /// The box around the triangle's image, by the bounds of every renderer.
+    const Box& widest_box(std::size_t place) const { return boxes_[place].all; }
+    /// The same by those of one.
+    const Box& box(std::size_t place, const ViewBounds& bounds);
     const BoundedTriangle& of(std::size_t place, const ViewBounds& bounds);
 
   private:
@@ -28,8 +31,9 @@ class TriangleCache {
     };
 
     const Scene& scene_;
+    const Camera& camera_;
     std::span<const std::uint32_t> near_;  ///< ascending
-    std::vector<Box> boxes_;               ///< by place
+    std::vector<ImageBoxes> boxes_;        ///< by place
     std::vector<OfRenderer> renderers_;    ///< a few
 };
 

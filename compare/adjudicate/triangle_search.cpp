@@ -1,6 +1,8 @@
 #include "compare/adjudicate/triangle_search.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <array>
 #include <cmath>
@@ -34,7 +36,7 @@ double reach_of(const Tiles& tiles, std::span<const Box> asked) {
 
 }  // namespace
 
-TriangleSearch::TriangleSearch(const Scene& scene, const View& view)
+TriangleSearch::TriangleSearch(const Scene& scene, const View& view, Renderers renderers)
     : scene_(scene), projection_(view), tiles_(view), vertices_(scene.vertices.position_world.size()) {
     constexpr std::size_t together = 4096;
     tbb::parallel_for(std::size_t(0), (vertices_.size() + together - 1) / together, [&](std::size_t some) {
@@ -46,6 +48,31 @@ TriangleSearch::TriangleSearch(const Scene& scene, const View& view)
                                : VertexBox{-HUGE_VALF, -HUGE_VALF, HUGE_VALF, HUGE_VALF};
         }
     });
+    find_near_triangles(view, renderers);
+}
+
+void TriangleSearch::find_near_triangles(const View& view, Renderers renderers) {
+    const auto boxes_of_near = [&](const CornersWorld& p_world) {
+        const Box before_eye = projection_.before_eye(p_world).value_or(Box{});
+        if (before_eye.is_empty()) return ImageBoxes{};
+        const Box beyond_half_near = projection_(p_world).value_or(Box{});
+        for (const ViewBounds* bounds : renderers)
+            if (!(bounds->of(p_world).near_slack < view.camera.near_depth / 2))
+                return ImageBoxes{before_eye, beyond_half_near};
+        return ImageBoxes{beyond_half_near, beyond_half_near};
+    };
+    const auto has_place = [&](std::uint32_t vertex) { return !std::isinf(vertices_[vertex].left); };
+    tbb::enumerable_thread_specific<std::vector<NearTriangle>> found;
+    tbb::parallel_for(std::size_t(0), scene_.triangles.size(), [&](std::size_t i) {
+        const glm::uvec3& t = scene_.triangles[i];
+        if (has_place(t.x) && has_place(t.y) && has_place(t.z)) return;
+        const CornersWorld p_world = corners_of(scene_, std::uint32_t(i));
+        const ImageBoxes boxes = boxes_of_near(p_world);
+        if (!boxes.all.is_empty()) found.local().push_back({std::uint32_t(i), boxes});
+    });
+    for (const auto& some : found) near_.insert(near_.end(), some.begin(), some.end());
+    tbb::parallel_sort(near_,
+                       [](const NearTriangle& a, const NearTriangle& b) { return a.triangle < b.triangle; });
 }
 
 Box TriangleSearch::box_of_vertex(std::uint32_t vertex) const {
@@ -61,13 +88,16 @@ std::optional<CornerHull> TriangleSearch::hull_of(std::uint32_t triangle) const 
     return CornerHull(corners);
 }
 
-Box TriangleSearch::box_of(std::uint32_t triangle) const {
+Box TriangleSearch::box_of(std::uint32_t triangle) const { return boxes_of(triangle).all; }
+
+ImageBoxes TriangleSearch::boxes_of(std::uint32_t triangle) const {
     const glm::uvec3& t = scene_.triangles[triangle];
     Box box = box_of_vertex(t.x);
     box.add(box_of_vertex(t.y));
     box.add(box_of_vertex(t.z));
-    if (std::isfinite(box.left)) return box;
-    return projection_(corners_of(scene_, triangle)).value_or(Box{});
+    if (std::isfinite(box.left)) return {box, box};
+    const auto near = std::ranges::lower_bound(near_, triangle, {}, &NearTriangle::triangle);
+    return near != near_.end() && near->triangle == triangle ? near->boxes : ImageBoxes{};
 }
 
 /// Its sides are asked only where its box does not say no, and where it may lie in several tiles.
@@ -119,8 +149,9 @@ TrianglesByTile TriangleSearch::find(std::span<const Box> asked) const {
     return found;
 }
 
-void find_nearby_triangles(const Scene& scene, const View& view, std::span<SearchPixel> search_pixels) {
-    const TriangleSearch search(scene, view);
+void find_nearby_triangles(const Scene& scene, const View& view, Renderers renderers,
+                           std::span<SearchPixel> search_pixels) {
+    const TriangleSearch search(scene, view, renderers);
     const Tiles tiles(view);
     std::vector<Box> asked(tiles.count());
     for (const SearchPixel& search_pixel : search_pixels)

@@ -432,6 +432,7 @@ bool AdmissibleSet<Number>::is_clipped(size_t index) {
     const Camera& c = around_.view.camera;
     // a depth may be uncertain enough for any plane; only one that the corners reach is a plane's doing
     if ((n.nearest > c.near_depth && n.farthest < c.far_depth) || !drawn(index).image) return false;
+    if (!reaches(index)) return false;  // all that it has here is cut away for certain
     std::optional<Region<Number>> region = square();
     for (const LinePointer edge : drawn(index).edge)
         if (region) region = region->inside(*edge);

@@ -77,7 +77,9 @@ class LocalScene {
         std::vector<SearchPixel> search_pixels;
         for (const auto& [place, reach_px] : reaches_)
             search_pixels.push_back({place.second, place.first, reach_px + farthest_shift_px, {}});
-        find_nearby_triangles(input.scene, widest(input, all_restated), search_pixels);
+        std::vector<const ViewBounds*> renderers;
+        for (const RestatedClaims& restated : all_restated) renderers.push_back(&restated.bounds());
+        find_nearby_triangles(input.scene, widest(input, all_restated), renderers, search_pixels);
         for (const SearchPixel& search_pixel : search_pixels)
             triangles_.insert(triangles_.end(), search_pixel.triangles.begin(), search_pixel.triangles.end());
         std::ranges::sort(triangles_);
@@ -157,7 +159,7 @@ std::uint64_t count_admissible(const DiagnosisInput& input, const LocalScene& lo
         asked.push_back(&claim);
     }
     std::vector<QueryResult> adjudicated =
-        Adjudicator(local_scene.scene(), supposed.view, QueryDetail::admissibility,
+        Adjudicator(local_scene.scene(), supposed.view, {&restated.bounds()}, QueryDetail::admissibility,
                     in_local_scene(supposed.amend, local_scene))
             .decide(queries);
     for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -166,9 +168,9 @@ std::uint64_t count_admissible(const DiagnosisInput& input, const LocalScene& lo
         larger.push_back({&restated.bounds(), asked[i]->answer.primitive, asked[i]->x, asked[i]->y});
     }
     return admissible_among(adjudicated) +
-           admissible_among(
-               Adjudicator(input.scene, supposed.view, QueryDetail::admissibility, supposed.amend)
-                   .decide(larger));
+           admissible_among(Adjudicator(input.scene, supposed.view, {&restated.bounds()},
+                                        QueryDetail::admissibility, supposed.amend)
+                                .decide(larger));
 }
 
 }  // namespace

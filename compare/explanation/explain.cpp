@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include "compare/adjudicate/triangle_search.h"
 #include "compare/explanation/explainer.h"
 
 namespace zproof {
@@ -19,7 +18,7 @@ std::vector<PixelExplanation> explain(const Scene& scene, const View& view, cons
     std::vector<SearchPixel> search_pixels;
     for (const PixelExplanation& explanation : explanations)
         search_pixels.push_back(search_pixel_of(explanation));
-    find_nearby_triangles(scene, view, search_pixels);
+    explainer.search(search_pixels);
     tbb::parallel_for(std::size_t(0), explanations.size(),
                       [&](std::size_t i) { explainer.finish(explanations[i], search_pixels[i]); });
     return explanations;

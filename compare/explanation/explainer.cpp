@@ -76,6 +76,11 @@ std::vector<PixelExplanation> Explainer::begin(std::span<const PixelCoord> place
     return explanations;
 }
 
+void Explainer::search(std::span<SearchPixel> search_pixels) const {
+    const ViewBounds* const renderers[] = {&frames_.candidate.bounds, &frames_.reference.bounds};
+    find_nearby_triangles(frames_.scene, frames_.view, renderers, search_pixels);
+}
+
 void Explainer::finish(PixelExplanation& explanation, const SearchPixel& search_pixel) const {
     const auto& [scene, view, candidate, reference] = frames_;
     Neighbourhood around =

@@ -20,7 +20,9 @@ class Explainer {
     /// Explanations without `candidates` and `background`, in order. Throws std::out_of_range for a place
     /// outside the view.
     std::vector<PixelExplanation> begin(std::span<const PixelCoord> places) const;
-    /// `site` holds the triangles within the finding's eps_px.
+    /// The triangles near pixels, by the bounds of both renderers.
+    void search(std::span<SearchPixel> search_pixels) const;
+    /// `search_pixel` holds the triangles within the finding's eps_px.
     void finish(PixelExplanation& explanation, const SearchPixel& search_pixel) const;
 
   private:

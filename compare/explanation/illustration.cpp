@@ -60,7 +60,7 @@ std::vector<std::vector<NearbyImage>> images_around(const Scene& scene, const Vi
                                                     std::size_t most) {
     std::vector<SearchPixel> search_pixels;
     for (const PixelCoord& place : places) search_pixels.push_back({place.x, place.y, reach_px, {}});
-    find_nearby_triangles(scene, view, search_pixels);
+    find_nearby_triangles(scene, view, {}, search_pixels);
     std::vector<std::vector<NearbyImage>> images;
     for (const SearchPixel& search_pixel : search_pixels)
         images.push_back(images_at(scene, view, search_pixel, most));
@@ -75,7 +75,7 @@ std::vector<IllustratedExplanation> illustrate(const Scene& scene, const View& v
     std::vector<SearchPixel> search_pixels;
     for (const PixelExplanation& explanation : explanations)
         search_pixels.push_back(search_pixel_of(explanation, places.reach_px));
-    find_nearby_triangles(scene, view, search_pixels);
+    explainer.search(search_pixels);
     std::vector<IllustratedExplanation> told(explanations.size());
     tbb::parallel_for(std::size_t(0), explanations.size(), [&](std::size_t i) {
         SearchPixel drawn = search_pixels[i], explained = search_pixels[i];

@@ -135,13 +135,13 @@ class LabelledFrame {
     void search_at(std::span<const PixelCoord> open, Frame& frame) const {
         if (open.empty()) return;
         const SearchReach reach(scene_, view_, labelled_.bounds);
-        Adjudicator(scene_, view_, QueryDetail::admissibility)
+        Adjudicator(scene_, view_, {&labelled_.bounds}, QueryDetail::admissibility)
             .for_each_pixel(open, [&](TileWork& work, std::size_t i, double searched_px) {
                 const PixelCoord& pixel = open[i];
                 const double reach_px = reach.at(pixel);
                 if (reach_px > searched_px) return reach_px;
                 PixelSearch search{work, pixel, searched_px,
-                                   fits_at(work.triangles_within(reach_px, pixel), pixel)};
+                                   fits_at(work.triangles_within(reach_px, pixel, labelled_.bounds), pixel)};
                 const std::optional<PrimitiveId> named = best_of(search);
                 if (named) frame.primitive.at(pixel.x, pixel.y) = *named;
                 return named ? 0 : search.needed_px;

@@ -44,7 +44,8 @@ std::vector<bool> PlaceRule::admit(std::span<const PixelAnswer> answers, double 
     for (const PixelAnswer& a : answers)
         queries.push_back(
             {a.mesh == Mesh::with_gaps ? &of_gappy : &of_closed, a.answer.primitive, a.pixel.x, a.pixel.y});
-    const Adjudicator adjudicator(scene_, view_, QueryDetail::admissibility, override_of(allowance));
+    const Adjudicator adjudicator(scene_, view_, {&of_closed, &of_gappy}, QueryDetail::admissibility,
+                                  override_of(allowance));
     const std::vector<QueryResult> results = adjudicator.decide(queries);
     std::vector<bool> admitted(answers.size());
     for (std::size_t i = 0; i < answers.size(); ++i)

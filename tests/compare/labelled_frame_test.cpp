@@ -44,15 +44,12 @@ struct RandomPixel {
         const TriangleDepth of_triangle(TriangleInView(view, bounds, p_world), bounds);
         return check_depth(view, bounds, p_world, of_triangle, pixel, depth()).is_admissible;
     }
-    /// As the judge decides each triangle of the scene; what its search finds near is decided in rationals,
-    /// too.
+    /// As the judge decides each triangle of the scene, and as rationals do among all triangles.
     bool is_right(const ViewBounds& bounds, std::uint32_t t) const {
         const PixelQuery query{&bounds, PrimitiveId(t), pixel.x, pixel.y};
-        const Adjudicator adjudicator(scene, view, QueryDetail::admissibility);
+        const Adjudicator adjudicator(scene, view, {&bounds}, QueryDetail::admissibility);
         const Decision decision = adjudicator.decide(std::span(&query, 1)).front().decision;
-        if (decision.admissibility != Admissibility::outside) {
-            EXPECT_EQ(is_admissible(decision.admissibility), is_admissible_in_rationals(bounds, t, decision));
-        }
+        EXPECT_EQ(is_admissible(decision.admissibility), is_admissible_in_rationals(bounds, t, decision));
         return holds_depth(bounds, t) && is_admissible(decision.admissibility);
     }
 

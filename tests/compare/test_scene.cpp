@@ -80,7 +80,7 @@ double TestScene::candidate_eps_px(int x, int y, std::uint32_t triangle) const {
     const ViewBounds bounds(view, candidate_precision);
     const double own = own_eps_px(scene, view, bounds, {x, y}, PrimitiveId(triangle));
     SearchPixel search_pixel{x, y, own, {}};
-    find_nearby_triangles(scene, view, std::span(&search_pixel, 1));
+    find_nearby_triangles(scene, view, {}, std::span(&search_pixel, 1));
     return neighbourhood_of(scene, view, bounds, search_pixel, own).eps_px;
 }
 

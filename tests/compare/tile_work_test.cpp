@@ -13,7 +13,7 @@ class AQuery : public testing::Test {
     View view = pixel_view(Projection::parallel, 16, 16);
     Scene scene = scene_of(view, {wall_left_of(8.75, 4), wall_right_of(8.75, 4), wall(8)});
     ViewRays<double> rays{view};
-    TriangleSearch search{scene, view};
+    TriangleSearch search{scene, view, {}};
     RuleOverride none;
     TileWork::Setting setting{scene, view, rays, search, QueryDetail::displacement, none};
     std::uint32_t near[3] = {0, 1, 2};

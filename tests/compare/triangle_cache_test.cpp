@@ -11,14 +11,14 @@ namespace {
 TEST(TriangleCache, KnowsTheTrianglesThatAreNear) {
     const View view = pixel_view(Projection::parallel, 4, 4);
     const Scene scene = scene_of(view, {wall(4), wall_left_of(1, 4), wall_right_of(2, 4)});
-    const TriangleSearch search(scene, view);
+    const TriangleSearch search(scene, view, {});
     const std::uint32_t near[] = {1, 2};
-    const TriangleCache cache(scene, search, near);
+    const TriangleCache cache(scene, view, search, near);
     EXPECT_EQ(cache.count(), 2u);
     for (std::size_t place = 0; place < 2; ++place) {
         EXPECT_EQ(cache.triangle(place), near[place]);
-        EXPECT_EQ(cache.box(place).left, search.box_of(near[place]).left);
-        EXPECT_EQ(cache.box(place).right, search.box_of(near[place]).right);
+        EXPECT_EQ(cache.widest_box(place).left, search.box_of(near[place]).left);
+        EXPECT_EQ(cache.widest_box(place).right, search.box_of(near[place]).right);
     }
 }
 
@@ -30,8 +30,8 @@ TEST(TriangleCache, KeepsRenderersApart) {
     const std::vector<ViewBounds> renderers{ViewBounds(view, raster_precision()),
                                             ViewBounds(view, ray_precision()),
                                             ViewBounds(view, RasterPrecision{.subpixel_bits = 2})};
-    const TriangleSearch search(scene, view);
-    TriangleCache cache(scene, search, near);
+    const TriangleSearch search(scene, view, {});
+    TriangleCache cache(scene, view, search, near);
     Rng rng(1);
     for (int i = 0; i < 60; ++i) {
         const auto place = std::size_t(rng.below(3));

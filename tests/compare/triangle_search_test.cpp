@@ -36,7 +36,7 @@ TEST(NearbyTriangles, NoneThatComesWithinReachIsMissing) {
         for (int i = 0; i < 4; ++i)
             search_pixels.push_back(
                 {i ? rng.below(16) : s.x, i ? rng.below(16) : s.y, rng.below(2) * 0x1p-9, {}});
-        find_nearby_triangles(s.scene, s.view, search_pixels);
+        find_nearby_triangles(s.scene, s.view, {}, search_pixels);
         const ViewBounds bounds(s.view, RasterPrecision{});
         for (const SearchPixel& search_pixel : search_pixels) {
             ASSERT_TRUE(std::ranges::is_sorted(search_pixel.triangles));
@@ -63,7 +63,7 @@ TEST(NearbyTriangles, EdgeOnTrianglesAreFound) {
         const View view = pixel_view(projection, 4, 4);
         const Scene scene = scene_of(view, {{{{1.5, -8, 2}, {1.5, 24, 2}, {1.5, 8, 8}}}});
         std::vector<SearchPixel> search_pixels{{1, 1, 0, {}}, {3, 3, 0x1p-9, {}}};
-        find_nearby_triangles(scene, view, search_pixels);
+        find_nearby_triangles(scene, view, {}, search_pixels);
         EXPECT_EQ(search_pixels[0].triangles, std::vector<std::uint32_t>{0});
         EXPECT_TRUE(search_pixels[1].triangles.empty());
     }
@@ -85,8 +85,8 @@ TEST(NearbyTriangles, AreTheSameHoweverFarApartTheirIndicesAre) {
         const Surroundings s = random_surroundings(seed);
         std::vector<SearchPixel> search_pixels{{s.x, s.y, 0x1p-9, {}}, {1, 1, 0, {}}},
             far_apart = search_pixels;
-        find_nearby_triangles(s.scene, s.view, search_pixels);
-        find_nearby_triangles(spread(s.scene, 100), s.view, far_apart);
+        find_nearby_triangles(s.scene, s.view, {}, search_pixels);
+        find_nearby_triangles(spread(s.scene, 100), s.view, {}, far_apart);
         for (std::size_t i = 0; i < search_pixels.size(); ++i)
             EXPECT_EQ(search_pixels[i].triangles, far_apart[i].triangles) << "seed " << seed;
     }
@@ -101,8 +101,8 @@ TEST(NearbyTriangles, OfManyAreTheSameAsOfFew) {
         Scene crowd = s.scene;
         for (std::uint32_t t = count; t < many; ++t) crowd.triangles.push_back(s.scene.triangles[t % count]);
         std::vector<SearchPixel> few{{s.x, s.y, 0x1p-9, {}}, {1, 1, 0, {}}}, all = few;
-        find_nearby_triangles(s.scene, s.view, few);
-        find_nearby_triangles(crowd, s.view, all);
+        find_nearby_triangles(s.scene, s.view, {}, few);
+        find_nearby_triangles(crowd, s.view, {}, all);
         for (std::size_t i = 0; i < few.size(); ++i) {
             std::vector<std::uint32_t> expected;
             for (std::uint32_t t = 0; t < many; ++t)
@@ -122,7 +122,7 @@ TEST(NearbyTriangles, AreFoundFromSquaresThatNoFloatHolds) {
     scene.triangles = {{0, 1, 2}, {3, 4, 5}};
     for (const double reach_px : {1e39, 1e42, 1e60}) {
         std::vector<SearchPixel> search_pixels{{32, 32, reach_px, {}}, {0, 63, reach_px, {}}};
-        find_nearby_triangles(scene, view, search_pixels);
+        find_nearby_triangles(scene, view, {}, search_pixels);
         for (const SearchPixel& search_pixel : search_pixels) {
             EXPECT_EQ(std::ranges::count(search_pixel.triangles, 0u), 1) << reach_px;
             EXPECT_TRUE(reach_px < 1e42 || std::ranges::count(search_pixel.triangles, 1u) == 1) << reach_px;
@@ -134,7 +134,7 @@ TEST(NearbyTriangles, ManyChunksComeInOrder) {
     const View view = pixel_view(Projection::parallel, 4, 4);
     const Scene scene = scene_of(view, std::vector<Triangle>(10'000, wall(4)));
     std::vector<SearchPixel> search_pixels{{2, 3, 0, {7, 7}}};
-    find_nearby_triangles(scene, view, search_pixels);
+    find_nearby_triangles(scene, view, {}, search_pixels);
     ASSERT_EQ(search_pixels[0].triangles.size(), 10'000u);
     EXPECT_TRUE(std::ranges::is_sorted(search_pixels[0].triangles));
 }
@@ -152,12 +152,11 @@ Point raster_of(const ViewRay<Rational>& ray, const Vector3<Rational>& p_world, 
     return {x + Rational(place.x + 0.5), y + Rational(place.y + 0.5)};
 }
 
-/// The corners of what a triangle shows in front of near, exactly.
-std::vector<Point> shown_corners(const View& view, const CornersWorld& p_world) {
+/// The corners of what a triangle shows from that depth on, exactly.
+std::vector<Point> shown_corners(const View& view, const CornersWorld& p_world, const Rational& near) {
     const ViewRay<Rational> ray(view, 0, 0);
     const Corners<Rational> p = corners<Rational>(p_world);
     const Vector3<Rational> back = exactly<Rational>(view.camera.back);
-    const Rational near(view.camera.near_depth);
     const auto depth_of = [&](const Vector3<Rational>& q) {
         return Rational(-dot(back, q - exactly<Rational>(glm::dvec3(view.camera.eye_world))));
     };
@@ -202,27 +201,42 @@ struct Wide {
     }
 };
 
+void expect_held(const Box& box, const std::vector<Point>& shown) {
+    for (const auto& [x, y] : shown) {
+        ASSERT_TRUE(box.left == -HUGE_VAL || Rational(box.left) <= x);
+        ASSERT_TRUE(box.right == HUGE_VAL || Rational(box.right) >= x);
+        ASSERT_TRUE(box.top == -HUGE_VAL || Rational(box.top) <= y);
+        ASSERT_TRUE(box.bottom == HUGE_VAL || Rational(box.bottom) >= y);
+    }
+}
+
+/// What lies nearer than half the near depth counts for a renderer whose near plane may be anywhere.
 TEST(TriangleSearch, BoxesHoldWhatTrianglesShow) {
-    int shown_ones = 0, bare = 0, bounded = 0;
+    int shown_ones = 0, bare = 0, bounded = 0, near_ones = 0;
     for (std::uint32_t seed = 0; seed < 500; ++seed) {
         SCOPED_TRACE(seed);
         const Wide s(seed);
-        const TriangleSearch search(s.scene, s.view);
+        const ViewBounds of_any_near(s.view, BoundedPrecision{.depth_absolute = 1e30});
+        const ViewBounds* const renderers[] = {&of_any_near};
+        const TriangleSearch search(s.scene, s.view, {}), near_search(s.scene, s.view, renderers);
+        const Rational near(s.view.camera.near_depth), next_to_nothing = near / Rational(1 << 30);
         for (std::uint32_t t = 0; t < s.scene.triangles.size(); ++t) {
             const Box box = search.box_of(t);
-            const std::vector<Point> shown = shown_corners(s.view, corners_of(s.scene, t));
-            for (const auto& [x, y] : shown) {
-                ASSERT_TRUE(box.left == -HUGE_VAL || Rational(box.left) <= x) << t;
-                ASSERT_TRUE(box.right == HUGE_VAL || Rational(box.right) >= x) << t;
-                ASSERT_TRUE(box.top == -HUGE_VAL || Rational(box.top) <= y) << t;
-                ASSERT_TRUE(box.bottom == HUGE_VAL || Rational(box.bottom) >= y) << t;
+            const std::vector<Point> shown = shown_corners(s.view, corners_of(s.scene, t), near);
+            expect_held(box, shown);
+            if (s.view.camera.projection == Projection::perspective) {
+                const auto all_shown = shown_corners(s.view, corners_of(s.scene, t), next_to_nothing);
+                expect_held(near_search.box_of(t), all_shown);
+                near_ones += all_shown.size() != shown.size();
             }
+            if (HasFatalFailure()) FAIL() << t;
             ++(shown.empty() ? bare : shown_ones);
             bounded += !box.is_empty() && box.fits(4096);
         }
     }
     EXPECT_GT(shown_ones, 1000);
     EXPECT_GT(bare, 20);
+    EXPECT_GT(near_ones, 20);
     EXPECT_GT(bounded, shown_ones / 2);
 }
 
@@ -242,7 +256,7 @@ TEST(TriangleSearch, FindsAllThatMeetsWhatATileAsksFor) {
         for (const SearchPixel& search_pixel : search_pixels)
             asked[tiles.of(search_pixel.x, search_pixel.y)].add(
                 square_around(search_pixel.x, search_pixel.y, search_pixel.reach_px));
-        const TrianglesByTile found = TriangleSearch(s.scene, s.view).find(asked);
+        const TrianglesByTile found = TriangleSearch(s.scene, s.view, {}).find(asked);
         for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
             ASSERT_TRUE(std::ranges::is_sorted(found.of(tile), std::less_equal{}) ||
                         found.of(tile).size() < 2);
@@ -277,7 +291,7 @@ TEST(TriangleSearch, ASliverComesIntoTheTilesThatItPasses) {
         for (int row = 0; row < tiles.rows; ++row)
             for (int column = 0; column < tiles.columns; ++column)
                 asked.push_back({column * 16.0, row * 16.0, column * 16.0 + 16, row * 16.0 + 16});
-        const TrianglesByTile found = TriangleSearch(scene, view).find(asked);
+        const TrianglesByTile found = TriangleSearch(scene, view, {}).find(asked);
         for (int row = 0; row < tiles.rows; ++row)
             for (int column = 0; column < tiles.columns; ++column) {
                 const int away = std::abs((rises ? tiles.rows - 1 - row : row) - column);
@@ -297,7 +311,7 @@ TEST(TriangleSearch, RulesOutWhatLiesBeyondOneSide) {
     std::vector<Box> asked(tiles.count());
     asked[tiles.of(50, 50)] = square_around(50, 50, 1);
     asked[tiles.of(12, 12)] = square_around(12, 12, 1);
-    const TrianglesByTile found = TriangleSearch(scene, view).find(asked);
+    const TrianglesByTile found = TriangleSearch(scene, view, {}).find(asked);
     EXPECT_EQ(found.of(tiles.of(50, 50)).size(), 1u);
     EXPECT_EQ(found.of(tiles.of(50, 50))[0], 1u);
     EXPECT_EQ(found.of(tiles.of(12, 12)).size(), 1u);
@@ -313,7 +327,7 @@ TEST(TriangleSearch, BoxesAreRoundedOutwards) {
         const auto place = [&] { return rng.between(-1, 1) * scale; };
         const Scene scene =
             scene_of(view, {{{{place(), place(), 4}, {place(), place(), 4}, {place(), place(), 4}}}});
-        const Box box = TriangleSearch(scene, view).box_of(0);
+        const Box box = TriangleSearch(scene, view, {}).box_of(0);
         for (const glm::vec3& p : corners_of(scene, 0)) {
             EXPECT_TRUE(box.left < p.x && p.x < box.right);
             EXPECT_TRUE(box.top < -p.y && -p.y < box.bottom);
