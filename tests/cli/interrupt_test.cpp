@@ -7,6 +7,8 @@
 
 #include <array>
 #include <fstream>
+#include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -64,6 +66,23 @@ void wait_until_a_second_one_ends_it(pid_t pid) {
     while (catches_interrupts(pid)) std::this_thread::yield();
 }
 
+/// What the kernel says of a process in /proc/PID/stat, behind its name: its state first.
+Words process_facts(pid_t pid) {
+    std::ifstream stat{"/proc/" + std::to_string(pid) + "/stat"};
+    stat.ignore(std::numeric_limits<std::streamsize>::max(), ')');
+    return {std::istream_iterator<std::string>{stat}, {}};
+}
+
+/// Waits until the process has worked for so long, or has ended.
+void wait_until_it_worked(pid_t pid, long cpu_s) {
+    constexpr std::size_t state = 0, user_ticks = 11;
+    for (Words facts = process_facts(pid); facts.size() > user_ticks && facts[state] != "Z";
+         facts = process_facts(pid)) {
+        if (std::stol(facts[user_ticks]) >= cpu_s * sysconf(_SC_CLK_TCK)) return;
+        std::this_thread::yield();
+    }
+}
+
 /// Where the program is made to wait, so that it is interrupted in the midst of its work.
 enum class Blocked { at_its_results, at_its_progress };
 
@@ -103,6 +122,28 @@ TEST(Interrupt, WritesWhatWasJudgedAndMarksTheRest) {
         EXPECT_EQ(views[1].at("message"), "interrupted before it was judged");
         EXPECT_EQ(folder.names(), (Words{"a.gltf", "b.gltf", "zproof-out"}));
     }
+}
+
+/// One view's frame is shown for both, and the precision is coarse far from the origin: whoever does not heed
+/// the signal judges for minutes.
+TEST(Interrupt, EndsAJudgementInTheMidstOfIt) {
+    const Folder folder;
+    const Words scene{"far_from_origin", "--width", "160", "--height", "90"};
+    Words render{"render", "-o", "frames"},
+        judge{"run", "--oracle", "none", "--precision", "raster", "--renderer"};
+    render.insert(render.end(), scene.begin(), scene.end());
+    EXPECT_EQ(run(folder, render).exit_code, 0);
+    judge.push_back("cp " + folder.path().string() + "/frames/close.exr {out}");
+    judge.insert(judge.end(), scene.begin(), scene.end());
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    const pid_t pid = start(folder, judge, {nowhere, nowhere});
+    wait_until_it_worked(pid, 4);
+    kill(pid, SIGTERM);
+    close(nowhere);
+    EXPECT_EQ(exit_code_of(pid), 130);
+    const auto views = nlohmann::json::parse(folder.read("zproof-out/results.json")).at("views");
+    ASSERT_EQ(views.size(), 2u);
+    for (const auto& view : views) EXPECT_EQ(view.at("outcome"), "not_judged") << "judged to its end";
 }
 
 /// A command in the midst of which somebody presses Ctrl-C.
