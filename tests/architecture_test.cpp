@@ -43,6 +43,7 @@ const std::map<std::string, Names> may_include_in_compare{
     {"bounds", {}},
     {"admissible", {"bounds"}},
     {"agree", {"bounds"}},
+    {"attributes", {"bounds", "admissible"}},
     {"adjudicate", {"bounds", "admissible", "agree"}},
     {"diagnosis", {"bounds", "admissible", "adjudicate"}},
     {"explanation", {"bounds", "admissible", "agree", "adjudicate"}},
