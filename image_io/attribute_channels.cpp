@@ -9,7 +9,7 @@ namespace zproof::image_io {
 
 namespace {
 
-std::optional<ChannelPlace> channel_named(const ImageFile& file, std::string_view name) {
+std::optional<ChannelPlace> place_of_channel(const ImageFile& file, std::string_view name) {
     for (std::size_t p = 0; p < file.parts().size(); ++p)
         for (std::size_t c = 0; c < file.parts()[p].channels.size(); ++c)
             if (file.parts()[p].channels[c].name == name) return ChannelPlace{int(p), int(c)};
@@ -43,7 +43,7 @@ Attributes read_attributes(const ImageFile& file, Resolution size) {
     Attributes attributes;
     std::vector<WantedChannel> wanted;
     for (std::size_t c = 0; c < attribute_channels.size(); ++c) {
-        const auto place = channel_named(file, attribute_channels[c].name);
+        const auto place = place_of_channel(file, attribute_channels[c].name);
         if (!place) continue;
         require_float(file, *place, size);
         Plane<float>& plane = attributes.planes[c] = Plane<float>(size);

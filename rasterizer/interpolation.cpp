@@ -9,7 +9,7 @@ namespace zproof::rasterizer {
 namespace {
 
 template <class Value>
-std::array<Value, 3> at_corners(const auto& attribute, const glm::uvec3& t) {
+std::array<Value, 3> corner_values(const auto& attribute, const glm::uvec3& t) {
     return {Value(attribute[t.x]), Value(attribute[t.y]), Value(attribute[t.z])};
 }
 
@@ -25,11 +25,11 @@ glm::dvec3 value_of(Attribute attribute, const Scene& scene, const glm::uvec3& t
         case Attribute::barycentrics:
             return {b[1], b[2], 0};
         case Attribute::uv:
-            return {blended(b, at_corners<glm::dvec2>(vertices.uv.front(), t)), 0};
+            return {blended(b, corner_values<glm::dvec2>(vertices.uv.front(), t)), 0};
         case Attribute::position:
-            return blended(b, at_corners<glm::dvec3>(vertices.position_world, t));
+            return blended(b, corner_values<glm::dvec3>(vertices.position_world, t));
         case Attribute::normal: {
-            const glm::dvec3 normal = blended(b, at_corners<glm::dvec3>(vertices.normal_world, t));
+            const glm::dvec3 normal = blended(b, corner_values<glm::dvec3>(vertices.normal_world, t));
             const double length = glm::length(normal);
             return length > 0 ? normal / length : normal;
         }
@@ -49,7 +49,7 @@ Attributes attributes_of(const Scene& scene, const View& view, const Frame& fram
             const PrimitiveId id = frame.primitive.at(x, y);
             if (id == PrimitiveId::none) continue;
             const glm::uvec3& t = scene.triangles[std::size_t(id)];
-            const auto p = at_corners<glm::dvec3>(scene.vertices.position_world, t);
+            const auto p = corner_values<glm::dvec3>(scene.vertices.position_world, t);
             const Barycentrics b =
                 barycentrics(pixel_ray(view, x + 0.5, y + 0.5), {p[0] - eye, p[1] - eye, p[2] - eye});
             for (std::size_t c = 0; c < attribute_channels.size(); ++c)

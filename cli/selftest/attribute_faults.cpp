@@ -18,7 +18,7 @@ Frame with_attributes(const Fixture& fixture) {
     return frame;
 }
 
-struct Seen {
+struct InterpolatedPixel {
     const Fixture& fixture;
     Attributes& attributes;
     int x, y;
@@ -27,7 +27,8 @@ struct Seen {
     float& operator[](std::size_t channel) const { return attributes.planes[channel].at(x, y); }
 };
 
-std::function<Frame(const Fixture&)> at_each_pixel(const std::function<void(const Seen&)>& change) {
+std::function<Frame(const Fixture&)> at_each_pixel(
+    const std::function<void(const InterpolatedPixel&)>& change) {
     return [=](const Fixture& fixture) {
         Frame frame = with_attributes(fixture);
         for (int y = 0; y < fixture.view.height; ++y)
@@ -39,7 +40,7 @@ std::function<Frame(const Fixture&)> at_each_pixel(const std::function<void(cons
 }
 
 /// Weights in the image, as if depth did not matter: each is multiplied by its corner's depth.
-void make_affine(const Seen& seen) {
+void make_affine(const InterpolatedPixel& seen) {
     const Camera& camera = seen.fixture.view.camera;
     const Scene& scene = seen.fixture.scene;
     const glm::uvec3& t = scene.triangles[std::size_t(seen.id)];
@@ -53,7 +54,7 @@ void make_affine(const Seen& seen) {
     seen[bary_v] = float(w2 / (w0 + w1 + w2));
 }
 
-void move_into_camera(const Seen& seen) {
+void move_into_camera(const InterpolatedPixel& seen) {
     const Camera& camera = seen.fixture.view.camera;
     const glm::dvec3 p_world{seen[position_x], seen[position_x + 1], seen[position_x + 2]};
     const glm::dvec3 from_eye = p_world - glm::dvec3(camera.eye_world);
@@ -81,7 +82,7 @@ std::vector<Fault> faults_of_attributes() {
         {"barycentrics_affine", "barycentrics are interpolated without regard to perspective", wrong,
          at_each_pixel(make_affine)},
         {"barycentrics_swapped", "barycentrics are those of the other two corners", wrong,
-         at_each_pixel([](const Seen& seen) { std::swap(seen[bary_u], seen[bary_v]); })},
+         at_each_pixel([](const InterpolatedPixel& seen) { std::swap(seen[bary_u], seen[bary_v]); })},
         {"positions_in_camera_space", "positions are relative to the camera", wrong,
          at_each_pixel(move_into_camera)},
         {"barycentric_nan",

@@ -14,7 +14,7 @@ namespace zproof {
 namespace {
 
 /// What a place of a surface may show.
-struct Admissible {
+struct AdmissibleValues {
     double low = unlimited, high = -unlimited;  ///< empty: nothing
 
     bool holds(double value) const { return value >= low && value <= high; }
@@ -26,7 +26,7 @@ struct Value {
     float value;
     std::array<double, 3> at_corners;
     double slack;  ///< of what arithmetic does to it
-    Admissible by_depth{};
+    AdmissibleValues by_depth{};
 };
 
 bool scene_has(const Scene& scene, Attribute attribute) {
@@ -52,8 +52,8 @@ std::array<double, 3> at_corners(const Scene& scene, const glm::uvec3& t, const 
     return {};
 }
 
-double slack_of(const Surface& s, const InterpolationErrors& errors, const std::array<double, 3>& a,
-                Attribute attribute) {
+double attribute_slack(const Surface& s, const InterpolationErrors& errors, const std::array<double, 3>& a,
+                       Attribute attribute) {
     constexpr double underflow = 0x1p-126;
     // a normal may be brought to unit length: a common factor, and 3 roundings
     const double of_length = attribute == Attribute::normal ? gamma(3, unit_roundoff_float32) : 0;
@@ -64,7 +64,7 @@ double slack_of(const Surface& s, const InterpolationErrors& errors, const std::
 }
 
 /// A position may also be made from the depth: origin + depth direction, in float32 at least.
-Admissible by_depth(const DepthBound& depth, double origin, double direction) {
+AdmissibleValues by_depth(const DepthBound& depth, double origin, double direction) {
     const double a = origin + depth.low * direction, b = origin + depth.high * direction;
     const double largest = std::max(std::abs(depth.low), std::abs(depth.high));
     const double error = gamma(4, unit_roundoff_float32) * (std::abs(origin) + largest * std::abs(direction));
@@ -268,7 +268,7 @@ std::optional<WrongAttribute> AttributeCheck::first_wrong(const PixelCoord& pixe
             values.push_back({.channel = c,
                               .value = frame_.attributes.planes[c].at(pixel.x, pixel.y),
                               .at_corners = corners,
-                              .slack = slack_of(*surface, s.errors, corners, attribute)});
+                              .slack = attribute_slack(*surface, s.errors, corners, attribute)});
         }
         if (attribute == Attribute::position) {
             const DepthBound depth =
