@@ -2,6 +2,7 @@
 /// of getting one wrong is found.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -10,6 +11,7 @@
 #include "oracle/embree.h"
 #include "rasterizer/interpolation.h"
 #include "rasterizer/rasterizer.h"
+#include "rasterizer/surface.h"
 #include "scenes/suite.h"
 
 namespace zproof {
@@ -108,6 +110,41 @@ TEST_P(AttributesOf, AnAffineInterpolationAreFoundWrong) {
             v = float(w2 / (w0 + w1 + w2));
         });
     EXPECT_GT(wrong, 1000u);
+}
+
+/// A picture that lies half a step of the grid beside its place uses all that snapping may do.
+TEST_P(AttributesOf, APictureMovedByTheGridAreWithinTheirBoundsAndATenthFartherAreNot) {
+    const auto wrong_when_moved = [&](double share) {
+        std::uint64_t wrong = 0;
+        for (const View& view : loaded.views) {
+            Frame frame = rasterizer::render(loaded.scene, view);
+            for (const std::size_t channel : {bary_u, bary_v})
+                frame.attributes.planes[channel] = Plane<float>(frame.size());
+            const glm::dvec3 eye{view.camera.eye_world};
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x) {
+                    const PrimitiveId id = frame.primitive.at(x, y);
+                    if (id == PrimitiveId::none) continue;
+                    const glm::uvec3& t = loaded.scene.triangles[std::size_t(id)];
+                    const auto from_eye = [&](std::uint32_t vertex) {
+                        return glm::dvec3(loaded.scene.vertices.position_world[vertex]) - eye;
+                    };
+                    const auto weights_at = [&](double dx, double dy) {
+                        return rasterizer::barycentrics(
+                            rasterizer::pixel_ray(view, x + 0.5 + dx, y + 0.5 + dy),
+                            {from_eye(t.x), from_eye(t.y), from_eye(t.z)});
+                    };
+                    auto b = weights_at(share / 512, share / 512);
+                    if (std::ranges::min(b) < 0) b = weights_at(0, 0);
+                    frame.attributes.planes[bary_u].at(x, y) = float(b[1]);
+                    frame.attributes.planes[bary_v].at(x, y) = float(b[2]);
+                }
+            wrong += wrong_in(judged(view, frame, rasterizer::precision()));
+        }
+        return wrong;
+    };
+    EXPECT_EQ(wrong_when_moved(1.0), 0u);
+    EXPECT_GT(wrong_when_moved(1.1), 1000u);
 }
 
 TEST_P(AttributesOf, SwappedCornersAreFoundWrong) {
