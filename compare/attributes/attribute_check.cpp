@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "compare/attributes/interpolation_errors.h"
@@ -12,22 +13,6 @@
 namespace zproof {
 
 namespace {
-
-/// What a place of a surface may show.
-struct AdmissibleValues {
-    double low = unlimited, high = -unlimited;  ///< empty: nothing
-
-    bool holds(double value) const { return value >= low && value <= high; }
-};
-
-/// One number of an attribute at a pixel, and what it interpolates.
-struct Value {
-    std::size_t channel;
-    float value;
-    std::array<double, 3> at_corners;
-    double slack;  ///< of what arithmetic does to it
-    AdmissibleValues by_depth{};
-};
 
 bool scene_has(const Scene& scene, Attribute attribute) {
     if (attribute == Attribute::uv) return !scene.vertices.uv.empty();
@@ -64,15 +49,13 @@ double attribute_slack(const Surface& s, const InterpolationErrors& errors, cons
 }
 
 /// A position may also be made from the depth: origin + depth direction, in float32 at least.
-AdmissibleValues by_depth(const DepthBound& depth, double origin, double direction) {
+ValuesBetween by_depth(const DepthBound& depth, double origin, double direction) {
+    if (std::isinf(depth.high)) return {-unlimited, unlimited};
     const double a = origin + depth.low * direction, b = origin + depth.high * direction;
     const double largest = std::max(std::abs(depth.low), std::abs(depth.high));
     const double error = gamma(4, unit_roundoff_float32) * (std::abs(origin) + largest * std::abs(direction));
     return {std::min(a, b) - error, std::max(a, b) + error};
 }
-
-/// The values of one attribute at a pixel.
-using Values = std::vector<Value>;
 
 /// A surface, and how values may have been taken from it.
 struct SampledSurface {
@@ -82,7 +65,7 @@ struct SampledSurface {
     double half_side() const { return surface.seen.bounds.depth_eps_px; }
     template <class Number>
     std::optional<std::vector<Weights<Number>>> places() const {
-        const ViewRay<Number> ray(surface.view, surface.pixel.x, surface.pixel.y);
+        const ViewRay<Number> ray(surface.facts.view, surface.pixel.x, surface.pixel.y);
         const auto image = image_of(ray, corners<Number>(surface.p_world()));
         if (!image) return std::nullopt;
         return extreme_places(*image, half_side(), errors.sampled);
@@ -105,12 +88,12 @@ bool decided(const SampledSurface& s, const Decide& decide) {
 
 /// The range of a value, widened by its slack.
 template <class Number>
-ValueRange<Number> widened(const std::vector<Weights<Number>>& places, const Value& v) {
+ValueRange<Number> widened(const std::vector<Weights<Number>>& places, const InterpolatedValue& v) {
     const ValueRange<Number> range = range_of(places, v.at_corners);
     return {range.low - Number(v.slack), range.high + Number(v.slack)};
 }
 
-bool is_admissible(const SampledSurface& s, const Value& v) {
+bool is_admissible(const SampledSurface& s, const InterpolatedValue& v) {
     return v.by_depth.holds(v.value) ||
            decided(s, [&]<class Number>(const std::vector<Weights<Number>>& places) {
                const ValueRange<Number> range = widened(places, v);
@@ -121,13 +104,13 @@ bool is_admissible(const SampledSurface& s, const Value& v) {
 
 /// Has the direction of these values a multiple that lies in the box of their ranges?
 template <class Number>
-bool meets_box(const std::vector<Weights<Number>>& places, const Values& values) {
+bool meets_box(const std::vector<Weights<Number>>& places, const std::vector<InterpolatedValue>& values) {
     struct Side {
         Number length;  ///< of the direction along an axis, at least 0
         ValueRange<Number> range;
     };
     std::vector<Side> sides;
-    for (const Value& v : values) {
+    for (const InterpolatedValue& v : values) {
         const ValueRange<Number> range = widened(places, v);
         if (v.value == 0 && (sign(range.low) > 0 || sign(range.high) < 0)) return false;
         if (v.value > 0) sides.push_back({Number(double(v.value)), range});
@@ -148,7 +131,7 @@ struct AtCentre {
     double value, own_error;
 };
 
-AtCentre at_centre(const Surface& s, const Value& v) {
+AtCentre at_centre(const Surface& s, const InterpolatedValue& v) {
     const Weights<double> w = weights_at<double>(*s.seen.image, 0, 0);
     const auto [low, high] = std::ranges::minmax(v.at_corners);
     const double of_weights = 3 * s.seen.edge_error / s.least_sum * (high - low);
@@ -160,7 +143,7 @@ double squared_length(const std::array<double, 3>& v) { return v[0] * v[0] + v[1
 
 /// What the frame's values are to be multiplied by to be held against their ranges one by one: 1 but for a
 /// direction.
-double scale_of(const Surface& s, const Values& values) {
+double scale_of(const Surface& s, const std::vector<InterpolatedValue>& values) {
     if (!is_direction(attribute_channels[values.front().channel].attribute)) return 1;
     std::array<double, 3> given{}, truth{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -172,9 +155,9 @@ double scale_of(const Surface& s, const Values& values) {
 }
 
 /// Double is sure of most values: they are what the centre has, but for arithmetic.
-bool are_those_of_centre(const Surface& s, const Values& values) {
+bool are_those_of_centre(const Surface& s, const std::vector<InterpolatedValue>& values) {
     const double scale = scale_of(s, values);
-    return std::ranges::all_of(values, [&](const Value& v) {
+    return std::ranges::all_of(values, [&](const InterpolatedValue& v) {
         const AtCentre centre = at_centre(s, v);
         return std::abs(scale * v.value - centre.value) + centre.own_error +
                    0x1p-48 * std::abs(centre.value) <=
@@ -183,7 +166,7 @@ bool are_those_of_centre(const Surface& s, const Values& values) {
 }
 
 /// A value in double, for people.
-WrongAttribute told(const SampledSurface& s, const Value& v, double scale) {
+WrongAttribute told(const SampledSurface& s, const InterpolatedValue& v, double scale) {
     WrongAttribute wrong{.channel = v.channel,
                          .value = v.value,
                          .low = -unlimited,
@@ -198,29 +181,43 @@ WrongAttribute told(const SampledSurface& s, const Value& v, double scale) {
     return wrong;
 }
 
-WrongAttribute worst_of(const SampledSurface& s, const Values& values) {
+WrongAttribute worst_of(const SampledSurface& s, const std::vector<InterpolatedValue>& values) {
     const double scale = scale_of(s.surface, values);
     WrongAttribute worst = told(s, values.front(), scale);
-    for (const Value& v : values) {
+    for (const InterpolatedValue& v : values) {
         const WrongAttribute here = told(s, v, scale);
         if (!(here.error_over_bound <= worst.error_over_bound)) worst = here;
     }
     return worst;
 }
 
-std::optional<WrongAttribute> first_wrong(const SampledSurface& s, const Values& values) {
-    const auto is_nothing = [](const Value& v) { return !std::isfinite(v.value); };
+std::optional<WrongAttribute> first_wrong(const SampledSurface& s,
+                                          const std::vector<InterpolatedValue>& values) {
+    const auto is_nothing = [](const InterpolatedValue& v) { return !std::isfinite(v.value); };
     if (const auto nothing = std::ranges::find_if(values, is_nothing); nothing != values.end())
         return told(s, *nothing, 1);
-    const auto is_unlimited = [](const Value& v) { return !std::isfinite(v.slack); };
+    const auto is_unlimited = [](const InterpolatedValue& v) { return !std::isfinite(v.slack); };
     if (are_those_of_centre(s.surface, values) || std::ranges::any_of(values, is_unlimited))
         return std::nullopt;
     if (is_direction(attribute_channels[values.front().channel].attribute)) {
         const auto decide = [&](const auto& places) { return meets_box(places, values); };
         return decided(s, decide) ? std::nullopt : std::optional(worst_of(s, values));
     }
-    const auto wrong = std::ranges::find_if(values, [&](const Value& v) { return !is_admissible(s, v); });
+    const auto wrong =
+        std::ranges::find_if(values, [&](const InterpolatedValue& v) { return !is_admissible(s, v); });
     return wrong == values.end() ? std::nullopt : std::optional(told(s, *wrong, 1));
+}
+
+/// A value that is no number, where nothing else can be asked.
+std::optional<WrongAttribute> first_infinite(const Attributes& given, const std::vector<Attribute>& judged,
+                                             const PixelCoord& pixel) {
+    for (std::size_t c = 0; c < attribute_channels.size(); ++c) {
+        if (std::ranges::count(judged, attribute_channels[c].attribute) == 0) continue;
+        const float value = given.planes[c].at(pixel.x, pixel.y);
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        if (!std::isfinite(value)) return WrongAttribute{c, value, -unlimited, nan, unlimited, nan};
+    }
+    return std::nullopt;
 }
 
 std::vector<Attribute> given_attributes(const Attributes& given) {
@@ -244,39 +241,47 @@ std::vector<Attribute> judged_attributes(const Scene& scene, const Attributes& g
 AttributeCheck::AttributeCheck(const Scene& scene, const View& view, const Frame& frame,
                                const Precision& precision)
     : scene_(scene),
-      view_(view),
+      facts_(view),
       frame_(frame),
       precision_(precision),
       varying_bounds_(view, varying_precision(precision)),
       shown_bounds_(view, shown_precision(precision)),
       judged_(judged_attributes(scene, frame.attributes, precision)) {}
 
+std::vector<InterpolatedValue> AttributeCheck::values_of(Attribute attribute, const Surface& surface,
+                                                         const InterpolationErrors& errors,
+                                                         const glm::uvec3& triangle) const {
+    const PixelCoord& pixel = surface.pixel;
+    std::vector<InterpolatedValue> values;
+    for (std::size_t c = 0; c < attribute_channels.size(); ++c) {
+        const AttributeChannel& channel = attribute_channels[c];
+        if (channel.attribute != attribute) continue;
+        const auto corners = at_corners(scene_, triangle, channel);
+        values.push_back({.channel = c,
+                          .value = frame_.attributes.planes[c].at(pixel.x, pixel.y),
+                          .at_corners = corners,
+                          .slack = attribute_slack(surface, errors, corners, attribute),
+                          .by_depth = {}});
+    }
+    if (attribute != Attribute::position) return values;
+    const TriangleInView in_view(facts_.view, shown_bounds_, surface.p_world());
+    const DepthBound depth = TriangleDepth(in_view, shown_bounds_).at(pixel.x, pixel.y);
+    const Vector3<double>&o = surface.ray.origin, &d = surface.ray.direction;
+    values[0].by_depth = by_depth(depth, o.x, d.x);
+    values[1].by_depth = by_depth(depth, o.y, d.y);
+    values[2].by_depth = by_depth(depth, o.z, d.z);
+    return values;
+}
+
 std::optional<WrongAttribute> AttributeCheck::first_wrong(const PixelCoord& pixel) const {
-    const PrimitiveId id = frame_.primitive.at(pixel.x, pixel.y);
-    if (judged_.empty() || std::size_t(id) >= scene_.triangles.size()) return std::nullopt;
-    const auto surface = surface_at(view_, varying_bounds_, corners_of(scene_, std::uint32_t(id)), pixel);
-    if (!surface) return std::nullopt;
+    const auto id = std::uint32_t(frame_.primitive.at(pixel.x, pixel.y));
+    if (judged_.empty() || id >= scene_.triangles.size()) return std::nullopt;
+    const auto surface = surface_at(facts_, varying_bounds_, corners_of(scene_, id), pixel);
+    if (!surface) return first_infinite(frame_.attributes, judged_, pixel);
     const SampledSurface s{*surface, interpolation_errors(precision_, *surface)};
-    const std::array origin{surface->ray.origin.x, surface->ray.origin.y, surface->ray.origin.z},
-        direction{surface->ray.direction.x, surface->ray.direction.y, surface->ray.direction.z};
     for (const Attribute attribute : judged_) {
-        Values values;
-        for (std::size_t c = 0; c < attribute_channels.size(); ++c) {
-            const AttributeChannel& channel = attribute_channels[c];
-            if (channel.attribute != attribute) continue;
-            const auto corners = at_corners(scene_, scene_.triangles[std::size_t(id)], channel);
-            values.push_back({.channel = c,
-                              .value = frame_.attributes.planes[c].at(pixel.x, pixel.y),
-                              .at_corners = corners,
-                              .slack = attribute_slack(*surface, s.errors, corners, attribute)});
-        }
-        if (attribute == Attribute::position) {
-            const DepthBound depth =
-                TriangleDepth(TriangleInView(view_, shown_bounds_, surface->p_world()), shown_bounds_)
-                    .at(pixel.x, pixel.y);
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                values[axis].by_depth = by_depth(depth, origin[axis], direction[axis]);
-        }
+        const std::vector<InterpolatedValue> values =
+            values_of(attribute, *surface, s.errors, scene_.triangles[id]);
         if (auto wrong = zproof::first_wrong(s, values)) return wrong;
     }
     return std::nullopt;

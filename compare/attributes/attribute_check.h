@@ -6,16 +6,34 @@
 #include <string>
 #include <vector>
 
+#include "compare/attributes/interpolation_errors.h"
 #include "compare/attributes/wrong_attribute.h"
 #include "compare/bounds/bounds.h"
 #include "compare/bounds/pixel_coord.h"
+#include "compare/bounds/view_facts.h"
 #include "frame/frame.h"
 
 namespace zproof {
 
+/// Values between two ends; none where the first is the greater.
+struct ValuesBetween {
+    double low = unlimited, high = -unlimited;
+
+    bool holds(double value) const { return value >= low && value <= high; }
+};
+
+/// One number of an attribute at a pixel, and what it interpolates.
+struct InterpolatedValue {
+    std::size_t channel;
+    float value;
+    std::array<double, 3> at_corners;
+    double slack;            ///< what arithmetic may do to it
+    ValuesBetween by_depth;  ///< admissible as well
+};
+
 class AttributeCheck {
   public:
-    /// Scene, view and frame must outlive it.
+    /// Scene and frame must outlive it.
     AttributeCheck(const Scene& scene, const View& view, const Frame& frame, const Precision& precision);
 
     /// The first wrong value at a pixel whose triangle is admissible there and whose depth is right; nothing
@@ -24,8 +42,12 @@ class AttributeCheck {
     std::optional<WrongAttribute> first_wrong(const PixelCoord& pixel) const;
 
   private:
+    std::vector<InterpolatedValue> values_of(Attribute attribute, const Surface& surface,
+                                             const InterpolationErrors& errors,
+                                             const glm::uvec3& triangle) const;
+
     const Scene& scene_;
-    const View& view_;
+    ViewFacts facts_;
     const Frame& frame_;
     Precision precision_;
     ViewBounds varying_bounds_, shown_bounds_;

@@ -16,15 +16,14 @@ double dot_abs(const Vector3<double>& a, const Vector3<double>& b) { return dot(
 
 /// What 1 / depth costs, twice: value / depth is such a sum as well. A corner's weight is 1 / depth.
 double relative_of_depth(const Surface& s) {
-    const bool is_perspective = s.view.camera.projection == Projection::perspective;
-    const double of_corner = is_perspective ? s.bounds.depth_absolute / s.bounds.nearest : 0;
+    const double of_corner = s.facts.perspective ? s.bounds.depth_absolute / s.bounds.nearest : 0;
     return 2 * (s.bounds.depth_factor + of_corner) + unit_roundoff_float32;
 }
 
 bool is_cut(const RasterPrecision& precision, const Surface& s) {
-    const auto triangle = window_triangle(ViewFacts(s.view), s.extent);
+    const auto triangle = window_triangle(s.facts, s.extent);
     if (!triangle) return true;
-    const glm::dvec2 size{s.view.width, s.view.height};
+    const glm::dvec2 size{s.facts.view.width, s.facts.view.height};
     const bool whole = precision.clipping == Clipping::view_volume;
     const glm::dvec2 reach = whole ? size / 2.0 : glm::dvec2(guard_band_px);
     return !std::ranges::all_of(triangle->corner_px, [&](const glm::dvec2& corner) {
@@ -44,7 +43,7 @@ InterpolationErrors errors_of(const RasterPrecision& precision, const Surface& s
     if (has_exact_coverage(precision)) return errors;
     errors.sampled = SampledPlaces::anywhere;
     if (s.bounds.inverse_depth_error == 0) return errors;
-    const bool is_known = s.view.camera.projection == Projection::perspective && s.least_inverse_depth > 0;
+    const bool is_known = s.facts.perspective && s.least_inverse_depth > 0;
     errors.of_weights = is_known ? s.bounds.inverse_depth_error / s.least_inverse_depth : unlimited;
     return errors;
 }

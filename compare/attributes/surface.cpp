@@ -5,12 +5,12 @@
 
 namespace zproof {
 
-std::optional<Surface> surface_at(const View& view, const ViewBounds& bounds, const CornersWorld& p_world,
-                                  const PixelCoord& pixel) {
-    const ViewRay<double> ray(view, pixel.x, pixel.y);
+std::optional<Surface> surface_at(const ViewFacts& facts, const ViewBounds& bounds,
+                                  const CornersWorld& p_world, const PixelCoord& pixel) {
+    const ViewRay<double> ray(facts.view, pixel.x, pixel.y);
     const TriangleExtent extent = bounds.extent_of(p_world);
     const BoundedTriangle triangle(bounds, p_world, extent);
-    Surface s{view, pixel, ray, extent, triangle.bounds, neighbour_of(ray, triangle)};
+    Surface s{facts, pixel, ray, extent, triangle.bounds, neighbour_of(ray, triangle)};
     if (!s.seen.image || !s.seen.is_plane_known) return std::nullopt;
     const double half_side = s.seen.bounds.depth_eps_px;
     double sum = 0, sum_abs = 0, steepness = 0;

@@ -4,11 +4,12 @@
 #include <optional>
 
 #include "compare/admissible/neighbourhood.h"
+#include "compare/bounds/view_facts.h"
 
 namespace zproof {
 
 struct Surface {
-    const View& view;
+    const ViewFacts& facts;
     PixelCoord pixel;
     ViewRay<double> ray;
     TriangleExtent extent;
@@ -23,7 +24,7 @@ struct Surface {
 };
 
 /// Measures the weights; nothing where double does not know their sum to be above 0.
-std::optional<Surface> surface_at(const View& view, const ViewBounds& bounds, const CornersWorld& p_world,
-                                  const PixelCoord& pixel);
+std::optional<Surface> surface_at(const ViewFacts& facts, const ViewBounds& bounds,
+                                  const CornersWorld& p_world, const PixelCoord& pixel);
 
 }  // namespace zproof
