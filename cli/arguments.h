@@ -92,6 +92,7 @@ struct RenderArguments {
     std::filesystem::path models;  ///< where view files' models may lie; empty: beside them only
     RendererChoice renderer;
     std::optional<FilterChoice> filter;  ///< also write the textures, read this way
+    bool attributes = false;             ///< also write what our rasterizer interpolates over the triangles
     std::filesystem::path out = "zproof-render";
     RenderSettings settings;
 };

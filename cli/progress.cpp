@@ -87,4 +87,8 @@ void Progress::tell(const ViewResult& view) {
         work_.say(out_, line_for(view) + "\n");
 }
 
+void Progress::remark(const std::string& text) {
+    if (remarks_.insert(text).second) work_.say(out_, "zproof: " + one_line(text) + "\n");
+}
+
 }  // namespace zproof

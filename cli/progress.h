@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ class Progress {
     void end_view();                             ///< its share of the work is done
     void finish_scene();                         ///< all of it, whatever came of its views
     void tell(const ViewResult& view);           ///< as soon as it is judged, or cannot be
+    void remark(const std::string& text);        ///< in every style; the same text once in a run
 
   private:
     std::ostream& out_;
@@ -41,6 +43,7 @@ class Progress {
     std::size_t begun_ = 0;
     double left_ = 0, per_view_ = 0;  ///< work of the scene in hand
     WorkProgress work_;
+    std::set<std::string> remarks_;
 };
 
 }  // namespace zproof

@@ -8,6 +8,7 @@
 #include "cli/threads.h"
 #include "cli/work_progress.h"
 #include "image_io/image_io.h"
+#include "rasterizer/interpolation.h"
 #include "rasterizer/shading.h"
 #include "rasterizer/texturing.h"
 #include "reports/output_folder.h"
@@ -43,7 +44,8 @@ ExitCode execute(const RenderArguments& arguments) {
             progress.begin(view.name);
             written.push_back(safe_name(view.name));
             const std::filesystem::path stem = out.working() / written.back();
-            const Frame frame = renderer.render(view);
+            Frame frame = renderer.render(view);
+            if (arguments.attributes) frame.attributes = rasterizer::attributes_of(loaded.scene, view, frame);
             write_planes(stem, frame);
             write_colours(stem.string() + "-colour", rasterizer::shade(loaded.scene, view, frame, Light{}));
             if (arguments.filter)

@@ -13,6 +13,7 @@
 #include "cli/usage_error.h"
 #include "cli/view_result.h"
 #include "cli/viewer_evidence.h"
+#include "compare/attributes/attribute_check.h"
 #include "compare/diagnosis/diagnosis.h"
 #include "compare/judge.h"
 #include "oracle/oracle_error.h"
@@ -131,6 +132,17 @@ std::string refused_projection(const Projections& has, const Camera& camera) {
     return has.oblique ? "" : "oblique";
 }
 
+/// Attributes that the candidate gives and nobody can judge; told once in a run.
+std::vector<std::string> remark_on_attributes(const ViewRun& view_run, const Attributes& given) {
+    const Renderer& candidate = view_run.opened.candidate;
+    std::vector<std::string> remarks =
+        unjudged_attributes(view_run.context.scene, given, candidate.precision);
+    if (candidate.labels && given.are_given())
+        remarks = {"attributes: not judged, since the frame names no triangles"};
+    for (const std::string& remark : remarks) view_run.config.progress.remark(remark);
+    return remarks;
+}
+
 /// Returns nothing where it was interrupted between two stages.
 std::optional<ViewResult> run_view(const ViewRun& view_run) {
     const auto& [context, opened, config, clock, is_last] = view_run;
@@ -149,6 +161,7 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     if (interrupted()) return std::nullopt;
 
     begin(view_run, "judge", &StageTimes::judge);
+    const std::vector<std::string> remarks = remark_on_attributes(view_run, given.attributes);
     const CandidateFrame candidate =
         candidate_frame(scene, view, opened.candidate, std::move(given), reference);
     const RenderedFrame ours{candidate.frame, opened.candidate.precision},
@@ -162,6 +175,7 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
     if (!done_uninterrupted(judge_and_diagnose)) return std::nullopt;
     ViewResult result = to_view_result(context, verdict, config.gate, candidate);
     result.diagnosis = std::move(diagnosis);
+    result.notes.insert(result.notes.end(), remarks.begin(), remarks.end());
 
     if (leaves_evidence(verdict, config.evidence)) {
         begin(view_run, "write", &StageTimes::write);

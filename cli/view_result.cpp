@@ -20,8 +20,12 @@ struct Ranked {
 
     /// Defects, then waived defects, then admissible differences.
     int grade() const { return passes(finding->verdict) ? 2 : waiver.empty() ? 0 : 1; }
-    /// A NaN comes last.
-    double ratio() const { return std::isnan(finding->error_over_bound) ? -1 : finding->error_over_bound; }
+    /// Of what makes it a defect. A NaN comes last.
+    double ratio() const {
+        const auto& wrong = finding->wrong_attribute;
+        const double error = wrong ? wrong->error_over_bound : finding->error_over_bound;
+        return std::isnan(error) ? -1 : error;
+    }
 };
 
 /// Orders by grade, then by the larger error/bound, then by raster order.

@@ -1,6 +1,7 @@
 #include "compare/judge.h"
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include "compare/adjudicate/pixel_check.h"
 #include "compare/agree/agree.h"
 #include "compare/agree/row_counts.h"
+#include "compare/attributes/attribute_check.h"
 
 namespace zproof {
 
@@ -21,8 +23,8 @@ struct Tally {
     std::uint64_t reference_defects = 0, adjudicated = 0, exact = 0;
     std::vector<Finding> findings;
 
-    void count(const PixelCheck& pixel, PixelClass verdict) {
-        ++counts[std::size_t(verdict)];
+    /// Counts a pixel that the first tier did not.
+    void count(const PixelCheck& pixel) {
         reference_defects += is_reference_wrong(pixel);
         if (pixel.ids_differ())
             count_decisions(pixel.candidate_decision, pixel.reference_decision);
@@ -64,6 +66,23 @@ bool is_wanted(PixelClass verdict, const JudgeOptions& options) {
                                                                    : !passes(verdict);
 }
 
+/// Pixels that agree but for an attribute of the candidate.
+std::vector<UndecidedPixel> agreeing_with_wrong_attribute(const FramePair& frames,
+                                                          const Plane<PixelClass>& classes) {
+    const BoundedFrame& candidate = frames.candidate;
+    if (!candidate.frame.attributes.are_given()) return {};
+    const AttributeCheck check(frames.scene, frames.view, candidate.frame, candidate.precision);
+    tbb::enumerable_thread_specific<std::vector<UndecidedPixel>> found;
+    tbb::parallel_for(0, frames.view.height, [&](int y) {
+        for (int x = 0; x < frames.view.width; ++x)
+            if (classes.at(x, y) == PixelClass::agree && check.first_wrong({x, y}))
+                found.local().push_back({{x, y}});
+    });
+    std::vector<UndecidedPixel> all;
+    for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
 }  // namespace
 
 Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candidate,
@@ -81,13 +100,20 @@ Verdict judge(const Scene& scene, const View& view, const RenderedFrame& candida
     verdict.reference_depth = agreement.reference_depth;
     verdict.counts[std::size_t(PixelClass::agree)] = size.pixel_count() - agreement.undecided.size();
     tbb::enumerable_thread_specific<Tally> tallies;
-    check_pixels(frames, agreement.undecided, [&](std::size_t i, const PixelCheck& pixel) {
-        const PixelCoord& place = agreement.undecided[i].place;
+    const auto record = [&](const PixelCheck& pixel, const PixelCoord& place) {
         const PixelClass said = class_of(pixel);
         verdict.classes.at(place.x, place.y) = said;
-        tallies.local().count(pixel, said);
+        ++tallies.local().counts[std::size_t(said)];
         if (is_wanted(said, options)) tallies.local().findings.push_back(finding_of(frames, pixel, place));
+    };
+    check_pixels(frames, agreement.undecided, [&](std::size_t i, const PixelCheck& pixel) {
+        record(pixel, agreement.undecided[i].place);
+        tallies.local().count(pixel);
     });
+    const std::vector<UndecidedPixel> wrong = agreeing_with_wrong_attribute(frames, verdict.classes);
+    check_pixels(frames, wrong,
+                 [&](std::size_t i, const PixelCheck& pixel) { record(pixel, wrong[i].place); });
+    verdict.counts[std::size_t(PixelClass::agree)] -= wrong.size();
     for (const Tally& tally : tallies) add(verdict, tally);
     tbb::parallel_sort(verdict.findings, [](const Finding& a, const Finding& b) {
         return std::pair{a.y, a.x} < std::pair{b.y, b.x};

@@ -16,6 +16,7 @@ enum class PixelClass : std::uint8_t {
     clip,             ///< ids differ, both admissible: they meet at the near or far plane
     reference_wrong,  ///< the reference's answer is inadmissible, the candidate's is not
     undecidable,      ///< more triangles within eps than the judge looks at: neither right nor wrong
+    wrong_attribute,  ///< id and depth right, an interpolated value outside its bound
     wrong_depth,      ///< id right, depth outside its bound
     hole,             ///< background where the scene covers for certain
     outside,          ///< an id whose triangle does not reach the pixel
@@ -37,8 +38,8 @@ struct ClassFacts {
     GateEffect gate = GateEffect::pass;
     /// Heading of its column in the table of a run; none: its pixels are counted in another column, or agree.
     std::string_view column = {};
-    /// 0xRRGGBB, of Okabe and Ito's palette (2008) and two tints. Blues are admissible ties, greens are flaws
-    /// of the scene or the reference, warm colours and white are defects. Glyph and name say the same.
+    /// 0xRRGGBB, of Okabe and Ito's palette (2008) and three tints. Blues are admissible ties, greens are
+    /// flaws of the scene or the reference, warm colours and white are defects. Glyph and name say the same.
     std::uint32_t colour = 0;
     std::string_view glyph;    ///< one character wide
     std::string_view meaning;  ///< one sentence for strangers
@@ -111,6 +112,15 @@ constexpr ClassFacts facts_of(PixelClass c) {
                 .meaning =
                     "The declared precision is so coarse that too many triangles may be shown here. Nobody "
                     "can say.",
+            };
+        case PixelClass::wrong_attribute:
+            return {
+                .name = "wrong_attribute",
+                .gate = GateEffect::fail,
+                .colour = 0xF3B27A,
+                .glyph = "≠",
+                .meaning =
+                    "Triangle and depth are right, but a value interpolated over it is outside its bound.",
             };
         case PixelClass::wrong_depth:
             return {

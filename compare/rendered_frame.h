@@ -16,11 +16,13 @@ struct RenderedFrame {
 struct BoundedFrame {
     BoundedFrame(const View& view, const RenderedFrame& rendered)
         : frame(rendered.frame),
+          precision(rendered.precision),
           bounds(view, rendered.precision),
           shown_bounds(view, shown_precision(rendered.precision)) {}
 
     const Frame& frame;
-    ViewBounds bounds;           ///< of what decides which triangle is shown
+    Precision precision;
+    ViewBounds bounds;        ///< of what decides which triangle is shown
     ViewBounds shown_bounds;  ///< of the depths that the frame shows
 };
 

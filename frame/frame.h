@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "frame/attributes.h"
 #include "frame/plane.h"
 
 namespace zproof {
@@ -17,6 +18,7 @@ inline constexpr float background_depth = std::numeric_limits<float>::infinity()
 struct Frame {
     Plane<PrimitiveId> primitive;
     Plane<float> camera_depth;  ///< distance along the view axis, scene units, positive; +inf = background
+    Attributes attributes;      ///< those that the renderer gives
 
     /// An all-background frame.
     explicit Frame(Resolution size)

@@ -1,10 +1,13 @@
 // Frames and pictures as files of planes.
 #include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "frame/frame_error.h"
 #include "frame/frame_size.h"
 #include "frame/whole_file.h"
+#include "image_io/attribute_channels.h"
 #include "image_io/frame_files.h"
 #include "image_io/image_file.h"
 #include "image_io/image_io.h"
@@ -83,6 +86,7 @@ class StoredPlanes {
             depth_file_.read(std::array{ids, depths});
         else
             depth_file_.read({&depths, 1});
+        frame.attributes = read_attributes(depth_file_, size_);
         return frame;
     }
 
@@ -136,19 +140,25 @@ Frame read_frame(const fs::path& file, IdChannel ids) { return StoredPlanes(file
 Resolution frame_size(const fs::path& file, IdChannel ids) { return StoredPlanes(file, ids).size(); }
 
 void write_frame(const fs::path& file, const Frame& frame) {
-    struct Pixel {
-        PrimitiveId id;
-        float depth;
-    };
-    std::vector<Pixel> pixels(frame.size().pixel_count());
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-        pixels[i].id = frame.primitive.pixels()[i],
-        std::memcpy(&pixels[i].depth, &frame.camera_depth.pixels()[i], sizeof(float));
+    std::vector<Channel> channels{{"id", Sample::uint32}, {"Z", Sample::float32}};
+    std::vector<const float*> reals{frame.camera_depth.pixels().data()};
+    for (std::size_t c = 0; c < attribute_channels.size(); ++c) {
+        if (!frame.attributes.has(c)) continue;
+        channels.push_back({std::string(attribute_channels[c].name), Sample::float32});
+        reals.push_back(frame.attributes.planes[c].pixels().data());
+    }
+    const std::size_t count = frame.size().pixel_count();
+    std::vector<std::uint32_t> samples;  // bit for bit
+    samples.reserve(count * channels.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        samples.push_back(std::uint32_t(frame.primitive.pixels()[i]));
+        for (const float* plane : reals) std::memcpy(&samples.emplace_back(), plane + i, sizeof(float));
+    }
     write_raster(file, {.format = Format::exr,
                         .width = frame.size().width,
                         .height = frame.size().height,
-                        .channels = {{"id", Sample::uint32}, {"Z", Sample::float32}},
-                        .pixels = pixels.data()});
+                        .channels = std::move(channels),
+                        .pixels = samples.data()});
 }
 
 Picture read_picture(const fs::path& file) {

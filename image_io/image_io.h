@@ -21,12 +21,13 @@ enum class IdChannel { present, absent };
 
 /// Reads ids and depths, each value as the file has it: NaN and stray ids pass through. `file` is an OpenEXR,
 /// TIFF, PNG or PFM file, or two of them, "IDS+DEPTHS". docs/images.md says which channels and types are
-/// read. The frame is the display window; where the file has no data, it is background.
+/// read. The frame is the display window; where the file has no data, it is background. Attributes are read
+/// from the channels that the file of the depths has (frame/attributes.h).
 Frame read_frame(const std::filesystem::path& file, IdChannel ids = IdChannel::present);
 /// The size of that frame, from the headers alone.
 Resolution frame_size(const std::filesystem::path& file, IdChannel ids = IdChannel::present);
-/// OpenEXR with the channels `id` (uint32) and `Z` (float32), bit for bit. The same frame gives the same
-/// bytes.
+/// OpenEXR with the channels `id` (uint32), `Z` and those of the attributes (float32), bit for bit. The same
+/// frame gives the same bytes.
 void write_frame(const std::filesystem::path& file, const Frame& frame);
 
 /// Linear light: the channels R, G and B as half or float32. Black where the file has no data.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "frame/frame_error.h"
+#include "image_io/attribute_channels.h"
 #include "image_io/frame_files.h"
 #include "image_io/id_decoder.h"
 #include "image_io/image_file.h"
@@ -147,7 +148,8 @@ class RawPlanes {
     RawFrame frame() const {
         RawFrame frame{.primitive = std::nullopt,
                        .why_no_ids = why_no_ids_,
-                       .stored_depth = Plane<double>(size_, std::numeric_limits<double>::infinity())};
+                       .stored_depth = Plane<double>(size_, std::numeric_limits<double>::infinity()),
+                       .attributes = read_attributes(depth_file(), size_)};
         if (id_places_.size() == 1) frame.primitive = ids();
         if (id_places_.size() == 3) frame.primitive = codes();
         const WantedChannel wanted{depth_place_, [&](const SampleRow& row) {
@@ -247,6 +249,8 @@ class RawPlanes {
             std::ranges::swap_ranges(frame.stored_depth.row(y), frame.stored_depth.row(other));
             if (frame.primitive)
                 std::ranges::swap_ranges(frame.primitive->row(y), frame.primitive->row(other));
+            for (Plane<float>& plane : frame.attributes.planes)
+                if (plane.size() == size_) std::ranges::swap_ranges(plane.row(y), plane.row(other));
         }
     }
 

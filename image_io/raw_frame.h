@@ -15,6 +15,7 @@ struct RawFrame {
     std::optional<Plane<PrimitiveId>> primitive;
     std::string why_no_ids;      ///< the complaint about the missing channel
     Plane<double> stored_depth;  ///< as stored, before any scale; row 0 at the top
+    Attributes attributes;       ///< those that the file has
 };
 
 /// Reads the channels that the convention names from an image that read_frame() takes, a 16-bit PNG or an

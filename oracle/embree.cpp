@@ -114,6 +114,17 @@ void store(const ClosestHits& hits, const Block& block, const BlockPart& part, F
     }
 }
 
+/// Embree's u and v, where the frame has planes for them.
+void store_barycentrics(const Packet& packet, const Block& block, const BlockPart& part, Frame& frame) {
+    for (int row = 0; row < part.rows; ++row) {
+        const int first = row * block_side;
+        store_row(packet.rays.hit.u + first, part.columns,
+                  &frame.attributes.planes[0].at(block.x, block.y + row));
+        store_row(packet.rays.hit.v + first, part.columns,
+                  &frame.attributes.planes[1].at(block.x, block.y + row));
+    }
+}
+
 void intersect(RTCScene scene, Packet& packet) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -129,6 +140,7 @@ void trace_block(RTCScene scene, const BlockRays& rays, const Block& block, Pack
     rays.aim(block.x, block.y, packet.rays.ray);
     intersect(scene, packet);
     store(hits_of(packet, rays.origin_depth()), block, part, frame);
+    if (frame.attributes.has(Attribute::barycentrics)) store_barycentrics(packet, block, part, frame);
 }
 
 /// Every second bit of a Morton code, from the lowest.
@@ -181,6 +193,18 @@ Embree& Embree::operator=(Embree&&) noexcept = default;
 
 Frame Embree::trace(const View& view) const {
     Frame frame = Frame::unwritten({view.width, view.height});
+    trace_into(frame, view);
+    return frame;
+}
+
+Frame Embree::trace_with_barycentrics(const View& view) const {
+    Frame frame = Frame::unwritten({view.width, view.height});
+    frame.attributes.planes[0] = frame.attributes.planes[1] = Plane<float>(frame.size());
+    trace_into(frame, view);
+    return frame;
+}
+
+void Embree::trace_into(Frame& frame, const View& view) const {
     const BlockRays rays(view);
     const unsigned tiles_a_side =
         std::bit_ceil(unsigned(std::max(view.width, view.height) - 1) / tile_side_px + 1);
@@ -190,7 +214,6 @@ Frame Embree::trace(const View& view) const {
             trace_tile(device_->triangles.get(), rays, tile, frame);
     });
     device_->errors.raise("traced the view '" + view.name + "'");
-    return frame;
 }
 
 std::vector<PrimitiveId> Embree::met(const View& view, std::span<const glm::dvec2> p_raster) const {

@@ -26,12 +26,16 @@ class Embree {
     /// Traces the view on the threads of the surrounding tbb::task_arena. Ray directions have unit camera
     /// depth, so that the hit distance is the camera depth and tnear/tfar are the near and far planes.
     Frame trace(const View& view) const;
+    /// The same with Embree's u and v as the attribute `bary`.
+    Frame trace_with_barycentrics(const View& view) const;
 
     /// The triangle that the view ray through each of these raster positions meets, on the calling
     /// thread.
     std::vector<PrimitiveId> met(const View& view, std::span<const glm::dvec2> p_raster) const;
 
   private:
+    void trace_into(Frame& frame, const View& view) const;
+
     struct Device;
     std::unique_ptr<Device> device_;
 };

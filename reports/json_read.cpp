@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <limits>
@@ -59,6 +60,20 @@ DepthBound bound(const Json& json) {
     return {number(json.at("low")), number(json.at("truth")), number(json.at("high"))};
 }
 
+std::optional<WrongAttribute> wrong_attribute(const Json& json) {
+    if (!json.contains("wrong_attribute")) return std::nullopt;
+    const Json& wrong = json.at("wrong_attribute");
+    const std::string name = wrong.at("channel");
+    const auto channel = std::ranges::find(attribute_channels, name, &AttributeChannel::name);
+    if (channel == attribute_channels.end()) refuse("no channel is named \"" + name + "\"");
+    return WrongAttribute{.channel = std::size_t(channel - attribute_channels.begin()),
+                          .value = float(number(wrong.at("value"))),
+                          .low = number(wrong.at("low")),
+                          .truth = number(wrong.at("truth")),
+                          .high = number(wrong.at("high")),
+                          .error_over_bound = number(wrong.at("error_over_bound"))};
+}
+
 ReportedFinding reported(const Json& json) {
     return {.finding = {.x = json.at("x"),
                         .y = json.at("y"),
@@ -67,7 +82,8 @@ ReportedFinding reported(const Json& json) {
                         .reference = answer(json.at("reference")),
                         .eps_px = number(json.at("eps_px")),
                         .candidate_depth = bound(json.at("candidate_depth_bound")),
-                        .error_over_bound = number(json.at("error_over_bound"))},
+                        .error_over_bound = number(json.at("error_over_bound")),
+                        .wrong_attribute = wrong_attribute(json)},
             .explanation = json.at("explanation"),
             .command = json.at("command"),
             .waiver = json.value("waiver", "")};

@@ -38,6 +38,15 @@ Json bound(const DepthBound& b) {
     return {{"low", number(b.low)}, {"truth", number(b.truth)}, {"high", number(b.high)}};
 }
 
+Json wrong_attribute(const WrongAttribute& wrong) {
+    return {{"channel", attribute_channels[wrong.channel].name},
+            {"value", number(wrong.value)},
+            {"low", number(wrong.low)},
+            {"truth", number(wrong.truth)},
+            {"high", number(wrong.high)},
+            {"error_over_bound", number(wrong.error_over_bound)}};
+}
+
 Json reported(const ReportedFinding& r) {
     const Finding& f = r.finding;
     Json object = {{"x", f.x},
@@ -51,6 +60,7 @@ Json reported(const ReportedFinding& r) {
                    {"explanation", r.explanation},
                    {"command", r.command}};
     if (!r.waiver.empty()) object["waiver"] = r.waiver;
+    if (f.wrong_attribute) object["wrong_attribute"] = wrong_attribute(*f.wrong_attribute);
     return object;
 }
 

@@ -25,6 +25,8 @@ constexpr auto all = std::to_array<Example>({
     {"explain", "zproof explain model.glb 812 344 --candidate frame.exr", "of a stored frame"},
     {"render", "zproof render textured_ground -o out", "VIEW.exr, id, depth and colour pictures"},
     {"render", "zproof render model.glb --filter trilinear-gl", "also VIEW-filtered.exr and .png"},
+    {"render", "zproof render model.glb --attributes",
+     "the EXR has barycentrics, uv, normals and positions, too"},
     {"render", "zproof render model.glb --filter nearest:uv=affine", "a filter with a setting"},
     {"measure", "zproof measure zproof", "a table: measured, declared, and whether it is kept"},
     {"measure", "zproof measure zproof --json", "the same for programs"},

@@ -27,6 +27,8 @@ Branch add_render(CLI::App& parent, CommandWords& words) {
     add_renderer_options(app, words.renderers);
     app.add_option("--filter", words.renderers.filter,
                    "also write textures as this method reads them: NAME[:key=value]...");
+    app.add_flag("--attributes", words.render.attributes,
+                 "also write barycentrics, uv, normals and positions, as our rasterizer interpolates them");
     add_render_settings(app, words.render.settings);
     app.footer("\nSettings of a filter, NAME:key=value:key=value:\n" + filter_settings_help());
     return {&app, [&words] {

@@ -6,6 +6,7 @@
 
 #include "compare/adjudicate/tile_work.h"
 #include "compare/admissible/depth_rule.h"
+#include "compare/attributes/attribute_check.h"
 
 namespace zproof {
 
@@ -64,6 +65,8 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
                   const std::function<void(std::size_t, const PixelCheck&)>& tell) {
     std::vector<PixelCoord> places;
     for (const UndecidedPixel& pixel : pixels) places.push_back(pixel.place);
+    const BoundedFrame& candidate = frames.candidate;
+    const AttributeCheck attributes(frames.scene, frames.view, candidate.frame, candidate.precision);
     const auto check_pixel = [&](TileWork& work, std::size_t i, double searched_px) {
         const PixelCoord& place = pixels[i].place;
         PixelCheck pixel = answers_at(frames, pixels[i]);
@@ -74,6 +77,7 @@ void check_pixels(const FramePair& frames, std::span<const UndecidedPixel> pixel
                        pixel.reference_decision));
             if (needed_px > 0) return needed_px;
         }
+        pixel.wrong_attribute = attributes.first_wrong(place);
         tell(i, pixel);
         return 0.0;
     };
@@ -88,6 +92,7 @@ PixelClass class_of(const PixelCheck& pixel) {
     if (pixel.candidate.is_invalid) return PixelClass::invalid;
     if (!is_admissible(candidate)) return class_of(candidate, reference);
     if (!pixel.candidate.is_depth_admissible) return PixelClass::wrong_depth;
+    if (pixel.wrong_attribute) return PixelClass::wrong_attribute;
     if (is_reference_wrong(pixel)) return PixelClass::reference_wrong;
     return pixel.ids_differ() ? class_of(candidate, reference) : PixelClass::agree;
 }
@@ -109,7 +114,9 @@ Finding finding_of(const FramePair& frames, const PixelCheck& pixel, const Pixel
             .reference = pixel.reference.answer,
             .eps_px = pixel.candidate_decision.decision.eps_px,
             .candidate_depth = depth.bound,
-            .error_over_bound = depth.error_over_bound};
+            .error_over_bound = depth.error_over_bound,
+            .wrong_attribute =
+                class_of(pixel) == PixelClass::wrong_attribute ? pixel.wrong_attribute : std::nullopt};
 }
 
 }  // namespace zproof

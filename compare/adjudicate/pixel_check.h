@@ -26,6 +26,7 @@ struct AnswerCheck {
 struct PixelCheck {
     AnswerCheck candidate, reference;
     QueryResult candidate_decision{}, reference_decision{};
+    std::optional<WrongAttribute> wrong_attribute{};  ///< of the candidate
 
     bool ids_differ() const { return candidate.answer.primitive != reference.answer.primitive; }
 };

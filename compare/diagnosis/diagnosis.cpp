@@ -58,7 +58,7 @@ class DefectSet {
   public:
     DefectSet(const Frame& candidate, const Verdict& verdict) : candidate_(candidate), verdict_(verdict) {
         for (const Finding& f : verdict.findings)
-            if (is_defect(f.verdict)) {
+            if (is_defect(f.verdict) && f.verdict != PixelClass::wrong_attribute) {
                 defects_.push_back({f.x, f.y, f.candidate});
                 are_all_depths_ &= f.verdict == PixelClass::wrong_depth;
             }
@@ -233,7 +233,7 @@ double explained_share(const Explanation& e) {
 
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                   const RenderedFrame& reference, const Verdict& verdict) {
-    if (defect_count(verdict) == 0) return std::nullopt;
+    if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)]) return std::nullopt;
     const DiagnosisInput input{scene, view, candidate, reference};
     return Diagnoser(input, verdict).run();
 }

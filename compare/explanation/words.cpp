@@ -37,6 +37,12 @@ std::string depth_sentence(const Finding& f) {
            number(f.error_over_bound, 3) + ")";
 }
 
+std::string attribute_sentence(const WrongAttribute& wrong) {
+    return std::string(attribute_channels[wrong.channel].name) + " is " + number(wrong.value, 9) +
+           ", admissible from " + number(wrong.low, 9) + " to " + number(wrong.high, 9) + " (error/bound " +
+           number(wrong.error_over_bound, 3) + ")";
+}
+
 std::string reason(const Finding& f) {
     const std::string square = "within " + number(f.eps_px, 4) + " px";
     switch (f.verdict) {
@@ -55,6 +61,9 @@ std::string reason(const Finding& f) {
         case PixelClass::undecidable:
             return "undecidable at eps = " + number(f.eps_px, 4) +
                    " px: too many triangles may be shown there";
+        case PixelClass::wrong_attribute:
+            return "id and depth are right, an attribute is not: " +
+                   (f.wrong_attribute ? attribute_sentence(*f.wrong_attribute) : "");
         case PixelClass::wrong_depth:
             return "the id is right, the depth is not: " + depth_sentence(f);
         case PixelClass::hole:

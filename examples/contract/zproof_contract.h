@@ -17,6 +17,7 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -67,6 +68,7 @@ struct Frame {
     int width, height;
     std::vector<std::uint32_t> id;
     std::vector<float> depth;  ///< along the view axis
+    std::map<std::string, std::vector<float>> attributes;
 
     Frame(int w, int h)
         : width(w),
@@ -77,6 +79,11 @@ struct Frame {
     void set(int x, int y, std::size_t triangle, double camera_depth) {
         const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
         id[i] = std::uint32_t(triangle), depth[i] = float(camera_depth);
+    }
+
+    /// The values of a channel such as "bary.u" (docs/renderer-contract.md, "Attributes"), to be filled in.
+    std::vector<float>& attribute(const std::string& name) {
+        return attributes.try_emplace(name, id.size(), 0.0f).first->second;
     }
 };
 
@@ -260,12 +267,16 @@ inline std::string exr_channel(const std::string& name, std::int32_t type) {
     return name + '\0' + bytes_of(std::array<std::int32_t, 4>{type, 0, 1, 1});
 }
 
-/// Channels in alphabetical order, as the format has it: Z (float32), id (uint32).
+/// Channels in alphabetical order, as the format has it: Z (float32), id (uint32), attributes (float32).
 inline void write_exr(const std::string& path, const Frame& frame) {
+    std::map<std::string, const void*> planes{{"Z", frame.depth.data()}, {"id", frame.id.data()}};
+    for (const auto& [name, values] : frame.attributes) planes[name] = values.data();
+    std::string channels;
+    for (const auto& [name, values] : planes) channels += exr_channel(name, name == "id" ? 0 : 2);
     const std::string window = bytes_of(std::array<std::int32_t, 4>{0, 0, frame.width - 1, frame.height - 1});
     const std::string header =
         bytes_of(std::array<std::int32_t, 2>{20000630, 2}) +
-        exr_attribute("channels", "chlist", exr_channel("Z", 2) + exr_channel("id", 0) + '\0') +
+        exr_attribute("channels", "chlist", channels + '\0') +
         exr_attribute("compression", "compression", std::string(1, '\0')) +
         exr_attribute("dataWindow", "box2i", window) + exr_attribute("displayWindow", "box2i", window) +
         exr_attribute("lineOrder", "lineOrder", std::string(1, '\0')) +
@@ -273,14 +284,15 @@ inline void write_exr(const std::string& path, const Frame& frame) {
         exr_attribute("screenWindowCenter", "v2f", bytes_of(std::array<float, 2>{0, 0})) +
         exr_attribute("screenWindowWidth", "float", bytes_of(1.0f)) + '\0';
     const std::size_t width = std::size_t(frame.width), height = std::size_t(frame.height);
+    const std::size_t row_bytes = 4 * width, line_bytes = planes.size() * row_bytes;
     std::ofstream file(path, std::ios::binary);
     file << header;
     for (std::size_t y = 0; y < height; ++y)
-        file << bytes_of(std::uint64_t(header.size() + 8 * height + y * (8 + 8 * width)));
+        file << bytes_of(std::uint64_t(header.size() + 8 * height + y * (8 + line_bytes)));
     for (std::size_t y = 0; y < height; ++y) {
-        file << bytes_of(std::array<std::int32_t, 2>{std::int32_t(y), 8 * frame.width});
-        file.write(reinterpret_cast<const char*>(&frame.depth[y * width]), std::streamsize(4 * width));
-        file.write(reinterpret_cast<const char*>(&frame.id[y * width]), std::streamsize(4 * width));
+        file << bytes_of(std::array<std::int32_t, 2>{std::int32_t(y), std::int32_t(line_bytes)});
+        for (const auto& [name, values] : planes)
+            file.write(static_cast<const char*>(values) + y * row_bytes, std::streamsize(row_bytes));
     }
     if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
 }

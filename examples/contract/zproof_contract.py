@@ -87,23 +87,32 @@ class Camera:
 # --- the answer: OpenEXR, scan lines, not compressed -------------------------------------------------------
 
 class Frame:
-    """Ids and camera depths, row by row from the top; all background at first."""
+    """Ids, camera depths and, where asked for, attributes; row by row from the top, all background at first."""
 
     def __init__(self, width, height):
         self.width, self.height = width, height
         self.id = array('I', [BACKGROUND]) * (width * height)
         self.depth = array('f', [math.inf]) * (width * height)
+        self.attributes = {}
 
     def set(self, x, y, triangle, depth):
         self.id[y * self.width + x], self.depth[y * self.width + x] = triangle, depth
 
+    def attribute(self, name):
+        """The values of a channel such as 'bary.u' (docs/renderer-contract.md, "Attributes"), to be filled in."""
+        return self.attributes.setdefault(name, array('f', [0]) * (self.width * self.height))
+
 
 def write_exr(path, frame):
-    """Channels in alphabetical order, as the format has it: Z (float32), id (uint32)."""
-    ids = _plane(frame, 'id', 'I', 'uint32')
-    depths = _plane(frame, 'depth', 'f', 'float32')
+    """Channels in alphabetical order, as the format has it: Z (float32), id (uint32), attributes (float32)."""
+    planes = {'Z': _plane(frame, 'depth', frame.depth, 'f', 'float32'),
+              'id': _plane(frame, 'id', frame.id, 'I', 'uint32')}
+    for name, values in frame.attributes.items():
+        planes[name] = _plane(frame, name, values, 'f', 'float32')
+    planes = sorted(planes.items())
     window = struct.pack('<4i', 0, 0, frame.width - 1, frame.height - 1)
-    channels = b'Z\0' + struct.pack('<iBxxxii', 2, 0, 1, 1) + b'id\0' + struct.pack('<iBxxxii', 0, 0, 1, 1) + b'\0'
+    channels = b''.join(name.encode() + b'\0' + struct.pack('<iBxxxii', 0 if name == 'id' else 2, 0, 1, 1)
+                        for name, _ in planes) + b'\0'
     header = struct.pack('<ii', 20000630, 2) + b''.join(
         name.encode() + b'\0' + kind.encode() + b'\0' + struct.pack('<i', len(value)) + value
         for name, kind, value in (
@@ -113,19 +122,20 @@ def write_exr(path, frame):
             ('screenWindowCenter', 'v2f', struct.pack('<2f', 0, 0)),
             ('screenWindowWidth', 'float', struct.pack('<f', 1)))) + b'\0'
     row, first_line = 4 * frame.width, len(header) + 8 * frame.height
+    line = len(planes) * row
     with open(path, 'wb') as file:
         file.write(header)
         for y in range(frame.height):
-            file.write(struct.pack('<Q', first_line + y * (8 + 2 * row)))
+            file.write(struct.pack('<Q', first_line + y * (8 + line)))
         for y in range(frame.height):
-            file.write(struct.pack('<ii', y, 2 * row))
-            file.write(depths[y * row:(y + 1) * row])
-            file.write(ids[y * row:(y + 1) * row])
+            file.write(struct.pack('<ii', y, line))
+            for _, plane in planes:
+                file.write(plane[y * row:(y + 1) * row])
 
 
-def _plane(frame, name, kind, words):
+def _plane(frame, name, values, kind, words):
     """The bytes of one of the frame's arrays. What has another type is refused: converted ids would be others."""
-    view = memoryview(getattr(frame, name))
+    view = memoryview(values)
     if view.format != kind or view.nbytes != 4 * frame.width * frame.height:
         raise TypeError(f'frame.{name}: {view.nbytes} bytes of type {view.format!r}; expected '
                         f'{frame.width} x {frame.height} values of type {words}')

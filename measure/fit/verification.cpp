@@ -40,7 +40,7 @@ std::vector<PixelCoord> defects_under(const BoundedPrecision& promise, const Sce
     const Frame nobody = frame_without_answers(frame.size());
     std::vector<PixelCoord> defects;
     for (const zproof::Finding& f : judge(scene, view, {frame, promise}, {nobody, promise}).findings)
-        defects.push_back({f.x, f.y});
+        if (f.verdict != PixelClass::wrong_attribute) defects.push_back({f.x, f.y});  // of ids and depths
     return defects;
 }
 

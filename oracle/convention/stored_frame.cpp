@@ -24,6 +24,7 @@ Frame frame_of(const RawFrame& raw, const Convention& convention, const View& vi
     if (has_ids && !raw.primitive) throw FrameError(raw.why_no_ids);
     const CameraDepth camera_depth(convention, view);
     Frame frame({view.width, view.height});
+    frame.attributes = raw.attributes;
     for (int y = 0; y < view.height; ++y)
         for (int x = 0; x < view.width; ++x) {
             const double stored = raw.stored_depth.at(x, y);

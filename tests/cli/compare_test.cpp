@@ -60,6 +60,35 @@ TEST_F(StoredFrames, AWrongPixelFailsAndItsCommandExplainsIt) {
     EXPECT_EQ(told.exit_code, 1) << told.out << told.err;
 }
 
+TEST_F(StoredFrames, AreJudgedByTheirAttributesToo) {
+    const Words render{"render", "two.gltf", "-o", "with", "--attributes", "--width", "64", "--height", "48"};
+    ASSERT_EQ(run(folder, render).exit_code, 0);
+    const Ran right = run(folder, {"compare", "with/frame-all.exr", "two.gltf"});
+    EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
+    EXPECT_EQ(right.err.find("not judged"), std::string::npos) << right.err;
+
+    Frame frame = read_frame(folder.path() / "with/frame-all.exr");
+    ASSERT_TRUE(frame.attributes.has(Attribute::barycentrics));
+    ASSERT_FALSE(frame.attributes.has(Attribute::uv));
+    frame.attributes.planes[0].at(32, 24) += 0.01f;
+    frame.attributes.planes[2] = frame.attributes.planes[3] = Plane<float>(frame.size());
+    write_frame(folder.path() / "spoilt.exr", frame);
+    const Ran wrong = run(folder, {"compare", "spoilt.exr", "two.gltf"});
+    EXPECT_EQ(wrong.exit_code, 1) << wrong.out << wrong.err;
+    const std::string remark = "uv: not judged, since the scene has none";
+    EXPECT_NE(wrong.err.find(remark), std::string::npos) << wrong.err;
+    EXPECT_EQ(wrong.err.find(remark), wrong.err.rfind(remark)) << wrong.err;
+    EXPECT_EQ(only_view().at("notes").back(), remark);
+    EXPECT_EQ(only_view().at("counts").at("wrong_attribute"), 1);
+    const json finding = only_view().at("worst").at(0);
+    EXPECT_EQ(finding.at("class"), "wrong_attribute");
+    EXPECT_EQ(finding.at("wrong_attribute").at("channel"), "bary.u");
+    const Ran told = run(folder, {"explain", "two.gltf", "32", "24", "--candidate", "spoilt.exr", "--width",
+                                  "64", "--height", "48"});
+    EXPECT_EQ(told.exit_code, 1) << told.out << told.err;
+    EXPECT_NE(told.out.find("an attribute is not: bary.u is "), std::string::npos) << told.out;
+}
+
 TEST_F(StoredFrames, AWrongPixelOfTheReferenceDoesNotFail) {
     spoil("spoilt.exr");
     const Ran ran = run(folder, {"compare", "zproof/frame-all.exr", "spoilt.exr", "--scene", "two.gltf"});

@@ -76,18 +76,11 @@ TEST(Explain, APixelOutsideTheViewIsRefused) {
 bool says(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
 TEST(Words, EveryClassHasItsReason) {
-    const std::array<const char*, pixel_class_count> reasons{"same id",
-                                                             "they meet at an edge",
-                                                             "depths tie",
-                                                             "through a crack",
-                                                             "near or far plane",
-                                                             "the reference is not",
-                                                             "undecidable at eps",
-                                                             "the depth is not",
-                                                             "is covered for certain",
-                                                             "does not come",
-                                                             "is occluded for certain",
-                                                             "that is no answer"};
+    const std::array<const char*, pixel_class_count> reasons{
+        "same id",           "they meet at an edge",   "depths tie",         "through a crack",
+        "near or far plane", "the reference is not",   "undecidable at eps", "an attribute is not",
+        "the depth is not",  "is covered for certain", "does not come",      "is occluded for certain",
+        "that is no answer"};
     const Scene scene;
     Finding f;
     f.candidate = {PrimitiveId(3), 2};

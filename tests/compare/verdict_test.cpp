@@ -139,11 +139,11 @@ TEST(Verdict, DoesNotDependOnTheNumberOfThreads) {
     }
 }
 
-TEST(PixelClass, EverythingFromWrongDepthOnFailsTheGate) {
+TEST(PixelClass, EverythingFromWrongAttributeOnFailsTheGate) {
     for (int c = 0; c < pixel_class_count; ++c) {
         Verdict verdict;
         verdict.counts[std::size_t(c)] = 3;
-        EXPECT_EQ(defect_count(verdict), c >= int(PixelClass::wrong_depth) ? 3u : 0u)
+        EXPECT_EQ(defect_count(verdict), c >= int(PixelClass::wrong_attribute) ? 3u : 0u)
             << name_of(PixelClass(c));
     }
 }

@@ -41,8 +41,10 @@ std::string runs_of(const Plane<PixelClass>& classes, int y) {
 std::string counts_text(const ClassCounts& counts) {
     std::string text = "counts";
     for (int c = 0; c < pixel_class_count; ++c) {
-        // younger than the records, in which it does not occur
-        if (PixelClass(c) == PixelClass::undecidable && counts[std::size_t(c)] == 0) continue;
+        // younger than the records, in which they do not occur
+        const bool is_young =
+            PixelClass(c) == PixelClass::undecidable || PixelClass(c) == PixelClass::wrong_attribute;
+        if (is_young && counts[std::size_t(c)] == 0) continue;
         text.append(" ")
             .append(name_of(PixelClass(c)))
             .append("=")

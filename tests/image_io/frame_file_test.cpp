@@ -101,6 +101,38 @@ TEST_F(FrameFile, KeepsEveryBitOfIdsAndDepths) {
     EXPECT_EQ(bits(back.camera_depth), bits(frame.camera_depth));
 }
 
+TEST_F(FrameFile, KeepsEveryBitOfAttributes) {
+    Frame frame = hard_frame();
+    for (std::size_t c = 0; c < attribute_channels.size(); ++c) {
+        if (attribute_channels[c].attribute == Attribute::normal) continue;
+        frame.attributes.planes[c] = Plane<float>({4, 3});
+        for (std::size_t i = 0; i < 12; ++i)
+            frame.attributes.planes[c].pixels()[i] = std::bit_cast<float>(hard_depth_bits[(i + c) % 12]);
+    }
+    write_frame(file("attributes.exr"), frame);
+    const Frame back = read_frame(file("attributes.exr"));
+    EXPECT_EQ(numbers(back.primitive), numbers(frame.primitive));
+    EXPECT_EQ(bits(back.camera_depth), bits(frame.camera_depth));
+    for (std::size_t c = 0; c < attribute_channels.size(); ++c) {
+        EXPECT_EQ(back.attributes.has(c), frame.attributes.has(c)) << attribute_channels[c].name;
+        EXPECT_EQ(bits(back.attributes.planes[c]), bits(frame.attributes.planes[c]));
+    }
+    write_frame(file("none.exr"), hard_frame());
+    EXPECT_FALSE(read_frame(file("none.exr")).attributes.are_given());
+}
+
+TEST_F(FrameFile, AnAttributeThatIsNotWholeIsRefused) {
+    const OIIO::TypeDesc real = OIIO::TypeFloat, half = OIIO::TypeHalf, id = OIIO::TypeUInt32;
+    write_stranger(file("part.exr"),
+                   {.channels = {"id", "Z", "normal.X", "normal.Z"}, .types = {id, real, real, real}});
+    EXPECT_THAT(refusal_to_read(file("part.exr")),
+                AllOf(HasSubstr("'normal.Y'"), HasSubstr("all of them or none")));
+    write_stranger(file("half.exr"),
+                   {.channels = {"id", "Z", "uv.u", "uv.v"}, .types = {id, real, half, half}});
+    EXPECT_THAT(refusal_to_read(file("half.exr")),
+                AllOf(HasSubstr("'uv.u'"), HasSubstr("half; expected float")));
+}
+
 TEST_F(FrameFile, KeepsRowsAndColumnsInPlaceInALargeFrame) {
     Frame frame({517, 233});
     for (std::size_t i = 0; i < frame.size().pixel_count(); ++i) {

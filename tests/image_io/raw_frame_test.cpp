@@ -75,6 +75,17 @@ TEST_F(RawFrames, RowsFromTheBottomAreTurnedOver) {
     EXPECT_THAT(depths_of(frame), ElementsAre(4, 5, 2, 3, 0, 1));
 }
 
+TEST_F(RawFrames, AttributesAreTurnedOverAsWell) {
+    Frame frame({1, 3});
+    frame.attributes.planes[2] = frame.attributes.planes[3] = Plane<float>({1, 3});
+    for (int y = 0; y < 3; ++y) frame.attributes.planes[2].at(0, y) = float(y);
+    write_frame(file("uv.exr"), frame);
+    const Attributes turned = read("uv.exr", "rows=bottom_first").attributes;
+    ASSERT_TRUE(turned.has(Attribute::uv));
+    EXPECT_FALSE(turned.has(Attribute::normal));
+    for (int y = 0; y < 3; ++y) EXPECT_EQ(turned.planes[2].at(0, y), float(2 - y));
+}
+
 TEST_F(RawFrames, FloatIdsThatAreNotExactAreRefusedWithTheirPixel) {
     write_npy<double>(file("z.npy"), "<f8", "1, 2", {1, 1});
     const std::string keys = "id_coding=float,id_background=0";

@@ -61,6 +61,20 @@ TEST(Json, ReadsBackToTheSameResults) {
     EXPECT_EQ(to_json(results_from_json(text)), text);
 }
 
+TEST(Json, KeepsAWrongAttribute) {
+    Results original = sample_results();
+    original.views[1].worst[1].finding.wrong_attribute = WrongAttribute{
+        .channel = 3, .value = 0.1f, .low = 0.25, .truth = 0.5, .high = 0.75, .error_over_bound = 1.6};
+    const std::string text = to_json(original);
+    EXPECT_EQ(objections(Json::parse(text)), "");
+    EXPECT_EQ(to_json(results_from_json(text)), text);
+    EXPECT_EQ(Json::parse(text).at("/views/1/worst/1/wrong_attribute/channel"_json_pointer), "uv.v");
+    const auto back = results_from_json(text).views[1].worst[1].finding.wrong_attribute;
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->value, 0.1f);
+    EXPECT_EQ(back->high, 0.75);
+}
+
 TEST(Json, KeepsEveryBitOfHardNumbers) {
     const Results original = sample_results();
     const Results back = results_from_json(to_json(original));

@@ -1,0 +1,110 @@
+#include "compare/attributes/interpolation_errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/bounds/roundings.h"
+#include "compare/bounds/window_triangle.h"
+
+namespace zproof {
+
+namespace {
+
+double sum_abs_of(const Vector3<double>& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+double dot_abs(const Vector3<double>& a, const Vector3<double>& b) { return dot(absolute(a), absolute(b)); }
+
+/// What 1 / depth costs, twice: value / depth is such a sum as well. A corner's weight is 1 / depth.
+double relative_of_depth(const Surface& s) {
+    const double of_corner = s.facts.perspective ? s.bounds.depth_absolute / s.bounds.nearest : 0;
+    return 2 * (s.bounds.depth_factor + of_corner) + unit_roundoff_float32;
+}
+
+bool is_cut(const RasterPrecision& precision, const Surface& s) {
+    const auto triangle = window_triangle(s.facts, s.extent);
+    if (!triangle) return true;
+    const glm::dvec2 size{s.facts.view.width, s.facts.view.height};
+    const bool whole = precision.clipping == Clipping::view_volume;
+    const glm::dvec2 reach = whole ? size / 2.0 : glm::dvec2(guard_band_px);
+    return !std::ranges::all_of(triangle->corner_px, [&](const glm::dvec2& corner) {
+        const glm::dvec2 from_middle = glm::abs(corner - size / 2.0);
+        return from_middle.x <= reach.x && from_middle.y <= reach.y;
+    });
+}
+
+bool has_exact_coverage(const RasterPrecision& precision) {
+    return precision.edge_functions == EdgeFunctions::exact && precision.barycentric_tolerance == 0;
+}
+
+InterpolationErrors errors_of(const RasterPrecision& precision, const Surface& s) {
+    InterpolationErrors errors{.relative = relative_of_depth(s)};
+    if (precision.edge_functions != EdgeFunctions::homogeneous && is_cut(precision, s))
+        errors.relative += gamma(4 * 6, unit_of(precision.transform));
+    if (has_exact_coverage(precision)) return errors;
+    errors.sampled = SampledPlaces::anywhere;
+    if (s.bounds.inverse_depth_error == 0) return errors;
+    const bool is_known = s.facts.perspective && s.least_inverse_depth > 0;
+    errors.of_weights = is_known ? s.bounds.inverse_depth_error / s.least_inverse_depth : unlimited;
+    return errors;
+}
+
+/// Absolute errors of the three weights of image_of(), added up.
+double weights_error(const RayPrecision& precision, const Surface& s) {
+    const double unit = unit_of(precision.arithmetic);
+    const Corners<double> p = corners<double>(s.p_world());
+    const Corners<double> v{p[0] - s.ray.origin, p[1] - s.ray.origin, p[2] - s.ray.origin};
+    const Vector3<double> direction = absolute(s.ray.direction), e1 = v[1] - v[0], e2 = v[2] - v[0];
+    double sum = 0;
+    switch (precision.test) {
+        case RayTest::pluecker:
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Vector3<double>&a = v[i], &b = v[(i + 1) % 3];
+                sum += dot_abs(absolute_cross(b - a, b + a), direction);
+            }
+            return gamma(7, unit) * sum / 2;
+        case RayTest::moeller_trumbore:
+            sum =
+                dot(absolute_cross(e1, v[0]) + absolute_cross(e2, v[0]) + absolute_cross(e1, e2), direction);
+            return 2 * gamma(10, unit) * sum;
+        case RayTest::woop:
+            for (std::size_t i = 0; i < 3; ++i) sum += 2 * sum_abs_of(v[i]) * sum_abs_of(v[(i + 1) % 3]);
+            return gamma(10, unit) * sum * sum_abs_of(direction);
+    }
+    return unlimited;
+}
+
+InterpolationErrors errors_of(const RayPrecision& precision, const Surface& s) {
+    return {.relative = gamma(8, unit_of(precision.arithmetic)) + unit_roundoff_float32,
+            .of_weights = weights_error(precision, s) / s.least_sum,
+            .sampled = SampledPlaces::anywhere};
+}
+
+InterpolationErrors errors_of(const BoundedPrecision&, const Surface& s) {
+    return {.relative = relative_of_depth(s)};
+}
+
+/// It promises nothing (promises_attributes()).
+InterpolationErrors errors_of(const PlaneRayPrecision&, const Surface&) {
+    return {.relative = unlimited, .of_weights = unlimited};
+}
+
+}  // namespace
+
+bool promises_attributes(const Precision& precision) {
+    if (const auto* raster = std::get_if<RasterPrecision>(&precision))
+        return raster->depth_interpolation == DepthInterpolation::barycentrics;
+    return !std::holds_alternative<PlaneRayPrecision>(precision);
+}
+
+Precision varying_precision(const Precision& precision) {
+    Precision varying = precision;
+    if (auto* raster = std::get_if<RasterPrecision>(&varying))
+        raster->depth_buffer = DepthBuffer::camera_depth;
+    return varying;
+}
+
+InterpolationErrors interpolation_errors(const Precision& precision, const Surface& surface) {
+    return std::visit([&](const auto& p) { return errors_of(p, surface); }, precision);
+}
+
+}  // namespace zproof
