@@ -57,9 +57,9 @@ const Names types_of_compare{"pixel_class.h", "verdict.h", "rendered_frame.h"};
 const Names rooms_above_the_judge{"diagnosis", "explanation"};
 /// The rooms that its own files may look into; those that are not named, into none.
 const std::map<std::string, Names> may_include_from_compare{
-    {"judge.cpp", {"agree", "adjudicate"}},
+    {"judge.cpp", {"agree", "adjudicate", "attributes"}},
     {"rendered_frame.h", {"bounds"}},
-    {"verdict.h", {"bounds"}},
+    {"verdict.h", {"bounds", "attributes"}},
 };
 
 /// Where a foreign library is spoken to; everywhere else it is unknown. <iostream>: library rooms never

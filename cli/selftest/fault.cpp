@@ -51,8 +51,8 @@ std::optional<Verdict> verdict_on(const Fault& fault, const Fixture& fixture) {
 
 std::vector<Fault> catalogue() {
     std::vector<Fault> all;
-    for (const auto part : {clean_frames, faults_of_a_pixel, faults_of_ids, faults_of_depth, faults_of_attributes, faults_of_place,
-                            faults_of_visibility})
+    for (const auto part : {clean_frames, faults_of_a_pixel, faults_of_ids, faults_of_depth,
+                            faults_of_attributes, faults_of_place, faults_of_visibility})
         std::ranges::move(part(), std::back_inserter(all));
     return all;
 }

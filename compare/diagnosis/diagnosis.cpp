@@ -233,7 +233,8 @@ double explained_share(const Explanation& e) {
 
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
                                   const RenderedFrame& reference, const Verdict& verdict) {
-    if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)]) return std::nullopt;
+    if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)])
+        return std::nullopt;
     const DiagnosisInput input{scene, view, candidate, reference};
     return Diagnoser(input, verdict).run();
 }

@@ -54,7 +54,8 @@ TEST(CatalogueAsAWhole, InjectsWhatItSays) {
         const bool same_ids = std::ranges::equal(faulty.primitive.pixels(), fixture.good.primitive.pixels());
         const bool same_depths =
             std::ranges::equal(faulty.camera_depth.pixels(), fixture.good.camera_depth.pixels());
-        EXPECT_FALSE(same_ids && same_depths && !faulty.attributes.are_given()) << fault.name << " changes nothing";
+        EXPECT_FALSE(same_ids && same_depths && !faulty.attributes.are_given())
+            << fault.name << " changes nothing";
     }
 }
 
