@@ -28,6 +28,7 @@ Branch add_render(CLI::App& parent, CommandWords& words) {
     app.add_option("--filter", words.renderers.filter,
                    "also write textures as this method reads them: NAME[:key=value]...");
     add_render_settings(app, words.render.settings);
+    add_samples(app, words.render.settings);
     app.footer("\nSettings of a filter, NAME:key=value:key=value:\n" + filter_settings_help());
     return {&app, [&words] {
                 words.render.renderer = candidate_of(words.renderers);
