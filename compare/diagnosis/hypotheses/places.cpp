@@ -37,14 +37,20 @@ Hypothesis sampled(const DiagnosisInput& input, const glm::dvec2& offset_px, con
 
 /// Of a view that is sampled beside the centres.
 std::vector<Hypothesis> hypotheses_of_sample(const DiagnosisInput& input) {
-    const glm::dvec2 offset_px = input.view.sample.offset_px;
+    const auto& [index, count, offset_px] = input.view.sample;
     if (offset_px == glm::dvec2(0)) return {};
-    return {sampled(input, {0, 0}, "pixels are sampled at their centres",
-                    "Each pixel holds what belongs to its centre, not to the sample."),
-            sampled(input, {offset_px.x, -offset_px.y}, "the sample's y is up",
-                    "Each pixel holds what belongs as far above its centre as the sample lies below."),
-            sampled(input, {offset_px.y, offset_px.x}, "the sample's x and y are swapped",
-                    "Each pixel holds what belongs to the sample (dy, dx) from its centre.")};
+    std::vector<Hypothesis> all{
+        sampled(input, {0, 0}, "pixels are sampled at their centres",
+                "Each pixel holds what belongs to its centre, not to the sample."),
+        sampled(input, {offset_px.x, -offset_px.y}, "the sample's y is up",
+                "Each pixel holds what belongs as far above its centre as the sample lies below."),
+        sampled(input, {offset_px.y, offset_px.x}, "the sample's x and y are swapped",
+                "Each pixel holds what belongs to the sample (dy, dx) from its centre.")};
+    for (const Sample& other : standard_samples(count))
+        if (other.index != index)
+            all.push_back(sampled(input, other.offset_px, "it is sample " + std::to_string(other.index),
+                                  "Each pixel holds what belongs to another sample of the pattern."));
+    return all;
 }
 
 using Place = std::pair<int, int>;
