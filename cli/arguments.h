@@ -74,7 +74,7 @@ struct CompareArguments {
     std::filesystem::path models;  ///< where view files' models may lie; empty: beside them only
     std::string view;              ///< empty: the scene's only view
     ChosenRenderers renderers;     ///< the candidate is a stored frame
-    int threads = available_threads();
+    RenderSettings settings;       ///< the resolution is the frame's
     ReportArguments report{.evidence = Evidence::all};  ///< one frame, which somebody asks about
 };
 

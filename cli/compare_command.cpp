@@ -4,6 +4,7 @@
 #include "cli/gate/shard.h"
 #include "cli/judgement.h"
 #include "cli/renderers/registry.h"
+#include "cli/samples.h"
 #include "cli/usage_error.h"
 #include "oracle/convention/stored_frame.h"
 
@@ -19,17 +20,30 @@ std::string view_meant(const CompareArguments& arguments, const SceneSource& sou
                      "; say which with --view"};
 }
 
+/// A frame shows one sample.
+void require_frames(const CompareArguments& arguments) {
+    if (arguments.settings.samples.size() == 1) return;
+    for (const RendererChoice* choice : {&arguments.renderers.candidate, &arguments.renderers.reference})
+        if (!has_frame_for_each_sample(*choice))
+            throw UsageError{"compare: " + name_of(*choice) + " is one frame, and --sample means " +
+                             std::to_string(arguments.settings.samples.size()) +
+                             "; expected {sample} in its name or in --channels, e.g. frame-{sample}.exr"};
+}
+
 }  // namespace
 
 ExitCode execute(const CompareArguments& arguments) {
-    const auto& candidate = std::get<StoredFrame>(arguments.renderers.candidate.who);
-    const RendererChoice& chosen = arguments.renderers.candidate;
-    const Resolution size =
-        oracle::stored_frame_size(candidate.file, declared_convention(chosen), id_channel_of(chosen));
+    require_frames(arguments);
+    const RendererChoice chosen =
+        at_sample(arguments.renderers.candidate, arguments.settings.samples.front());
+    const Resolution size = oracle::stored_frame_size(std::get<StoredFrame>(chosen.who).file,
+                                                      declared_convention(chosen), id_channel_of(chosen));
     const SceneSource source = select_scene(arguments.scene, arguments.models);
     return judge_and_report({.sources = {source},
                              .renderers = arguments.renderers,
-                             .settings = {.resolution = size, .threads = arguments.threads},
+                             .settings = {.resolution = size,
+                                          .threads = arguments.settings.threads,
+                                          .samples = arguments.settings.samples},
                              .report = arguments.report,
                              .selection = selection_of({source}, size),
                              .only_view = view_meant(arguments, source, size)});

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/labelled_candidate.h"
 #include "cli/renderers/registry.h"
+#include "cli/samples.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
 #include "cli/usage_error.h"
@@ -19,6 +20,14 @@ const View& view_named(const std::string& name, const Loaded& loaded) {
         throw UsageError{"--view " + name + ": " + loaded.scene.name + " has the views " +
                          names_of(loaded.views)};
     return *view;
+}
+
+View asked_view(const ExplainArguments& arguments, const Loaded& loaded) {
+    const std::vector<Sample>& samples = arguments.settings.samples;
+    if (samples.size() != 1)
+        throw UsageError{"explain: --sample means " + std::to_string(samples.size()) +
+                         " places; expected one, e.g. standard:" + std::to_string(samples.size()) + ":0"};
+    return at_samples({view_named(arguments.view, loaded)}, samples).front();
 }
 
 void require_inside(const ExplainArguments& arguments, const View& view) {
@@ -51,7 +60,7 @@ Story story_of(const ExplainArguments& arguments, const Scene& scene, const View
 ExitCode execute(const ExplainArguments& arguments) {
     const SceneSource source = select_scene(arguments.scene, arguments.models);
     const Loaded loaded = load(source, arguments.settings.resolution);
-    const View& view = view_named(arguments.view, loaded);
+    const View view = asked_view(arguments, loaded);
     require_inside(arguments, view);
     if (loaded.scene.triangles.empty()) {
         std::cerr << "zproof: " << source.name << ": the scene has no triangles, nothing to explain\n";

@@ -99,8 +99,9 @@ ExitCode judge_and_report(const RunRequest& request) {
     std::size_t scenes_left = 0;
     {
         Progress progress{std::cerr, resolve(report.progress), expected_work(sources, report.out)};
-        const RunConfig config{settings.resolution, out.working(),   names,    progress, renderers, gate,
-                               report.pictures,     report.evidence, only_view};
+        const RunConfig config{settings.resolution, out.working(), names,           progress,
+                               renderers,           gate,          report.pictures, report.evidence,
+                               settings.samples,    only_view};
         on_threads(settings.threads,
                    [&, &scenes = sources] { scenes_left = judge_all(scenes, config, results); });
     }

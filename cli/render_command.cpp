@@ -4,6 +4,7 @@
 #include "cli/folder_names.h"
 #include "cli/interrupt.h"
 #include "cli/renderers/registry.h"
+#include "cli/samples.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
 #include "cli/work_progress.h"
@@ -33,16 +34,17 @@ void write_colours(const std::string& stem, const Picture& picture) {
 ExitCode execute(const RenderArguments& arguments) {
     const Loaded loaded =
         load(select_scene(arguments.scene, arguments.models), arguments.settings.resolution);
+    const std::vector<View> views = at_samples(loaded.views, arguments.settings.samples);
     OutputFolder out{arguments.out};
     note_interrupts();
     std::vector<std::string> written;
-    WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(loaded.views.size())};
+    WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(views.size())};
     on_threads(arguments.settings.threads, [&] {
         const Renderer renderer = open(arguments.renderer, loaded.scene);
-        for (const View& view : loaded.views) {
+        for (const View& view : views) {
             if (interrupted()) return;
-            progress.begin(view.name);
-            written.push_back(safe_name(view.name));
+            progress.begin(shown_name(view));
+            written.push_back(safe_name(shown_name(view)));
             const std::filesystem::path stem = out.working() / written.back();
             Frame frame = renderer.render(view);
             if (arguments.attributes) frame.attributes = rasterizer::attributes_of(loaded.scene, view, frame);
@@ -56,8 +58,8 @@ ExitCode execute(const RenderArguments& arguments) {
     out.publish();
     for (const std::string& name : written)
         progress.say(std::cout, (arguments.out / (name + ".exr")).string() + "\n");
-    if (written.size() == loaded.views.size()) return ExitCode::proven;
-    return say_interrupted({written.size(), loaded.views.size()}, "view", "rendered and written");
+    if (written.size() == views.size()) return ExitCode::proven;
+    return say_interrupted({written.size(), views.size()}, "view", "rendered and written");
 }
 
 }  // namespace zproof

@@ -2,12 +2,14 @@
 
 #include <tbb/task_group.h>
 
+#include <algorithm>
 #include <optional>
 #include <span>
 
 #include "cli/expectations.h"
 #include "cli/interrupt.h"
 #include "cli/oracle_answers.h"
+#include "cli/samples.h"
 #include "cli/shaded_pictures.h"
 #include "cli/stage_clock.h"
 #include "cli/usage_error.h"
@@ -76,7 +78,7 @@ std::vector<OracleAnswer> ask_oracles(const ViewRun& view_run, const JudgedPair&
     std::vector<OracleAnswer> answers;
     for (const OpenedOracle& oracle : view_run.opened.oracles) {
         view_run.config.progress.begin_stage("ask " + name_of(oracle.choice.renderer) + " " +
-                                             view_run.context.view.name);
+                                             shown_name(view_run.context.view));
         answers.push_back(ask_oracle(oracle, view_run.context, judged.reference));
     }
     const std::filesystem::path folder = view_run.config.run_folder / result.folder;
@@ -100,7 +102,7 @@ std::vector<OracleAnswer> ask_oracles(const ViewRun& view_run, const JudgedPair&
 /// Tells that a stage begins, and measures it.
 void begin(const ViewRun& view_run, const char* what, double StageTimes::*stage) {
     view_run.clock.begin(stage);
-    view_run.config.progress.begin_stage(std::string{what} + " " + view_run.context.view.name);
+    view_run.config.progress.begin_stage(std::string{what} + " " + shown_name(view_run.context.view));
 }
 
 bool leaves_evidence(const Verdict& verdict, Evidence mode) {
@@ -121,7 +123,7 @@ Verdict judge_as_wanted(const ViewRun& view_run, const RenderedFrame& candidate,
 /// Stands for a view of which nothing was judged.
 ViewResult unjudged(const SceneSource& source, const View& view, Outcome outcome, const std::string& why) {
     ViewResult result = unjudged(source, outcome, why);
-    result.view = view.name;
+    result.view = shown_name(view);
     return result;
 }
 
@@ -179,7 +181,7 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
 
     if (leaves_evidence(verdict, config.evidence)) {
         begin(view_run, "write", &StageTimes::write);
-        result.folder = "scenes/" + config.names.next(source.name, view.name);
+        result.folder = "scenes/" + config.names.next(source.name, shown_name(view));
         write_view_evidence(config.run_folder / result.folder, candidate.frame, reference, verdict);
     }
 
@@ -251,7 +253,7 @@ Ending run_views(const SceneSource& source, const RunConfig& config, StageClock&
         record.add(without_triangles(source, loaded.scene));
         return Ending::complete;
     }
-    const std::vector<View> views = wanted_views(loaded, config.only_view);
+    const std::vector<View> views = at_samples(wanted_views(loaded, config.only_view), config.samples);
     config.progress.expect_views(views.size());
     const auto leave = [&](std::size_t from) {
         record.leave(source, std::span{views}.subspan(from));
@@ -301,7 +303,7 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
     try {
         const Ending ending = run_views(source, config, clock, record);
         if (ending == Ending::complete && config.resolution == default_resolution &&
-            are_the_usual(config.renderers))
+            std::ranges::all_of(config.samples, is_centre) && are_the_usual(config.renderers))
             hold_to_expectations(source, config, results);
         return ending;
     } catch (const SceneError& e) {

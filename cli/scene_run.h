@@ -26,7 +26,8 @@ struct RunConfig {
     const Gate& gate;
     PictureMode pictures;
     Evidence evidence;
-    std::string only_view = "";  ///< empty: all views
+    const std::vector<Sample>& samples;  ///< of every view
+    std::string only_view = "";          ///< empty: all views
 };
 
 /// Stands in for a scene that an interrupt kept from being begun.

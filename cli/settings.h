@@ -1,7 +1,10 @@
 /// What commands that render have in common.
 #pragma once
 
+#include <vector>
+
 #include "frame/plane.h"
+#include "scenes/sample.h"
 
 namespace zproof {
 
@@ -23,6 +26,7 @@ struct RenderSettings {
     Resolution resolution =
         default_resolution;  ///< of suite scenes and glTF files; a view file states its own
     int threads = available_threads();
+    std::vector<Sample> samples{Sample{}};  ///< of every view
 };
 
 }  // namespace zproof

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cli/arguments.h"
+#include "cli/samples.h"
 #include "compare/explanation/explain.h"
 
 namespace zproof {
@@ -57,7 +58,7 @@ std::vector<Ranked> hold_to_waivers(const ViewContext& context, std::span<const 
                                     const Gate& gate, ViewResult& result) {
     WaiverCoverage coverage = cover(gate.waivers,
                                     {.scene = context.source.name,
-                                     .view = context.view.name,
+                                     .view = shown_name(context.view),
                                      .scene_sha256 = context.scene_sha256,
                                      .size = {context.view.width, context.view.height}},
                                     findings, gate.today);
@@ -73,12 +74,15 @@ std::vector<Ranked> hold_to_waivers(const ViewContext& context, std::span<const 
 
 /// The options that name candidate and reference, where they are not the usual ones.
 std::string renderer_options(const ViewContext& context, const RendererChoice& candidate) {
-    std::string options = options_for(candidate);
-    if (const auto* stored = std::get_if<StoredFrame>(&context.renderers.reference.who))
+    const Sample& sample = context.view.sample;
+    std::string options = options_for(at_sample(candidate, sample));
+    if (const std::string word = sample_word(sample); !word.empty()) options += " --sample " + word;
+    const RendererChoice reference = at_sample(context.renderers.reference, sample);
+    if (const auto* stored = std::get_if<StoredFrame>(&reference.who))
         options += " --reference " + shell_quoted(stored->file.string());
-    if (const std::string& word = context.renderers.reference.precision_word; !word.empty())
+    if (const std::string& word = reference.precision_word; !word.empty())
         options += " --reference-precision " + shell_quoted(word);
-    const auto& [convention, channels] = context.renderers.reference.convention;
+    const auto& [convention, channels] = reference.convention;
     if (!convention.empty()) options += " --reference-convention " + shell_quoted(convention);
     if (!channels.empty()) options += " --reference-channels " + shell_quoted(channels);
     return options;
@@ -115,7 +119,7 @@ ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, co
                           const CandidateFrame& candidate) {
     ViewResult result = unjudged(context.source, Outcome::proven, "");
     result.scene_sha256 = context.scene_sha256;
-    result.view = context.view.name;
+    result.view = shown_name(context.view);
     result.width = context.view.width;
     result.height = context.view.height;
     result.triangles = context.scene.triangles.size();
@@ -130,6 +134,8 @@ ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, co
     result.adjudicated = verdict.adjudicated;
     result.exact = verdict.exact;
     result.notes = context.scene.notes;
+    if (const std::string note = sample_note(context.view.sample); !note.empty())
+        result.notes.push_back(note);
     result.worst =
         stories(context, context.renderers.candidate,
                 worst_of(hold_to_waivers(context, verdict.findings, gate, result), most_reported_findings));

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "cli/arguments.h"
+#include "cli/samples.h"
 #include "compare/explanation/illustration.h"
 #include "image_io/image_io.h"
 #include "reports/planes/view_planes.h"
@@ -48,7 +49,7 @@ planes::ViewFacts facts_of(const ViewContext& context) {
     const std::string command = explain_command_for(context, context.renderers.candidate, 0, 0);
     const std::string scene = "zproof explain " + shell_quoted(word_for(context.source));
     return {.scene = context.scene.name,
-            .view = context.view.name,
+            .view = shown_name(context.view),
             .explain_before = scene + " ",
             .explain_after = command.substr(scene.size() + std::string(" 0 0").size()),
             .least_inverse_depth = inverse_depth(camera.far_depth),

@@ -27,7 +27,9 @@ def on_grid(camera, p_camera):
     x, y, _, w = transformed(camera.clip_from_camera, p_camera)
     x_raster, y_raster = (transformed([row], (x / w, y / w, 0.0))[0] for row in camera.raster_from_ndc)
     depth = -p_camera[2]
-    return round(x_raster * GRID), round(y_raster * GRID), 1.0 / depth if camera.perspective else depth
+    x, y = (round(p * GRID) - round(offset * GRID)  # as if the sample were the pixel's centre
+            for p, offset in zip((x_raster, y_raster), camera.sample_px))
+    return x, y, 1.0 / depth if camera.perspective else depth
 
 
 def clipped(polygon, inside):

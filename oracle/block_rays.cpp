@@ -25,6 +25,7 @@ BlockRays::BlockRays(const View& view)
     : any_(primary_ray(view, 0, 0)), perspective_(view.camera.projection == Projection::perspective) {
     const Camera& c = view.camera;
     const Window& w = c.window;
+    const glm::dvec2 first = sampled_at(view, 0, 0);
     const glm::dvec3 direction = c.shear.x * c.right + c.shear.y * c.up - c.back;
     for (int i = 0; i < 3; ++i) {
         const double eye = c.eye_world[i];
@@ -32,12 +33,14 @@ BlockRays::BlockRays(const View& view)
             .of_column = for_each_pixel_of(view.width,
                                            [&](int x) {
                                                const double u =
-                                                   w.left + (w.right - w.left) * ((x + 0.5) / view.width);
+                                                   w.left + (w.right - w.left) * ((x + first.x) / view.width);
                                                return perspective_ ? u * c.right[i] : eye + u * c.right[i];
                                            }),
             .of_row = for_each_pixel_of(
                 view.height,
-                [&](int y) { return (w.top - (w.top - w.bottom) * ((y + 0.5) / view.height)) * c.up[i]; }),
+                [&](int y) {
+                    return (w.top - (w.top - w.bottom) * ((y + first.y) / view.height)) * c.up[i];
+                }),
             .last = perspective_ ? -c.back[i] : any_.origin_depth * direction[i]};
     }
 }

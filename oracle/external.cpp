@@ -111,11 +111,14 @@ Frame External::render(const View& view) const {
     folder_->write("camera.json", camera_document(view));
     remove_answer(out);  // the last view's: a program that writes nothing must not pass with it
     const std::string line = filled_in(
-        command_, std::array<Meaning, 5>{{{"{scene}", quoted((folder_->path() / "scene.glb").string())},
+        command_, std::array<Meaning, 8>{{{"{scene}", quoted((folder_->path() / "scene.glb").string())},
                                           {"{camera}", quoted(camera.string())},
                                           {"{width}", std::to_string(view.width)},
                                           {"{height}", std::to_string(view.height)},
-                                          {"{out}", quoted(out.string())}}});
+                                          {"{out}", quoted(out.string())},
+                                          {"{sample}", std::to_string(view.sample.index)},
+                                          {"{sample_x}", px_text(view.sample.offset_px.x)},
+                                          {"{sample_y}", px_text(view.sample.offset_px.y)}}});
     const Outcome outcome = run({.arguments = shell_line(line), .time_limit = time_limit_});
     if (!outcome.succeeded())
         throw OracleError{"renderer '" + command_ + "': " + in_words(outcome, time_limit_) +

@@ -46,6 +46,6 @@ PrimaryRay ray_through(const View& view, const glm::dvec2& p_raster) {
                                                              : parallel_ray(view.camera, at);
 }
 
-PrimaryRay primary_ray(const View& view, int x, int y) { return ray_through(view, {x + 0.5, y + 0.5}); }
+PrimaryRay primary_ray(const View& view, int x, int y) { return ray_through(view, sampled_at(view, x, y)); }
 
 }  // namespace zproof::oracle

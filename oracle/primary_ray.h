@@ -21,7 +21,8 @@ struct PrimaryRay {
 /// The view ray through a raster position, within the image or not.
 PrimaryRay ray_through(const View& view, const glm::dvec2& p_raster);
 
-/// The view ray through the centre (x + 0.5, y + 0.5) of a pixel. Pixels outside the image are allowed.
+/// The view ray through the place where a pixel is sampled (sampled_at()). Pixels outside the image are
+/// allowed.
 PrimaryRay primary_ray(const View& view, int x, int y);
 
 }  // namespace zproof::oracle

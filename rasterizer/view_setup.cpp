@@ -35,6 +35,13 @@ SubpixelGrid grid_of(const Rules& rules) {
     return grid;
 }
 
+/// The sample lies on the grid, or the rules are no declared renderer's.
+SnappedPoint sample_of(const View& view, const SubpixelGrid& grid) {
+    const glm::dvec2 steps = view.sample.offset_px * double(grid.steps_per_pixel());
+    assert(steps == glm::floor(steps));
+    return {std::int32_t(steps.x), std::int32_t(steps.y)};
+}
+
 }  // namespace
 
 ViewSetup::ViewSetup(const View& view, const Rules& rules, const Optimizations& optimizations)
@@ -43,6 +50,7 @@ ViewSetup::ViewSetup(const View& view, const Rules& rules, const Optimizations& 
       guard_px(guard_band_px(rules.subpixel_bits)),
       volume(volume_of(view, rules)),
       grid(grid_of(rules)),
+      sample(sample_of(view, grid)),
       depth(depth_functional(view.camera.projection, rules)),
       fill(rules.fill),
       raster_y(rules.raster_y),

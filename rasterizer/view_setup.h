@@ -22,6 +22,8 @@ struct ViewSetup {
     double guard_px;  ///< half-width of the guard band
     ClipVolume volume;
     SubpixelGrid grid;
+    SnappedPoint
+        sample;  ///< of the view, from the pixel's centre: what is snapped is moved by it, up and left
     DepthFunctional depth;
     FillRule fill = FillRule::top_left;
     RasterY raster_y = RasterY::down;
@@ -48,7 +50,8 @@ struct ViewSetup {
         const double limit = guard_px + 1;
         const bool is_in =
             (-limit <= x_raster) & (x_raster <= limit) & (-limit <= y_raster) & (y_raster <= limit);
-        return {{{grid.snap(is_in ? x_raster : 0), grid.snap(is_in ? y_raster : 0)}, depth.of_depth(v.depth)},
+        return {{{grid.snap(is_in ? x_raster : 0) - sample.x, grid.snap(is_in ? y_raster : 0) - sample.y},
+                 depth.of_depth(v.depth)},
                 is_in};
     }
 };

@@ -7,7 +7,8 @@
 ///     perspective:  p_camera(t) = t (u, v, -1)
 ///     parallel:     p_camera(t) = (u, v, 0) + t (shear.x, shear.y, -1)
 /// and p_world = eye_world + p_camera.x right + p_camera.y up + p_camera.z back.
-/// All numbers are exact: they define the one true picture.
+/// All numbers are exact: they define the one true picture. Pixel (i, j) is sampled at (i + 1/2, j + 1/2), or
+/// beside it where the view says so (scenes/sample.h).
 #pragma once
 
 #include <glm/glm.hpp>

@@ -110,6 +110,7 @@ std::string camera_document(const View& view) {
     entry["camera_from_world"] = camera_from_world(view.camera);
     entry["clip_from_camera"] = clip_from_camera(view.camera);
     entry["raster_from_ndc"] = raster_from_ndc(view);
+    entry["sample_px"] = {view.sample.offset_px.x, view.sample.offset_px.y};
     return entry.dump(2) + "\n";
 }
 

@@ -17,6 +17,8 @@ constexpr auto all = std::to_array<Example>({
     {"compare", "zproof compare frame.exr model.glb --view cam", "one stored frame, against Embree"},
     {"compare", "zproof compare id.npy+z.npy model.glb --view cam --convention pytorch3d",
      "arrays, as PyTorch3D's rasterizer gives them"},
+    {"compare", "zproof compare 'frame-{sample}.exr' room --view door --sample standard:4",
+     "frames of the samples of a pixel, each at its place"},
     {"compare", "zproof compare a.exr b.exr --scene model.glb",
      "one against the other, and both against the scene"},
     {"explain", "zproof explain model.glb 812 344", "column 812, row 344 of the scene's first view"},

@@ -11,8 +11,10 @@ The frames' own resolution is taken. Exit status as for run.)";
 
 /// SCENE, or a second frame where --scene names the scene.
 void add_frames(CLI::App& app, CompareArguments& compare, RendererWords& words) {
-    app.add_option("CANDIDATE", words.candidate,
-                   "frame to be judged: .exr or .tif with id and Z, or IDS+DEPTHS, e.g. id.png+z.pfm")
+    app.add_option(
+           "CANDIDATE", words.candidate,
+           "frame to be judged: .exr or .tif with id and Z, or IDS+DEPTHS, e.g. id.png+z.pfm; {sample} is a "
+           "sample's index")
         ->required();
     auto* other =
         app.add_option("SCENE", compare.scene, std::string{scene_words} + "; with --scene: a frame");
@@ -37,6 +39,7 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     add_ids_option(app, words.renderers);
     add_oracle_options(app, words.renderers);
     add_render_settings(app, words.run.settings);
+    add_samples(app, words.run.settings);
     add_report(app, words.run.report);
     add_evidence(app, words.run.report);
     add_gate(app, words.run.report.gate);
@@ -60,7 +63,8 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     add_ids_option(app, words.renderers);
     add_reference_words(app, words.renderers);
     add_oracle_options(app, words.renderers);
-    add_threads(app, words.compare.threads);
+    add_threads(app, words.compare.settings.threads);
+    add_samples(app, words.compare.settings);
     add_report(app, words.compare.report);
     add_evidence(app, words.compare.report);
     add_gate(app, words.compare.report.gate);
@@ -85,6 +89,7 @@ Branch add_explain(CLI::App& parent, CommandWords& words) {
     add_ids_option(app, words.renderers);
     add_stored_frame_options(app, words.renderers);
     add_render_settings(app, explain.settings);
+    add_samples(app, explain.settings);
     return {&app, [&words] {
                 words.explain.renderers = chosen_renderers(words.renderers);
                 return words.explain;

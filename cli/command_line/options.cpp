@@ -1,5 +1,6 @@
 #include "cli/command_line/options.h"
 
+#include "cli/samples.h"
 #include "cli/usage_error.h"
 
 namespace zproof {
@@ -42,6 +43,14 @@ void add_render_settings(CLI::App& app, RenderSettings& settings) {
         ->check(CLI::Range(1, 32768))
         ->capture_default_str();
     add_threads(app, settings.threads);
+}
+
+void add_samples(CLI::App& app, RenderSettings& settings) {
+    app.add_option_function<std::string>(
+        "--sample", [&settings](const std::string& word) { settings.samples = samples_from_word(word); },
+        "where pixels are sampled: DX,DY from their centres, standard:COUNT (each sample of that pattern), "
+        "or "
+        "standard:COUNT:INDEX");
 }
 
 void add_report(CLI::App& app, ReportArguments& report) {

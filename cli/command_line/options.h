@@ -30,6 +30,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value,
 void add_models(CLI::App& app, std::filesystem::path& models);
 void add_threads(CLI::App& app, int& threads);
 void add_render_settings(CLI::App& app, RenderSettings& settings);  ///< --width, --height, --threads
+void add_samples(CLI::App& app, RenderSettings& settings);          ///< --sample
 void add_report(CLI::App& app, ReportArguments& report);            ///< --out, --color and what is printed
 void add_evidence(CLI::App& app, ReportArguments& report);          ///< --evidence, --pictures
 void add_gate(CLI::App& app, GateArguments& gate);                  ///< --waivers, --strict, --now

@@ -30,6 +30,7 @@ Branch add_render(CLI::App& parent, CommandWords& words) {
     app.add_flag("--attributes", words.render.attributes,
                  "also write barycentrics, uv, normals and positions, as our rasterizer interpolates them");
     add_render_settings(app, words.render.settings);
+    add_samples(app, words.render.settings);
     app.footer("\nSettings of a filter, NAME:key=value:key=value:\n" + filter_settings_help());
     return {&app, [&words] {
                 words.render.renderer = candidate_of(words.renderers);

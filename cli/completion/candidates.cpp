@@ -118,6 +118,10 @@ constexpr std::array meanings{
             [](const OutlineCommand&) {
                 return Candidates{label_words(), Paths::files, Listing::single};
             }},
+    Meaning{"--sample",
+            [](const OutlineCommand&) {
+                return Candidates{{"standard:2", "standard:4", "standard:8", "standard:16"}};
+            }},
     Meaning{"--convention", conventions},
     Meaning{"--reference-convention", conventions},
     Meaning{"--channels", [](const OutlineCommand&) { return Candidates{}; }},

@@ -3,6 +3,7 @@
 #include <system_error>
 #include <utility>
 
+#include "cli/samples.h"
 #include "frame/frame_error.h"
 #include "frame/whole_file.h"
 #include "scenes/glb_writer.h"
@@ -24,7 +25,8 @@ std::string KeptInput::keep(const Scene& scene) {
 }
 
 void KeptInput::keep(const std::string& scene, const View& view) {
-    write_whole_file(folder_ / (cameras_.next(scene, view.name) + ".camera.json"), camera_document(view));
+    write_whole_file(folder_ / (cameras_.next(scene, shown_name(view)) + ".camera.json"),
+                     camera_document(view));
 }
 
 }  // namespace zproof

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/renderers/kept_input.h"
+#include "cli/samples.h"
 #include "cli/version.h"
 #include "compare/labels/labelled_frame.h"
 #include "frame/convention_text.h"
@@ -103,9 +104,11 @@ Precision own_promise(const RendererChoice& choice) {
     return RasterPrecision{};
 }
 
-Answers stored(const std::filesystem::path& file, const Convention& convention, IdChannel ids) {
-    return {[file, convention, ids](const View& view) {
-        return oracle::read_stored_frame(file, convention, view, ids);
+Answers stored(const RendererChoice& choice) {
+    return {[choice](const View& view) {
+        const RendererChoice one = at_sample(choice, view.sample);
+        return oracle::read_stored_frame(std::get<StoredFrame>(one.who).file, declared_convention(one), view,
+                                         id_channel_of(one));
     }};
 }
 
@@ -124,8 +127,7 @@ Answers program(const RendererChoice& choice, const Scene& scene) {
 Answers answers_on(const RendererChoice& choice, const Scene& scene) {
     if (const auto* built_in = std::get_if<BuiltIn>(&choice.who))
         return known_as(*built_in).on(scene, choice.time_limit);
-    if (const auto* file = std::get_if<StoredFrame>(&choice.who))
-        return stored(file->file, declared_convention(choice), id_channel_of(choice));
+    if (std::holds_alternative<StoredFrame>(choice.who)) return stored(choice);
     return program(choice, scene);
 }
 

@@ -37,6 +37,7 @@ void extend(Box& box, const Meeting& meeting) {
 BoxProjection::BoxProjection(const View& view)
     : camera_(view.camera),
       perspective_(view.camera.projection == Projection::perspective),
+      sample_px_(view.sample.offset_px),
       px_per_u_(view.width / (camera_.window.right - camera_.window.left)),
       px_per_v_(view.height / (camera_.window.top - camera_.window.bottom)),
       least_depth_(perspective_ ? camera_.near_depth / 2 : -std::numeric_limits<double>::infinity()) {}
@@ -104,7 +105,8 @@ glm::dvec3 BoxProjection::to_camera(const glm::dvec3& v) const {
 void BoxProjection::add(Box& box, const glm::dvec3& p) const {
     const double u = perspective_ ? p.x / p.z : p.x - camera_.shear.x * p.z;
     const double v = perspective_ ? p.y / p.z : p.y - camera_.shear.y * p.z;
-    box.add((u - camera_.window.left) * px_per_u_, (camera_.window.top - v) * px_per_v_);
+    box.add((u - camera_.window.left) * px_per_u_ - sample_px_.x,
+            (camera_.window.top - v) * px_per_v_ - sample_px_.y);
 }
 
 /// A quotient in the image errs by 16 times its corner's error over the depth. Scaling and the window's

@@ -42,7 +42,7 @@ inline Box square_around(int x, int y, double reach_px) {
     return {x + 0.5 - reach_px, y + 0.5 - reach_px, x + 0.5 + reach_px, y + 0.5 + reach_px};
 }
 
-/// World to raster for boxes.
+/// World to raster for boxes. Raster space is moved so that the view samples every pixel at its centre.
 class BoxProjection {
   public:
     explicit BoxProjection(const View& view);
@@ -68,6 +68,8 @@ class BoxProjection {
 
     Camera camera_;
     bool perspective_;
+    glm::dvec2
+        sample_px_;  ///< boxes lie by it up and left of the image: as if pixels were sampled at their centres
     double px_per_u_, px_per_v_;
     double least_depth_;  ///< half the near depth
 };

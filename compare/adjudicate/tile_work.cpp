@@ -90,6 +90,14 @@ void TileWork::gather(double reach_px) {
         if (distance_px <= reach_px) around_.neighbours.push_back(neighbour);
 }
 
+/// Does the square reach one of the image's sides? Clipping there puts an edge on every triangle, which errs
+/// by its eps: none hides another for certain.
+bool TileWork::reaches_a_side() const {
+    const glm::dvec2 at = sampled_at(setting_.view, pixel_.x, pixel_.y);
+    const double nearest_px = std::min({at.x, at.y, setting_.view.width - at.x, setting_.view.height - at.y});
+    return nearest_px <= around_.eps_px;
+}
+
 std::size_t TileWork::count_within(const PixelQuery& query, double reach_px) {
     std::size_t count = 0;
     for (std::size_t place = 0; place < triangles_.count(); ++place)
@@ -110,6 +118,9 @@ double TileWork::decide(const PixelQuery& query, double searched_px, QueryResult
     if (reach_px > searched_px) return reach_px;
     around_.is_watertight = query.bounds->is_watertight();
     gather(reach_px);
+    if (query.bounds->clips_at_sides() && reaches_a_side())
+        std::erase_if(around_.neighbours,
+                      [&](const Neighbour& n) { return PrimitiveId(n.triangle) != query.answer; });
     if (setting_.override) setting_.override(around_, query.answer);
     adjudicated = {zproof::decide(around_, query.answer, coplanar_), std::nullopt};
     if (setting_.asked == QueryDetail::displacement &&

@@ -42,6 +42,7 @@ class TileWork {
     double eps_px_within(double reach_px, double own_eps_px) const;
     std::size_t count_within(const PixelQuery& query, double reach_px);
     void gather(double reach_px);
+    bool reaches_a_side() const;
 
     const Setting& setting_;
     TriangleCache triangles_;

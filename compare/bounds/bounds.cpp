@@ -65,6 +65,11 @@ bool ViewBounds::is_watertight() const {
     return std::visit([](const auto& kind) { return kind.is_watertight(); }, of_kind_);
 }
 
+bool ViewBounds::clips_at_sides() const {
+    const auto* raster = std::get_if<RasterBounds>(&of_kind_);
+    return raster && raster->clips_at_sides();
+}
+
 double ViewBounds::background_eps_px() const {
     return std::visit([](const auto& kind) { return kind.background_eps_px(); }, of_kind_);
 }

@@ -36,6 +36,8 @@ class ViewBounds {
     bool keeps_to_corners() const;
     /// Do triangles that share an edge move it alike?
     bool is_watertight() const;
+    /// Does clipping put new edges on the image's sides?
+    bool clips_at_sides() const;
     Projection projection() const { return facts_.view.camera.projection; }
     /// Sums of the terms that the image's rays are made of, each in absolute value, at their largest.
     struct RaySize {

@@ -20,6 +20,7 @@ class RasterBounds {
     const std::optional<RasterTerms>& common_terms() const { return common_terms_; }
     bool keeps_to_corners() const;
     bool is_watertight() const { return precision_.watertight; }
+    bool clips_at_sides() const { return precision_.clipping == Clipping::view_volume && !is_homogeneous(); }
     double background_eps_px() const { return background_eps_px_; }
 
   private:

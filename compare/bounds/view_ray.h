@@ -1,7 +1,7 @@
 /// The view rays around one pixel, exact: what scenes/camera.h says, in the number type asked for.
 ///
-/// Offsets (x, y) are in pixels from the pixel's centre, y down. A point at camera depth t on the ray
-/// is
+/// Offsets (x, y) are in pixels from the place where the pixel is sampled, y down: its centre, but for
+/// samples (sampled_at()). A point at camera depth t on the ray is
 ///     p_world = origin(x, y) + t direction(x, y).
 /// Perspective: origin is the eye, direction is affine in (x, y). Parallel: origin is affine, direction
 /// constant.
@@ -27,7 +27,8 @@ template <class Number>
 class ViewRays {
   public:
     explicit ViewRays(const View& view)
-        : left_(view.camera.window.left),
+        : first_(sampled_at(view, 0, 0)),
+          left_(view.camera.window.left),
           top_(view.camera.window.top),
           u_per_px_((Number(view.camera.window.right) - left_) / Number(view.width)),
           v_per_px_((Number(view.camera.window.bottom) - top_) / Number(view.height)),
@@ -58,11 +59,12 @@ class ViewRays {
 
   private:
     Vector3<Number> on_plane(int pixel_x, int pixel_y) const {
-        const Number u = left_ + u_per_px_ * Number(pixel_x + 0.5);
-        const Number v = top_ + v_per_px_ * Number(pixel_y + 0.5);
+        const Number u = left_ + u_per_px_ * Number(pixel_x + first_.x);
+        const Number v = top_ + v_per_px_ * Number(pixel_y + first_.y);
         return u * right_ + v * up_;
     }
 
+    glm::dvec2 first_;  ///< raster position at which pixel (0, 0) is sampled
     Number left_, top_, u_per_px_, v_per_px_;
     Vector3<Number> right_, up_, back_;
     ViewRay<Number> common_{};

@@ -52,12 +52,13 @@ struct Camera {
     double left, right_edge, bottom, top;  ///< exact_window
     double shear_x, shear_y;               ///< parallel: sideways step for each unit of depth
     double near, far;                      ///< camera depths between which a hit counts
+    double sample_x, sample_y;             ///< where pixels are sampled, px from their centres, y down
     std::array<std::array<double, 4>, 4> camera_from_world, clip_from_camera;  ///< by rows
 
-    /// The ray through the centre of pixel (x, y).
+    /// The ray through the centre of pixel (x, y), or its sample.
     Ray ray(int x, int y) const {
-        const double u = left + (right_edge - left) * (x + 0.5) / width;
-        const double v = top - (top - bottom) * (y + 0.5) / height;
+        const double u = left + (right_edge - left) * (x + 0.5 + sample_x) / width;
+        const double v = top - (top - bottom) * (y + 0.5 + sample_y) / height;
         if (perspective) return {eye, u * right + v * up - back};
         return {eye + u * right + v * up, shear_x * right + shear_y * up - back};
     }
@@ -224,6 +225,7 @@ inline Camera read_camera(const std::string& path) {
     const Json json = JsonReader(content_of(path)).value();
     const Json &window = json.at("exact_window"), &far = json.at("far");
     const Json* shear = json.find("shear");
+    const std::vector<Json>& sample = json.at("sample_px").items;
     Camera camera{int(json.at("width").number),
                   int(json.at("height").number),
                   json.at("projection").text == "perspective",
@@ -239,6 +241,8 @@ inline Camera read_camera(const std::string& path) {
                   shear == nullptr ? 0 : shear->items.at(1).number,
                   json.at("near").number,
                   far.text == "infinity" ? infinity : far.number,
+                  sample.at(0).number,
+                  sample.at(1).number,
                   {},
                   {}};
     for (std::size_t row = 0; row < 4; ++row)

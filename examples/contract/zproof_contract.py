@@ -68,13 +68,14 @@ class Camera:
         self.camera_from_world = view['camera_from_world']
         self.clip_from_camera = view['clip_from_camera']
         self.raster_from_ndc = view['raster_from_ndc']
+        self.sample_px = view['sample_px']
 
     def ray(self, x, y):
-        """(origin, direction) in world space through the centre of pixel (x, y), not normalized:
+        """(origin, direction) in world space through the centre of pixel (x, y), or its sample, not normalized:
         origin + t * direction has the camera depth t. A hit counts from t = near to t = far."""
         left, right, bottom, top = (self.window[key] for key in ('left', 'right', 'bottom', 'top'))
-        u = left + (right - left) * (x + 0.5) / self.width
-        v = top - (top - bottom) * (y + 0.5) / self.height
+        u = left + (right - left) * (x + 0.5 + self.sample_px[0]) / self.width
+        v = top - (top - bottom) * (y + 0.5 + self.sample_px[1]) / self.height
         if self.perspective:
             return tuple(self.eye), self._sum((u, v, -1), (0, 0, 0))
         return self._sum((u, v, 0), self.eye), self._sum((*self.shear, -1), (0, 0, 0))

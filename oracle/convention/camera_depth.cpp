@@ -57,8 +57,9 @@ double CameraDepth::per_length(int x, int y) const {
     const Window& w = camera.window;
     if (camera.projection == Projection::parallel)
         return 1 / std::sqrt(1 + camera.shear.x * camera.shear.x + camera.shear.y * camera.shear.y);
-    const double u = w.left + (w.right - w.left) * (x + 0.5) / view_.width;
-    const double v = w.top - (w.top - w.bottom) * (y + 0.5) / view_.height;
+    const glm::dvec2 p_raster = sampled_at(view_, x, y);
+    const double u = w.left + (w.right - w.left) * p_raster.x / view_.width;
+    const double v = w.top - (w.top - w.bottom) * p_raster.y / view_.height;
     return 1 / std::sqrt(1 + u * u + v * v);
 }
 

@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "oracle/centre_only.h"
 #include "oracle/opengl/clip_space.h"
 #include "oracle/opengl/context.h"
 #include "oracle/opengl/drawing.h"
@@ -104,6 +105,7 @@ struct OpenGl::Model {
         mesh.reset();
     }
     Pixels draw(const View& view) const {
+        require_centre(view, "OpenGL");
         const Context::Current current(driver.state_->context);
         return driver.state_->draw(*mesh, view);
     }

@@ -6,6 +6,7 @@
 
 #include "frame/frame_error.h"
 #include "image_io/image_io.h"
+#include "oracle/centre_only.h"
 #include "oracle/oracle_error.h"
 #include "oracle/povray/picture.h"
 #include "oracle/povray/scene.h"
@@ -74,6 +75,7 @@ Picture colours_of(const Plane<PovrayCode::Channels>& codes) {
 }  // namespace
 
 Frame PovRay::render(const View& view) const {
+    require_centre(view, "POV-Ray");
     const ScratchFolder scratch;
     const PovrayScene scene = povray_scene(scene_, view);
     scratch.write(scene_file, scene.text);
@@ -82,6 +84,7 @@ Frame PovRay::render(const View& view) const {
 }
 
 Picture PovRay::picture(const View& view, const Light& light, const PhongFinish& phong_finish) const {
+    require_centre(view, "POV-Ray");
     const ScratchFolder scratch;
     const PovrayPicture picture = povray_picture(scene_, view, light, phong_finish);
     scratch.write(scene_file, picture.text);

@@ -95,6 +95,9 @@ def furnish_frames(place):
     place.made('zproof render model.glb -o stored')
     for name in 'frame.exr', 'a.exr', 'b.exr':
         shutil.copy(place.folder / f'stored/{view}.exr', place.folder / name)
+    place.made('zproof render room -o sampled --sample standard:4')
+    for sample in range(4):
+        shutil.copy(place.folder / f'sampled/door.sample-{sample}.exr', place.folder / f'frame-{sample}.exr')
     return view
 
 

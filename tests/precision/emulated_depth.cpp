@@ -52,8 +52,8 @@ EmulatedValue::EmulatedValue(const RasterPrecision& precision, const WindowPiece
     at_origin_ = of_corners[0] - (per_x_ * (x(0) - 0.5f) + per_y_ * (y(0) - 0.5f));
 }
 
-float EmulatedValue::at(int x, int y, const Weights& weights) const {
-    if (is_plane_) return (at_origin_ + per_x_ * float(x)) + per_y_ * float(y);
+float EmulatedValue::at(const glm::dvec2& p_raster, const Weights& weights) const {
+    if (is_plane_) return (at_origin_ + per_x_ * float(p_raster.x - 0.5)) + per_y_ * float(p_raster.y - 0.5);
     return arithmetic_ == Arithmetic::float32 ? weighted_mean<float>(weights, of_corners_)
                                               : weighted_mean<double>(weights, of_corners_);
 }
@@ -103,13 +103,13 @@ float EmulatedDepthBuffer::depth_of_stored(double z) const {
     return float(is_perspective_ ? code_.slope / above : above / code_.slope);
 }
 
-EmulatedDepth EmulatedInterpolation::at(int x, int y, const Weights& weights) const {
+EmulatedDepth EmulatedInterpolation::at(const glm::dvec2& p_raster, const Weights& weights) const {
     const RasterPrecision& p = buffer_.precision_;
-    const double z = buffer_.stored(tested_.at(x, y, weights));
+    const double z = buffer_.stored(tested_.at(p_raster, weights));
     const bool is_greater_nearer = p.depth_buffer == DepthBuffer::reversed_z ||
                                    (p.depth_buffer == DepthBuffer::camera_depth && buffer_.is_perspective_);
     const float shown = p.shown_depth == ShownDepth::varying
-                            ? buffer_.depth_of_linear(varying_.at(x, y, weights))
+                            ? buffer_.depth_of_linear(varying_.at(p_raster, weights))
                             : buffer_.depth_of_stored(z);
     return {is_greater_nearer ? -z : z, shown};
 }

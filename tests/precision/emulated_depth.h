@@ -15,7 +15,7 @@ class EmulatedValue {
   public:
     EmulatedValue(const RasterPrecision& precision, const WindowPiece& window,
                   const std::array<float, 3>& of_corners);
-    float at(int x, int y, const Weights& weights) const;
+    float at(const glm::dvec2& p_raster, const Weights& weights) const;
 
   private:
     bool is_plane_;
@@ -32,7 +32,7 @@ class EmulatedInterpolation {
     EmulatedInterpolation(const EmulatedDepthBuffer& buffer, const EmulatedValue& tested,
                           const EmulatedValue& varying)
         : buffer_(buffer), tested_(tested), varying_(varying) {}
-    EmulatedDepth at(int x, int y, const Weights& weights) const;
+    EmulatedDepth at(const glm::dvec2& p_raster, const Weights& weights) const;
 
   private:
     const EmulatedDepthBuffer& buffer_;

@@ -53,19 +53,19 @@ T EmulatedEdges::edge(const WindowPoint& from, const WindowPoint& to, double x, 
     return (T(x) - T(from.x_snapped)) * along_y - (T(y) - T(from.y_snapped)) * along_x;
 }
 
-std::optional<Weights> EmulatedEdges::weights_at(int x, int y) const {
-    if (precision_.edge_functions == EdgeFunctions::exact) return exact_at(x, y);
-    return precision_.edge_arithmetic == Arithmetic::float32 ? rounded_at<float>(x, y)
-                                                             : rounded_at<double>(x, y);
+std::optional<Weights> EmulatedEdges::weights_at(const glm::dvec2& p_raster) const {
+    if (precision_.edge_functions == EdgeFunctions::exact) return exact_at(p_raster);
+    return precision_.edge_arithmetic == Arithmetic::float32 ? rounded_at<float>(p_raster)
+                                                             : rounded_at<double>(p_raster);
 }
 
 /// Coordinates have at most 25 bits on the grid, so doubles hold differences and products without error.
-std::optional<Weights> EmulatedEdges::exact_at(int x, int y) const {
+std::optional<Weights> EmulatedEdges::exact_at(const glm::dvec2& p_raster) const {
     const double sign = area_ > 0 ? 1 : -1;
     Weights weights;
     for (std::size_t i = 0; i < 3; ++i) {
         const WindowPoint &from = piece_[(i + 1) % 3], &to = piece_[(i + 2) % 3];
-        const double value = sign * edge<double>(from, to, x + 0.5, y + 0.5);
+        const double value = sign * edge<double>(from, to, p_raster.x, p_raster.y);
         const double rises = sign * (from.y_snapped - to.y_snapped),
                      runs = sign * (to.x_snapped - from.x_snapped);
         const bool owns_its_line = rises > 0 || (rises == 0 && runs > 0);
@@ -76,13 +76,13 @@ std::optional<Weights> EmulatedEdges::exact_at(int x, int y) const {
 }
 
 template <class T>
-std::optional<Weights> EmulatedEdges::rounded_at(int x, int y) const {
+std::optional<Weights> EmulatedEdges::rounded_at(const glm::dvec2& p_raster) const {
     const T epsilon = T(std::copysign(2 * precision_.area_epsilon_px2, area_));
     const T divisor = T(area_) + epsilon;
     Weights weights;
     for (std::size_t i = 0; i < 3; ++i) {
         const WindowPoint &from = piece_[(i + 1) % 3], &to = piece_[(i + 2) % 3];
-        const T weight = edge<T>(from, to, x + 0.5, y + 0.5) / divisor;
+        const T weight = edge<T>(from, to, p_raster.x, p_raster.y) / divisor;
         if (weight < T(-precision_.barycentric_tolerance)) return std::nullopt;
         weights[i] = weight;
     }
@@ -110,17 +110,17 @@ void HomogeneousEdges::set_up() {
     determinant_ = (n.x * p.x + n.y * p.y) + n.z * p.z;
 }
 
-std::optional<float> HomogeneousEdges::depth_at(int x, int y) const {
-    return arithmetic_ == Arithmetic::float32 ? rounded_depth_at<float>(x, y)
-                                              : rounded_depth_at<double>(x, y);
+std::optional<float> HomogeneousEdges::depth_at(const glm::dvec2& p_raster) const {
+    return arithmetic_ == Arithmetic::float32 ? rounded_depth_at<float>(p_raster)
+                                              : rounded_depth_at<double>(p_raster);
 }
 
 template <class T>
-std::optional<float> HomogeneousEdges::rounded_depth_at(int x, int y) const {
+std::optional<float> HomogeneousEdges::rounded_depth_at(const glm::dvec2& p_raster) const {
     const Camera& c = view_.camera;
     const Window& w = c.window;
-    const T u = T(w.left + (w.right - w.left) * (x + 0.5) / view_.width);
-    const T v = T(w.top - (w.top - w.bottom) * (y + 0.5) / view_.height);
+    const T u = T(w.left + (w.right - w.left) * p_raster.x / view_.width);
+    const T v = T(w.top - (w.top - w.bottom) * p_raster.y / view_.height);
     const bool is_perspective = c.projection == Projection::perspective;
     T sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {

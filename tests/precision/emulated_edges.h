@@ -24,12 +24,12 @@ class EmulatedEdges {
     EmulatedEdges(const RasterPrecision& precision, const WindowPiece& piece);
     bool is_drawn() const { return is_drawn_; }
     /// The weights at a pixel's centre, where it is covered.
-    std::optional<Weights> weights_at(int x, int y) const;
+    std::optional<Weights> weights_at(const glm::dvec2& p_raster) const;
 
   private:
-    std::optional<Weights> exact_at(int x, int y) const;
+    std::optional<Weights> exact_at(const glm::dvec2& p_raster) const;
     template <class T>
-    std::optional<Weights> rounded_at(int x, int y) const;
+    std::optional<Weights> rounded_at(const glm::dvec2& p_raster) const;
     template <class T>
     T edge(const WindowPoint& from, const WindowPoint& to, double x, double y) const;
 
@@ -46,7 +46,7 @@ class HomogeneousEdges {
                      const std::array<EmulatedCorner, 3>& corners);
     bool is_drawn() const { return determinant_ != 0; }
     /// The camera depth at a pixel's centre, where it is covered between near and far.
-    std::optional<float> depth_at(int x, int y) const;
+    std::optional<float> depth_at(const glm::dvec2& p_raster) const;
     struct Box {
         glm::dvec2 low, high;
     };
@@ -57,7 +57,7 @@ class HomogeneousEdges {
     template <class T>
     void set_up();
     template <class T>
-    std::optional<float> rounded_depth_at(int x, int y) const;
+    std::optional<float> rounded_depth_at(const glm::dvec2& p_raster) const;
 
     Arithmetic arithmetic_;
     View view_;

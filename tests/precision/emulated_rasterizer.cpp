@@ -56,8 +56,8 @@ class EmulatedRasterizer {
         const EmulatedInterpolation interpolation = depth_.on(piece, window);
         for (int y = down.first; y <= down.last; ++y)
             for (int x = across.first; x <= across.last; ++x)
-                if (const auto weights = edges.weights_at(x, y))
-                    write(triangle, x, y, interpolation.at(x, y, *weights));
+                if (const auto weights = edges.weights_at(sampled_at(view_, x, y)))
+                    write(triangle, x, y, interpolation.at(sampled_at(view_, x, y), *weights));
     }
 
     void draw_homogeneous(std::uint32_t triangle, const EmulatedPolygon& corners) {
@@ -70,7 +70,7 @@ class EmulatedRasterizer {
         }
         for (int y = down.first; y <= down.last; ++y)
             for (int x = across.first; x <= across.last; ++x)
-                if (const auto depth = edges.depth_at(x, y))
+                if (const auto depth = edges.depth_at(sampled_at(view_, x, y)))
                     write(triangle, x, y, {.tested = depth_.key_of_depth(*depth), .shown = *depth});
     }
 

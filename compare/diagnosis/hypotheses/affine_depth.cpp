@@ -8,7 +8,7 @@ namespace zproof {
 
 namespace {
 
-/// A corner as it is drawn: raster position from the pixel's centre, px, and depth.
+/// A corner as it is drawn: raster position from where the pixel is sampled, px, and depth.
 struct RasterCorner {
     double x, y, depth;
 };
@@ -36,10 +36,11 @@ std::vector<RasterCorner> drawn_corners(const View& view, int x, int y, const Co
     polygon = clipped(clipped(polygon, c.near_depth, 1), c.far_depth, -1);
     const double px_per_u = view.width / (c.window.right - c.window.left);
     const double px_per_v = view.height / (c.window.top - c.window.bottom);
+    const glm::dvec2 at = sampled_at(view, x, y);
     std::vector<RasterCorner> corners;
     for (const glm::dvec3& p : polygon)
-        corners.push_back({(p.x / p.z - c.window.left) * px_per_u - (x + 0.5),
-                           (c.window.top - p.y / p.z) * px_per_v - (y + 0.5), p.z});
+        corners.push_back({(p.x / p.z - c.window.left) * px_per_u - at.x,
+                           (c.window.top - p.y / p.z) * px_per_v - at.y, p.z});
     return corners;
 }
 

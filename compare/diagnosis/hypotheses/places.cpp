@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
 
@@ -24,6 +26,31 @@ Hypothesis shifted(const DiagnosisInput& input, const glm::dvec2& step_px) {
         "Each pixel holds what belongs " + step_text(-step_px) + " from its centre (x right, y down).");
     h.view = shifted_view(input.view, step_px);
     return h;
+}
+
+Hypothesis sampled(const DiagnosisInput& input, const glm::dvec2& offset_px, const std::string& name,
+                   const std::string& description) {
+    Hypothesis h = as_declared(input, name, description);
+    h.view.sample.offset_px = offset_px;
+    return h;
+}
+
+/// Of a view that is sampled beside the centres.
+std::vector<Hypothesis> hypotheses_of_sample(const DiagnosisInput& input) {
+    const auto& [index, count, offset_px] = input.view.sample;
+    if (offset_px == glm::dvec2(0)) return {};
+    std::vector<Hypothesis> all{
+        sampled(input, {0, 0}, "pixels are sampled at their centres",
+                "Each pixel holds what belongs to its centre, not to the sample."),
+        sampled(input, {offset_px.x, -offset_px.y}, "the sample's y is up",
+                "Each pixel holds what belongs as far above its centre as the sample lies below."),
+        sampled(input, {offset_px.y, offset_px.x}, "the sample's x and y are swapped",
+                "Each pixel holds what belongs to the sample (dy, dx) from its centre.")};
+    for (const Sample& other : standard_samples(count))
+        if (other.index != index)
+            all.push_back(sampled(input, other.offset_px, "it is sample " + std::to_string(other.index),
+                                  "Each pixel holds what belongs to another sample of the pattern."));
+    return all;
 }
 
 using Place = std::pair<int, int>;
@@ -80,6 +107,7 @@ std::vector<Hypothesis> hypotheses_of_place(const DiagnosisInput& input) {
         for (const int dy : {0, -1, 1})
             for (const int dx : {0, -1, 1})
                 if (dx != 0 || dy != 0) all.push_back(shifted(input, size * glm::dvec2(dx, dy)));
+    std::ranges::move(hypotheses_of_sample(input), std::back_inserter(all));
     return all;
 }
 
