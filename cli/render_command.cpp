@@ -12,6 +12,7 @@
 #include "rasterizer/texturing.h"
 #include "reports/output_folder.h"
 #include "reports/pictures.h"
+#include "scenes/judged_ranges.h"
 
 namespace zproof {
 namespace {
@@ -42,6 +43,7 @@ ExitCode execute(const RenderArguments& arguments) {
             if (interrupted()) return;
             progress.begin(view.name);
             written.push_back(safe_name(view.name));
+            require_judged(view);
             const std::filesystem::path stem = out.working() / written.back();
             const Frame frame = renderer.render(view);
             write_planes(stem, frame);
