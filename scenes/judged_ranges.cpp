@@ -49,11 +49,19 @@ struct Span {
     double share() const { return (high - low) / (reach() + beside); }
 };
 
+/// Of a parallel projection.
+double farthest_plane(const Camera& camera) {
+    return std::max(std::abs(camera.near_depth), std::abs(camera.far_depth));
+}
+
 double largest_of(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// Origins of parallel rays are rounded coordinate by coordinate.
-double rounded_along(const glm::dvec3& axis, const Camera& camera) {
-    return glm::dot(glm::abs(axis), glm::abs(glm::dvec3(camera.eye_world)));
+/// What float32 rounds along an axis beside the window: a parallel ray's origin coordinate by coordinate, and
+/// what its direction comes to at the farther plane.
+double rounded_along(const glm::dvec3& axis, double shear, const Camera& camera) {
+    if (camera.projection == Projection::perspective) return 0;
+    return glm::dot(glm::abs(axis), glm::abs(glm::dvec3(camera.eye_world))) +
+           std::abs(shear) * farthest_plane(camera);
 }
 
 constexpr const char* scale_down = "scale the scene down, or move it to the origin";
@@ -81,7 +89,7 @@ std::string outside_of_perspective(const Camera& c, const Span& u, const Span& v
 }
 
 std::string outside_of_parallel(const Camera& c, const Span& u, const Span& v) {
-    const double farthest = std::max(std::abs(c.near_depth), std::abs(c.far_depth));
+    const double farthest = farthest_plane(c);
     const double shear = std::max(std::abs(c.shear.x), std::abs(c.shear.y));
     const double wide = std::max(u.reach(), v.reach()), narrow = std::min(u.reach(), v.reach());
     return first_outside({
@@ -119,9 +127,8 @@ std::string outside_judged_ranges(const Scene& scene) {
 
 std::string outside_judged_ranges(const View& view) {
     const Camera& c = view.camera;
-    const bool perspective = c.projection == Projection::perspective;
-    const Span u{c.window.left, c.window.right, perspective ? 0 : rounded_along(c.right, c)},
-        v{c.window.bottom, c.window.top, perspective ? 0 : rounded_along(c.up, c)};
+    const Span u{c.window.left, c.window.right, rounded_along(c.right, c.shear.x, c)},
+        v{c.window.bottom, c.window.top, rounded_along(c.up, c.shear.y, c)};
     std::string outside = first_outside({
         {"the eye's largest coordinate", largest_of(glm::dvec3(c.eye_world)), 0, largest_judged_coordinate,
          scale_down},
@@ -130,7 +137,7 @@ std::string outside_judged_ranges(const View& view) {
          widen},
     });
     if (!outside.empty()) return outside;
-    return perspective ? outside_of_perspective(c, u, v) : outside_of_parallel(c, u, v);
+    return c.projection == Projection::perspective ? outside_of_perspective(c, u, v) : outside_of_parallel(c, u, v);
 }
 
 void require_judged(const Scene& scene) {

@@ -122,7 +122,7 @@ DrawnView drawn_view(std::uint32_t seed) {
     Draw draw(seed);
     const Reach& reach = draw.one_in(4) ? everything : judged;
     DrawnView drawn;
-    drawn.view = {.name = "drawn", .camera = drawn_camera(draw, reach), .width = 24, .height = 18};
+    drawn.view = {.name = "drawn", .camera = drawn_camera(draw, reach), .width = 8, .height = 6};
     drawn.scene.name = "drawn";
     for (std::uint32_t t = 0; t < 12; ++t) {
         for (const glm::dvec3& p : drawn_triangle(draw, drawn.view, reach))
