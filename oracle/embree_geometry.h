@@ -32,7 +32,8 @@ DeviceHandle new_device();
 
 /// The scene's triangles as one robust Embree scene, triangle i = primitive i, not built yet. The vertices
 /// and indices are shared, not copied. Throws OracleError, naming vertex and scene, where a coordinate is not
-/// judged (scenes/judged_ranges.h): Embree drops triangles from 1.844e18 on, and its products overflow before.
+/// judged (scenes/judged_ranges.h): Embree drops triangles from 1.844e18 on, and its products overflow
+/// before.
 SceneHandle share_triangles(RTCDevice device, const Scene& scene);
 
 }  // namespace zproof::oracle

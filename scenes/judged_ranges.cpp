@@ -14,11 +14,11 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-constexpr double largest_slope = 1e9;         ///< sideways per unit of depth: sides of windows, shear
-constexpr double least_slope = 1e-10;         ///< of a window; below it Embree's boxes take rays for straight
-constexpr double least_window_share = 1e-7;   ///< of what is rounded with it
-constexpr double least_slab_share = 1e-6;     ///< of the farther plane's depth
-constexpr double least_volume = 1e-22;        ///< scene units cubed
+constexpr double largest_slope = 1e4;        ///< sideways per unit of depth: sides of windows, shear
+constexpr double least_slope = 1e-10;        ///< of a window; below it Embree's boxes take rays for straight
+constexpr double least_window_share = 1e-7;  ///< of what is rounded with it
+constexpr double least_slab_share = 1e-6;    ///< of the farther plane's depth
+constexpr double least_volume = 1e-22;       ///< scene units cubed
 
 /// A quantity of a camera, the range in which it is judged, and the remedy.
 struct RangeCheck {
@@ -54,7 +54,11 @@ double farthest_plane(const Camera& camera) {
     return std::max(std::abs(camera.near_depth), std::abs(camera.far_depth));
 }
 
-double largest_of(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+/// NaN where a coordinate is.
+double largest_of(const glm::dvec3& v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return std::isnan(v.x + v.y + v.z) ? v.x + v.y + v.z : largest;
+}
 
 /// What float32 rounds along an axis beside the window: a parallel ray's origin coordinate by coordinate, and
 /// what its direction comes to at the farther plane.
@@ -112,7 +116,7 @@ std::string outside_of_parallel(const Camera& c, const Span& u, const Span& v) {
 std::string outside_judged_ranges(const Scene& scene) {
     const Positions& p = scene.vertices.position_world;
     const auto is_judged = [](const glm::vec3& v) {
-        return largest_of(glm::dvec3(v)) <= largest_judged_coordinate && v.x == v.x && v.y == v.y && v.z == v.z;
+        return largest_of(glm::dvec3(v)) <= largest_judged_coordinate;
     };
     const std::uint32_t limit = std::bit_cast<std::uint32_t>(float(largest_judged_coordinate));
     const auto* numbers = reinterpret_cast<const unsigned char*>(p.data());
@@ -132,12 +136,14 @@ std::string outside_judged_ranges(const View& view) {
     std::string outside = first_outside({
         {"the eye's largest coordinate", largest_of(glm::dvec3(c.eye_world)), 0, largest_judged_coordinate,
          scale_down},
-        {"the window's width over its distance from the middle", u.share(), least_window_share, unlimited, widen},
+        {"the window's width over its distance from the middle", u.share(), least_window_share, unlimited,
+         widen},
         {"the window's height over its distance from the middle", v.share(), least_window_share, unlimited,
          widen},
     });
     if (!outside.empty()) return outside;
-    return c.projection == Projection::perspective ? outside_of_perspective(c, u, v) : outside_of_parallel(c, u, v);
+    return c.projection == Projection::perspective ? outside_of_perspective(c, u, v)
+                                                   : outside_of_parallel(c, u, v);
 }
 
 void require_judged(const Scene& scene) {

@@ -10,13 +10,13 @@ namespace {
 
 constexpr double largest_float = std::numeric_limits<float>::max();
 
-/// How far the magnitudes of one draw reach: as far as the numbers do, or beyond the judged ranges by a little.
+/// How far the magnitudes of one draw reach: as far as the numbers do, or about as far as is judged.
 struct Reach {
     double coordinate, least_slope, largest_slope, least_near;
 };
 
 constexpr Reach everything{largest_float, 1e-310, 1e300, 1e-310};
-constexpr Reach judged{1e11, 1e-10, 1e9, 1e-7};
+constexpr Reach judged{1e11, 1e-10, 1e4, 1e-7};
 
 glm::dmat3 turned(Draw& draw) {
     if (draw.one_in(3)) return glm::dmat3(1.0);
@@ -26,7 +26,7 @@ glm::dmat3 turned(Draw& draw) {
     return {right, glm::normalize(glm::cross(back, right)), back};
 }
 
-/// Sides around the middle, beside it, or so far beside it that little of the difference is left.
+/// Around the middle, or so far beside it that little of the difference is left.
 void set_sides(Draw& draw, double half, double& low, double& high) {
     const double shift = draw.one_in(2) ? 0 : draw.sign() * half * draw.magnitude(1e-3, 1e7);
     low = shift - half;
@@ -59,7 +59,8 @@ Camera drawn_camera(Draw& draw, const Reach& reach) {
     set_depths(draw, reach, camera);
     if (camera.projection == Projection::perspective) {
         const bool is_wide = draw.one_in(2);
-        set_window(draw, is_wide ? 0.05 : reach.least_slope, is_wide ? 5 : reach.largest_slope, camera.window);
+        set_window(draw, is_wide ? 0.05 : reach.least_slope, is_wide ? 5 : reach.largest_slope,
+                   camera.window);
     } else {
         const double depth = std::abs(camera.far_depth);
         set_window(draw, std::max(depth * reach.least_slope, 1e-310), std::min(depth * 1e3, reach.coordinate),
@@ -94,10 +95,12 @@ std::array<glm::dvec3, 3> drawn_triangle(Draw& draw, const View& view, const Rea
     std::array<glm::dvec3, 3> corners;
     if (draw.one_in(6)) {
         for (glm::dvec3& p : corners)
-            for (int i = 0; i < 3; ++i) p[i] = draw.one_in(4) ? 0 : draw.sign() * draw.magnitude(1e-45, reach.coordinate);
+            for (int i = 0; i < 3; ++i)
+                p[i] = draw.one_in(4) ? 0 : draw.sign() * draw.magnitude(1e-45, reach.coordinate);
         return corners;
     }
-    const double size = draw.magnitude(0.1, 100), x = draw.between(0, view.width), y = draw.between(0, view.height);
+    const double size = draw.magnitude(0.1, 100), x = draw.between(0, view.width),
+                 y = draw.between(0, view.height);
     const double depth = drawn_depth(draw, view.camera);
     const bool is_level = draw.one_in(2);
     for (glm::dvec3& p : corners)

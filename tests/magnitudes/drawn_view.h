@@ -31,8 +31,8 @@ struct DrawnView {
     View view;
 };
 
-/// Triangles before a camera, of which some lie near the pixels and others anywhere. May lie outside of the
-/// judged ranges; one in two keeps to their middle, but for one quantity.
+/// Triangles before a camera, of which some lie near the pixels and others anywhere. One draw in four takes
+/// whatever the numbers hold, the others keep near the judged ranges; either may lie outside of them.
 DrawnView drawn_view(std::uint32_t seed);
 
 }  // namespace zproof
