@@ -9,6 +9,7 @@
 #include "cli/threads.h"
 #include "cli/usage_error.h"
 #include "compare/explanation/explain.h"
+#include "scenes/judged_ranges.h"
 
 namespace zproof {
 namespace {
@@ -62,6 +63,7 @@ ExitCode execute(const ExplainArguments& arguments) {
     const Loaded loaded = load(source, arguments.settings.resolution);
     const View view = asked_view(arguments, loaded);
     require_inside(arguments, view);
+    require_judged(view);
     if (loaded.scene.triangles.empty()) {
         std::cerr << "zproof: " << source.name << ": the scene has no triangles, nothing to explain\n";
         return ExitCode::nothing;

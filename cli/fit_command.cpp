@@ -16,6 +16,7 @@
 #include "reports/document/terminal.h"
 #include "reports/fit/fit_report.h"
 #include "reports/output_folder.h"
+#include "scenes/judged_ranges.h"
 
 namespace zproof {
 namespace {
@@ -57,6 +58,7 @@ void fit_scene(const FitArguments& arguments, const SceneSource& source, WorkPro
     for (const View& view : views) {
         if (interrupted()) return;
         progress.begin(source.name + " / " + view.name);
+        require_judged(view);
         fitted.views.push_back(
             {source.name, view.name, measure::fit(loaded.scene, view, renderer.render(view))});
         ++fitted.share.done;

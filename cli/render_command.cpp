@@ -14,6 +14,7 @@
 #include "rasterizer/texturing.h"
 #include "reports/output_folder.h"
 #include "reports/pictures.h"
+#include "scenes/judged_ranges.h"
 
 namespace zproof {
 namespace {
@@ -45,6 +46,7 @@ ExitCode execute(const RenderArguments& arguments) {
             if (interrupted()) return;
             progress.begin(shown_name(view));
             written.push_back(safe_name(shown_name(view)));
+            require_judged(view);
             const std::filesystem::path stem = out.working() / written.back();
             Frame frame = renderer.render(view);
             if (arguments.attributes) frame.attributes = rasterizer::attributes_of(loaded.scene, view, frame);

@@ -20,6 +20,7 @@
 #include "compare/judge.h"
 #include "oracle/oracle_error.h"
 #include "reports/evidence.h"
+#include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"
 #include "scenes/scene_hash.h"
 
@@ -153,6 +154,8 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
         !refused.empty())
         return unjudged(source, view, Outcome::not_judged,
                         "the renderer's precision lists projections without " + refused);
+    if (const std::string outside = outside_judged_ranges(view); !outside.empty())
+        return unjudged(source, view, Outcome::unreadable, outside);
 
     begin(view_run, "trace", &StageTimes::reference);
     const Frame reference = ask(opened.reference, view_run);

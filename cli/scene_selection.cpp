@@ -8,6 +8,7 @@
 
 #include "cli/nearest_word.h"
 #include "scenes/gltf.h"
+#include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
 #include "scenes/view_file.h"
@@ -112,7 +113,9 @@ SceneSource select_scene(const std::string& word, const fs::path& models) {
     throw SceneError{word + ": a folder, where one scene was expected; name a file in it"};
 }
 
-Loaded load(const SceneSource& source, Resolution resolution) {
+namespace {
+
+Loaded loaded_as_it_is(const SceneSource& source, Resolution resolution) {
     switch (source.kind) {
         case SceneSource::Kind::suite:
             return generate_suite_scene(source.name, resolution.width, resolution.height);
@@ -122,6 +125,14 @@ Loaded load(const SceneSource& source, Resolution resolution) {
             return load_view_file(source.origin, source.models);
     }
     throw std::logic_error{"a scene source of no kind"};
+}
+
+}  // namespace
+
+Loaded load(const SceneSource& source, Resolution resolution) {
+    Loaded loaded = loaded_as_it_is(source, resolution);
+    require_judged(loaded.scene);
+    return loaded;
 }
 
 std::string names_of(const std::vector<View>& views) {

@@ -33,7 +33,8 @@ std::vector<SceneSource> select_scenes(const std::vector<std::string>& words,
 /// The one scene that the word means; a folder is not one. Throws SceneError.
 SceneSource select_scene(const std::string& word, const std::filesystem::path& models = {});
 
-/// Loads or generates it. The resolution does not touch view files. Throws SceneError.
+/// Loads or generates it. The resolution does not touch view files. Throws SceneError, also for a scene
+/// beyond the judged ranges; each view is to be held to them before it is rendered (scenes/judged_ranges.h).
 Loaded load(const SceneSource& source, Resolution resolution);
 
 /// "door, floor": for messages.

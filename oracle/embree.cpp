@@ -9,7 +9,9 @@
 #include "oracle/block_rays.h"
 #include "oracle/embree_errors.h"
 #include "oracle/embree_geometry.h"
+#include "oracle/oracle_error.h"
 #include "oracle/primary_ray.h"
+#include "scenes/judged_ranges.h"
 
 namespace zproof::oracle {
 namespace {
@@ -192,6 +194,8 @@ Embree::Embree(Embree&&) noexcept = default;
 Embree& Embree::operator=(Embree&&) noexcept = default;
 
 Frame Embree::trace(const View& view) const {
+    if (const std::string outside = outside_judged_ranges(view); !outside.empty())
+        throw OracleError("Embree: " + outside);
     Frame frame = Frame::unwritten({view.width, view.height});
     trace_into(frame, view);
     return frame;

@@ -24,7 +24,8 @@ class Embree {
     Embree& operator=(Embree&&) noexcept;
 
     /// Traces the view on the threads of the surrounding tbb::task_arena. Ray directions have unit camera
-    /// depth, so that the hit distance is the camera depth and tnear/tfar are the near and far planes.
+    /// depth, so that the hit distance is the camera depth and tnear/tfar are the near and far planes. Throws
+    /// OracleError for a view that is not judged (scenes/judged_ranges.h).
     Frame trace(const View& view) const;
     /// The same with Embree's u and v as the attribute `bary`.
     Frame trace_with_barycentrics(const View& view) const;

@@ -2,32 +2,17 @@
 
 #include <malloc.h>
 
-#include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "oracle/embree_errors.h"
 #include "oracle/oracle_error.h"
+#include "scenes/judged_ranges.h"
 
 namespace zproof::oracle {
 namespace {
 
 static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "shared as packed floats and indices");
 static_assert(Positions::allocator_type::padding >= 4, "Embree loads 16 bytes at the last vertex");
-
-bool acceptable(const glm::vec3& p) {
-    const auto small = [](float c) { return std::abs(c) < embree_coordinate_limit; };  // false for NaN
-    return small(p.x) && small(p.y) && small(p.z);
-}
-
-void refuse_unacceptable_positions(const Scene& scene) {
-    const Positions& positions = scene.vertices.position_world;
-    const auto bad = std::ranges::find_if_not(positions, acceptable);
-    if (bad == positions.end()) return;
-    throw OracleError(
-        "Embree: vertex " + std::to_string(bad - positions.begin()) + " of scene '" + scene.name +
-        "' is NaN or beyond 1.844e18, and Embree would drop its triangles; scale the scene down");
-}
 
 GeometryHandle triangle_geometry(RTCDevice device, const Scene& scene) {
     GeometryHandle geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
@@ -55,7 +40,8 @@ DeviceHandle new_device() {
 }
 
 SceneHandle share_triangles(RTCDevice device, const Scene& scene) {
-    refuse_unacceptable_positions(scene);
+    if (const std::string outside = outside_judged_ranges(scene); !outside.empty())
+        throw OracleError("Embree: " + outside);
     // A large tree takes memory of its own; what was freed before need not lie idle beside it.
     if (scene.triangles.size() >= compact_from_triangles) malloc_trim(0);
     SceneHandle shared(rtcNewScene(device));

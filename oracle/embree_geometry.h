@@ -20,10 +20,6 @@ using DeviceHandle = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseEm
 using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseEmbree>;
 using GeometryHandle = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, ReleaseEmbree>;
 
-/// Coordinates must be smaller than this in magnitude: beyond, Embree drops triangles without a word (its
-/// FLT_LARGE).
-inline constexpr float embree_coordinate_limit = 1.844e18f;
-
 /// A scene of so many triangles gets Embree's compact tree: leaves hold the triangles' indices, not their
 /// corners, and the tree is built in the memory of the boxes that it is built from. It takes 35 to 40 bytes a
 /// triangle at most instead of 95, is built faster, and gives the same hits; where rays try many triangles
@@ -35,8 +31,9 @@ inline constexpr std::size_t compact_from_triangles = 500'000;
 DeviceHandle new_device();
 
 /// The scene's triangles as one robust Embree scene, triangle i = primitive i, not built yet. The vertices
-/// and indices are shared, not copied. Throws OracleError, naming vertex and scene, where a coordinate is
-/// beyond the limit or NaN.
+/// and indices are shared, not copied. Throws OracleError, naming vertex and scene, where a coordinate is not
+/// judged (scenes/judged_ranges.h): Embree drops triangles from 1.844e18 on, and its products overflow
+/// before.
 SceneHandle share_triangles(RTCDevice device, const Scene& scene);
 
 }  // namespace zproof::oracle

@@ -7,6 +7,7 @@
 #include "cli/scene_selection.h"
 #include "cli/usage_error.h"
 #include "scenes/filter_scenes.h"
+#include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"
 
 namespace zproof {
@@ -74,10 +75,11 @@ int natural_first_row(const StudyScene& scene, int height) {
 }
 
 std::vector<View> chosen_views(const Loaded& loaded, const std::vector<std::string>& requested) {
-    if (requested.empty()) return loaded.views;
     std::vector<View> chosen;
     for (const View& view : loaded.views)
-        if (std::ranges::find(requested, view.name) != requested.end()) chosen.push_back(view);
+        if (requested.empty() || std::ranges::find(requested, view.name) != requested.end())
+            chosen.push_back(view);
+    std::ranges::for_each(chosen, [](const View& view) { require_judged(view); });
     if (chosen.empty())
         throw UsageError{"--view: scene '" + loaded.scene.name + "' has no such view; it has " +
                          names_of(loaded.views)};

@@ -11,8 +11,11 @@
 
 namespace zproof {
 
-/// No answer at all: NaN, negative depth, an id out of range, background with a depth.
-bool is_invalid(const Answer& answer, std::size_t triangle_count);
+/// Is no depth at all: NaN, or negative where the view shows nothing behind the eye.
+bool is_invalid_depth(float depth, const Camera& camera);
+
+/// No answer at all: such a depth, an id out of range, background with a depth.
+bool is_invalid(const Answer& answer, std::size_t triangle_count, const Camera& camera);
 
 /// One renderer's answer at a pixel, by itself.
 struct AnswerCheck {

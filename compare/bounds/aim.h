@@ -9,9 +9,10 @@ struct Aim {
     /// Relative errors of each coordinate of directions and origins, and what is aimed beside on purpose.
     Aim(const ViewFacts& facts, double direction_error, double origin_error, double offset_px);
 
-    double at_depth_px(double depth) const { return px + px_per_depth * depth; }
+    double at_depth_px(double depth) const { return px + px_per_depth * (depth + start); }
 
-    double px, px_per_depth;                ///< sideways; per unit of depth in parallel projections
+    double px, px_per_depth;                ///< sideways; per unit along the ray in parallel projections
+    double start;                           ///< how far behind the eye rays start
     double depth_relative, depth_absolute;  ///< along the view axis
 };
 

@@ -65,13 +65,14 @@ struct RayTerms {
     double of_products;  ///< gamma(8)
     double factor;       ///< of depth: gamma(4) + aim
     double aim_px, aim_px_per_depth, aim_absolute;
+    double start;  ///< how far behind the eye rays start
 
     DepthTerms of(const TriangleSize& t) const {
         // a corner is rounded once when the origin is subtracted
         const double corner = unit * scale.lateral_px(t.from_eye);
         const double largest_depth =
             std::max(std::max(std::abs(t.depth[0]), std::abs(t.depth[1])), std::abs(t.depth[2]));
-        const double aim = aim_px + aim_px_per_depth * largest_depth;
+        const double aim = aim_px + aim_px_per_depth * (largest_depth + start);
         // t = (v0 . n) / (d . n): 8 roundings in each product (3 of the dot, 5 of n), 4 of the reciprocal and
         // the product
         const auto over_volume = [&](double sum_abs) {  // unlimited where the plane holds the origin
@@ -82,10 +83,12 @@ struct RayTerms {
         const double numerator_error = over_volume(t.plane.numerator_abs);
         const bool perspective = projection == Projection::perspective;
         const double rounded_aim = unit * t.from_eye.z + aim_absolute;
-        const double of_plane = numerator_error * (1 + compounded(volume_factor));
+        // what is off by a share is the distance from the start; adding that rounds once more
+        const double of_start = start > 0 ? start * compounded(factor + volume_factor + unit) : 0;
+        const double of_plane = numerator_error * (1 + compounded(volume_factor)) + of_start;
         return {.eps_base_px = perspective ? aim : aim + corner,
                 .eps_per_inverse_depth = perspective ? corner : 0,
-                .factor = factor + volume_factor,
+                .factor = factor + volume_factor + (start > 0 ? unit : 0),
                 .absolute = perspective ? rounded_aim : rounded_aim + of_plane,
                 .inverse_depth_error = 0,
                 .plane_offset = perspective ? numerator_error : 0};

@@ -60,7 +60,8 @@ RayBounds::RayBounds(const ViewFacts& facts, const RayPrecision& precision)
              .factor = gammas_of(unit_)[4] + aim_.depth_relative,
              .aim_px = aim_.px,
              .aim_px_per_depth = aim_.px_per_depth,
-             .aim_absolute = aim_.depth_absolute} {}
+             .aim_absolute = aim_.depth_absolute,
+             .start = facts.start} {}
 
 /// Frames hold float32: a wider depth is rounded once more on its way there.
 double RayBounds::framing() const {

@@ -45,7 +45,10 @@ ViewFacts::ViewFacts(const View& of_view)
              .slant_u = perspective ? largest_u : std::abs(c.shear.x),
              .slant_v = perspective ? largest_v : std::abs(c.shear.y)};
     direction_abs = scale.slant_u * glm::abs(c.right) + scale.slant_v * glm::abs(c.up) + glm::abs(c.back);
-    origin_abs = perspective ? glm::dvec3(0) : largest_u * glm::abs(c.right) + largest_v * glm::abs(c.up);
+    start = perspective ? 0 : std::max(-c.near_depth, 0.0);
+    origin_abs = perspective
+                     ? glm::dvec3(0)
+                     : largest_u * glm::abs(c.right) + largest_v * glm::abs(c.up) + start * direction_abs;
     gauge = gauge_of(c, direction_abs, origin_abs);
 }
 

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "compare/adjudicate/adjudicator.h"
+#include "compare/adjudicate/pixel_check.h"
 #include "compare/adjudicate/tile_work.h"
 #include "compare/admissible/depth_rule.h"
 #include "compare/labels/search_reach.h"
@@ -94,7 +95,7 @@ class LabelledFrame {
             const PrimitiveId first = first_.of(label), reference = reference_.primitive.at(x, y);
             if (is_background(labels_, label, depth))
                 named = PrimitiveId::none;
-            else if (first == no_such_triangle || std::isnan(depth) || depth < 0)
+            else if (first == no_such_triangle || is_invalid_depth(depth, view_.camera))
                 named = first;
             else if (has_label(reference, label) && holds_depth(depth_of_reference, reference, pixel))
                 named = reference;

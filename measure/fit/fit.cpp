@@ -18,12 +18,13 @@ struct FrameAnswers {
     Answers given, none;
 };
 
-FrameAnswers answers_of(const Scene& scene, const Frame& frame) {
+FrameAnswers answers_of(const Scene& scene, const View& view, const Frame& frame) {
     FrameAnswers answers;
     for (int y = 0; y < frame.size().height; ++y)
         for (int x = 0; x < frame.size().width; ++x) {
             const PixelAnswer a{{x, y}, {frame.primitive.at(x, y), frame.camera_depth.at(x, y)}};
-            (is_invalid(a.answer, scene.triangles.size()) ? answers.none : answers.given).push_back(a);
+            const bool is_none = is_invalid(a.answer, scene.triangles.size(), view.camera);
+            (is_none ? answers.none : answers.given).push_back(a);
         }
     return answers;
 }
@@ -147,7 +148,7 @@ void Fitter::leave_out(const Answers& answers, LeftOut::Why why) {
 }
 
 ViewFit Fitter::operator()() {
-    const FrameAnswers answers = answers_of(scene_, frame_);
+    const FrameAnswers answers = answers_of(scene_, view_, frame_);
     fit_.pixels = answers.given.size() + answers.none.size();
     sort_out(answers.given);
     // 1: by place alone; 2: the depth error beside that; 3: eps beside that depth error

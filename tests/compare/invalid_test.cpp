@@ -76,5 +76,18 @@ TEST(OddAnswers, TheLastTriangleAndDepthZeroBehindTheEyePlaneAreAnswers) {
     EXPECT_EQ(t.class_at(0, 0), PixelClass::agree);
 }
 
+TEST(OddAnswers, NegativeDepthsAreAnswersOfViewsThatShowWhatIsBehindTheEye) {
+    TestScene t(Projection::parallel, 1, 1, {wall(-0.5)});
+    t.view.camera.near_depth = -1;
+    answer(t.reference, 0, 0, 0, -0.5);
+    for (const auto& [depth, expected] : {std::pair{-0.5, PixelClass::agree},
+                                          {-0.51, PixelClass::wrong_depth},
+                                          {-0.49, PixelClass::wrong_depth},
+                                          {0.5, PixelClass::wrong_depth}}) {
+        answer(t.candidate, 0, 0, 0, depth);
+        EXPECT_EQ(t.class_at(0, 0), expected) << depth;
+    }
+}
+
 }  // namespace
 }  // namespace zproof
