@@ -9,7 +9,7 @@
 namespace zproof::selftest {
 namespace {
 
-enum Channel : std::size_t { bary_u = 0, bary_v = 1, position_x = 7 };
+enum Channel : std::size_t { bary_u = 0, bary_v = 1, position_z = 9 };
 
 /// The good frame with its attributes, which are right.
 Frame with_attributes(const Fixture& fixture) {
@@ -54,15 +54,6 @@ void make_affine(const InterpolatedPixel& seen) {
     seen[bary_v] = float(w2 / (w0 + w1 + w2));
 }
 
-void move_into_camera(const InterpolatedPixel& seen) {
-    const Camera& camera = seen.fixture.view.camera;
-    const glm::dvec3 p_world{seen[position_x], seen[position_x + 1], seen[position_x + 2]};
-    const glm::dvec3 from_eye = p_world - glm::dvec3(camera.eye_world);
-    seen[position_x] = float(glm::dot(camera.right, from_eye));
-    seen[position_x + 1] = float(glm::dot(camera.up, from_eye));
-    seen[position_x + 2] = float(glm::dot(camera.back, from_eye));
-}
-
 Frame with_one_nan(const Fixture& fixture) {
     Frame frame = with_attributes(fixture);
     const Pixel p = amid_a_triangle(fixture);
@@ -83,8 +74,8 @@ std::vector<Fault> faults_of_attributes() {
          at_each_pixel(make_affine)},
         {"barycentrics_swapped", "barycentrics are those of the other two corners", wrong,
          at_each_pixel([](const InterpolatedPixel& seen) { std::swap(seen[bary_u], seen[bary_v]); })},
-        {"positions_in_camera_space", "positions are relative to the camera", wrong,
-         at_each_pixel(move_into_camera)},
+        {"positions_left_handed", "positions have z the other way round", wrong,
+         at_each_pixel([](const InterpolatedPixel& seen) { seen[position_z] = -seen[position_z]; })},
         {"barycentric_nan",
          "one barycentric is NaN",
          {.classes = {PixelClass::wrong_attribute}, .count = 1},
