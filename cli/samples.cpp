@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "cli/usage_error.h"
+#include "scenes/standard_samples.h"
 
 namespace zproof {
 namespace {

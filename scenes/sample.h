@@ -3,7 +3,6 @@
 
 #include <glm/glm.hpp>
 #include <string>
-#include <vector>
 
 namespace zproof {
 
@@ -16,9 +15,6 @@ struct Sample {
 /// Is it a multiple of 1/256 px in [-1/2, 1/2)? Then the sample lies in the pixel, and its raster position is
 /// exact in float32 for images of up to 32768 px.
 bool is_sample_offset(const glm::dvec2& offset_px);
-
-/// The standard pattern of 1, 2, 4, 8 or 16 samples, in its order; empty for any other count.
-std::vector<Sample> standard_samples(int count);
 
 /// "-0.125": all digits.
 std::string px_text(double offset_px);

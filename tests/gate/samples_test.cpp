@@ -6,6 +6,7 @@
 #include "compare/judge.h"
 #include "oracle/embree.h"
 #include "rasterizer/rasterizer.h"
+#include "scenes/standard_samples.h"
 #include "scenes/suite.h"
 
 namespace zproof {

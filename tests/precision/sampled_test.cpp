@@ -4,6 +4,7 @@
 #include "compare/judge.h"
 #include "frame/precision_presets.h"
 #include "oracle/embree.h"
+#include "scenes/standard_samples.h"
 #include "scenes/suite.h"
 #include "tests/precision/emulated_rasterizer.h"
 

@@ -1,5 +1,5 @@
 // The standard patterns against Vulkan's table, and which offsets are samples at all.
-#include "scenes/sample.h"
+#include "scenes/standard_samples.h"
 
 #include <gtest/gtest.h>
 

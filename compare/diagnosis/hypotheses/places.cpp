@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
+#include "scenes/standard_samples.h"
 
 namespace zproof {
 
