@@ -87,7 +87,7 @@ std::string outside_of_perspective(const Camera& c, const Span& u, const Span& v
          largest_slope, "choose another field of view"},
         {"the volume before the near plane, near x half width x half height there,", near_volume,
          least_volume, unlimited, scale_up},
-        {"(far - near) / far", 1 - c.near_depth / c.far_depth, least_slab_share, 1,
+        {"(far - near) / far", 1 - c.near_depth / c.far_depth, least_slab_share, unlimited,
          "move the near and far planes apart"},
     });
 }
@@ -107,7 +107,7 @@ std::string outside_of_parallel(const Camera& c, const Span& u, const Span& v) {
         {"the window's volume, half width x half height x the larger of both,", wide * wide * narrow,
          least_volume, unlimited, "scale the scene up"},
         {"(far - near) / the farther plane's depth", (c.far_depth - c.near_depth) / farthest,
-         least_slab_share, 2, "move the near and far planes apart"},
+         least_slab_share, unlimited, "move the near and far planes apart"},
     });
 }
 
