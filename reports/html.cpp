@@ -124,13 +124,13 @@ std::string summary(const std::vector<PageView>& pages) {
            rows + "</tbody></table></div>\n";
 }
 
-std::string legend_rows(bool admissible) {
+std::string legend_rows(const std::string& heading, std::initializer_list<GateEffect> effects) {
     std::string rows;
     for (int i = 0; i < pixel_class_count; ++i)
-        if (passes(PixelClass(i)) == admissible)
-            rows += "<dt>" + class_badge(PixelClass(i)) + "</dt><dd>" +
-                    std::string(facts_of(PixelClass(i)).meaning) + "</dd>\n";
-    return "<dl>" + rows + "</dl>";
+        if (const ClassFacts& facts = facts_of(PixelClass(i)); std::ranges::count(effects, facts.gate) > 0)
+            rows +=
+                "<dt>" + class_badge(PixelClass(i)) + "</dt><dd>" + std::string(facts.meaning) + "</dd>\n";
+    return "<h3>" + heading + "</h3><dl>" + rows + "</dl>";
 }
 
 std::string legend() {
@@ -141,8 +141,9 @@ std::string legend() {
            "renderer of the candidate's declared precision could have answered so. The bounds follow from "
            "that "
            "arithmetic; nothing is tuned. Each pixel gets one word:</p>\n"
-           "<div class=\"columns\"><div><h3>Admissible</h3>" +
-           legend_rows(true) + "</div><div><h3>Defects</h3>" + legend_rows(false) +
+           "<div class=\"columns\"><div>" +
+           legend_rows("Admissible", {GateEffect::pass}) + legend_rows("Neither", {GateEffect::undecided}) +
+           "</div><div>" + legend_rows("Defects", {GateEffect::fail, GateEffect::fail_always}) +
            "<p class=\"fine\">Depth error / bound: how much of the permitted depth error was used up. Near 0 "
            "the bound is loose, above 1 something is wrong.</p></div></div>\n</section>\n";
 }
