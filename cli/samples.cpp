@@ -29,7 +29,7 @@ std::optional<Number> number_from(std::string_view text) {
 std::vector<Sample> pattern_from(const std::string& word, std::string_view rest) {
     const std::size_t colon = rest.find(':');
     const auto count = number_from<int>(rest.substr(0, colon));
-    const std::vector<Sample> samples = standard_samples(count.value_or(0));
+    std::vector<Sample> samples = standard_samples(count.value_or(0));
     if (samples.empty()) refuse(word, "a standard pattern has 1, 2, 4, 8 or 16 samples");
     if (colon == rest.npos) return samples;
     const auto index = number_from<int>(rest.substr(colon + 1));
