@@ -22,8 +22,13 @@ std::string view_meant(const CompareArguments& arguments, const SceneSource& sou
 
 /// A frame shows one sample.
 void require_frames(const CompareArguments& arguments) {
-    if (arguments.settings.samples.size() == 1) return;
-    for (const RendererChoice* choice : {&arguments.renderers.candidate, &arguments.renderers.reference})
+    const std::vector<Sample>& samples = arguments.settings.samples;
+    const RendererChoice& candidate = arguments.renderers.candidate;
+    if (samples.size() == 1 && is_centre(samples.front()) && has_frame_for_each_sample(candidate))
+        throw UsageError{"compare: " + name_of(candidate) +
+                         " says {sample}; expected --sample, e.g. --sample standard:4"};
+    if (samples.size() == 1) return;
+    for (const RendererChoice* choice : {&candidate, &arguments.renderers.reference})
         if (!has_frame_for_each_sample(*choice))
             throw UsageError{"compare: " + name_of(*choice) + " is one frame, and --sample means " +
                              std::to_string(arguments.settings.samples.size()) +

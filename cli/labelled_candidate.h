@@ -18,7 +18,7 @@ struct CandidateFrame {
     std::string label_sentence(int x, int y) const;
 };
 
-/// Takes the frame that the renderer gave.
+/// Takes the frame that the renderer gave; without its attributes, where its ids stand for labels.
 CandidateFrame candidate_frame(const Scene& scene, const View& view, const Renderer& renderer, Frame given,
                                const Frame& reference);
 

@@ -139,7 +139,7 @@ std::string refused_projection(const Projections& has, const Camera& camera) {
 std::vector<std::string> remark_on_attributes(const ViewRun& view_run, const Attributes& given) {
     const Renderer& candidate = view_run.opened.candidate;
     std::vector<std::string> remarks =
-        unjudged_attributes(view_run.context.scene, given, candidate.precision);
+        unjudged_attributes(view_run.context.scene, view_run.context.view, given, candidate.precision);
     if (candidate.labels && given.are_given())
         remarks = {"attributes: not judged, since the frame names no triangles"};
     for (const std::string& remark : remarks) view_run.config.progress.remark(remark);

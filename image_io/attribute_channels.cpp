@@ -9,10 +9,19 @@ namespace zproof::image_io {
 
 namespace {
 
-std::optional<ChannelPlace> place_of_channel(const ImageFile& file, std::string_view name) {
+std::optional<ChannelPlace> place_in_part(const ImageFile& file, std::size_t part, std::string_view name) {
+    const auto& channels = file.parts()[part].channels;
+    const auto found = std::ranges::find(channels, name, &Channel::name);
+    if (found == channels.end()) return std::nullopt;
+    return ChannelPlace{int(part), int(found - channels.begin())};
+}
+
+/// In the part of the depths, else in the first that has it.
+std::optional<ChannelPlace> place_of_channel(const ImageFile& file, int part_of_depths,
+                                             std::string_view name) {
+    if (const auto place = place_in_part(file, std::size_t(part_of_depths), name)) return place;
     for (std::size_t p = 0; p < file.parts().size(); ++p)
-        for (std::size_t c = 0; c < file.parts()[p].channels.size(); ++c)
-            if (file.parts()[p].channels[c].name == name) return ChannelPlace{int(p), int(c)};
+        if (const auto place = place_in_part(file, p, name)) return place;
     return std::nullopt;
 }
 
@@ -39,11 +48,11 @@ void require_whole(const ImageFile& file, const Attributes& attributes) {
 
 }  // namespace
 
-Attributes read_attributes(const ImageFile& file, Resolution size) {
+Attributes read_attributes(const ImageFile& file, int part_of_depths, Resolution size) {
     Attributes attributes;
     std::vector<WantedChannel> wanted;
     for (std::size_t c = 0; c < attribute_channels.size(); ++c) {
-        const auto place = place_of_channel(file, attribute_channels[c].name);
+        const auto place = place_of_channel(file, part_of_depths, attribute_channels[c].name);
         if (!place) continue;
         require_float(file, *place, size);
         Plane<float>& plane = attributes.planes[c] = Plane<float>(size);

@@ -149,7 +149,7 @@ class RawPlanes {
         RawFrame frame{.primitive = std::nullopt,
                        .why_no_ids = why_no_ids_,
                        .stored_depth = Plane<double>(size_, std::numeric_limits<double>::infinity()),
-                       .attributes = read_attributes(depth_file(), size_)};
+                       .attributes = read_attributes(depth_file(), depth_place_.part, size_)};
         if (id_places_.size() == 1) frame.primitive = ids();
         if (id_places_.size() == 3) frame.primitive = codes();
         const WantedChannel wanted{depth_place_, [&](const SampleRow& row) {

@@ -50,8 +50,9 @@ Attributes attributes_of(const Scene& scene, const View& view, const Frame& fram
             if (id == PrimitiveId::none) continue;
             const glm::uvec3& t = scene.triangles[std::size_t(id)];
             const auto p = corner_values<glm::dvec3>(scene.vertices.position_world, t);
+            const glm::dvec2 at = sampled_at(view, x, y);
             const Barycentrics b =
-                barycentrics(pixel_ray(view, x + 0.5, y + 0.5), {p[0] - eye, p[1] - eye, p[2] - eye});
+                barycentrics(pixel_ray(view, at.x, at.y), {p[0] - eye, p[1] - eye, p[2] - eye});
             for (std::size_t c = 0; c < attribute_channels.size(); ++c)
                 if (found.has(c))
                     found.planes[c].at(x, y) = float(value_of(attribute_channels[c].attribute, scene, t,

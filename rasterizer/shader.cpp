@@ -88,7 +88,8 @@ LinearRgb Shader::colour_at(int x, int y, PrimitiveId primitive) const {
     const auto from_eye = [&](std::uint32_t vertex) {
         return glm::dvec3{scene_.vertices.position_world[vertex]} - glm::dvec3{view_.camera.eye_world};
     };
-    const PixelRay line = pixel_ray(view_, x + 0.5, y + 0.5);
+    const glm::dvec2 at = sampled_at(view_, x, y);
+    const PixelRay line = pixel_ray(view_, at.x, at.y);
     const Point point{scene_, corners, material_of(scene_, id),
                       barycentrics(line, {from_eye(corners.x), from_eye(corners.y), from_eye(corners.z)})};
     const double facing = std::max(0.0, glm::dot(normal_to_viewer_world(point, line), toward_light_world_));

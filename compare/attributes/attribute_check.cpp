@@ -228,10 +228,10 @@ std::vector<Attribute> given_attributes(const Attributes& given) {
     return attributes;
 }
 
-std::vector<Attribute> judged_attributes(const Scene& scene, const Attributes& given,
+std::vector<Attribute> judged_attributes(const Scene& scene, const View& view, const Attributes& given,
                                          const Precision& precision) {
     std::vector<Attribute> judged;
-    if (promises_attributes(precision)) judged = given_attributes(given);
+    if (promises_attributes(precision, view.camera.projection)) judged = given_attributes(given);
     std::erase_if(judged, [&](Attribute attribute) { return !scene_has(scene, attribute); });
     return judged;
 }
@@ -246,7 +246,7 @@ AttributeCheck::AttributeCheck(const Scene& scene, const View& view, const Frame
       precision_(precision),
       varying_bounds_(view, varying_precision(precision)),
       shown_bounds_(view, shown_precision(precision)),
-      judged_(judged_attributes(scene, frame.attributes, precision)) {}
+      judged_(judged_attributes(scene, view, frame.attributes, precision)) {}
 
 std::vector<InterpolatedValue> AttributeCheck::values_of(Attribute attribute, const Surface& surface,
                                                          const InterpolationErrors& errors,
@@ -287,14 +287,14 @@ std::optional<WrongAttribute> AttributeCheck::first_wrong(const PixelCoord& pixe
     return std::nullopt;
 }
 
-std::vector<std::string> unjudged_attributes(const Scene& scene, const Attributes& given,
+std::vector<std::string> unjudged_attributes(const Scene& scene, const View& view, const Attributes& given,
                                              const Precision& precision) {
     std::vector<std::string> reasons;
     for (const Attribute attribute : given_attributes(given)) {
         const std::string name{name_of(attribute)};
-        if (!promises_attributes(precision))
-            reasons.push_back(name +
-                              ": not judged, since the declared precision says nothing of interpolation");
+        if (!promises_attributes(precision, view.camera.projection))
+            reasons.push_back(
+                name + ": not judged, since the declared precision says nothing of interpolation here");
         else if (!scene_has(scene, attribute))
             reasons.push_back(name + ": not judged, since the scene has none");
     }

@@ -56,7 +56,7 @@ class AttributeCheck {
 
 /// The attributes that a frame gives and nobody can judge, each with its reason: "normal: the scene has
 /// none".
-std::vector<std::string> unjudged_attributes(const Scene& scene, const Attributes& given,
+std::vector<std::string> unjudged_attributes(const Scene& scene, const View& view, const Attributes& given,
                                              const Precision& precision);
 
 }  // namespace zproof

@@ -90,9 +90,10 @@ InterpolationErrors errors_of(const PlaneRayPrecision&, const Surface&) {
 
 }  // namespace
 
-bool promises_attributes(const Precision& precision) {
+bool promises_attributes(const Precision& precision, Projection projection) {
     if (const auto* raster = std::get_if<RasterPrecision>(&precision))
-        return raster->depth_interpolation == DepthInterpolation::barycentrics;
+        return raster->depth_interpolation == DepthInterpolation::barycentrics &&
+               (projection == Projection::perspective || raster->edge_functions == EdgeFunctions::exact);
     return !std::holds_alternative<PlaneRayPrecision>(precision);
 }
 

@@ -14,8 +14,8 @@ struct InterpolationErrors {
     SampledPlaces sampled = SampledPlaces::on_triangle;
 };
 
-/// Does the declaration say how values are interpolated?
-bool promises_attributes(const Precision& precision);
+/// Does the declaration say how values are interpolated in such a projection?
+bool promises_attributes(const Precision& precision, Projection projection);
 /// The precision of a camera depth that is interpolated beside other values.
 Precision varying_precision(const Precision& precision);
 

@@ -69,6 +69,13 @@ TEST_F(StoredFrames, AreJudgedByTheirAttributesToo) {
 
     Frame frame = read_frame(folder.path() / "with/frame-all.exr");
     ASSERT_TRUE(frame.attributes.has(Attribute::barycentrics));
+    frame.attributes.planes[0] = Plane<float>(frame.size());
+    write_frame(folder.path() / "unnamed.exr", frame);
+    const Ran by_depth = run(folder, {"compare", "unnamed.exr", "two.gltf", "--ids", "none"});
+    EXPECT_EQ(by_depth.exit_code, 0) << by_depth.out << by_depth.err;
+    EXPECT_NE(by_depth.err.find("the frame names no triangles"), std::string::npos) << by_depth.err;
+
+    frame = read_frame(folder.path() / "with/frame-all.exr");
     ASSERT_FALSE(frame.attributes.has(Attribute::uv));
     frame.attributes.planes[0].at(32, 24) += 0.01f;
     frame.attributes.planes[2] = frame.attributes.planes[3] = Plane<float>(frame.size());

@@ -123,6 +123,9 @@ TEST_F(Samples, ThatAreNoneAreRefused) {
     refused("0,nan", "a multiple of 1/256 px");
     refused("centre", "expected DX,DY in pixels");
     refused("standard:4", "expected {sample} in its name");
+    const Ran unsaid = run(folder, {"compare", "drawn/{sample}.exr", "two.gltf"});
+    EXPECT_EQ(unsaid.exit_code, 2);
+    EXPECT_THAT(unsaid.err, HasSubstr("expected --sample, e.g. --sample standard:4"));
     const Ran ran = run_small({"explain", "two.gltf", "1", "1", "--sample", "standard:4"});
     EXPECT_EQ(ran.exit_code, 2);
     EXPECT_THAT(ran.err, HasSubstr("expected one, e.g. standard:4:0"));

@@ -278,11 +278,41 @@ TEST(Attributes, OfAnotherSceneOrRendererAreNotJudgedAndSaidSo) {
     const Frame empty({width, height});
     Attributes given;
     for (auto& plane : given.planes) plane = Plane<float>({width, height});
-    EXPECT_EQ(unjudged_attributes(room.scene, empty.attributes, rasterizer::precision()).size(), 0u);
-    EXPECT_EQ(unjudged_attributes(room.scene, given, rasterizer::precision()),
+    EXPECT_EQ(
+        unjudged_attributes(room.scene, room.views[0], empty.attributes, rasterizer::precision()).size(), 0u);
+    EXPECT_EQ(unjudged_attributes(room.scene, room.views[0], given, rasterizer::precision()),
               (std::vector<std::string>{"uv: not judged, since the scene has none",
                                         "normal: not judged, since the scene has none"}));
-    EXPECT_EQ(unjudged_attributes(room.scene, given, PlaneRayPrecision{}).size(), 4u);
+    EXPECT_EQ(unjudged_attributes(room.scene, room.views[0], given, PlaneRayPrecision{}).size(), 4u);
+}
+
+/// Rounded edge functions are bounded in perspectives alone.
+TEST(Attributes, OfRoundedEdgeFunctionsAreNotJudgedInParallelProjectionsAndSaidSo) {
+    const RasterPrecision rounded{.edge_functions = EdgeFunctions::from_corner};
+    Attributes given;
+    for (auto& plane : given.planes) plane = Plane<float>({width, height});
+    const Loaded parallel = generate_suite_scene("orthographic", width, height),
+                 perspective = generate_suite_scene("room", width, height);
+    EXPECT_EQ(unjudged_attributes(parallel.scene, parallel.views[0], given, rounded).size(), 4u);
+    EXPECT_EQ(unjudged_attributes(perspective.scene, perspective.views[0], given, rounded).size(), 2u);
+}
+
+TEST(Attributes, OfSamplesAreJudgedAtTheirPlaces) {
+    const Loaded loaded = generate_suite_scene("textured_ground", width, height);
+    View view = loaded.views[0];
+    view.sample.offset_px = {-0.375, 0.125};
+    Frame frame = rasterizer::render(loaded.scene, view);
+    frame.attributes = rasterizer::attributes_of(loaded.scene, view, frame);
+    const Frame at_sample = oracle::Embree{loaded.scene}.trace(view);
+    const auto defects = [&] {
+        return defect_count(judge(loaded.scene, view, {frame, rasterizer::precision()},
+                                  {at_sample, oracle::embree_precision()}));
+    };
+    EXPECT_EQ(defects(), 0u);
+    View centre = view;
+    centre.sample = {};
+    frame.attributes = rasterizer::attributes_of(loaded.scene, centre, frame);
+    EXPECT_GT(defects(), 1000u);
 }
 
 }  // namespace
