@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 namespace zproof {
 
@@ -11,11 +13,19 @@ class FolderLock {
   public:
     /// Waits for whoever holds it. Throws FrameError where the folder cannot be locked.
     explicit FolderLock(const std::filesystem::path& folder);
+    /// Nothing where somebody holds it, or where the folder cannot be locked.
+    static std::optional<FolderLock> if_free(const std::filesystem::path& folder);
+    FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+    FolderLock& operator=(FolderLock&& other) noexcept {
+        std::swap(descriptor_, other.descriptor_);
+        return *this;
+    }
     ~FolderLock();
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
 
   private:
+    enum class Patience { waits, does_not_wait };
+    FolderLock(const std::filesystem::path& folder, Patience patience);
+
     int descriptor_;
 };
 
