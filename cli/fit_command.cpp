@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/published.h"
 #include "cli/renderers/registry.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
@@ -87,7 +88,7 @@ void write(const FitArguments& arguments, const std::vector<FittedView>& views) 
     document::write_document(out.working(), document);
     write_whole_file(out.working() / "fit.json", fit_json(renderer, views));
     write_whole_file(out.working() / "precision.json", precision_to_json(promise_of(views)) + "\n");
-    out.publish();
+    publish(out);
     std::cout << document::terminal_text(document) << "\nfit: " << (arguments.out / "study.html").string()
               << "\n";
 }

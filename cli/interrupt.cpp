@@ -30,6 +30,16 @@ extern "C" void note_signal(int) {
     [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, answer.data(), answer.size());
 }
 
+/// A write into a pipe that nobody reads fails then, and is heard to fail. A handler is not handed on to
+/// programs that are started, as SIG_IGN would be.
+extern "C" void let_the_write_fail(int) {}
+
+/// Who started zproof may have said that it outlives the terminal (nohup).
+bool is_ignored(int signal_number) {
+    struct sigaction now {};
+    return sigaction(signal_number, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 void note_interrupts() {
@@ -38,6 +48,11 @@ void note_interrupts() {
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);
+    struct sigaction heard {};
+    heard.sa_handler = let_the_write_fail;
+    heard.sa_flags = SA_RESTART;
+    sigaction(SIGPIPE, &heard, nullptr);
 }
 
 bool interrupted() { return noted; }

@@ -7,6 +7,7 @@
 #include "cli/announcement.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
+#include "cli/published.h"
 #include "cli/renderers/registry.h"
 #include "cli/scene_run.h"
 #include "cli/threads.h"
@@ -106,7 +107,7 @@ ExitCode judge_and_report(const RunRequest& request) {
                    [&, &scenes = sources] { scenes_left = judge_all(scenes, config, results); });
     }
     on_threads(settings.threads, [&] { write_reports(out.working(), results, report.formats); });
-    out.publish();
+    publish(out);
     const ExitCode code = announce(results, report);
     if (code != ExitCode::interrupted) return code;
     return say_interrupted(judged_of(results, scenes_left), "view", "judged and written");

@@ -1,5 +1,6 @@
 #include <malloc.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -46,10 +47,21 @@ void keep_freed_memory() {
     mallopt(M_TRIM_THRESHOLD, most_kept_bytes);
 }
 
+extern "C" void let_the_write_fail(int) {}
+
+/// A write beyond the longest file that is allowed (ulimit -f) fails as one on a full disk does. A handler is
+/// not handed on to programs that are started, as SIG_IGN would be.
+void hear_of_files_too_long() {
+    struct sigaction heard {};
+    heard.sa_handler = let_the_write_fail;
+    sigaction(SIGXFSZ, &heard, nullptr);
+}
+
 }  // namespace
 }  // namespace zproof
 
 int main(int argc, char** argv) {
     zproof::keep_freed_memory();
+    zproof::hear_of_files_too_long();
     return int(zproof::guarded_run(argc, argv));
 }

@@ -4,6 +4,7 @@
 #include "cli/announcement.h"
 #include "cli/commands.h"
 #include "cli/folder_names.h"
+#include "cli/published.h"
 #include "cli/report_files.h"
 #include "cli/usage_error.h"
 #include "reports/merge.h"
@@ -63,7 +64,7 @@ ExitCode execute(const MergeArguments& arguments) {
     OutputFolder out{arguments.report.out};
     gather_evidence(evidence_of(shards, folders), out.working(), whole);
     write_reports(out.working(), whole, arguments.report.formats);
-    out.publish();
+    publish(out);
     return announce(whole, arguments.report);
 }
 

@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/folder_names.h"
 #include "cli/interrupt.h"
+#include "cli/published.h"
 #include "cli/renderers/registry.h"
 #include "cli/samples.h"
 #include "cli/scene_selection.h"
@@ -57,7 +58,7 @@ ExitCode execute(const RenderArguments& arguments) {
                               rasterizer::filtered(loaded.scene, view, frame, arguments.filter->texturing));
         }
     });
-    out.publish();
+    publish(out);
     for (const std::string& name : written)
         progress.say(std::cout, (arguments.out / (name + ".exr")).string() + "\n");
     if (written.size() == views.size()) return ExitCode::proven;

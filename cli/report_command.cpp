@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/usage_error.h"
+#include "frame/whole_file.h"
 #include "reports/document/folder.h"
 #include "reports/html.h"
 #include "reports/report_error.h"
@@ -84,7 +85,7 @@ ExitCode execute(const ReportAgainArguments& arguments) {
         std::cout << text;
         return ExitCode::proven;
     }
-    write_text(arguments.out, text);
+    write_whole_file(arguments.out, text);
     std::cout << arguments.out.string() << "\n";
     return ExitCode::proven;
 }

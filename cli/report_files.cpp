@@ -8,6 +8,7 @@
 
 #include "cli/nearest_word.h"
 #include "cli/usage_error.h"
+#include "frame/whole_file.h"
 #include "reports/csv.h"
 #include "reports/github.h"
 #include "reports/html.h"
@@ -44,7 +45,7 @@ void write_report(const fs::path& folder, const Results& results, ReportFormat f
     if (format == ReportFormat::html)
         write_page(file, html_page(results, folder));
     else
-        write_text(file, report_text(format, results, folder));
+        write_whole_file(file, report_text(format, results, folder));
 }
 
 fs::path file_of_results(const fs::path& file_or_folder) {
@@ -104,12 +105,6 @@ std::string report_text(ReportFormat format, const Results& results, const fs::p
             return to_csv(results);
     }
     return "";
-}
-
-void write_text(const fs::path& file, const std::string& text) {
-    std::ofstream out{file, std::ios::binary};
-    out << text << std::flush;
-    if (!out) throw ReportError{file.string() + ": cannot be written; is the disk full?"};
 }
 
 Results read_results(const fs::path& file_or_folder) try {

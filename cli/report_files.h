@@ -26,15 +26,12 @@ std::vector<ReportFormat> usual_formats();  ///< html, json, junit
 ReportFormat format_from(const std::string& word);
 
 /// Writes results.json and a file for each of the formats that has one, on the threads of the surrounding
-/// tbb::task_arena. Throws ReportError.
+/// tbb::task_arena. Throws ReportError or FrameError.
 void write_reports(const std::filesystem::path& folder, const Results& results,
                    const std::vector<ReportFormat>& formats);
 
 /// The report as text; run_folder is where evidence is found, and what its links are relative to.
 std::string report_text(ReportFormat format, const Results& results, const std::filesystem::path& run_folder);
-
-/// Throws ReportError where the file cannot be written.
-void write_text(const std::filesystem::path& file, const std::string& text);
 
 /// The results that a file, or the folder around it, holds. Throws ReportError naming it.
 Results read_results(const std::filesystem::path& file_or_folder);

@@ -22,14 +22,22 @@ SceneSource of_suite(const SuiteEntry& entry) {
     return {SceneSource::Kind::suite, entry.name, "suite", entry.reason, entry.expects, 0};
 }
 
-bool is_gltf(const fs::path& file) { return file.extension() == ".gltf" || file.extension() == ".glb"; }
+/// In lower case.
+std::string extension_of(const fs::path& file) {
+    std::string extension = file.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return extension;
+}
 
-bool is_view_file(const fs::path& file) { return file.extension() == ".json"; }
+bool is_gltf(const fs::path& file) { return extension_of(file) == ".gltf" || extension_of(file) == ".glb"; }
+
+bool is_view_file(const fs::path& file) { return extension_of(file) == ".json"; }
 
 /// "room" for room.gltf, room.glb, room.json and room.view.json.
 std::string stem_of(const fs::path& file) {
     const fs::path stem = file.stem();
-    return stem.extension() == ".view" ? stem.stem().string() : stem.string();
+    return extension_of(stem) == ".view" ? stem.stem().string() : stem.string();
 }
 
 SceneSource of_file(const fs::path& file) {
@@ -38,14 +46,25 @@ SceneSource of_file(const fs::path& file) {
 }
 
 bool found_in_folder(const fs::path& file) {
-    if (file.extension() == ".json") return file.stem().extension() == ".view";
+    if (is_view_file(file)) return extension_of(file.stem()) == ".view";
     return is_gltf(file) && !fs::exists(file.parent_path() / (stem_of(file) + ".view.json"));
+}
+
+/// The scenes below the folder, and what cannot be looked at: load() refuses that, and says why.
+void gather(const fs::path& folder, std::vector<fs::path>& found) {
+    std::error_code failure, ignored;
+    for (auto i = fs::directory_iterator(folder, failure); !failure && i != end(i); i.increment(failure)) {
+        if (i->symlink_status(ignored).type() == fs::file_type::directory)
+            gather(i->path(), found);
+        else if (found_in_folder(i->path()) && !i->is_directory(ignored))
+            found.push_back(i->path());
+    }
+    if (failure) found.push_back(folder);
 }
 
 std::vector<SceneSource> of_folder(const fs::path& folder) {
     std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder})
-        if (entry.is_regular_file() && found_in_folder(entry.path())) files.push_back(entry.path());
+    gather(folder, files);
     std::ranges::sort(files);
     std::vector<SceneSource> sources;
     std::ranges::transform(files, std::back_inserter(sources), of_file);
@@ -116,6 +135,8 @@ SceneSource select_scene(const std::string& word, const fs::path& models) {
 namespace {
 
 Loaded loaded_as_it_is(const SceneSource& source, Resolution resolution) {
+    if (source.kind != SceneSource::Kind::suite && fs::is_directory(source.origin))
+        throw SceneError{source.origin + ": folder cannot be read; expected one that may be listed (ls -l)"};
     switch (source.kind) {
         case SceneSource::Kind::suite:
             return generate_suite_scene(source.name, resolution.width, resolution.height);

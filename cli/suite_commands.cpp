@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/nearest_word.h"
+#include "cli/published.h"
 #include "cli/work_progress.h"
 #include "reports/output_folder.h"
 #include "scenes/glb_writer.h"
@@ -52,7 +53,7 @@ ExitCode execute(const GenerateArguments& arguments) {
         write_glb(out.working(), generate_suite_scene(names[written]));
         progress.say(std::cout, (arguments.out / (names[written] + ".view.json")).string() + "\n");
     }
-    out.publish();
+    publish(out);
     if (written == names.size()) return ExitCode::proven;
     return say_interrupted({written, names.size()}, "scene", "written");
 }

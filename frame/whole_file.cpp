@@ -1,6 +1,7 @@
 #include "frame/whole_file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,10 +20,23 @@ std::filesystem::path temporary_name(const std::filesystem::path& file) {
     return file.string() + "." + std::to_string(getpid()) + ".partial";
 }
 
+/// The file itself where `file` is a link to one.
+std::filesystem::path replaceable(const std::filesystem::path& file) {
+    std::error_code failure;
+    const auto kind = std::filesystem::status(file, failure).type();
+    using enum std::filesystem::file_type;
+    if (kind == fifo || kind == character || kind == block || kind == socket)
+        throw FrameError(file.string() +
+                         ": cannot be written: is a device or a pipe; expected a regular file");
+    if (kind != regular) return file;
+    std::filesystem::path place = std::filesystem::canonical(file, failure);
+    return failure ? file : place;
+}
+
 }  // namespace
 
-WholeFile::WholeFile(std::filesystem::path file)
-    : file_(std::move(file)),
+WholeFile::WholeFile(const std::filesystem::path& file)
+    : file_(replaceable(file)),
       temporary_(temporary_name(file_)),
       descriptor_(open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
     if (descriptor_ < 0) fail();
@@ -52,7 +66,15 @@ void WholeFile::put(std::uint64_t offset, std::string_view bytes) {
     }
 }
 
+void WholeFile::take_over() {
+    struct stat before {};
+    if (stat(file_.c_str(), &before) != 0) return;
+    errno = 0;
+    if (fchmod(descriptor_, before.st_mode & 07777) != 0 || fsync(descriptor_) != 0) fail();
+}
+
 void WholeFile::finish() {
+    if (failure_ == 0) take_over();
     if (descriptor_ >= 0 && close(std::exchange(descriptor_, -1)) != 0) fail();
     if (failure_ == 0) {
         std::error_code refused;

@@ -11,10 +11,12 @@
 namespace zproof {
 
 /// A file in the making: it stands under a temporary name in the same folder until it is finished, so that
-/// no reader ever meets a half-written one. Where it is given up before that, nothing is left behind.
+/// no reader ever meets a half-written one. Where it is given up before that, nothing is left behind. A link
+/// is followed; what is there and is no regular file is never replaced.
 class WholeFile {
   public:
-    explicit WholeFile(std::filesystem::path file);
+    /// Throws FrameError where the place is a device, a pipe or a socket.
+    explicit WholeFile(const std::filesystem::path& file);
     ~WholeFile();
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
@@ -23,13 +25,16 @@ class WholeFile {
     void append(std::string_view bytes) { put(size_, bytes); }
     /// Writes at `offset` bytes from the file's beginning.
     void put(std::uint64_t offset, std::string_view bytes);
-    /// Gives it its own name; a file that had it is replaced. Throws FrameError where that, or anything
-    /// before, failed.
+    /// Gives it its own name. A file that had it is replaced, once the new one is on the disk, and hands on
+    /// its permissions. Throws FrameError where that, or anything before, failed.
     void finish();
 
   private:
     /// errno says why.
     void fail();
+
+    /// What only a file that replaces another needs: its permissions, and its bytes on the disk.
+    void take_over();
 
     std::filesystem::path file_, temporary_;
     int descriptor_;

@@ -1,17 +1,20 @@
 #include "reports/output_folder.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
-#include <fstream>
+#include <algorithm>
+#include <iterator>
 #include <string>
+
+#include "reports/output_manifest.h"
+#include "reports/replaced_folder.h"
 
 namespace zproof {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* marker = ".zproof-out";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
     throw ReportError(path.string() + ": " + why);
@@ -31,7 +34,11 @@ void require_replaceable(const fs::path& path) {
     if (!fs::exists(fs::symlink_status(path, failure))) return;
     if (!fs::is_directory(path, failure))
         refuse(path, "exists and is not a folder; choose another output folder");
-    if (fs::exists(path / marker, failure)) return;
+    if (manifest_in(path)) return;
+    if (fs::exists(path / output_marker, failure))
+        refuse(path,
+               "was made by a zproof that kept no list of its files; remove it, or choose another output "
+               "folder");
     const bool empty = fs::is_empty(path, failure);
     if (failure) refuse(path, "cannot be read: " + failure.message());
     if (!empty)
@@ -57,20 +64,34 @@ fs::path make_sibling(const fs::path& path, const std::string& role) {
     refuse(path, "cannot be made: " + failure.message());
 }
 
-void mark(const fs::path& folder) {
-    std::ofstream out(folder / marker);
-    out << "zproof made this folder and replaces it whole.\n";
-    out.close();
-    if (!out) refuse(folder, "cannot be written to");
+/// One step: at no time there is no folder at either place. False where the file system cannot do it.
+bool exchange(const fs::path& a, const fs::path& b) {
+    return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+/// Gives `folder` the place of `path`. Returns where the old one lies then.
+fs::path put_in_place(const fs::path& folder, const fs::path& path) {
+    if (exchange(folder, path)) return folder;
+    const fs::path old = make_sibling(path, "old");  // empty: rename() may take its place
+    std::error_code failure, ignored;
+    const bool replaces = fs::exists(path, ignored);
+    if (replaces) fs::rename(path, old, failure);
+    if (!failure) fs::rename(folder, path, failure);
+    if (!failure) return old;
+    if (replaces && !fs::exists(path, ignored)) fs::rename(old, path, ignored);
+    fs::remove(old, ignored);  // only where it is empty
+    refuse(path, "cannot be put in place: " + failure.message());
 }
 
 }  // namespace
 
 OutputFolder::OutputFolder(const fs::path& path) : path_(settled(path)) {
+    kept_ = tidy_up_beside(path_);
     require_replaceable(path_);
     working_ = make_sibling(path_, "tmp");
+    lock_ = FolderLock::if_free(working_);
     try {
-        mark(working_);
+        mark_unfinished(working_);
     } catch (...) {
         std::error_code ignored;
         fs::remove_all(working_, ignored);
@@ -83,20 +104,13 @@ OutputFolder::~OutputFolder() {
     if (!published_) fs::remove_all(working_, ignored);
 }
 
-void OutputFolder::publish() {
+std::vector<fs::path> OutputFolder::publish() {
     require_replaceable(path_);
-    const fs::path old = make_sibling(path_, "old");  // empty: rename() may take its place
-    std::error_code failure, ignored;
-    const bool replaces = fs::exists(path_, ignored);
-    if (replaces) fs::rename(path_, old, failure);
-    if (!failure) fs::rename(working_, path_, failure);
-    if (failure) {
-        if (replaces && !fs::exists(path_, ignored)) fs::rename(old, path_, ignored);
-        fs::remove(old, ignored);  // only where it is empty
-        refuse(path_, "cannot be put in place: " + failure.message());
-    }
+    mark_finished(working_);
+    const fs::path old = put_in_place(working_, path_);
     published_ = true;
-    fs::remove_all(old, ignored);  // the new folder stands; a remnant named PATH.old-PID does no harm
+    std::ranges::move(retire(old, path_), std::back_inserter(kept_));
+    return kept_;
 }
 
 }  // namespace zproof

@@ -2,16 +2,26 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <vector>
 
+#include "frame/folder_lock.h"
 #include "reports/report_error.h"
 
 namespace zproof {
 
-/// An output folder that appears whole or not at all: written as PATH.tmp-PID, renamed by publish(). Replaces
-/// PATH only where PATH is a folder that zproof itself made (it holds .zproof-out) or an empty one; otherwise
-/// the constructor throws ReportError and touches nothing. The destructor removes what was not published.
+/// An output folder that appears whole or not at all: written as PATH.tmp-PID, put in place by publish().
+/// Replaces PATH only where PATH is a folder that zproof itself made (it holds .zproof-out) or an empty one;
+/// otherwise the constructor throws ReportError and touches nothing. The destructor removes what was not
+/// published.
+///
+/// Of a folder that it replaces, only the files that .zproof-out lists go, and only where they are as they
+/// were written. Everything else is moved into the new folder, under its own name or, where that is taken,
+/// NAME.kept.
 class OutputFolder {
   public:
+    /// Also tidies up after runs into the same PATH that were killed: what they had not finished is removed,
+    /// and a PATH that they had renamed away is put back.
     explicit OutputFolder(const std::filesystem::path& path);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
@@ -19,13 +29,17 @@ class OutputFolder {
 
     const std::filesystem::path& working() const { return working_; }  ///< where to write
 
-    /// Puts the working folder in PATH's place: the old one is renamed away, the new one in, then the old one
-    /// is removed. Whenever the process dies, a whole folder is left, old or new. Throws ReportError where a
-    /// rename fails or PATH has become somebody else's meanwhile; PATH is then as it was. To be called once.
-    void publish();
+    /// Puts the working folder in PATH's place, in one step where the file system can exchange two folders
+    /// (renameat2); otherwise the old one is renamed away first. Whenever the process dies, a whole folder is
+    /// left, old or new. Throws ReportError where a rename fails or PATH has become somebody else's
+    /// meanwhile; PATH is then as it was. To be called once. Returns what was kept of the old folder though
+    /// zproof did not write it: where it lies now.
+    [[nodiscard]] std::vector<std::filesystem::path> publish();
 
   private:
     std::filesystem::path path_, working_;
+    std::optional<FolderLock> lock_;                ///< of working_: its process lives
+    std::vector<std::filesystem::path> kept_ = {};  ///< from the folders of runs that were killed
     bool published_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include "cli/filters/scenes.h"
 #include "cli/folder_names.h"
 #include "cli/interrupt.h"
+#include "cli/published.h"
 #include "cli/scene_selection.h"
 #include "cli/stopwatch.h"
 #include "cli/threads.h"
@@ -141,7 +142,7 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     results.seconds = watch.lap();
     write_filters_results(out.working(), results);
     write_filters_figures(out.working(), results, {});
-    out.publish();
+    publish(out);
     std::cout << filters_table(results, "interior")
               << "\nstudy: " << (arguments.out / "filters.html").string() << "\n";
     return conclusion(results, share);

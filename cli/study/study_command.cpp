@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/filters/scenes.h"
 #include "cli/interrupt.h"
+#include "cli/published.h"
 #include "cli/study/study.h"
 #include "cli/threads.h"
 #include "cli/version.h"
@@ -53,7 +54,7 @@ ExitCode execute(const StudyArguments& arguments) {
     note_interrupts();
     const document::Document document = performed(study, arguments);
     document::write_document(out.working(), document);
-    out.publish();
+    publish(out);
     std::cout << document::terminal_text(document) << "\nstudy: " << (arguments.out / "study.html").string()
               << "\n";
     return interrupted() ? ExitCode::interrupted : ExitCode::proven;

@@ -12,6 +12,8 @@
 #include "cli/usage_error.h"
 #include "cli/waivers/waiver_file.h"
 #include "compare/waivers/coverage.h"
+#include "frame/folder_lock.h"
+#include "frame/whole_file.h"
 #include "reports/findings_file.h"
 #include "reports/report_error.h"
 #include "reports/wording.h"
@@ -153,11 +155,12 @@ ExitCode execute(const WaiveAddArguments& arguments) {
     const Results results = read_results(arguments.results);
     const ViewResult& view = view_meant(results, arguments);
     Waiver waiver = drafted(arguments, view, findings_of(view, folder_of_results(arguments.results)));
+    const FolderLock lock(folder_of(file));  // others add and prune before or after
     const std::string before = text_of(file);
     if (waiver.id.empty()) waiver.id = free_id(parse_waivers(before, file.string()));
     const std::string after = before + (before.ends_with('\n') ? "\n" : "\n\n") + waiver_text(waiver);
     parse_waivers(after, file.string());  // the same rules as for one that was written by hand
-    write_text(file, after);
+    write_whole_file(file, after);
     std::cout << printable(waiver_text(waiver));
     return ExitCode::proven;
 }

@@ -9,6 +9,8 @@
 #include "cli/report_files.h"
 #include "cli/usage_error.h"
 #include "cli/waivers/waiver_file.h"
+#include "frame/folder_lock.h"
+#include "frame/whole_file.h"
 #include "reports/waiver_status.h"
 #include "reports/wording.h"
 
@@ -79,6 +81,7 @@ ExitCode execute(const WaiveCheckArguments& arguments) {
 
 ExitCode execute(const WaivePruneArguments& arguments) {
     require_file(arguments.gate);
+    const FolderLock lock(folder_of(arguments.gate.waivers));  // others add and prune before or after
     const Gate gate = open_gate(arguments.gate);
     const Results seen = results_with_waivers(gate, arguments.results);
     std::vector<std::string> ids;
@@ -89,7 +92,7 @@ ExitCode execute(const WaivePruneArguments& arguments) {
         std::cout << "removed " << one_line(status.waiver->id) << ": " << name_of(status.state) << "\n";
     }
     if (!ids.empty())
-        write_text(arguments.gate.waivers, without_waivers(waivers_text(arguments.gate.waivers), ids));
+        write_whole_file(arguments.gate.waivers, without_waivers(waivers_text(arguments.gate.waivers), ids));
     std::cout << counted(gate.waivers.size() - ids.size(), "waiver") << " left\n";
     return ExitCode::proven;
 }

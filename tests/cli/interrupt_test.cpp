@@ -106,7 +106,7 @@ Ran interrupted_run(const Folder& folder, const Words& arguments, Blocked where,
 const Words two_scenes{"run", "a.gltf", "b.gltf", "--progress", "lines", "--width", "64", "--height", "48"};
 
 TEST(Interrupt, WritesWhatWasJudgedAndMarksTheRest) {
-    for (const int signal_number : {SIGINT, SIGTERM}) {
+    for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
         const Folder folder;
         folder.write("a.gltf", one_triangle());
         folder.write("b.gltf", two_triangles());
@@ -293,6 +293,20 @@ TEST(Interrupt, ASecondOneEndsTheRunAndTheRendererAtOnce) {
     EXPECT_EQ(heard_line(reader), "") << "the renderer outlived the run";
     close(reader);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "zproof-out"));
+}
+
+/// A reader that goes away (zproof run | head) does not end the run before its report is written.
+TEST(BrokenPipe, LeavesTheReport) {
+    const Folder folder;
+    folder.write("a.gltf", one_triangle());
+    std::array<int, 2> ends{};
+    ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+    close(ends[0]);
+    const pid_t pid = start(folder, {"run", "a.gltf", "--oracle", "none", "--width", "64", "--height", "48"},
+                            {ends[1], ends[1]});
+    close(ends[1]);
+    EXPECT_EQ(exit_code_of(pid), 3);
+    EXPECT_EQ(folder.names(), (Words{"a.gltf", "zproof-out"}));
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "cli/scene_selection.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
@@ -46,6 +49,50 @@ TEST(SceneSelection, CallsScenesThatShareANameByTheirFiles) {
     for (const char* file : {"a/box.glb", "b/box.glb", "b/ball.glb"}) folder.write(file, "");
     const std::string root = folder.path().string();
     EXPECT_EQ(names_of(select_scenes({root})), (Words{root + "/a/box.glb", "ball", root + "/b/box.glb"}));
+}
+
+TEST(SceneSelection, TakesEndingsOfAnyCase) {
+    const Folder folder;
+    for (const char* file : {"A.GLB", "b.GlTf", "C.View.JSON", "D.JSON"}) folder.write(file, "");
+    EXPECT_EQ(names_of(select_scenes({folder.path()})), (Words{"A", "C", "b"}));
+    EXPECT_EQ(select_scene((folder.path() / "A.GLB").string()).kind, SceneSource::Kind::gltf);
+}
+
+TEST(SceneSelection, NamesWhatCannotBeLookedAtBesideTheRest) {
+    const Folder folder;
+    folder.write("good.gltf", test::one_triangle());
+    std::filesystem::create_symlink("b.gltf", folder.path() / "a.gltf");
+    std::filesystem::create_symlink("a.gltf", folder.path() / "b.gltf");
+    const auto sources = select_scenes({folder.path()});
+    EXPECT_EQ(names_of(sources), (Words{"a", "b", "good"}));
+    EXPECT_THROW(load(sources.at(0), {8, 6}), SceneError);
+    EXPECT_NO_THROW(load(sources.at(2), {8, 6}));
+    const test::Ran ran =
+        test::run(folder, {"run", ".", "--oracle", "none", "--width", "64", "--height", "48"});
+    EXPECT_EQ(ran.exit_code, 3);
+    EXPECT_NE(ran.out.find("good"), std::string::npos) << ran.out << ran.err;
+}
+
+/// A folder that this process may not list: what root may not do is tried as somebody else.
+TEST(SceneSelection, NamesAFolderThatCannotBeRead) {
+    const Folder folder;
+    folder.write("good.gltf", "");
+    folder.write("closed/hidden.gltf", "");
+    std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
+    std::filesystem::permissions(folder.path() / "closed", std::filesystem::perms(0));
+    const uid_t before = geteuid();
+    ASSERT_EQ(seteuid(before == 0 ? 65534 : before), 0);
+    const auto sources = select_scenes({folder.path()});
+    std::string said;
+    try {
+        load(sources.at(0), {8, 6});
+    } catch (const SceneError& e) {
+        said = e.what();
+    }
+    ASSERT_EQ(seteuid(before), 0);
+    std::filesystem::permissions(folder.path() / "closed", std::filesystem::perms(0755));
+    EXPECT_EQ(names_of(sources), (Words{"closed", "good"}));
+    EXPECT_NE(said.find("closed: folder cannot be read"), std::string::npos) << said;
 }
 
 TEST(SceneSelection, TakesEachSceneOnce) {

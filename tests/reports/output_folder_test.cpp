@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <fstream>
+#include <thread>
 #include <vector>
 
 #include "tests/reports/sample.h"
@@ -30,7 +32,17 @@ using Names = std::vector<std::string>;
 void publish(const fs::path& path, const std::string& content) {
     OutputFolder folder(path);
     write_file(folder.working() / "results.json", content);
-    folder.publish();
+    EXPECT_EQ(folder.publish(), std::vector<fs::path>{});
+}
+
+/// Publishes again. The paths in `home` of what was kept.
+std::vector<std::string> republish(const TemporaryFolder& home, const std::string& content) {
+    OutputFolder folder(home.path() / "out");
+    write_file(folder.working() / "results.json", content);
+    std::vector<std::string> kept;
+    for (const fs::path& file : folder.publish())
+        kept.push_back(file.lexically_relative(home.path()).string());
+    return kept;
 }
 
 std::string refusal(const fs::path& path) {
@@ -49,19 +61,100 @@ TEST(OutputFolder, AppearsWholeOnlyWhenPublished) {
     OutputFolder folder(home.path() / "deep/out");
     write_file(folder.working() / "results.json", "{}");
     EXPECT_FALSE(fs::exists(home.path() / "deep/out"));
-    folder.publish();
+    EXPECT_TRUE(folder.publish().empty());
     EXPECT_EQ(names_in(home.path() / "deep"), Names{"out"});
     EXPECT_EQ(names_in(home.path() / "deep/out"), (Names{".zproof-out", "results.json"}));
 }
 
 TEST(OutputFolder, ReplacesItsOwnWhole) {
     const TemporaryFolder home;
-    publish(home.path() / "out", "old");
-    write_file(home.path() / "out/stale", "left by the old run");
+    {
+        OutputFolder folder(home.path() / "out");
+        fs::create_directories(folder.working() / "scenes/a");
+        write_file(folder.working() / "scenes/a/stale", "left by the old run");
+        EXPECT_TRUE(folder.publish().empty());
+    }
     publish(home.path() / "out/", "new");
     EXPECT_EQ(names_in(home.path()), Names{"out"});
     EXPECT_EQ(names_in(home.path() / "out"), (Names{".zproof-out", "results.json"}));
     EXPECT_EQ(content_of(home.path() / "out/results.json"), "new");
+}
+
+TEST(OutputFolder, KeepsWhatItDidNotWrite) {
+    const TemporaryFolder home;
+    publish(home.path() / "out", "old");
+    fs::create_directories(home.path() / "out/models/deep");
+    write_file(home.path() / "out/models/deep/mine.gltf", "a model");
+    fs::create_symlink("nowhere", home.path() / "out/link");
+    EXPECT_EQ(republish(home, "new"), (Names{"out/link", "out/models/deep/mine.gltf"}));
+    EXPECT_EQ(republish(home, "newer"), (Names{"out/link", "out/models/deep/mine.gltf"}));
+    EXPECT_EQ(content_of(home.path() / "out/models/deep/mine.gltf"), "a model");
+    EXPECT_EQ(content_of(home.path() / "out/results.json"), "newer");
+    EXPECT_EQ(names_in(home.path()), Names{"out"});
+}
+
+TEST(OutputFolder, KeepsItsOwnFileWhereSomebodyChangedIt) {
+    const TemporaryFolder home;
+    publish(home.path() / "out", "old");
+    write_file(home.path() / "out/results.json", "0ld");
+    EXPECT_EQ(republish(home, "new"), Names{"out/results.json.kept"});
+    write_file(home.path() / "out/results.json", "n3w");
+    std::vector<std::string> kept = republish(home, "newer");
+    std::ranges::sort(kept);
+    EXPECT_EQ(kept, (Names{"out/results.json.kept", "out/results.json.kept-2"}));
+    EXPECT_EQ(content_of(home.path() / "out/results.json"), "newer");
+}
+
+TEST(OutputFolder, RefusesOneWithoutAListAndLeavesItAlone) {
+    const TemporaryFolder home;
+    fs::create_directory(home.path() / "out");
+    write_file(home.path() / "out/.zproof-out", "zproof made this folder and replaces it whole.\n");
+    EXPECT_NE(refusal(home.path() / "out").find("kept no list of its files"), std::string::npos);
+    EXPECT_EQ(names_in(home.path()), Names{"out"});
+}
+
+/// Somebody looks all the time: PATH is there whenever.
+TEST(OutputFolder, IsNeverMissingWhileItIsReplaced) {
+    const TemporaryFolder home;
+    publish(home.path() / "out", "first");
+    std::atomic<bool> over = false;
+    std::size_t missing = 0;
+    std::thread watcher([&] {
+        while (!over) missing += !fs::exists(home.path() / "out/results.json");
+    });
+    for (int i = 0; i < 200; ++i) publish(home.path() / "out", std::to_string(i));
+    over = true;
+    watcher.join();
+    EXPECT_EQ(missing, 0u);
+}
+
+TEST(OutputFolder, TidiesUpAfterRunsThatWereKilled) {
+    const TemporaryFolder home;
+    publish(home.path() / "out", "old");
+    write_file(home.path() / "out/mine", "a file of somebody");
+    fs::rename(home.path() / "out", home.path() / "out.old-123");  // killed between two renames
+    fs::create_directory(home.path() / "out.tmp-77");
+    write_file(home.path() / "out.tmp-77/.zproof-out", "zproof has not finished this folder.\n");
+    fs::create_directory(home.path() / "out.tmp-mine");
+    write_file(home.path() / "out.tmp-mine/.zproof-out", "zproof has not finished this folder.\n");
+    fs::create_directory(home.path() / "out.tmp-5");
+    write_file(home.path() / "out.tmp-5/thesis.tex", "years of work");
+    { const OutputFolder folder(home.path() / "out"); }
+    EXPECT_EQ(content_of(home.path() / "out/results.json"), "old");
+    EXPECT_EQ(content_of(home.path() / "out/mine"), "a file of somebody");
+    EXPECT_EQ(names_in(home.path()), (Names{"out", "out.tmp-5", "out.tmp-mine"}));
+}
+
+TEST(OutputFolder, RetiresWhatAKilledRunHadReplaced) {
+    const TemporaryFolder home;
+    publish(home.path() / "out", "old");
+    write_file(home.path() / "out/mine", "a file of somebody");
+    fs::rename(home.path() / "out", home.path() / "out.tmp-9");  // killed after the exchange
+    publish(home.path() / "other", "new");
+    fs::rename(home.path() / "other", home.path() / "out");
+    EXPECT_EQ(republish(home, "newer"), (Names{"out/mine", "out/mine"}));
+    EXPECT_EQ(names_in(home.path()), Names{"out"});
+    EXPECT_EQ(names_in(home.path() / "out"), (Names{".zproof-out", "mine", "results.json"}));
 }
 
 TEST(OutputFolder, RefusesAForeignFolderAndLeavesItAlone) {
@@ -130,7 +223,7 @@ TEST(OutputFolder, APublishThatFailsPutsTheOldOneBack) {
     {
         OutputFolder folder(home.path() / "out");
         fs::remove_all(folder.working());  // so that it cannot be renamed into place
-        EXPECT_THROW(folder.publish(), ReportError);
+        EXPECT_THROW((void)folder.publish(), ReportError);
     }
     EXPECT_EQ(content_of(home.path() / "out/results.json"), "old");
     EXPECT_EQ(names_in(home.path()), Names{"out"});
@@ -142,7 +235,7 @@ TEST(OutputFolder, LooksAgainBeforeItReplaces) {
         OutputFolder folder(home.path() / "out");
         fs::create_directory(home.path() / "out");
         write_file(home.path() / "out/mine", "made by somebody meanwhile");
-        EXPECT_THROW(folder.publish(), ReportError);
+        EXPECT_THROW((void)folder.publish(), ReportError);
     }
     EXPECT_EQ(names_in(home.path() / "out"), Names{"mine"});
     EXPECT_EQ(names_in(home.path()), Names{"out"});
@@ -152,6 +245,7 @@ TEST(OutputFolder, TwoAtATimeDoNotShareAWorkingFolder) {
     const TemporaryFolder home;
     const OutputFolder first(home.path() / "out"), second(home.path() / "out");
     EXPECT_NE(first.working(), second.working());
+    EXPECT_TRUE(fs::exists(first.working())) << "the second took the first for dead";
 }
 
 }  // namespace zproof
