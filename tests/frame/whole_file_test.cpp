@@ -62,6 +62,23 @@ TEST_F(WholeFiles, FailedRenameLeavesNothingBehind) {
     EXPECT_EQ(file_count(), 1u);
 }
 
+TEST_F(WholeFiles, ALinkAndPermissionsOutlastTheReplacement) {
+    std::ofstream(file("a")) << "older";
+    std::filesystem::permissions(file("a"), std::filesystem::perms(0640));
+    std::filesystem::create_symlink("a", file("link"));
+    write_whole_file(file("link"), two_bytes);
+    EXPECT_TRUE(std::filesystem::is_symlink(file("link")));
+    EXPECT_EQ(contents("a"), "ok");
+    EXPECT_EQ(std::filesystem::status(file("a")).permissions(), std::filesystem::perms(0640));
+}
+
+TEST_F(WholeFiles, ADeviceIsNeverReplaced) {
+    std::filesystem::create_symlink("/dev/null", file("a"));
+    EXPECT_THAT(complaint<FrameError>([&] { write_whole_file(file("a"), two_bytes); }),
+                testing::HasSubstr("a: cannot be written: is a device or a pipe"));
+    EXPECT_TRUE(std::filesystem::is_symlink(file("a")));
+}
+
 TEST_F(WholeFiles, FullDeviceIsReported) {
     // Linux's /dev/full refuses every write; reached by a link under the temporary's name.
     const std::string temporary = file("a").string() + "." + std::to_string(getpid()) + ".partial";
