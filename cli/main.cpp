@@ -47,13 +47,13 @@ void keep_freed_memory() {
     mallopt(M_TRIM_THRESHOLD, most_kept_bytes);
 }
 
-extern "C" void let_the_write_fail(int) {}
+extern "C" void let_a_long_write_fail(int) {}
 
 /// A write beyond the longest file that is allowed (ulimit -f) fails as one on a full disk does. A handler is
 /// not handed on to programs that are started, as SIG_IGN would be.
 void hear_of_files_too_long() {
     struct sigaction heard {};
-    heard.sa_handler = let_the_write_fail;
+    heard.sa_handler = let_a_long_write_fail;
     sigaction(SIGXFSZ, &heard, nullptr);
 }
 
