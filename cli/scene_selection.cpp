@@ -135,7 +135,8 @@ SceneSource select_scene(const std::string& word, const fs::path& models) {
 namespace {
 
 Loaded loaded_as_it_is(const SceneSource& source, Resolution resolution) {
-    if (source.kind != SceneSource::Kind::suite && fs::is_directory(source.origin))
+    std::error_code ignored;  // a loop of links is no folder, and is refused when it is read
+    if (source.kind != SceneSource::Kind::suite && fs::is_directory(source.origin, ignored))
         throw SceneError{source.origin + ": folder cannot be read; expected one that may be listed (ls -l)"};
     switch (source.kind) {
         case SceneSource::Kind::suite:
