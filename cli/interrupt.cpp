@@ -30,8 +30,6 @@ extern "C" void note_signal(int) {
     [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, answer.data(), answer.size());
 }
 
-/// A write into a pipe that nobody reads fails then, and is heard to fail. A handler is not handed on to
-/// programs that are started, as SIG_IGN would be.
 extern "C" void let_the_write_fail(int) {}
 
 /// Who started zproof may have said that it outlives the terminal (nohup).
@@ -42,6 +40,13 @@ bool is_ignored(int signal_number) {
 
 }  // namespace
 
+void fail_writes_on(int signal_number) {
+    struct sigaction heard {};
+    heard.sa_handler = let_the_write_fail;
+    heard.sa_flags = SA_RESTART;
+    sigaction(signal_number, &heard, nullptr);
+}
+
 void note_interrupts() {
     struct sigaction action {};
     action.sa_handler = note_signal;
@@ -49,10 +54,7 @@ void note_interrupts() {
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
     if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);
-    struct sigaction heard {};
-    heard.sa_handler = let_the_write_fail;
-    heard.sa_flags = SA_RESTART;
-    sigaction(SIGPIPE, &heard, nullptr);
+    fail_writes_on(SIGPIPE);
 }
 
 bool interrupted() { return noted; }

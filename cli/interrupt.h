@@ -13,6 +13,11 @@ namespace zproof {
 /// finished; a second one ends the program at once, and with it every program that it has started.
 void note_interrupts();
 
+/// A write into a pipe that nobody reads (SIGPIPE), or beyond the longest file that is allowed (SIGXFSZ),
+/// fails then, and is heard to fail. A handler is not handed on to programs that are started, as SIG_IGN
+/// would be.
+void fail_writes_on(int signal_number);
+
 /// Has one been noted?
 bool interrupted();
 

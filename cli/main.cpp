@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/refusal.h"
 #include "cli/usage_error.h"
 
@@ -47,21 +48,11 @@ void keep_freed_memory() {
     mallopt(M_TRIM_THRESHOLD, most_kept_bytes);
 }
 
-extern "C" void let_a_long_write_fail(int) {}
-
-/// A write beyond the longest file that is allowed (ulimit -f) fails as one on a full disk does. A handler is
-/// not handed on to programs that are started, as SIG_IGN would be.
-void hear_of_files_too_long() {
-    struct sigaction heard {};
-    heard.sa_handler = let_a_long_write_fail;
-    sigaction(SIGXFSZ, &heard, nullptr);
-}
-
 }  // namespace
 }  // namespace zproof
 
 int main(int argc, char** argv) {
     zproof::keep_freed_memory();
-    zproof::hear_of_files_too_long();
+    zproof::fail_writes_on(SIGXFSZ);
     return int(zproof::guarded_run(argc, argv));
 }

@@ -33,7 +33,8 @@ SearchReach::SearchReach(const Scene& scene, const View& view, const ViewBounds&
         const CornersWorld p_world = corners_of(scene, std::uint32_t(t));
         const double most_px = largest_eps_px(bounds, p_world);
         if (most_px <= least_px) return;
-        if (const auto box = projection(p_world)) found.local().push_back({std::uint32_t(t), most_px, *box});
+        if (const auto box = projection.before_eye(p_world))
+            found.local().push_back({std::uint32_t(t), most_px, *box});
     });
     for (const auto& some : found) wide_.insert(wide_.end(), some.begin(), some.end());
     tbb::parallel_sort(wide_, [](const Wide& a, const Wide& b) {
