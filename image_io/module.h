@@ -11,4 +11,7 @@ namespace zproof::image_io {
 /// FrameError, with the loader's words, where it cannot be loaded.
 const ModuleTable& module();
 
+/// Loads it beforehand, for copies of this process. Leaves errors to whoever needs it.
+void load_module();
+
 }  // namespace zproof::image_io

@@ -106,6 +106,11 @@ External::~External() = default;
 External::External(External&&) noexcept = default;
 External& External::operator=(External&&) noexcept = default;
 
+std::chrono::milliseconds External::time_left(std::chrono::steady_clock::time_point begun) const {
+    const auto left = time_limit_ - (std::chrono::steady_clock::now() - begun);
+    return std::chrono::ceil<std::chrono::milliseconds>(left);
+}
+
 Frame External::render(const View& view) const {
     const fs::path camera = folder_->path() / "camera.json", out = folder_->path() / "frame.exr";
     folder_->write("camera.json", camera_document(view));
@@ -119,12 +124,13 @@ Frame External::render(const View& view) const {
                                           {"{sample}", std::to_string(view.sample.index)},
                                           {"{sample_x}", px_text(view.sample.offset_px.x)},
                                           {"{sample_y}", px_text(view.sample.offset_px.y)}}});
+    const auto begun = std::chrono::steady_clock::now();
     const Outcome outcome = run({.arguments = shell_line(line), .time_limit = time_limit_});
     if (!outcome.succeeded())
         throw OracleError{"renderer '" + command_ + "': " + in_words(outcome, time_limit_) +
                           what_it_said(outcome)};
     try {
-        return read_stored_frame(answer_at(out), convention_, view, ids_);
+        return read_stored_frame(answer_at(out), convention_, view, ids_, time_left(begun));
     } catch (const FrameError& e) {
         throw OracleError{"renderer '" + command_ + "': " + about_out(e.what(), out) + what_it_said(outcome)};
     }

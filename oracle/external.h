@@ -36,6 +36,9 @@ class External {
     Frame render(const View& view) const;
 
   private:
+    /// The limit covers reading the answer.
+    std::chrono::milliseconds time_left(std::chrono::steady_clock::time_point begun) const;
+
     std::string command_;
     std::chrono::seconds time_limit_;
     Convention convention_;

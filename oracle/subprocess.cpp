@@ -17,33 +17,13 @@ extern "C" {
 #include <optional>
 #include <utility>
 
+#include "oracle/file_descriptor.h"
 #include "oracle/oracle_error.h"
 
 namespace zproof::oracle {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-class FileDescriptor {
-  public:
-    FileDescriptor() = default;
-    explicit FileDescriptor(int number) : number_(number) {}
-    ~FileDescriptor() { close(); }
-    FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-    FileDescriptor& operator=(FileDescriptor&& other) noexcept {
-        std::swap(number_, other.number_);
-        return *this;
-    }
-
-    int number() const { return number_; }
-    bool is_open() const { return number_ >= 0; }
-    void close() {
-        if (is_open()) ::close(std::exchange(number_, -1));
-    }
-
-  private:
-    int number_ = -1;
-};
 
 [[noreturn]] void refuse(const Command& command, int reason) {
     throw OracleError(command.arguments.at(0) + ": cannot be started in " + command.folder.string() + ": " +

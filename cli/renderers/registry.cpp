@@ -108,7 +108,7 @@ Answers stored(const RendererChoice& choice) {
     return {[choice](const View& view) {
         const RendererChoice one = at_sample(choice, view.sample);
         return oracle::read_stored_frame(std::get<StoredFrame>(one.who).file, declared_convention(one), view,
-                                         id_channel_of(one));
+                                         id_channel_of(one), one.time_limit);
     }};
 }
 

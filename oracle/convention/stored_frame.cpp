@@ -1,11 +1,16 @@
 #include "oracle/convention/stored_frame.h"
 
+#include <algorithm>
+#include <cstring>
 #include <string>
 
 #include "frame/frame_error.h"
 #include "image_io/image_io.h"
+#include "image_io/module.h"
 #include "image_io/raw_frame.h"
 #include "oracle/convention/camera_depth.h"
+#include "oracle/convention/frame_bytes.h"
+#include "oracle/isolated.h"
 
 namespace zproof::oracle {
 namespace {
@@ -41,16 +46,45 @@ Frame frame_of(const RawFrame& raw, const Convention& convention, const View& vi
     return frame;
 }
 
-}  // namespace
+/// Of headers and of the libraries that read them.
+constexpr std::size_t reader_memory_bytes = std::size_t{256} << 20;
+/// Of all that is made of a pixel on the way: ids, depths in double, attributes, and a copy of them.
+constexpr std::size_t most_bytes_per_pixel = 160;
 
-Frame read_stored_frame(const fs::path& file, const Convention& convention, const View& view, IdChannel ids) {
-    refuse_other_size(file, stored_frame_size(file, convention, ids), view);
+Resolution size_of(const fs::path& file, const Convention& convention, IdChannel ids) {
+    return convention == Convention{} ? frame_size(file, ids) : raw_frame_size(file, convention);
+}
+
+/// The size is compared before anything of it is allocated.
+Frame read_here(const fs::path& file, const Convention& convention, const View& view, IdChannel ids) {
+    refuse_other_size(file, size_of(file, convention, ids), view);
     if (convention == Convention{}) return read_frame(file, ids);  // bit for bit
     return frame_of(read_raw_frame(file, convention), convention, view, ids);
 }
 
-Resolution stored_frame_size(const fs::path& file, const Convention& convention, IdChannel ids) {
-    return convention == Convention{} ? frame_size(file, ids) : raw_frame_size(file, convention);
+}  // namespace
+
+Frame read_stored_frame(const fs::path& file, const Convention& convention, const View& view, IdChannel ids,
+                        std::chrono::milliseconds time_limit) {
+    const std::size_t pixels = Resolution{view.width, view.height}.pixel_count();
+    image_io::load_module();
+    const Bytes bytes =
+        isolated(file.string(), {reader_memory_bytes + most_bytes_per_pixel * pixels, time_limit},
+                 [&] { return bytes_of(read_here(file, convention, view, ids)); });
+    return frame_from(bytes, file.string());
+}
+
+Resolution stored_frame_size(const fs::path& file, const Convention& convention, IdChannel ids,
+                             std::chrono::milliseconds time_limit) {
+    image_io::load_module();
+    const Bytes bytes = isolated(file.string(), {reader_memory_bytes, time_limit}, [&] {
+        const Resolution size = size_of(file, convention, ids);
+        const auto* first = reinterpret_cast<const std::byte*>(&size);
+        return Bytes(first, first + sizeof size);
+    });
+    Resolution size;
+    std::memcpy(&size, bytes.data(), std::min(sizeof size, bytes.size()));
+    return size;
 }
 
 }  // namespace zproof::oracle

@@ -1,6 +1,7 @@
 /// The one place where a frame that somebody else made is read.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 
 #include "frame/convention.h"
@@ -10,15 +11,21 @@
 
 namespace zproof::oracle {
 
+/// For which a frame is read where nobody says otherwise.
+inline constexpr std::chrono::minutes usual_read_limit{10};
+
 /// Reads a frame of `view` in the convention of whoever made it. Depths become camera depths, in double, and
 /// are rounded to float32 once. A pixel is background where its id says so, or its depth where the convention
-/// leaves it to the depth, or the frame has no ids; nothing else is repaired. Throws FrameError where the
-/// file is not as declared, and where it has another size than the view.
+/// leaves it to the depth, or the frame has no ids; nothing else is repaired. Files are read in a process of
+/// their own, in memory for a frame of this size: throws FrameError where that crashes or is not done in
+/// time, where the file is not as declared, and where it has another size than the view.
 Frame read_stored_frame(const std::filesystem::path& file, const Convention& convention, const View& view,
-                        IdChannel ids = IdChannel::present);
+                        IdChannel ids = IdChannel::present,
+                        std::chrono::milliseconds time_limit = usual_read_limit);
 
-/// The size of such a frame, from the headers alone.
+/// The size of such a frame, from the headers alone. Throws as read_stored_frame() does.
 Resolution stored_frame_size(const std::filesystem::path& file, const Convention& convention,
-                             IdChannel ids = IdChannel::present);
+                             IdChannel ids = IdChannel::present,
+                             std::chrono::milliseconds time_limit = usual_read_limit);
 
 }  // namespace zproof::oracle

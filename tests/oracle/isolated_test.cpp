@@ -1,0 +1,76 @@
+// Work that ends in every bad way: the process that asked for it goes on, and knows why.
+#include "oracle/isolated.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstring>
+#include <thread>
+
+#include "frame/frame_error.h"
+#include "tests/frame/scratch_folder.h"
+
+namespace zproof::oracle {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr IsolationLimits generous{std::size_t{1} << 30, std::chrono::minutes(5)};
+
+std::string complaint_of(const std::function<Bytes()>& work, const IsolationLimits& limits = generous) {
+    return complaint<FrameError>([&] { isolated("x.exr", limits, work); });
+}
+
+TEST(Isolated, GivesWhatTheWorkReturns) {
+    const Bytes large(std::size_t{3} << 20, std::byte{7});
+    EXPECT_EQ(isolated("x.exr", generous, [&] { return large; }), large);
+    EXPECT_TRUE(isolated("x.exr", generous, [] { return Bytes{}; }).empty());
+}
+
+TEST(Isolated, HandsOnTheWordsOfARefusal) {
+    EXPECT_EQ(complaint_of([]() -> Bytes { throw FrameError("x.exr: no channel"); }), "x.exr: no channel");
+    EXPECT_EQ(complaint_of([]() -> Bytes { throw std::logic_error("odd"); }),
+              "x.exr: cannot be read: odd");
+}
+
+TEST(Isolated, NamesTheSignalThatEndedIt) {
+    for (const int number : {SIGFPE, SIGSEGV, SIGABRT, SIGKILL}) {
+        const std::string said = complaint_of([=]() -> Bytes {
+            signal(number, SIG_DFL);
+            kill(getpid(), number);
+            return {};
+        });
+        EXPECT_THAT(said, StartsWith("x.exr: cannot be read: its reader crashed (signal "));
+        EXPECT_THAT(said, HasSubstr(strsignal(number)));
+    }
+}
+
+TEST(Isolated, EndsAtItsTimeLimit) {
+    EXPECT_EQ(complaint_of(
+                  []() -> Bytes {
+                      for (;;) pause();
+                  },
+                  {generous.memory_bytes, std::chrono::milliseconds(20)}),
+              "x.exr: cannot be read within the time limit of 1 s");
+}
+
+TEST(Isolated, EndsAtItsMemoryLimit) {
+    const auto greedy = [] { return Bytes(std::size_t{200} << 20); };
+    EXPECT_EQ(isolated("x.exr", generous, greedy).size(), std::size_t{200} << 20);
+    EXPECT_EQ(complaint_of(greedy, {std::size_t{100} << 20, std::chrono::minutes(5)}),
+              "x.exr: cannot be read: more memory is needed than is allowed, 100 MiB");
+}
+
+TEST(Isolated, TouchesNothingOfThisProcess) {
+    int value = 1;
+    isolated("x.exr", generous, [&] {
+        value = 2;
+        return Bytes{};
+    });
+    EXPECT_EQ(value, 1);
+}
+
+}  // namespace
+}  // namespace zproof::oracle
