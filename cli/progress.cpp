@@ -67,7 +67,10 @@ void Progress::expect_views(std::size_t count) {
     per_view_ = left_ / double(std::max<std::size_t>(count, 1));
 }
 
-void Progress::begin_stage(const std::string& stage) { work_.mention(stage); }
+void Progress::begin_stage(const std::string& stage) {
+    if (hear_stage_) hear_stage_(stage);
+    work_.mention(stage);
+}
 
 void Progress::end_view() {
     const double part = std::min(per_view_, left_);

@@ -3,8 +3,10 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <new>
 #include <optional>
 #include <span>
+#include <stdexcept>
 
 #include "cli/expectations.h"
 #include "cli/interrupt.h"
@@ -210,13 +212,16 @@ std::optional<ViewResult> run_view_or_say_why_not(const ViewRun& view_run) {
     }
 }
 
-/// All views, or the one that was asked for.
-std::vector<View> wanted_views(const Loaded& loaded, const std::string& only_view) {
-    if (only_view.empty()) return loaded.views;
+std::vector<View> wanted_views(const Loaded& loaded, const ViewChoice& wanted) {
     std::vector<View> views = loaded.views;
-    std::erase_if(views, [&](const View& view) { return view.name != only_view; });
+    if (wanted.name.empty()) {
+        if (views.size() == 1 || wanted.many == ViewChoice::Many::are_judged) return views;
+        throw UsageError{"compare: " + loaded.scene.name + " has the views " + names_of(views) +
+                         "; say which with --view"};
+    }
+    std::erase_if(views, [&](const View& view) { return view.name != wanted.name; });
     if (!views.empty()) return views;
-    throw UsageError{"--view " + only_view + ": " + loaded.scene.name + " has the views " +
+    throw UsageError{"--view " + wanted.name + ": " + loaded.scene.name + " has the views " +
                      names_of(loaded.views)};
 }
 
@@ -256,7 +261,7 @@ Ending run_views(const SceneSource& source, const RunConfig& config, StageClock&
         record.add(without_triangles(source, loaded.scene));
         return Ending::complete;
     }
-    const std::vector<View> views = at_samples(wanted_views(loaded, config.only_view), config.samples);
+    const std::vector<View> views = at_samples(wanted_views(loaded, config.views), config.samples);
     config.progress.expect_views(views.size());
     const auto leave = [&](std::size_t from) {
         record.leave(source, std::span{views}.subspan(from));
@@ -296,12 +301,17 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
                                 std::vector<ViewResult>& results) {
     Record record{config, results};
     StageClock clock;
-    const auto refuse = [&](const std::exception& e) {
-        ViewResult result = unjudged(source, Outcome::unreadable, e.what());
+    const auto end_with = [&](ViewResult result) {
         result.times = clock.take();
         config.progress.finish_scene();
         record.add(std::move(result));
         return Ending::complete;
+    };
+    const auto refuse = [&](const std::exception& e) {
+        return end_with(unjudged(source, Outcome::unreadable, e.what()));
+    };
+    const auto give_up = [&](const std::exception& e) {
+        return end_with(ended_by_fault(source, config, e.what(), ""));
     };
     try {
         const Ending ending = run_views(source, config, clock, record);
@@ -313,10 +323,21 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
         return refuse(e);
     } catch (const OracleError& e) {
         return refuse(e);
+    } catch (const std::bad_alloc& e) {
+        return give_up(e);
+    } catch (const std::logic_error& e) {
+        return give_up(e);
     }
 }
 
 }  // namespace
+
+ViewResult ended_by_fault(const SceneSource& source, const RunConfig& config, const std::string& how,
+                          const std::string& stage) {
+    return unjudged(source, Outcome::internal_error,
+                    how + (stage.empty() ? "" : " at '" + stage + "'") + "; to see it again: " +
+                        judging_command_for(source, config.renderers, config.resolution, config.command));
+}
 
 ViewResult left_by_interrupt(const SceneSource& source) {
     return unjudged(source, Outcome::not_judged, left_words);
