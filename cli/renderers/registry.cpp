@@ -10,6 +10,7 @@
 #include "cli/version.h"
 #include "compare/labels/labelled_frame.h"
 #include "frame/convention_text.h"
+#include "frame/frame_error.h"
 #include "frame/precision_text.h"
 #include "oracle/convention/stored_frame.h"
 #include "oracle/embree.h"
@@ -107,8 +108,13 @@ Precision own_promise(const RendererChoice& choice) {
 Answers stored(const RendererChoice& choice) {
     return {[choice](const View& view) {
         const RendererChoice one = at_sample(choice, view.sample);
-        return oracle::read_stored_frame(std::get<StoredFrame>(one.who).file, declared_convention(one), view,
-                                         id_channel_of(one), one.time_limit);
+        const Convention convention = declared_convention(one);
+        try {
+            return oracle::read_stored_frame(std::get<StoredFrame>(one.who).file, convention, view,
+                                             id_channel_of(one), one.time_limit);
+        } catch (const FrameError& e) {
+            throw OracleError{e.what()};  // the view cannot be judged; the others can
+        }
     }};
 }
 
