@@ -11,6 +11,7 @@
 #include "cli/version.h"
 #include "cli/work_progress.h"
 #include "frame/precision_text.h"
+#include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "image_io/image_io.h"
 #include "reports/document/folder.h"
@@ -89,8 +90,8 @@ void write(const FitArguments& arguments, const std::vector<FittedView>& views) 
     write_whole_file(out.working() / "fit.json", fit_json(renderer, views));
     write_whole_file(out.working() / "precision.json", precision_to_json(promise_of(views)) + "\n");
     publish(out);
-    std::cout << document::terminal_text(document) << "\nfit: " << (arguments.out / "study.html").string()
-              << "\n";
+    std::cout << document::terminal_text(document)
+              << "\nfit: " << one_line((arguments.out / "study.html").string()) << "\n";
 }
 
 }  // namespace

@@ -5,18 +5,21 @@
 #include <exception>
 #include <iostream>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/refusal.h"
 #include "cli/usage_error.h"
+#include "frame/printable.h"
 
 namespace zproof {
 namespace {
 
 ExitCode complain(std::string_view kind, const std::exception& e, ExitCode code) {
-    std::cerr << "zproof: " << kind << ": " << e.what() << "\n";
+    const std::string line = "zproof: " + std::string{kind} + ": " + e.what();
+    std::cerr << shortened(line, longest_line_bytes - 2) << "\n";
     return code;
 }
 

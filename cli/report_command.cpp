@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/usage_error.h"
+#include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "reports/document/folder.h"
 #include "reports/html.h"
@@ -86,7 +87,7 @@ ExitCode execute(const ReportAgainArguments& arguments) {
         return ExitCode::proven;
     }
     write_whole_file(arguments.out, text);
-    std::cout << arguments.out.string() << "\n";
+    std::cout << one_line(arguments.out.string()) << "\n";
     return ExitCode::proven;
 }
 

@@ -3,11 +3,11 @@
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "cli/nearest_word.h"
 #include "cli/usage_error.h"
+#include "frame/frame_error.h"
+#include "frame/input_file.h"
 #include "frame/whole_file.h"
 #include "reports/csv.h"
 #include "reports/github.h"
@@ -49,7 +49,8 @@ void write_report(const fs::path& folder, const Results& results, ReportFormat f
 }
 
 fs::path file_of_results(const fs::path& file_or_folder) {
-    return fs::is_directory(file_or_folder) ? file_or_folder / "results.json" : file_or_folder;
+    std::error_code ignored;
+    return fs::is_directory(file_or_folder, ignored) ? file_or_folder / "results.json" : file_or_folder;
 }
 
 }  // namespace
@@ -108,9 +109,11 @@ std::string report_text(ReportFormat format, const Results& results, const fs::p
 }
 
 Results read_results(const fs::path& file_or_folder) try {
-    std::ifstream in{file_of_results(file_or_folder), std::ios::binary};
-    if (!in) throw ReportError{"no results.json can be read there; expected what zproof run wrote"};
-    return results_from_json({std::istreambuf_iterator<char>{in}, {}});
+    const fs::path file = file_of_results(file_or_folder);
+    return results_from_json(
+        read_input(file, {.words = "the results.json of zproof run", .most_bytes = largest_result_bytes}));
+} catch (const FrameError& e) {
+    throw ReportError{e.what()};
 } catch (const ReportError& e) {
     throw ReportError{file_or_folder.string() + ": " + e.what()};
 }

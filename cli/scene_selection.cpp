@@ -47,7 +47,8 @@ SceneSource of_file(const fs::path& file) {
 
 bool found_in_folder(const fs::path& file) {
     if (is_view_file(file)) return extension_of(file.stem()) == ".view";
-    return is_gltf(file) && !fs::exists(file.parent_path() / (stem_of(file) + ".view.json"));
+    std::error_code ignored;
+    return is_gltf(file) && !fs::exists(file.parent_path() / (stem_of(file) + ".view.json"), ignored);
 }
 
 /// The scenes below the folder, and what cannot be looked at: load() refuses that, and says why.
@@ -81,8 +82,9 @@ SceneError unknown_word(const std::string& word, const std::vector<SuiteEntry>& 
 std::optional<SceneSource> single_scene(const std::string& word, const std::vector<SuiteEntry>& manifest) {
     const auto entry = std::ranges::find(manifest, word, &SuiteEntry::name);
     if (entry != manifest.end()) return of_suite(*entry);
-    if (!fs::exists(word)) throw unknown_word(word, manifest);
-    if (fs::is_directory(word)) return std::nullopt;
+    std::error_code failure;
+    if (fs::is_directory(word, failure)) return std::nullopt;
+    if (fs::status(word, failure).type() == fs::file_type::not_found) throw unknown_word(word, manifest);
     if (!is_gltf(word) && !is_view_file(word))
         throw SceneError{word +
                          ": not a scene; expected a file ending in .gltf, .glb or .json (a view file)"};

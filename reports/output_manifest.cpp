@@ -4,8 +4,10 @@
 
 #include <fstream>
 #include <ios>
+#include <sstream>
 #include <vector>
 
+#include "frame/whole_file.h"
 #include "reports/report_error.h"
 
 namespace zproof {
@@ -51,12 +53,12 @@ void mark_finished(const fs::path& folder) try {
 }
 
 bool is_unfinished(const fs::path& folder) {
-    std::ifstream in(folder / output_marker);
+    std::istringstream in(content_of(folder / output_marker));
     return first_line(in) == unfinished;
 }
 
 std::optional<OutputManifest> manifest_in(const fs::path& folder) {
-    std::ifstream in(folder / output_marker);
+    std::istringstream in(content_of(folder / output_marker));
     if (first_line(in) != finished) return std::nullopt;
     OutputManifest manifest;
     WrittenFile file{};

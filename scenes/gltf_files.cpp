@@ -7,6 +7,8 @@
 #include <atomic>
 #include <fstream>
 
+#include "frame/input_file.h"
+#include "frame/printable.h"
 #include "scenes/gltf_limits.h"
 #include "scenes/refusal.h"
 
@@ -53,7 +55,7 @@ std::string fault_of(const std::string& relative) {
 /// The path in quotes, as a message shows it.
 std::string quoted(const std::string& path) {
     std::string text(1, '"');
-    text += on_one_line(path.substr(0, 100));
+    text += shortened(path, 100);
     text += '"';
     return text;
 }
@@ -68,10 +70,9 @@ fs::path folder_of(const fs::path& file, const std::string& place) {
 
 /// The size of a regular file.
 std::uint64_t size_of(const fs::path& file) {
+    if (const std::string fault = fault_of_input(file); !fault.empty())
+        refuse(file, "file", fault + "; expected a regular file");
     std::error_code error;
-    const fs::file_status status = fs::status(file, error);
-    if (error || !fs::exists(status)) refuse(file, "file", "not found");
-    if (!fs::is_regular_file(status)) refuse(file, "file", "expected a regular file");
     const std::uint64_t bytes = fs::file_size(file, error);
     if (error) refuse(file, "file", "cannot be measured");
     return bytes;

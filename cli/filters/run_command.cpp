@@ -12,6 +12,7 @@
 #include "cli/usage_error.h"
 #include "cli/version.h"
 #include "cli/work_progress.h"
+#include "frame/printable.h"
 #include "image_io/image_io.h"
 #include "oracle/oracle_error.h"
 #include "reports/filters/folder.h"
@@ -144,7 +145,7 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     write_filters_figures(out.working(), results, {});
     publish(out);
     std::cout << filters_table(results, "interior")
-              << "\nstudy: " << (arguments.out / "filters.html").string() << "\n";
+              << "\nstudy: " << one_line((arguments.out / "filters.html").string()) << "\n";
     return conclusion(results, share);
 }
 

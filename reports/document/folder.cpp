@@ -1,9 +1,8 @@
 #include "reports/document/folder.h"
 
-#include <fstream>
-#include <iterator>
 #include <span>
 
+#include "frame/input_file.h"
 #include "frame/whole_file.h"
 #include "reports/document/csv.h"
 #include "reports/document/json.h"
@@ -33,9 +32,7 @@ void write_item(const fs::path& folder, const Drawing& drawing) {
 }
 
 std::string read_file(const fs::path& file, const std::string& expected) {
-    std::ifstream in{file, std::ios::binary};
-    if (!in) throw ReportError{file.string() + ": cannot be read; expected " + expected};
-    return {std::istreambuf_iterator<char>{in}, {}};
+    return read_input(file, {.words = expected, .most_bytes = largest_result_bytes});
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 #include "reports/filters/folder.h"
 
-#include <fstream>
-#include <iterator>
 #include <span>
 
+#include "frame/input_file.h"
 #include "frame/whole_file.h"
 #include "image_io/image_io.h"
 #include "reports/filters/json.h"
@@ -86,12 +85,9 @@ void write_filters_figures(const fs::path& folder, const StudyResults& results, 
 }
 
 StudyResults read_filters_results(const fs::path& folder) {
-    const fs::path file = folder / "filters.json";
-    std::ifstream in{file, std::ios::binary};
-    if (!in)
-        throw ReportError{file.string() +
-                          ": cannot be read; expected a folder that 'zproof filters run' wrote"};
-    return filters_from_json({std::istreambuf_iterator<char>{in}, {}});
+    return filters_from_json(read_input(
+        folder / "filters.json",
+        {.words = "a folder that 'zproof filters run' wrote", .most_bytes = largest_result_bytes}));
 }
 
 std::string file_stem(const std::string& label) {
