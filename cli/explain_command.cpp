@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/labelled_candidate.h"
+#include "cli/memory.h"
 #include "cli/renderers/registry.h"
 #include "cli/samples.h"
 #include "cli/scene_selection.h"
@@ -65,6 +66,7 @@ ExitCode execute(const ExplainArguments& arguments) {
     const View view = asked_view(arguments, loaded);
     require_inside(arguments, view);
     require_judged(view);
+    require_memory({view.width, view.height});
     if (loaded.scene.triangles.empty()) {
         std::cerr << "zproof: " << one_line(source.name)
                   << ": the scene has no triangles, nothing to explain\n";

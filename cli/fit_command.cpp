@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/memory.h"
 #include "cli/published.h"
 #include "cli/renderers/registry.h"
 #include "cli/scene_selection.h"
@@ -61,6 +62,7 @@ void fit_scene(const FitArguments& arguments, const SceneSource& source, WorkPro
         if (interrupted()) return;
         progress.begin(source.name + " / " + view.name);
         require_judged(view);
+        require_memory({view.width, view.height});
         fitted.views.push_back(
             {source.name, view.name, measure::fit(loaded.scene, view, renderer.render(view))});
         ++fitted.share.done;
@@ -80,7 +82,7 @@ Fitted fit_all(const FitArguments& arguments, const std::vector<SceneSource>& so
     return fitted;
 }
 
-void write(const FitArguments& arguments, const std::vector<FittedView>& views) {
+void write(const FitArguments& arguments, const std::vector<FittedView>& views, Completeness completeness) {
     const std::string renderer = name_of(arguments.renderer);
     document::Document document = fit_document(renderer, views);
     document.command = arguments.typed;
@@ -89,9 +91,9 @@ void write(const FitArguments& arguments, const std::vector<FittedView>& views) 
     document::write_document(out.working(), document);
     write_whole_file(out.working() / "fit.json", fit_json(renderer, views));
     write_whole_file(out.working() / "precision.json", precision_to_json(promise_of(views)) + "\n");
-    publish(out);
-    std::cout << document::terminal_text(document)
-              << "\nfit: " << one_line((arguments.out / "study.html").string()) << "\n";
+    const std::filesystem::path place = publish(out, arguments.out, completeness);
+    std::cout << document::terminal_text(document) << "\nfit: " << one_line((place / "study.html").string())
+              << "\n";
 }
 
 }  // namespace
@@ -100,9 +102,10 @@ ExitCode execute(const FitArguments& arguments) {
     const std::vector<SceneSource> sources = select_scenes(arguments.scenes);
     note_interrupts();
     const Fitted fitted = fit_all(arguments, sources);
-    if (!fitted.views.empty()) write(arguments, fitted.views);
-    if (interrupted() && (fitted.share.done < fitted.share.all || fitted.share.scenes_left > 0))
-        return say_interrupted(fitted.share, "view", "fitted and written");
+    const bool all_done = fitted.share.done == fitted.share.all && fitted.share.scenes_left == 0;
+    if (!fitted.views.empty())
+        write(arguments, fitted.views, all_done ? Completeness::full : Completeness::partial);
+    if (interrupted() && !all_done) return say_interrupted(fitted.share, "view", "fitted and written");
     if (fitted.views.empty()) {
         std::cerr << "zproof: nothing to fit\n";
         return ExitCode::nothing;

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -37,7 +38,12 @@ ExitCode guarded_run(int argc, const char* const* argv) {
         return complain("usage", e, ExitCode::usage);
     } catch (const std::runtime_error& e) {  // the world refused: nothing is said about the renderer
         return complain(refusal, e, ExitCode::cannot_judge);
-    } catch (const std::exception& e) {  // logic_error, bad_alloc: our own fault
+    } catch (const std::bad_alloc&) {
+        return complain(refusal,
+                        std::runtime_error{"out of memory; take a smaller --width and --height or a smaller "
+                                           "scene, or free memory (ulimit -v)"},
+                        ExitCode::cannot_judge);
+    } catch (const std::exception& e) {  // logic_error: our own fault
         return complain("internal error", e, ExitCode::internal);
     }
 }

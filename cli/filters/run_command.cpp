@@ -143,9 +143,10 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     results.seconds = watch.lap();
     write_filters_results(out.working(), results);
     write_filters_figures(out.working(), results, {});
-    publish(out);
+    const std::filesystem::path place =
+        publish(out, arguments.out, results.is_complete ? Completeness::full : Completeness::partial);
     std::cout << filters_table(results, "interior")
-              << "\nstudy: " << one_line((arguments.out / "filters.html").string()) << "\n";
+              << "\nstudy: " << one_line((place / "filters.html").string()) << "\n";
     return conclusion(results, share);
 }
 

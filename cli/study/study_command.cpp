@@ -55,9 +55,10 @@ ExitCode execute(const StudyArguments& arguments) {
     note_interrupts();
     const document::Document document = performed(study, arguments);
     document::write_document(out.working(), document);
-    publish(out);
-    std::cout << document::terminal_text(document)
-              << "\nstudy: " << one_line((arguments.out / "study.html").string()) << "\n";
+    const std::filesystem::path place =
+        publish(out, arguments.out, interrupted() ? Completeness::partial : Completeness::full);
+    std::cout << document::terminal_text(document) << "\nstudy: " << one_line((place / "study.html").string())
+              << "\n";
     return interrupted() ? ExitCode::interrupted : ExitCode::proven;
 }
 
