@@ -36,7 +36,10 @@ void point_to_evidence(Results& results, const fs::path& run_folder, const fs::p
             view.folder = fs::proximate(run_folder / view.folder, report_folder).generic_string();
 }
 
-bool is_study(const fs::path& folder) { return fs::exists(folder / "study.json"); }
+bool is_study(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::exists(folder / "study.json", ignored);
+}
 
 /// Studies have a place in the page only.
 std::vector<document::Document> studies_of(const ReportAgainArguments& arguments, ReportFormat format) {

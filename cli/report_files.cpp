@@ -6,8 +6,6 @@
 
 #include "cli/nearest_word.h"
 #include "cli/usage_error.h"
-#include "frame/frame_error.h"
-#include "frame/input_file.h"
 #include "frame/whole_file.h"
 #include "reports/csv.h"
 #include "reports/github.h"
@@ -15,6 +13,7 @@
 #include "reports/json.h"
 #include "reports/junit.h"
 #include "reports/markdown.h"
+#include "reports/result_file.h"
 
 namespace zproof {
 namespace {
@@ -108,14 +107,13 @@ std::string report_text(ReportFormat format, const Results& results, const fs::p
     return "";
 }
 
-Results read_results(const fs::path& file_or_folder) try {
-    const fs::path file = file_of_results(file_or_folder);
-    return results_from_json(
-        read_input(file, {.words = "the results.json of zproof run", .most_bytes = largest_result_bytes}));
-} catch (const FrameError& e) {
-    throw ReportError{e.what()};
-} catch (const ReportError& e) {
-    throw ReportError{file_or_folder.string() + ": " + e.what()};
+Results read_results(const fs::path& file_or_folder) {
+    const std::string text = read_result(file_of_results(file_or_folder), "the results.json of zproof run");
+    try {
+        return results_from_json(text);
+    } catch (const ReportError& e) {
+        throw ReportError{file_or_folder.string() + ": " + e.what()};
+    }
 }
 
 fs::path folder_of_results(const fs::path& file_or_folder) {

@@ -10,7 +10,7 @@ FrameFiles frame_files(const fs::path& named) {
     const std::string text = named.string();
     const auto is_there = [](const fs::path& file) {
         std::error_code ignored;
-        return fs::exists(file, ignored);
+        return fs::exists(fs::symlink_status(file, ignored));
     };
     if (is_there(named)) return {named, named};
     for (std::size_t at = text.find('+'); at != std::string::npos; at = text.find('+', at + 1)) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/json.h"
+#include "reports/result_file.h"
 #include "reports/waiver_json.h"
 
 namespace zproof {
@@ -246,7 +247,7 @@ Results results_from_json(const std::string& text) try {
     for (const Json& one : root.at("views")) results.views.push_back(view(one));
     return results;
 } catch (const Json::exception& e) {
-    refuse(e.what());
+    refuse(json_fault(e));
 }
 
 }  // namespace zproof

@@ -18,13 +18,15 @@ constexpr const char* worked = "worked";
 constexpr int worked_side = 256, worked_first_row = 56;
 
 bool is_photograph(const std::string& word) {
-    const std::string extension = std::filesystem::path{word}.extension().string();
+    std::string extension = std::filesystem::path{word}.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
     return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
 }
 
 bool is_there(const std::string& word) {
     std::error_code ignored;
-    return std::filesystem::exists(word, ignored);
+    return std::filesystem::exists(std::filesystem::symlink_status(word, ignored));
 }
 
 [[noreturn]] void refuse(const std::string& word, const std::vector<FilterSceneEntry>& built_in) {

@@ -15,6 +15,7 @@
 #include "frame/whole_file.h"
 #include "reports/findings_file.h"
 #include "reports/report_error.h"
+#include "reports/result_file.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -42,9 +43,7 @@ std::vector<Finding> findings_of(const ViewResult& view, const fs::path& run_fol
     const fs::path file = run_folder / view.folder / "findings.csv";
     if (view.folder.empty())
         throw ReportError{file.string() + ": no such file; expected the evidence beside results.json"};
-    return findings_from_csv(
-        read_input(file, {.words = "the evidence beside results.json", .most_bytes = largest_result_bytes}),
-        file.string());
+    return findings_from_csv(read_result(file, "the evidence beside results.json"), file.string());
 }
 
 struct Pixel {

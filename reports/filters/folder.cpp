@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "frame/input_file.h"
 #include "frame/whole_file.h"
 #include "image_io/image_io.h"
 #include "reports/filters/json.h"
@@ -11,6 +10,7 @@
 #include "reports/filters/tables.h"
 #include "reports/page_parts.h"
 #include "reports/pictures.h"
+#include "reports/result_file.h"
 
 namespace zproof {
 
@@ -85,9 +85,12 @@ void write_filters_figures(const fs::path& folder, const StudyResults& results, 
 }
 
 StudyResults read_filters_results(const fs::path& folder) {
-    return filters_from_json(read_input(
-        folder / "filters.json",
-        {.words = "a folder that 'zproof filters run' wrote", .most_bytes = largest_result_bytes}));
+    const std::string text = read_result(folder / "filters.json", "a folder that 'zproof filters run' wrote");
+    try {
+        return filters_from_json(text);
+    } catch (const ReportError& e) {
+        throw ReportError{(folder / e.what()).string()};
+    }
 }
 
 std::string file_stem(const std::string& label) {

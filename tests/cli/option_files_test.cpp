@@ -41,7 +41,7 @@ const FileOption options[] = {
     {"FiltersPhotograph", {"filters", "run", "@.png"}},
     {"FiltersPicture",
      {"filters", "check", "trilinear-gl", "worked", "--view", "phi-0", "--picture", "@.exr"}},
-    {"FiltersTable", {"filters", "table", "@.json"}},
+    {"FiltersTable", {"filters", "table", "@"}},
     {"MergeShard", {"merge", "@.json"}},
     {"ReportResults", {"report", "@.json"}},
     {"DiffResults", {"diff-results", "@.json", "@.json"}},
@@ -53,7 +53,6 @@ const FileOption options[] = {
     {"ViewsOfOpenCv", {"views", "opencv", "@.json", "one.gltf", "--near", "0.1", "-o", "a.view.json"}},
     {"ViewsOfNerf", {"views", "nerf", "@.json", "one.gltf", "--near", "0.1", "-o", "a.view.json"}},
     {"ViewsOfColmap", {"views", "colmap", "@", "one.gltf", "--near", "0.1", "-o", "a.view.json"}},
-    {"ViewsModel", {"views", "nerf", "one.gltf", "@.gltf", "--near", "0.1", "-o", "a.view.json"}},
 };
 
 Words with_file(Words words, const std::string& name) {
@@ -80,7 +79,7 @@ class FileOptions : public testing::TestWithParam<FileOption> {
   protected:
     FileOptions() {
         folder.write("one.gltf", one_triangle());
-        folder.write("empty.toml", "");
+        folder.write("empty.toml", "format = 1\n");
         mkfifo((folder.path() / "a_pipe").c_str(), 0600);
         fs::create_directory(folder.path() / "a_folder");
         link("pipe", "a_pipe");
@@ -88,6 +87,9 @@ class FileOptions : public testing::TestWithParam<FileOption> {
         link("folder", "a_folder");
         link("loop", "loop");
         folder.write("bytes.json", not_utf8);
+        fs::create_directory(folder.path() / "bytes");
+        for (const char* file : {"bytes/cameras.txt", "bytes/images.txt", "bytes/filters.json"})
+            folder.write(file, not_utf8);
         for (const char* ending : {".toml", ".gltf", ".view.json", ".exr", ".npy", ".png"})
             folder.write(std::string{"bytes"} + ending, not_utf8);
     }
@@ -95,8 +97,9 @@ class FileOptions : public testing::TestWithParam<FileOption> {
     /// Links of every ending to the target.
     void link(const std::string& name, const fs::path& target) const {
         for (const char* ending : {".json", ".toml", ".gltf", ".view.json", ".exr", ".npy", ".png"})
-            fs::create_symlink(name == target ? name + ending : target, folder.path() / (name + ending));
-        for (const char* file : {"cameras.txt", "images.txt", "study.json"}) {
+            fs::create_symlink(name == target ? fs::path{name + ending} : target,
+                               folder.path() / (name + ending));
+        for (const char* file : {"cameras.txt", "images.txt", "filters.json"}) {
             fs::create_directory(folder.path() / name);
             fs::create_symlink(name == target ? fs::path{file} : folder.path() / target,
                                folder.path() / name / file);
@@ -128,6 +131,15 @@ TEST_P(FileOptions, RefuseBytesThatAreNoText) { expect_refused("bytes", "bytes")
 
 INSTANTIATE_TEST_SUITE_P(Of, FileOptions, testing::ValuesIn(options),
                          [](const auto& tested) { return tested.param.name; });
+
+TEST(ModelOfViews, ThatIsAPipeIsRefused) {
+    const Folder folder;
+    mkfifo((folder.path() / "pipe.gltf").c_str(), 0600);
+    const Ran ran =
+        run(folder, {"views", "nerf", "a.json", "pipe.gltf", "--near", "0.1", "-o", "a.view.json"});
+    EXPECT_EQ(ran.exit_code, 3) << ran.err;
+    EXPECT_NE(ran.err.find("pipe.gltf: is a pipe; expected the .gltf"), std::string::npos) << ran.err;
+}
 
 TEST(PromiseInAWord, ThatIsNoUtf8IsRefusedWithItsBytes) {
     const Folder folder;
