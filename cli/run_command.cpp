@@ -1,4 +1,5 @@
 #include <iostream>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/gate/shard.h"
@@ -17,11 +18,13 @@ ExitCode execute(const RunArguments& arguments) {
         std::cerr << "zproof: nothing to judge: no .gltf, .glb or .view.json in what was named\n";
         return ExitCode::nothing;
     }
+    Selection selection = selection_of(selected, arguments.settings.resolution);
+    selection.passed_over = passed_over;
     return judge_and_report({.sources = share_of(selected, arguments.shard),
                              .renderers = arguments.renderers,
                              .settings = arguments.settings,
                              .report = arguments.report,
-                             .selection = selection_of(selected, arguments.settings.resolution),
+                             .selection = std::move(selection),
                              .shard = arguments.shard});
 }
 

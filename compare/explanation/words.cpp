@@ -108,7 +108,8 @@ const char* words_for(Admissibility s) {
 
 void tell(std::ostream& text, const Scene& scene, const Candidate& c) {
     text << "  " << full_name_of(scene, c.primitive) << "\n      edges";
-    for (const double distance : c.edge_distance) text << ' ' << (std::isnan(distance) ? "-" : number(distance, 5));
+    for (const double distance : c.edge_distance)
+        text << ' ' << (std::isnan(distance) ? "-" : number(distance, 5));
     text << "  (1/256 px, inside > 0)\n      depth " << number(c.depth.truth, 12) << ", admissible "
          << number(c.depth.low, 12) << " to " << number(c.depth.high, 12) << "\n      "
          << words_for(c.decision.admissibility) << (c.decision.exact ? "  [exact rationals]" : "") << '\n';
