@@ -40,8 +40,8 @@ ExitCode guarded_run(int argc, const char* const* argv) {
         return complain(refusal, e, ExitCode::cannot_judge);
     } catch (const std::bad_alloc&) {
         return complain(refusal,
-                        std::runtime_error{"out of memory; take a smaller --width and --height or a smaller "
-                                           "scene, or free memory (ulimit -v)"},
+                        std::runtime_error{"out of memory; make the picture or the scene smaller, free "
+                                           "memory, or raise the limit (ulimit -v)"},
                         ExitCode::cannot_judge);
     } catch (const std::exception& e) {  // logic_error: our own fault
         return complain("internal error", e, ExitCode::internal);

@@ -16,7 +16,7 @@ namespace zproof {
 namespace {
 
 constexpr std::uint64_t unlimited_bytes = std::numeric_limits<std::uint64_t>::max();
-constexpr const char* remedy = "; take a smaller --width and --height, or free memory (ulimit -v)";
+constexpr const char* remedy = "; make the picture smaller, free memory, or raise the limit (ulimit -v)";
 
 /// The machine's; unlimited where the system does not tell.
 std::uint64_t left_on_machine() {
@@ -73,7 +73,7 @@ std::string out_of_memory(Resolution size, std::uint64_t triangles) {
 
 std::string out_of_memory_for(const std::string& scene) {
     return "out of memory while " + scene + " was read and built; " + in_gib(available_memory_bytes()) +
-           " are left; split the scene, or free memory (ulimit -v)";
+           " are left; split the scene, free memory, or raise the limit (ulimit -v)";
 }
 
 }  // namespace zproof
