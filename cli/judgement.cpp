@@ -69,8 +69,10 @@ ExitCode judge_and_report(const RunRequest& request) {
         scenes_left = judge_supervised(sources, config, settings.threads, results);
     }
     on_threads(settings.threads, [&] { write_reports(out.working(), results, report.formats); });
-    publish(out);
-    const ExitCode code = announce(results, report);
+    ReportArguments published = report;
+    published.out = publish(out, report.out,
+                            results.ending == Ending::complete ? Completeness::full : Completeness::partial);
+    const ExitCode code = announce(results, published);
     if (code != ExitCode::interrupted) return code;
     return say_interrupted(judged_of(results, scenes_left), "view", "judged and written");
 }

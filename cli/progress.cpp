@@ -18,6 +18,8 @@ std::string line_for(const ViewResult& view) {
     line += "  " + one_line(view.scene);
     if (!view.view.empty()) line += " / " + one_line(view.view);
     if (!view.message.empty()) line += ": " + one_line(view.message);
+    constexpr std::size_t around = 40;  // the share that is done, and the times
+    line = shortened(line, longest_line_bytes - around);
     const double took = seconds(view.times);
     return took > 0 ? line + "  " + fixed(took, 1) + " s" : line;  // one that was not begun took none
 }
@@ -91,7 +93,8 @@ void Progress::tell(const ViewResult& view) {
 }
 
 void Progress::remark(const std::string& text) {
-    if (remarks_.insert(text).second) work_.say(out_, "zproof: " + one_line(text) + "\n");
+    if (remarks_.insert(text).second)
+        work_.say(out_, "zproof: " + shortened(text, longest_line_bytes - 10) + "\n");
 }
 
 }  // namespace zproof

@@ -10,6 +10,7 @@
 
 #include "cli/expectations.h"
 #include "cli/interrupt.h"
+#include "cli/memory.h"
 #include "cli/oracle_answers.h"
 #include "cli/samples.h"
 #include "cli/shaded_pictures.h"
@@ -158,6 +159,8 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
                         "the renderer's precision lists projections without " + refused);
     if (const std::string outside = outside_judged_ranges(view); !outside.empty())
         return unjudged(source, view, Outcome::unreadable, outside);
+    if (const std::string lacking = lacking_memory({view.width, view.height}); !lacking.empty())
+        return unjudged(source, view, Outcome::unreadable, lacking);
 
     begin(view_run, "trace", &StageTimes::reference);
     const Frame reference = ask(opened.reference, view_run);
@@ -201,14 +204,20 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
 
 /// Runs the view. If candidate or reference gives no answer about it, that is a result, and the run goes on.
 std::optional<ViewResult> run_view_or_say_why_not(const ViewRun& view_run) {
-    try {
-        return run_view(view_run);
-    } catch (const OracleError& e) {
-        ViewResult result =
-            unjudged(view_run.context.source, view_run.context.view, Outcome::unreadable, e.what());
+    const Scene& scene = view_run.context.scene;
+    const View& view = view_run.context.view;
+    const auto unanswered = [&](const std::string& why) {
+        ViewResult result = unjudged(view_run.context.source, view, Outcome::unreadable, why);
         result.candidate = view_run.opened.candidate.name;
         result.reference = view_run.opened.reference.name;
         return result;
+    };
+    try {
+        return run_view(view_run);
+    } catch (const OracleError& e) {
+        return unanswered(e.what());
+    } catch (const std::bad_alloc&) {
+        return unanswered(out_of_memory({view.width, view.height}, scene.triangles.size()));
     }
 }
 
@@ -307,8 +316,8 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
         record.add(std::move(result));
         return Ending::complete;
     };
-    const auto refuse = [&](const std::exception& e) {
-        return end_with(unjudged(source, Outcome::unreadable, e.what()));
+    const auto refuse = [&](const std::string& why) {
+        return end_with(unjudged(source, Outcome::unreadable, why));
     };
     const auto give_up = [&](const std::exception& e) {
         return end_with(ended_by_fault(source, config, e.what(), ""));
@@ -320,11 +329,11 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
             hold_to_expectations(source, config, results);
         return ending;
     } catch (const SceneError& e) {
-        return refuse(e);
+        return refuse(e.what());
     } catch (const OracleError& e) {
-        return refuse(e);
-    } catch (const std::bad_alloc& e) {
-        return give_up(e);
+        return refuse(e.what());
+    } catch (const std::bad_alloc&) {
+        return refuse(out_of_memory_for(source.origin));
     } catch (const std::logic_error& e) {
         return give_up(e);
     }

@@ -119,7 +119,8 @@ std::string histograms(const ViewResult& v) {
 
 std::string depth_cell(const Answer& answer) {
     return id_text(answer.primitive) + "<br><span class=\"fine\" title=\"" + hex_bits(answer.camera_depth) +
-           "\">" + shortest(answer.camera_depth) + "</span>";
+           "\">" + (std::isnan(answer.camera_depth) ? "not a number" : shortest(answer.camera_depth)) +
+           "</span>";
 }
 
 std::string worst_row(const ReportedFinding& reported) {

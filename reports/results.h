@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -134,6 +135,7 @@ struct Shard {
 struct Selection {
     std::uint64_t scenes = 0;
     std::string sha256{};  ///< of their words, a line each: the same for all shards of one run
+    std::map<std::string, std::uint64_t> passed_over{};  ///< files in folders that are no scenes, by ending
 };
 
 enum class Ending { complete, interrupted };

@@ -115,7 +115,6 @@ TEST_F(StoredFrames, OfTheWrongKindAreRefusedAndNothingIsWritten) {
     folder.write("words.exr", "no frame");
     for (const Words& words :
          {Words{"compare", "words.exr", "two.gltf"}, Words{"compare", "absent.exr", "two.gltf"},
-          Words{"compare", "zproof/frame-all.exr", "two.gltf", "--precision", "raster,subpixel_bits=99"},
           Words{"compare", "zproof/frame-all.exr", "absent.gltf"}}) {
         const Ran ran = run(folder, words);
         EXPECT_EQ(ran.exit_code, 3) << ran.out << ran.err;
@@ -123,6 +122,10 @@ TEST_F(StoredFrames, OfTheWrongKindAreRefusedAndNothingIsWritten) {
     }
     EXPECT_EQ(run(folder, {"compare", "zproof/frame-all.exr", "two.gltf", "--view", "none"}).exit_code, 2);
     EXPECT_EQ(run(folder, {"compare", "zproof/frame-all.exr", "off_axis"}).exit_code, 2);
+    EXPECT_EQ(
+        run(folder, {"compare", "zproof/frame-all.exr", "two.gltf", "--precision", "raster,subpixel_bits=99"})
+            .exit_code,
+        2);
     EXPECT_EQ(run(folder, {"compare", "zproof/frame-all.exr"}).exit_code, 2);
 }
 

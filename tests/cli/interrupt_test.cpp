@@ -139,6 +139,22 @@ TEST(Interrupt, WritesWhatWasJudgedAndMarksTheRest) {
     }
 }
 
+TEST(Interrupt, KeepsTheLastFullReportBesideThePartialOne) {
+    const Folder folder;
+    folder.write("a.gltf", one_triangle());
+    folder.write("b.gltf", one_triangle());
+    ASSERT_EQ(run(folder, two_scenes).exit_code, 0);
+    const std::string full = folder.read("zproof-out/results.json");
+    const Ran ran = interrupted_run(folder, two_scenes, Blocked::at_its_progress);
+    EXPECT_EQ(ran.exit_code, 130);
+    EXPECT_THAT(ran.err, HasSubstr("zproof: zproof-out keeps the last full report; this one is in "
+                                   "zproof-out.partial\n"));
+    EXPECT_EQ(folder.read("zproof-out/results.json"), full);
+    const auto partial = nlohmann::json::parse(folder.read("zproof-out.partial/results.json"));
+    EXPECT_EQ(partial.at("run").at("ending"), "interrupted");
+    EXPECT_EQ(folder.names(), (Words{"a.gltf", "b.gltf", "zproof-out", "zproof-out.partial"}));
+}
+
 /// One view's frame is shown for both, and the precision is coarse far from the origin: whoever does not heed
 /// the signal judges for minutes.
 TEST(Interrupt, EndsAJudgementInTheMidstOfIt) {
