@@ -45,12 +45,12 @@ class Supervision {
     void take(const Message& message) {
         switch (message.kind) {
             case Message::Kind::facts:
-                return take_facts(results_from_json(message.text));
+                return take_facts(results_from_message_pack(message.text));
             case Message::Kind::stage:
                 stage_ = message.text;
                 return;
             case Message::Kind::scene:
-                return take_scene(results_from_json(message.text));
+                return take_scene(results_from_message_pack(message.text));
             case Message::Kind::usage_error:
                 throw UsageError{message.text};
             case Message::Kind::error:

@@ -59,7 +59,7 @@ struct Work {
             Results results;
             results.ending = report.ending;
             results.views = std::move(report.views);
-            tell(Message::Kind::scene, to_json(results));
+            tell(Message::Kind::scene, to_message_pack(results));
             if (report.ending == Ending::interrupted) return;
         }
     }
@@ -69,7 +69,7 @@ struct Work {
         Results facts;
         facts.embree = oracle::embree_version();
         facts.renderers = facts_of_all(config.renderers);
-        tell(Message::Kind::facts, to_json(facts));
+        tell(Message::Kind::facts, to_message_pack(facts));
         on_threads(threads, [this] { judge_scenes(); });
     }
 };

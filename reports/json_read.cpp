@@ -229,10 +229,7 @@ void require_known_version(const std::string& version) {
                "x; use the zproof that wrote it");
 }
 
-}  // namespace
-
-Results results_from_json(const std::string& text) try {
-    const Json root = Json::parse(text);
+Results results_from(const Json& root) {
     require_known_version(root.at("schema_version"));
     const Json& run = root.at("run");
     Results results{.version = run.at("version"),
@@ -250,6 +247,18 @@ Results results_from_json(const std::string& text) try {
     read_gate(root, results);
     for (const Json& one : root.at("views")) results.views.push_back(view(one));
     return results;
+}
+
+}  // namespace
+
+Results results_from_json(const std::string& text) try {
+    return results_from(Json::parse(text));
+} catch (const Json::exception& e) {
+    refuse(json_fault(e));
+}
+
+Results results_from_message_pack(const std::string& bytes) try {
+    return results_from(Json::from_msgpack(bytes));
 } catch (const Json::exception& e) {
     refuse(json_fault(e));
 }

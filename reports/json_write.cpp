@@ -227,21 +227,30 @@ Json summary_object(const Results& results) {
     return summary;
 }
 
+Json root_object(const Results& results) {
+    Json views = Json::array();
+    for (const ViewResult& view : results.views) views.push_back(view_object(view));
+    return {{"schema_version", Results::schema_version},
+            {"run", run_object(results)},
+            {"selection",
+             {{"scenes", results.selection.scenes},
+              {"sha256", results.selection.sha256},
+              {"passed_over", results.selection.passed_over}}},
+            {"summary", summary_object(results)},
+            {"waivers", waivers(results)},
+            {"views", views}};
+}
+
 }  // namespace
 
 std::string to_json(const Results& results) {
-    Json views = Json::array();
-    for (const ViewResult& view : results.views) views.push_back(view_object(view));
-    const Json root = {{"schema_version", Results::schema_version},
-                       {"run", run_object(results)},
-                       {"selection",
-                        {{"scenes", results.selection.scenes},
-                         {"sha256", results.selection.sha256},
-                         {"passed_over", results.selection.passed_over}}},
-                       {"summary", summary_object(results)},
-                       {"waivers", waivers(results)},
-                       {"views", views}};
-    return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return root_object(results).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string to_message_pack(const Results& results) {
+    std::string bytes;
+    Json::to_msgpack(root_object(results), bytes);
+    return bytes;
 }
 
 }  // namespace zproof

@@ -185,4 +185,12 @@ TEST(Json, SurvivesNamesThatAreNoText) {
     EXPECT_EQ(results_from_json(to_json(results)).views[0].scene, "\xEF\xBF\xBD\xEF\xBF\xBD");
 }
 
+TEST(MessagePack, KeepsAllThatJsonKeepsAndBytesThatAreNoText) {
+    for (const Results& results : {sample_results(), waived_run(), Results{}})
+        EXPECT_EQ(to_json(results_from_message_pack(to_message_pack(results))), to_json(results));
+    Results results = sample_results();
+    results.views[0].scene = "\xFF\xFE";
+    EXPECT_EQ(results_from_message_pack(to_message_pack(results)).views[0].scene, "\xFF\xFE");
+}
+
 }  // namespace zproof
