@@ -6,7 +6,7 @@
 strace does the injecting; calls that load the program (as many as `--version` makes) are left out. Whatever fails:
 
 - the command ends with a documented status, never by a signal;
-- the folder or file that it replaces is whole afterwards: the old one, or the new one where the status is 0;
+- the folder or file that it replaces is whole afterwards, the old one or the new one;
 - nothing half-written lies beside it; after a kill, the next run tidies up.
 
 Prints a table of the calls and errors that were tried. Exit status: 1 where anything of this does not hold.
@@ -32,15 +32,23 @@ ERRORS = {"write": ["ENOSPC", "EIO", "EINTR"], "pwrite64": ["ENOSPC", "EIO"], "w
 SMALL = ["--width", "48", "--height", "27", "--oracle", "none"]
 LARGE = ["--width", "64", "--height", "36", "--oracle", "none"]
 
-# What is prepared, what is made to fail, and what it leaves.
+RENDER = ["render", "room", "-o", "frames", "--width", "48", "--height", "27"]
+COPY = ["--renderer", "cp frames/door.exr {out}"]  # right for one view, wrong for the other
+ADD = ["waive", "add", "--waivers", "waivers.toml", "--from", "out", "--scene", "room", "--view", "floor", "--pixel", "PIXEL",
+       "--link", "https://example.org/12", "--now", "2026-04-10"]
+# What is prepared, what is made to fail, and what it replaces.
 SCENARIOS = {
-    "run": (["run", "near_plane", "-o", "out", "--evidence", "all", *SMALL],
+    "run": ([["run", "near_plane", "-o", "out", "--evidence", "all", *SMALL]],
             ["run", "near_plane", "-o", "out", "--evidence", "all", *LARGE], "out"),
-    "compare": (["render", "room", "-o", "frames", "--width", "48", "--height", "27"],
+    "compare": ([RENDER, ["run", "near_plane", "-o", "out", *SMALL]],
                 ["compare", "frames/door.exr", "room", "--view", "door", "-o", "out", "--oracle", "none"], "out"),
-    "program": (["render", "room", "-o", "frames", "--width", "48", "--height", "27"],
-                ["run", "room", "-o", "out", "--renderer", "cp frames/door.exr {out}", *SMALL], "out"),
-    "report": (["run", "near_plane", "-o", "first", *SMALL], ["report", "first", "-o", "report.html"], "report.html"),
+    "program": ([RENDER, ["run", "near_plane", "-o", "out", *SMALL]],
+                ["run", "room", "-o", "out", *COPY, *SMALL], "out"),
+    "report": ([["run", "near_plane", "-o", "out", *SMALL], ["report", "out", "-o", "report.html"]],
+               ["report", "out", "-o", "report.html"], "report.html"),
+    "waive": ([RENDER, ["run", "room", "-o", "out", *COPY, *SMALL],
+               [*ADD, "--reason", "first", "--expires", "2026-05-01"]],
+              [*ADD, "--reason", "second", "--expires", "2026-06-01", "--reach", "pixels"], "waivers.toml"),
 }
 
 
@@ -49,18 +57,31 @@ class Trial:
 
     def __init__(self, program, name):
         self.program, self.name = program, name
-        self.prepare, self.command, self.target = SCENARIOS[name]
+        prepared, self.command, self.target = SCENARIOS[name]
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="zproof-faults-"))
-        self.plain(self.prepare)
-        self.plain(self.command if self.target != "out" or self.prepare[0] != "run" else self.prepare)
+        for words in prepared:
+            self.require_sense(self.plain(words), words)
+        self.command = self.with_pixel(self.command)
         self.before = self.folder / "before"
         self.before.mkdir()
         self.keep(self.folder / self.target, self.before / self.target)
-        self.text_before = self.text()
+        self.require_sense(self.plain(self.command), self.command)
+        self.old, self.new = self.text(self.before), self.text(self.folder)
         self.faults = []
 
+    def require_sense(self, done, words):
+        if done.returncode not in (0, 1, 3):
+            sys.exit(f"{self.name}: {words}: status {done.returncode}: {done.stderr.decode()}")
+
+    def with_pixel(self, words):
+        """PIXEL stands for the worst one of the second view."""
+        if "PIXEL" not in words:
+            return words
+        worst = json.loads((self.folder / "out" / "results.json").read_text())["views"][1]["worst"][0]
+        return [f"{worst['x']},{worst['y']}" if word == "PIXEL" else word for word in words]
+
     def plain(self, words):
-        return subprocess.run([self.program, *words], cwd=self.folder, capture_output=True, timeout=300)
+        return subprocess.run([self.program, *self.with_pixel(words)], cwd=self.folder, capture_output=True, timeout=300)
 
     def keep(self, source, to):
         if source.is_dir():
@@ -89,22 +110,22 @@ class Trial:
             most[name] = max(most[name], count)
         return most
 
-    def text(self):
-        target = self.folder / self.target
-        file = target / "results.json" if target.is_dir() else target
+    def text(self, folder):
+        """Of a file that is replaced; a folder's is not compared, since times differ."""
+        file = folder / self.target
         return file.read_bytes() if file.is_file() else b""
 
     def is_whole(self):
-        """The folder holds what its list says, and its results can be read."""
+        """A file is the old one or the new one. A folder holds what its list says, and its results can be read."""
         target = self.folder / self.target
         if not target.is_dir():
-            return target.is_file() and target.read_bytes().rstrip().endswith(b"</html>")
+            return self.text(self.folder) in (self.old, self.new)
         for line in (target / ".zproof-out").read_text().splitlines()[1:]:
             size, _, name = line.split(" ", 2)
             file = target / name
             if not file.is_file() or file.stat().st_size != int(size):
                 return False
-        json.loads(self.text())
+        json.loads((target / "results.json").read_text())
         return True
 
     def complain(self, what, done, fault):
