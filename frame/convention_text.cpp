@@ -13,6 +13,7 @@
 
 #include "frame/convention_presets.h"
 #include "frame/frame_error.h"
+#include "frame/json_shown.h"
 
 namespace zproof {
 namespace {
@@ -141,7 +142,7 @@ void store(Convention& to, const std::string& name, const Json& value, const std
         known.emplace_back(key.name);
         if (key.name != name) continue;
         if (!key.store(to, value))
-            refuse_key(place, name, "expected " + std::string(key.expected) + ", found " + value.dump());
+            refuse_key(place, name, "expected " + std::string(key.expected) + ", found " + shown(value));
         return;
     }
     refuse_key(place, name, "unknown key; allowed here: " + joined(known));
@@ -242,7 +243,7 @@ Convention from_file(const std::string& file) {
         const ConventionPreset* preset = named->is_string() ? preset_named(*named) : nullptr;
         if (preset == nullptr)
             refuse_key(file, "preset",
-                       "expected one of " + joined(convention_names()) + ", found " + named->dump());
+                       "expected one of " + joined(convention_names()) + ", found " + shown(*named));
         convention = convention_of(*preset);
         object.erase(named);
     }

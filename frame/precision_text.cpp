@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "frame/frame_error.h"
+#include "frame/json_shown.h"
 #include "frame/precision_fields.h"
 #include "frame/precision_presets.h"
 #include "frame/precision_words.h"
@@ -44,7 +45,7 @@ class Declaration {
             if (found == word_of(T(i))) return void(value = T(i));
             words += (i == 0 ? "\"" : " or \"") + std::string(word_of(T(i))) + "\"";
         }
-        refuse(key, "expected " + words + ", found " + found.dump());
+        refuse(key, "expected " + words + ", found " + shown(found));
     }
 
     void peek(const std::string& key, int& value, const Limits& limits) const {
@@ -52,7 +53,7 @@ class Declaration {
         if (found.is_null()) return;
         if (!found.is_number_integer() || found < limits.low || found > limits.high)
             refuse(key, "expected a whole number from " + number_text(limits.low) + " to " +
-                            number_text(limits.high) + ", found " + found.dump());
+                            number_text(limits.high) + ", found " + shown(found));
         value = found.get<int>();
     }
 
@@ -61,14 +62,14 @@ class Declaration {
         if (found.is_null()) return;
         if (!found.is_number() || found < limits.low || found > limits.high)
             refuse(key, "expected a number from " + number_text(limits.low) + " to " +
-                            number_text(limits.high) + ", found " + found.dump());
+                            number_text(limits.high) + ", found " + shown(found));
         value = found.get<double>();
     }
 
     void peek(const std::string& key, bool& value) const {
         const Json found = at(key);
         if (found.is_null()) return;
-        if (!found.is_boolean()) refuse(key, "expected true or false, found " + found.dump());
+        if (!found.is_boolean()) refuse(key, "expected true or false, found " + shown(found));
         value = found.get<bool>();
     }
 
@@ -182,7 +183,7 @@ Precision declared(Json object, const std::string& place) {
 Projections projections_of(const Json& list, const Declaration& declaration) {
     Projections found{false, false, false};
     const std::string expected =
-        R"(expected a list of "perspective", "orthographic" and "oblique", found )" + list.dump();
+        R"(expected a list of "perspective", "orthographic" and "oblique", found )" + shown(list);
     if (!list.is_array() || list.empty()) declaration.refuse("projections", expected);
     for (const Json& word : list) {
         if (word == "perspective")
