@@ -141,8 +141,7 @@ class Check {
     void sparse(const std::string& place, const tinygltf::Accessor& accessor, std::size_t size) const {
         const auto& [stated, is_sparse, indices, values] = accessor.sparse;
         const auto count = static_cast<std::size_t>(stated);
-        if (count > accessor.count)
-            refuse(file_, place + "/count", "expected at most the accessor's count");
+        if (count > accessor.count) refuse(file_, place + "/count", "expected at most the accessor's count");
         const auto packed = [&](const std::string& part, int view, int offset, std::size_t bytes) {
             if (at(model_.bufferViews, view).byteStride != 0)
                 refuse(file_, place + part, "expected a buffer view without byteStride");

@@ -1,5 +1,5 @@
-/// A candidate's frame of 4 x 3 pixels, read in this process: oracle/convention/stored_frame.h does the same in a copy
-/// of it, where a crash would not be seen.
+/// A candidate's frame of 4 x 3 pixels, read in this process: oracle/convention/stored_frame.h does the same
+/// in a copy of it, where a crash would not be seen.
 #pragma once
 
 #include "frame/convention_presets.h"

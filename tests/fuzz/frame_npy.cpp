@@ -1,4 +1,5 @@
-// A candidate's frame as a .npy file, whose first bytes are right. The input's first byte chooses the convention.
+// A candidate's frame as a .npy file, whose first bytes are right. The input's first byte chooses the
+// convention.
 #include "tests/fuzz/candidate_frame.h"
 
 namespace zproof::fuzz {

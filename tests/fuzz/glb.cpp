@@ -20,8 +20,7 @@ std::string chunk(const std::string& type, std::string content, char filler) {
 }
 
 std::string glb_of(Input json, Input bin) {
-    const std::string chunks =
-        chunk("JSON", text_of(json), ' ') + chunk({"BIN\0", 4}, text_of(bin), '\0');
+    const std::string chunks = chunk("JSON", text_of(json), ' ') + chunk({"BIN\0", 4}, text_of(bin), '\0');
     std::string bytes = "glTF";
     append_number(bytes, 2);
     append_number(bytes, 12 + chunks.size());

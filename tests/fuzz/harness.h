@@ -13,8 +13,8 @@ namespace zproof::fuzz {
 
 using Input = std::span<const std::uint8_t>;
 
-/// Each harness defines it, in a file of its own. A signal, a sanitizer's report or an exception that leaves it is a
-/// finding.
+/// Each harness defines it, in a file of its own. A signal, a sanitizer's report or an exception that leaves
+/// it is a finding.
 void read_input(Input input);
 
 /// Runs the work, which may throw one of these refusals and nothing else.

@@ -20,10 +20,11 @@ void gather(json& value, std::vector<json*>& values) {
 }
 
 json odd_value(Random& random) {
-    const std::array odd{json(),      json(true), json(0),       json(-1),      json(1),    json(2),
-                         json(255),   json(65536), json(2147483647), json(2147483648), json(4294967295),
-                         json(1e-310), json(1e-40), json(0.5),    json(1e11),    json(1e39), json(1e308),
-                         json(-1e308), json(""),   json("a"),     json::array(), json::object()};
+    const std::array odd{json(),           json(true),    json(0),      json(-1),         json(1),
+                         json(2),          json(255),     json(65536),  json(2147483647), json(2147483648),
+                         json(4294967295), json(1e-310),  json(1e-40),  json(0.5),        json(1e11),
+                         json(1e39),       json(1e308),   json(-1e308), json(""),         json("a"),
+                         json::array(),    json::object()};
     return odd[random() % odd.size()];
 }
 
@@ -72,7 +73,8 @@ void mutate(json& whole, Random& random) {
 
 }  // namespace
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
+                                               unsigned seed) {
     Random random(seed);
     const auto [text, tail] = zproof::fuzz::split_at_zero({data, size});
     json whole = json::parse(text.begin(), text.end(), nullptr, false);

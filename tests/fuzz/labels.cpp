@@ -8,7 +8,8 @@ namespace zproof::fuzz {
 void read_input(Input input) {
     static const ScratchFolder folder;
     const auto file = folder.write("input.json", input);
-    may_refuse<SceneError>([&] { require(read_label_file(file, 12).size() == 12, "every triangle has a label"); });
+    may_refuse<SceneError>(
+        [&] { require(read_label_file(file, 12).size() == 12, "every triangle has a label"); });
 }
 
 }  // namespace zproof::fuzz

@@ -10,7 +10,8 @@ using namespace planes;
 
 void read_block(const std::string& content, std::size_t count) {
     const std::vector<std::uint32_t> guess(count, 7);
-    may_refuse<ReportError>([&] { decode(content, count, std::max<std::size_t>(count / 2, 1), Prediction::planar); });
+    may_refuse<ReportError>(
+        [&] { decode(content, count, std::max<std::size_t>(count / 2, 1), Prediction::planar); });
     may_refuse<ReportError>([&] { decode(content, guess); });
     may_refuse<ReportError>([&] { decode_sparse(content, count / 2, guess); });
     may_refuse<ReportError>([&] { decode_doubles(content, count); });

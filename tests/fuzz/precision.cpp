@@ -8,7 +8,8 @@ namespace {
 
 void require_same_again(const Precision& precision) {
     const std::string text = precision_to_json(precision);
-    require(precision_to_json(precision_from_json(text, "again")) == text, "a written precision is read back");
+    require(precision_to_json(precision_from_json(text, "again")) == text,
+            "a written precision is read back");
 }
 
 }  // namespace

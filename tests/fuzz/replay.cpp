@@ -1,4 +1,5 @@
-// Runs a harness on files, and on every file of folders: the corpora and the regressions in an ordinary build.
+// Runs a harness on files, and on every file of folders: the corpora and the regressions in an ordinary
+// build.
 #include <exception>
 #include <filesystem>
 #include <fstream>

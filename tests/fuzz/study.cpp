@@ -10,7 +10,8 @@ void read_input(Input input) {
     may_refuse<ReportError>([&] {
         const document::Document study = document::document_from_json(text_of(files.first), read_file);
         const std::string text = json_of(study);
-        require(json_of(document::document_from_json(text, read_file)) == text, "a written study is read back");
+        require(json_of(document::document_from_json(text, read_file)) == text,
+                "a written study is read back");
     });
 }
 
