@@ -8,6 +8,7 @@
 #include "image_io/image_io.h"
 #include "image_io/raw_frame.h"
 #include "oracle/convention/camera_depth.h"
+#include "tests/fuzz/image_module.h"
 #include "tests/fuzz/scratch_folder.h"
 
 namespace zproof::fuzz {

@@ -3,6 +3,7 @@
 
 #include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"
+#include "tests/fuzz/image_module.h"
 #include "tests/fuzz/scratch_folder.h"
 
 namespace zproof::fuzz {
