@@ -82,8 +82,8 @@ ExitCode announce(const Results& results, const ReportArguments& report) {
         summarize_step(results);
     }
     remark_on_waivers(results);
-    std::cout << in_words(code) << ": " << judged_views(results) << what_was_judged(results)
-              << "; report: " << where_to_look(report) << "\n";
+    std::cout << in_words(code) << ": " << judged_views(results) << one_line(what_was_judged(results))
+              << "; report: " << one_line(where_to_look(report)) << "\n";
     return code;
 }
 

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <sstream>
 #include <thread>
 
@@ -9,6 +10,7 @@
 #include "cli/command_line/tree.h"
 #include "cli/settings/apply.h"
 #include "cli/usage_error.h"
+#include "frame/printable.h"
 
 namespace zproof {
 namespace {
@@ -65,10 +67,27 @@ Command parse_command_line(int argc, const char* const* argv, const Environment&
     return tree.chosen();
 }
 
+namespace {
+
+/// $'...', in which every byte is seen.
+std::string quoted_with_escapes(const std::string& word) {
+    std::string quoted = "$'";
+    for (const char c : word) {
+        const auto byte = std::uint8_t(c);
+        const bool is_plain = byte >= 0x20 && byte < 0x7F && c != '\'' && c != '\\';
+        constexpr const char* digits = "0123456789abcdef";
+        quoted += is_plain ? std::string{c} : std::string{'\\', 'x', digits[byte >> 4], digits[byte & 15]};
+    }
+    return quoted + "'";
+}
+
+}  // namespace
+
 std::string shell_quoted(const std::string& word) {
     constexpr const char* harmless =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./=:,+@%";
     if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
+    if (one_line(word) != word) return quoted_with_escapes(word);
     std::string quoted = "'";
     for (char c : word) quoted += c == '\'' ? std::string{"'\\''"} : std::string{c};
     return quoted + "'";

@@ -11,15 +11,6 @@
 namespace zproof {
 namespace {
 
-/// A frame is of one view: where the scene has several, somebody must say which.
-std::string view_meant(const CompareArguments& arguments, const SceneSource& source, Resolution size) {
-    if (!arguments.view.empty()) return arguments.view;
-    const std::vector<View> views = load(source, size).views;
-    if (views.size() == 1) return views.front().name;
-    throw UsageError{"compare: " + source.name + " has the views " + names_of(views) +
-                     "; say which with --view"};
-}
-
 /// A frame shows one sample.
 void require_frames(const CompareArguments& arguments) {
     const std::vector<Sample>& samples = arguments.settings.samples;
@@ -51,7 +42,7 @@ ExitCode execute(const CompareArguments& arguments) {
                                           .samples = arguments.settings.samples},
                              .report = arguments.report,
                              .selection = selection_of({source}, size),
-                             .only_view = view_meant(arguments, source, size)});
+                             .views = {arguments.view, ViewChoice::Many::are_refused}});
 }
 
 }  // namespace zproof

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "cli/commands.h"
+#include "frame/input_file.h"
+#include "frame/whole_file.h"
 #include "reports/findings_file.h"
 #include "reports/results_diff.h"
 
@@ -18,9 +18,8 @@ DefectList defects_of(const ViewResult& view, const fs::path& run_folder) {
     if (!was_judged(view)) return std::nullopt;
     if (defect_count(view) == 0) return std::vector<DefectPixel>{};
     const fs::path file = run_folder / view.folder / "findings.csv";
-    std::ifstream in{file, std::ios::binary};
-    if (view.folder.empty() || !in) return std::nullopt;
-    return defects_among(findings_from_csv({std::istreambuf_iterator<char>{in}, {}}, file.string()));
+    if (view.folder.empty() || !fault_of_input(file).empty()) return std::nullopt;
+    return defects_among(findings_from_csv(content_of(file), file.string()));
 }
 
 RunToCompare with_defects(const Results& results, const fs::path& run_folder) {

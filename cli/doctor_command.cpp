@@ -9,6 +9,7 @@
 #include "cli/settings/apply.h"
 #include "cli/usage_error.h"
 #include "cli/version.h"
+#include "frame/input_file.h"
 #include "rasterizer/dispatch.h"
 #include "reports/wording.h"
 
@@ -74,9 +75,9 @@ std::string missing_among(const ChosenRenderers& renderers, const std::filesyste
     if (missing.empty()) missing = absent(renderers.candidate);
     for (const OracleChoice& oracle : renderers.oracles)
         if (missing.empty() && oracle.need == OracleChoice::Need::required) missing = absent(oracle.renderer);
-    std::error_code unseen;
-    if (missing.empty() && !waivers.empty() && !std::filesystem::exists(waivers, unseen))
-        missing = "waivers: " + waivers.string() + ": no such file";
+    if (missing.empty() && !waivers.empty())
+        if (const std::string fault = fault_of_input(waivers); !fault.empty())
+            missing = "waivers: " + waivers.string() + ": " + fault;
     return missing;
 }
 

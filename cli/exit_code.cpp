@@ -13,10 +13,10 @@ constexpr std::array rows{
         "there for, or a renderer is worse than it declares"},
     ExitStatus{ExitCode::usage,
                "usage: the command line, a settings file or a waiver file cannot be understood"},
-    ExitStatus{
-        ExitCode::cannot_judge,
-        "an input is unreadable, a tool is missing or refused, a result cannot be written, or pixels are "
-        "undecidable at the declared precision"},
+    ExitStatus{ExitCode::cannot_judge,
+               "an input is unreadable, memory is too small, a tool is missing or refused, a result cannot "
+               "be written, or pixels are "
+               "undecidable at the declared precision"},
     ExitStatus{ExitCode::nothing, "nothing was judged at all"},
     ExitStatus{ExitCode::internal, "internal error: a fault of zproof's own"},
     ExitStatus{ExitCode::interrupted, "interrupted"},

@@ -3,12 +3,14 @@
 
 #include "cli/commands.h"
 #include "cli/labelled_candidate.h"
+#include "cli/memory.h"
 #include "cli/renderers/registry.h"
 #include "cli/samples.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
 #include "cli/usage_error.h"
 #include "compare/explanation/explain.h"
+#include "frame/printable.h"
 #include "scenes/judged_ranges.h"
 
 namespace zproof {
@@ -64,14 +66,16 @@ ExitCode execute(const ExplainArguments& arguments) {
     const View view = asked_view(arguments, loaded);
     require_inside(arguments, view);
     require_judged(view);
+    require_memory({view.width, view.height});
     if (loaded.scene.triangles.empty()) {
-        std::cerr << "zproof: " << source.name << ": the scene has no triangles, nothing to explain\n";
+        std::cerr << "zproof: " << one_line(source.name)
+                  << ": the scene has no triangles, nothing to explain\n";
         return ExitCode::nothing;
     }
     Story story;
     on_threads(arguments.settings.threads, [&] { story = story_of(arguments, loaded.scene, view); });
-    std::cout << story.text;
-    if (!story.of_label.empty()) std::cout << story.of_label.substr(2) << '\n';
+    std::cout << printable(story.text);
+    if (!story.of_label.empty()) std::cout << one_line(story.of_label.substr(2)) << '\n';
     return passes(story.verdict) ? ExitCode::proven : ExitCode::defect;
 }
 

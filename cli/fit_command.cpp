@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/memory.h"
 #include "cli/published.h"
 #include "cli/renderers/registry.h"
 #include "cli/scene_selection.h"
@@ -11,6 +12,7 @@
 #include "cli/version.h"
 #include "cli/work_progress.h"
 #include "frame/precision_text.h"
+#include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "image_io/image_io.h"
 #include "reports/document/folder.h"
@@ -60,6 +62,7 @@ void fit_scene(const FitArguments& arguments, const SceneSource& source, WorkPro
         if (interrupted()) return;
         progress.begin(source.name + " / " + view.name);
         require_judged(view);
+        require_memory({view.width, view.height});
         fitted.views.push_back(
             {source.name, view.name, measure::fit(loaded.scene, view, renderer.render(view))});
         ++fitted.share.done;
@@ -79,7 +82,7 @@ Fitted fit_all(const FitArguments& arguments, const std::vector<SceneSource>& so
     return fitted;
 }
 
-void write(const FitArguments& arguments, const std::vector<FittedView>& views) {
+void write(const FitArguments& arguments, const std::vector<FittedView>& views, Completeness completeness) {
     const std::string renderer = name_of(arguments.renderer);
     document::Document document = fit_document(renderer, views);
     document.command = arguments.typed;
@@ -88,8 +91,8 @@ void write(const FitArguments& arguments, const std::vector<FittedView>& views) 
     document::write_document(out.working(), document);
     write_whole_file(out.working() / "fit.json", fit_json(renderer, views));
     write_whole_file(out.working() / "precision.json", precision_to_json(promise_of(views)) + "\n");
-    publish(out);
-    std::cout << document::terminal_text(document) << "\nfit: " << (arguments.out / "study.html").string()
+    const std::filesystem::path place = publish(out, arguments.out, completeness);
+    std::cout << document::terminal_text(document) << "\nfit: " << one_line((place / "study.html").string())
               << "\n";
 }
 
@@ -99,9 +102,10 @@ ExitCode execute(const FitArguments& arguments) {
     const std::vector<SceneSource> sources = select_scenes(arguments.scenes);
     note_interrupts();
     const Fitted fitted = fit_all(arguments, sources);
-    if (!fitted.views.empty()) write(arguments, fitted.views);
-    if (interrupted() && (fitted.share.done < fitted.share.all || fitted.share.scenes_left > 0))
-        return say_interrupted(fitted.share, "view", "fitted and written");
+    const bool all_done = fitted.share.done == fitted.share.all && fitted.share.scenes_left == 0;
+    if (!fitted.views.empty())
+        write(arguments, fitted.views, all_done ? Completeness::full : Completeness::partial);
+    if (interrupted() && !all_done) return say_interrupted(fitted.share, "view", "fitted and written");
     if (fitted.views.empty()) {
         std::cerr << "zproof: nothing to fit\n";
         return ExitCode::nothing;

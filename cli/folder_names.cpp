@@ -34,4 +34,6 @@ std::string FolderNames::next(const std::string& text) {
     return name;
 }
 
+void FolderNames::take(const std::string& name) { taken_.insert(in_lower_case(name)); }
+
 }  // namespace zproof

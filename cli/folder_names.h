@@ -16,6 +16,8 @@ class FolderNames {
     std::string next(const std::string& scene, const std::string& view) { return next(scene + "-" + view); }
     std::string next(const std::string& text);  ///< the same of any text
 
+    void take(const std::string& name);  ///< somebody else has it
+
   private:
     std::set<std::string> taken_;  ///< in lower case
 };

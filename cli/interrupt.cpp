@@ -16,17 +16,22 @@
 namespace zproof {
 namespace {
 
-/// A signal handler can reach nothing but a static, and that must be lock-free: the one global of the
+/// A signal handler can reach nothing but statics, and those must be lock-free: the only globals of the
 /// program.
 std::atomic<bool> noted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<pid_t> heir = 0;
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 constexpr std::string_view answer =
     "\nzproof: interrupted; finishing the piece in hand (once more: ends at once)\n";
 
 /// Does only what POSIX allows in a signal handler.
-extern "C" void note_signal(int) {
+extern "C" void note_signal(int number) {
     if (noted.exchange(true)) return;
+    if (const pid_t process = heir) {
+        ::kill(process, number);
+        return;
+    }
     [[maybe_unused]] const ssize_t told = ::write(STDERR_FILENO, answer.data(), answer.size());
 }
 
@@ -47,10 +52,13 @@ void fail_writes_on(int signal_number) {
     sigaction(signal_number, &heard, nullptr);
 }
 
-void note_interrupts() {
+void hand_interrupts_to(pid_t process) { heir = process; }
+
+void note_interrupts(SecondInterrupt second) {
     struct sigaction action {};
     action.sa_handler = note_signal;
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    action.sa_flags = SA_RESTART;
+    if (second == SecondInterrupt::ends_the_program) action.sa_flags |= int(SA_RESETHAND);
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
     if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);

@@ -1,6 +1,8 @@
 /// Ctrl-C as a question that long work asks between two pieces of it.
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstdint>
 #include <functional>
 #include <string_view>
@@ -9,9 +11,17 @@
 
 namespace zproof {
 
+enum class SecondInterrupt {
+    ends_the_program,  ///< at once, and with it every program that it has started
+    is_ignored,
+};
+
 /// From now on the first SIGINT or SIGTERM is only noted, and stderr says that the piece in hand will be
-/// finished; a second one ends the program at once, and with it every program that it has started.
-void note_interrupts();
+/// finished.
+void note_interrupts(SecondInterrupt second = SecondInterrupt::ends_the_program);
+
+/// What is noted goes to this process as well, and it is the one to answer; 0: to nobody.
+void hand_interrupts_to(pid_t process);
 
 /// A write into a pipe that nobody reads (SIGPIPE), or beyond the longest file that is allowed (SIGXFSZ),
 /// fails then, and is heard to fail. A handler is not handed on to programs that are started, as SIG_IGN

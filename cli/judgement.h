@@ -6,6 +6,7 @@
 
 #include "cli/arguments.h"
 #include "cli/exit_code.h"
+#include "cli/scene_run.h"
 #include "cli/scene_selection.h"
 
 namespace zproof {
@@ -17,12 +18,12 @@ struct RunRequest {
     const ReportArguments& report;
     Selection selection;
     Shard shard{};
-    std::string only_view = "";  ///< empty: all views of every scene
+    ViewChoice views{};  ///< of every scene
 };
 
 /// Writes results.json, the reports that are asked for and the evidence, and prints what the report arguments
-/// ask for. Throws OracleError, before any work, where a renderer that is needed cannot be asked on this
-/// machine.
+/// ask for. Throws std::runtime_error, before any work, where a renderer that is needed cannot be asked on
+/// this machine.
 ExitCode judge_and_report(const RunRequest& request);
 
 }  // namespace zproof

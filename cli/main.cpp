@@ -4,19 +4,23 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/refusal.h"
 #include "cli/usage_error.h"
+#include "frame/printable.h"
 
 namespace zproof {
 namespace {
 
 ExitCode complain(std::string_view kind, const std::exception& e, ExitCode code) {
-    std::cerr << "zproof: " << kind << ": " << e.what() << "\n";
+    const std::string line = "zproof: " + std::string{kind} + ": " + e.what();
+    std::cerr << shortened(line, longest_line_bytes - 2) << "\n";
     return code;
 }
 
@@ -34,7 +38,12 @@ ExitCode guarded_run(int argc, const char* const* argv) {
         return complain("usage", e, ExitCode::usage);
     } catch (const std::runtime_error& e) {  // the world refused: nothing is said about the renderer
         return complain(refusal, e, ExitCode::cannot_judge);
-    } catch (const std::exception& e) {  // logic_error, bad_alloc: our own fault
+    } catch (const std::bad_alloc&) {
+        return complain(refusal,
+                        std::runtime_error{"out of memory; make the picture or the scene smaller, free "
+                                           "memory, or raise the limit (ulimit -v)"},
+                        ExitCode::cannot_judge);
+    } catch (const std::exception& e) {  // logic_error: our own fault
         return complain("internal error", e, ExitCode::internal);
     }
 }

@@ -64,7 +64,7 @@ ExitCode execute(const MergeArguments& arguments) {
     OutputFolder out{arguments.report.out};
     gather_evidence(evidence_of(shards, folders), out.working(), whole);
     write_reports(out.working(), whole, arguments.report.formats);
-    publish(out);
+    publish(out, arguments.report.out);
     return announce(whole, arguments.report);
 }
 

@@ -10,6 +10,7 @@ ExitCode exit_code_of(const Results& results) {
     const auto any = [&](Outcome outcome) {
         return std::ranges::count(results.views, outcome, &ViewResult::outcome) > 0;
     };
+    if (any(Outcome::internal_error)) return ExitCode::internal;
     if (results.ending == Ending::interrupted) return ExitCode::interrupted;
     if (any(Outcome::unreadable)) return ExitCode::cannot_judge;
     if (any(Outcome::defective)) return ExitCode::defect;

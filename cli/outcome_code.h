@@ -7,8 +7,9 @@
 
 namespace zproof {
 
-/// The run's exit code. Where several apply, it is the one that proves least: interrupted, then cannot_judge,
-/// then nothing, then defect. A waiver that fails the gate (reports/waiver_status.h) is a defect.
+/// The run's exit code. Where several apply, it is the one that proves least: internal, then interrupted,
+/// then cannot_judge, then nothing, then defect. A waiver that fails the gate (reports/waiver_status.h) is a
+/// defect.
 ExitCode exit_code_of(const Results& results);
 
 /// The verdict on a whole run: "proven", "defect", "cannot judge everything", ...

@@ -18,6 +18,8 @@ std::string line_for(const ViewResult& view) {
     line += "  " + one_line(view.scene);
     if (!view.view.empty()) line += " / " + one_line(view.view);
     if (!view.message.empty()) line += ": " + one_line(view.message);
+    constexpr std::size_t around = 40;  // the share that is done, and the times
+    line = shortened(line, longest_line_bytes - around);
     const double took = seconds(view.times);
     return took > 0 ? line + "  " + fixed(took, 1) + " s" : line;  // one that was not begun took none
 }
@@ -67,7 +69,10 @@ void Progress::expect_views(std::size_t count) {
     per_view_ = left_ / double(std::max<std::size_t>(count, 1));
 }
 
-void Progress::begin_stage(const std::string& stage) { work_.mention(stage); }
+void Progress::begin_stage(const std::string& stage) {
+    if (hear_stage_) hear_stage_(stage);
+    work_.mention(stage);
+}
 
 void Progress::end_view() {
     const double part = std::min(per_view_, left_);
@@ -88,7 +93,8 @@ void Progress::tell(const ViewResult& view) {
 }
 
 void Progress::remark(const std::string& text) {
-    if (remarks_.insert(text).second) work_.say(out_, "zproof: " + one_line(text) + "\n");
+    if (remarks_.insert(text).second)
+        work_.say(out_, "zproof: " + shortened(text, longest_line_bytes - 10) + "\n");
 }
 
 }  // namespace zproof

@@ -1,6 +1,7 @@
 /// How far a run is, told on stderr. Says nothing about verdicts that the reports do not say.
 #pragma once
 
+#include <functional>
 #include <iosfwd>
 #include <set>
 #include <string>
@@ -31,10 +32,11 @@ class Progress {
     void begin_scene(const std::string& name);
     void expect_views(std::size_t count);        ///< the scene's work is shared out evenly among them
     void begin_stage(const std::string& stage);  ///< "render main"
-    void end_view();                             ///< its share of the work is done
-    void finish_scene();                         ///< all of it, whatever came of its views
-    void tell(const ViewResult& view);           ///< as soon as it is judged, or cannot be
-    void remark(const std::string& text);        ///< in every style; the same text once in a run
+    void on_stage(std::function<void(const std::string&)> hear) { hear_stage_ = std::move(hear); }
+    void end_view();                       ///< its share of the work is done
+    void finish_scene();                   ///< all of it, whatever came of its views
+    void tell(const ViewResult& view);     ///< as soon as it is judged, or cannot be
+    void remark(const std::string& text);  ///< in every style; the same text once in a run
 
   private:
     std::ostream& out_;
@@ -44,6 +46,7 @@ class Progress {
     double left_ = 0, per_view_ = 0;  ///< work of the scene in hand
     WorkProgress work_;
     std::set<std::string> remarks_;
+    std::function<void(const std::string&)> hear_stage_;
 };
 
 }  // namespace zproof

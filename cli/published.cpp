@@ -7,14 +7,28 @@
 
 namespace zproof {
 
-void publish(OutputFolder& folder) {
+namespace {
+
+void say_kept(const std::vector<std::filesystem::path>& kept) {
     constexpr std::size_t most_named = 3;
-    const std::vector<std::filesystem::path> kept = folder.publish();
     if (kept.empty()) return;
     std::cerr << "zproof: kept " << counted(kept.size(), "file") << " that zproof did not write:";
     for (std::size_t i = 0; i < std::min(kept.size(), most_named); ++i)
         std::cerr << (i == 0 ? " " : ", ") << one_line(kept[i].string());
     std::cerr << (kept.size() > most_named ? ", ...\n" : "\n");
+}
+
+}  // namespace
+
+std::filesystem::path publish(OutputFolder& folder, const std::filesystem::path& typed,
+                              Completeness completeness) {
+    say_kept(folder.publish(completeness));
+    if (folder.suffix().empty()) return typed;
+    const std::filesystem::path full = typed.has_filename() ? typed : typed.parent_path();
+    const std::filesystem::path partial = full.string() + folder.suffix();
+    std::cerr << "zproof: " << one_line(full.string()) << " keeps the last full report; this one is in "
+              << one_line(partial.string()) << "\n";
+    return partial;
 }
 
 }  // namespace zproof

@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/folder_names.h"
 #include "cli/interrupt.h"
+#include "cli/memory.h"
 #include "cli/published.h"
 #include "cli/renderers/registry.h"
 #include "cli/samples.h"
@@ -48,6 +49,7 @@ ExitCode execute(const RenderArguments& arguments) {
             progress.begin(shown_name(view));
             written.push_back(safe_name(shown_name(view)));
             require_judged(view);
+            require_memory({view.width, view.height});
             const std::filesystem::path stem = out.working() / written.back();
             Frame frame = renderer.render(view);
             if (arguments.attributes) frame.attributes = rasterizer::attributes_of(loaded.scene, view, frame);
@@ -58,10 +60,12 @@ ExitCode execute(const RenderArguments& arguments) {
                               rasterizer::filtered(loaded.scene, view, frame, arguments.filter->texturing));
         }
     });
-    publish(out);
+    const bool all_written = written.size() == views.size();
+    const std::filesystem::path place =
+        publish(out, arguments.out, all_written ? Completeness::full : Completeness::partial);
     for (const std::string& name : written)
-        progress.say(std::cout, (arguments.out / (name + ".exr")).string() + "\n");
-    if (written.size() == views.size()) return ExitCode::proven;
+        progress.say(std::cout, (place / (name + ".exr")).string() + "\n");
+    if (all_written) return ExitCode::proven;
     return say_interrupted({written.size(), views.size()}, "view", "rendered and written");
 }
 

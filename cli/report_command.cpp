@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/usage_error.h"
+#include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "reports/document/folder.h"
 #include "reports/html.h"
@@ -35,7 +36,10 @@ void point_to_evidence(Results& results, const fs::path& run_folder, const fs::p
             view.folder = fs::proximate(run_folder / view.folder, report_folder).generic_string();
 }
 
-bool is_study(const fs::path& folder) { return fs::exists(folder / "study.json"); }
+bool is_study(const fs::path& folder) {
+    std::error_code ignored;
+    return fs::exists(folder / "study.json", ignored);
+}
 
 /// Studies have a place in the page only.
 std::vector<document::Document> studies_of(const ReportAgainArguments& arguments, ReportFormat format) {
@@ -86,7 +90,7 @@ ExitCode execute(const ReportAgainArguments& arguments) {
         return ExitCode::proven;
     }
     write_whole_file(arguments.out, text);
-    std::cout << arguments.out.string() << "\n";
+    std::cout << one_line(arguments.out.string()) << "\n";
     return ExitCode::proven;
 }
 

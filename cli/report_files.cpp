@@ -3,8 +3,6 @@
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "cli/nearest_word.h"
 #include "cli/usage_error.h"
@@ -15,6 +13,7 @@
 #include "reports/json.h"
 #include "reports/junit.h"
 #include "reports/markdown.h"
+#include "reports/result_file.h"
 
 namespace zproof {
 namespace {
@@ -49,7 +48,8 @@ void write_report(const fs::path& folder, const Results& results, ReportFormat f
 }
 
 fs::path file_of_results(const fs::path& file_or_folder) {
-    return fs::is_directory(file_or_folder) ? file_or_folder / "results.json" : file_or_folder;
+    std::error_code ignored;
+    return fs::is_directory(file_or_folder, ignored) ? file_or_folder / "results.json" : file_or_folder;
 }
 
 }  // namespace
@@ -107,12 +107,13 @@ std::string report_text(ReportFormat format, const Results& results, const fs::p
     return "";
 }
 
-Results read_results(const fs::path& file_or_folder) try {
-    std::ifstream in{file_of_results(file_or_folder), std::ios::binary};
-    if (!in) throw ReportError{"no results.json can be read there; expected what zproof run wrote"};
-    return results_from_json({std::istreambuf_iterator<char>{in}, {}});
-} catch (const ReportError& e) {
-    throw ReportError{file_or_folder.string() + ": " + e.what()};
+Results read_results(const fs::path& file_or_folder) {
+    const std::string text = read_result(file_of_results(file_or_folder), "the results.json of zproof run");
+    try {
+        return results_from_json(text);
+    } catch (const ReportError& e) {
+        throw ReportError{file_or_folder.string() + ": " + e.what()};
+    }
 }
 
 fs::path folder_of_results(const fs::path& file_or_folder) {

@@ -3,11 +3,14 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <new>
 #include <optional>
 #include <span>
+#include <stdexcept>
 
 #include "cli/expectations.h"
 #include "cli/interrupt.h"
+#include "cli/memory.h"
 #include "cli/oracle_answers.h"
 #include "cli/samples.h"
 #include "cli/shaded_pictures.h"
@@ -156,6 +159,8 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
                         "the renderer's precision lists projections without " + refused);
     if (const std::string outside = outside_judged_ranges(view); !outside.empty())
         return unjudged(source, view, Outcome::unreadable, outside);
+    if (const std::string lacking = lacking_memory({view.width, view.height}); !lacking.empty())
+        return unjudged(source, view, Outcome::unreadable, lacking);
 
     begin(view_run, "trace", &StageTimes::reference);
     const Frame reference = ask(opened.reference, view_run);
@@ -199,24 +204,33 @@ std::optional<ViewResult> run_view(const ViewRun& view_run) {
 
 /// Runs the view. If candidate or reference gives no answer about it, that is a result, and the run goes on.
 std::optional<ViewResult> run_view_or_say_why_not(const ViewRun& view_run) {
-    try {
-        return run_view(view_run);
-    } catch (const OracleError& e) {
-        ViewResult result =
-            unjudged(view_run.context.source, view_run.context.view, Outcome::unreadable, e.what());
+    const Scene& scene = view_run.context.scene;
+    const View& view = view_run.context.view;
+    const auto unanswered = [&](const std::string& why) {
+        ViewResult result = unjudged(view_run.context.source, view, Outcome::unreadable, why);
         result.candidate = view_run.opened.candidate.name;
         result.reference = view_run.opened.reference.name;
         return result;
+    };
+    try {
+        return run_view(view_run);
+    } catch (const OracleError& e) {
+        return unanswered(e.what());
+    } catch (const std::bad_alloc&) {
+        return unanswered(out_of_memory({view.width, view.height}, scene.triangles.size()));
     }
 }
 
-/// All views, or the one that was asked for.
-std::vector<View> wanted_views(const Loaded& loaded, const std::string& only_view) {
-    if (only_view.empty()) return loaded.views;
+std::vector<View> wanted_views(const Loaded& loaded, const ViewChoice& wanted) {
     std::vector<View> views = loaded.views;
-    std::erase_if(views, [&](const View& view) { return view.name != only_view; });
+    if (wanted.name.empty()) {
+        if (views.size() == 1 || wanted.many == ViewChoice::Many::are_judged) return views;
+        throw UsageError{"compare: " + loaded.scene.name + " has the views " + names_of(views) +
+                         "; say which with --view"};
+    }
+    std::erase_if(views, [&](const View& view) { return view.name != wanted.name; });
     if (!views.empty()) return views;
-    throw UsageError{"--view " + only_view + ": " + loaded.scene.name + " has the views " +
+    throw UsageError{"--view " + wanted.name + ": " + loaded.scene.name + " has the views " +
                      names_of(loaded.views)};
 }
 
@@ -256,7 +270,7 @@ Ending run_views(const SceneSource& source, const RunConfig& config, StageClock&
         record.add(without_triangles(source, loaded.scene));
         return Ending::complete;
     }
-    const std::vector<View> views = at_samples(wanted_views(loaded, config.only_view), config.samples);
+    const std::vector<View> views = at_samples(wanted_views(loaded, config.views), config.samples);
     config.progress.expect_views(views.size());
     const auto leave = [&](std::size_t from) {
         record.leave(source, std::span{views}.subspan(from));
@@ -296,12 +310,17 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
                                 std::vector<ViewResult>& results) {
     Record record{config, results};
     StageClock clock;
-    const auto refuse = [&](const std::exception& e) {
-        ViewResult result = unjudged(source, Outcome::unreadable, e.what());
+    const auto end_with = [&](ViewResult result) {
         result.times = clock.take();
         config.progress.finish_scene();
         record.add(std::move(result));
         return Ending::complete;
+    };
+    const auto refuse = [&](const std::string& why) {
+        return end_with(unjudged(source, Outcome::unreadable, why));
+    };
+    const auto give_up = [&](const std::exception& e) {
+        return end_with(ended_by_fault(source, config, e.what(), ""));
     };
     try {
         const Ending ending = run_views(source, config, clock, record);
@@ -310,13 +329,24 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
             hold_to_expectations(source, config, results);
         return ending;
     } catch (const SceneError& e) {
-        return refuse(e);
+        return refuse(e.what());
     } catch (const OracleError& e) {
-        return refuse(e);
+        return refuse(e.what());
+    } catch (const std::bad_alloc&) {
+        return refuse(out_of_memory_for(source.origin));
+    } catch (const std::logic_error& e) {
+        return give_up(e);
     }
 }
 
 }  // namespace
+
+ViewResult ended_by_fault(const SceneSource& source, const RunConfig& config, const std::string& how,
+                          const std::string& stage) {
+    return unjudged(source, Outcome::internal_error,
+                    how + (stage.empty() ? "" : " at '" + stage + "'") + "; to see it again: " +
+                        judging_command_for(source, config.renderers, config.resolution, config.command));
+}
 
 ViewResult left_by_interrupt(const SceneSource& source) {
     return unjudged(source, Outcome::not_judged, left_words);

@@ -16,6 +16,13 @@
 
 namespace zproof {
 
+/// Which views of a scene are judged.
+struct ViewChoice {
+    enum class Many { are_judged, are_refused };
+    std::string name = "";  ///< empty: all of them
+    Many many = Many::are_judged;
+};
+
 /// What the scenes of one run share.
 struct RunConfig {
     Resolution resolution;
@@ -27,11 +34,17 @@ struct RunConfig {
     PictureMode pictures;
     Evidence evidence;
     const std::vector<Sample>& samples;  ///< of every view
-    std::string only_view = "";          ///< empty: all views
+    ViewChoice views{};
+    const std::string& command;  ///< as typed
 };
 
 /// Stands in for a scene that an interrupt kept from being begun.
 ViewResult left_by_interrupt(const SceneSource& source);
+
+/// Stands in for a scene that a fault of zproof's own kept from being judged: how it ended, at which stage
+/// (empty: none had begun), and the command that shows it again.
+ViewResult ended_by_fault(const SceneSource& source, const RunConfig& config, const std::string& how,
+                          const std::string& stage);
 
 /// What came of one scene.
 struct SceneReport {
@@ -41,8 +54,8 @@ struct SceneReport {
 };
 
 /// Judges the scene's views one by one and tells of each; frames are dropped after each. Uses the surrounding
-/// tbb::task_arena. Throws FrameError or ReportError where evidence cannot be written or a stored frame does
-/// not fit, UsageError where there is no such view.
+/// tbb::task_arena. Throws FrameError or ReportError where evidence cannot be written, UsageError where there
+/// is no such view, or more than the one that may be.
 SceneReport run_scene(const SceneSource& source, const RunConfig& config);
 
 }  // namespace zproof

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "cli/nearest_word.h"
+#include "reports/wording.h"
 #include "scenes/gltf.h"
 #include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"
@@ -45,31 +47,49 @@ SceneSource of_file(const fs::path& file) {
     return {kind, stem_of(file), file.generic_string(), "", {}, 0};
 }
 
-bool found_in_folder(const fs::path& file) {
-    if (is_view_file(file)) return extension_of(file.stem()) == ".view";
-    return is_gltf(file) && !fs::exists(file.parent_path() / (stem_of(file) + ".view.json"));
+bool has_view_file(const fs::path& model) {
+    std::error_code ignored;
+    return fs::exists(model.parent_path() / (stem_of(model) + ".view.json"), ignored);
 }
 
-/// The scenes below the folder, and what cannot be looked at: load() refuses that, and says why.
-void gather(const fs::path& folder, std::vector<fs::path>& found) {
-    std::error_code failure, ignored;
-    for (auto i = fs::directory_iterator(folder, failure); !failure && i != end(i); i.increment(failure)) {
-        if (i->symlink_status(ignored).type() == fs::file_type::directory)
-            gather(i->path(), found);
-        else if (found_in_folder(i->path()) && !i->is_directory(ignored))
-            found.push_back(i->path());
+/// What lies below a folder.
+class FolderWalk {
+  public:
+    explicit FolderWalk(const fs::path& folder) {
+        gather(folder);
+        std::ranges::sort(found_);
     }
-    if (failure) found.push_back(folder);
-}
 
-std::vector<SceneSource> of_folder(const fs::path& folder) {
-    std::vector<fs::path> files;
-    gather(folder, files);
-    std::ranges::sort(files);
-    std::vector<SceneSource> sources;
-    std::ranges::transform(files, std::back_inserter(sources), of_file);
-    return sources;
-}
+    /// Scenes, and what cannot be looked at: load() refuses that, and says why.
+    std::vector<SceneSource> sources() const {
+        std::vector<SceneSource> sources;
+        std::ranges::transform(found_, std::back_inserter(sources), of_file);
+        return sources;
+    }
+    const FileCounts& passed_over() const { return passed_over_; }
+
+  private:
+    void gather(const fs::path& folder) {
+        std::error_code failure, ignored;
+        for (auto i = fs::directory_iterator(folder, failure); !failure && i != end(i); i.increment(failure))
+            if (i->symlink_status(ignored).type() == fs::file_type::directory)
+                gather(i->path());
+            else if (!i->is_directory(ignored))
+                take(i->path());
+        if (failure) found_.push_back(folder);
+    }
+
+    void take(const fs::path& file) {
+        const bool is_view = is_view_file(file) && extension_of(file.stem()) == ".view";
+        if (is_view || (is_gltf(file) && !has_view_file(file)))
+            found_.push_back(file);
+        else if (!is_gltf(file))
+            ++passed_over_[extension_of(file)];
+    }
+
+    std::vector<fs::path> found_;
+    FileCounts passed_over_;
+};
 
 SceneError unknown_word(const std::string& word, const std::vector<SuiteEntry>& manifest) {
     std::vector<std::string> names;
@@ -81,22 +101,24 @@ SceneError unknown_word(const std::string& word, const std::vector<SuiteEntry>& 
 std::optional<SceneSource> single_scene(const std::string& word, const std::vector<SuiteEntry>& manifest) {
     const auto entry = std::ranges::find(manifest, word, &SuiteEntry::name);
     if (entry != manifest.end()) return of_suite(*entry);
-    if (!fs::exists(word)) throw unknown_word(word, manifest);
-    if (fs::is_directory(word)) return std::nullopt;
+    std::error_code failure;
+    if (fs::is_directory(word, failure)) return std::nullopt;
+    if (fs::status(word, failure).type() == fs::file_type::not_found) throw unknown_word(word, manifest);
     if (!is_gltf(word) && !is_view_file(word))
         throw SceneError{word +
                          ": not a scene; expected a file ending in .gltf, .glb or .json (a view file)"};
     return of_file(word);
 }
 
-std::vector<SceneSource> meant_by(const std::string& word, const std::vector<SuiteEntry>& manifest) {
+SceneSelection meant_by(const std::string& word, const std::vector<SuiteEntry>& manifest) {
     if (word == "suite") {
         std::vector<SceneSource> sources;
         std::ranges::transform(manifest, std::back_inserter(sources), of_suite);
-        return sources;
+        return {sources, {}};
     }
-    if (const auto scene = single_scene(word, manifest)) return {*scene};
-    return of_folder(word);
+    if (const auto scene = single_scene(word, manifest)) return {{*scene}, {}};
+    const FolderWalk walk(word);
+    return {walk.sources(), walk.passed_over()};
 }
 
 /// Scenes that share a name are called by their files instead.
@@ -109,19 +131,42 @@ void make_names_unique(std::vector<SceneSource>& sources) {
 
 }  // namespace
 
-std::vector<SceneSource> select_scenes(const std::vector<std::string>& words, const fs::path& models) {
+SceneSelection select_with_counts(const std::vector<std::string>& words, const fs::path& models) {
     const std::vector<SuiteEntry> manifest = suite_manifest();
-    std::vector<SceneSource> sources;
+    SceneSelection selection;
     std::set<std::string> seen;
-    for (const std::string& word : words.empty() ? std::vector<std::string>{"suite"} : words)
-        for (SceneSource& source : meant_by(word, manifest))
-            if (seen.insert(word_for(source)).second) sources.push_back(std::move(source));
-    make_names_unique(sources);
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-        sources[i].place = i;
-        sources[i].models = models;
+    for (const std::string& word : words.empty() ? std::vector<std::string>{"suite"} : words) {
+        SceneSelection meant = meant_by(word, manifest);
+        for (SceneSource& source : meant.sources)
+            if (seen.insert(word_for(source)).second) selection.sources.push_back(std::move(source));
+        for (const auto& [ending, count] : meant.passed_over) selection.passed_over[ending] += count;
     }
-    return sources;
+    make_names_unique(selection.sources);
+    for (std::size_t i = 0; i < selection.sources.size(); ++i) {
+        selection.sources[i].place = i;
+        selection.sources[i].models = models;
+    }
+    return selection;
+}
+
+std::vector<SceneSource> select_scenes(const std::vector<std::string>& words, const fs::path& models) {
+    return select_with_counts(words, models).sources;
+}
+
+std::string in_words(const FileCounts& passed_over) {
+    constexpr std::size_t most_named = 6;
+    std::vector<std::pair<std::string, std::uint64_t>> endings(passed_over.begin(), passed_over.end());
+    std::ranges::stable_sort(endings, std::greater{}, [](const auto& ending) { return ending.second; });
+    std::uint64_t all = 0;
+    std::string text;
+    for (std::size_t i = 0; i < endings.size(); ++i) {
+        const auto& [ending, count] = endings[i];
+        all += count;
+        if (i >= most_named) continue;
+        text += (i == 0 ? "" : ", ") + grouped(count) + " " + (ending.empty() ? "without an ending" : ending);
+    }
+    if (all == 0) return "";
+    return counted(all, "file") + " passed over: " + text + (endings.size() > most_named ? ", ..." : "");
 }
 
 SceneSource select_scene(const std::string& word, const fs::path& models) {

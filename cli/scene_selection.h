@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,21 @@ struct SceneSource {
 /// SceneError for a word that is none of this.
 std::vector<SceneSource> select_scenes(const std::vector<std::string>& words,
                                        const std::filesystem::path& models = {});
+
+/// How many files, by their ending in lower case.
+using FileCounts = std::map<std::string, std::uint64_t>;
+
+/// The same scenes, and what lies beside them in the folders and is none. A model that a view file speaks for
+/// is not counted.
+struct SceneSelection {
+    std::vector<SceneSource> sources;
+    FileCounts passed_over;
+};
+SceneSelection select_with_counts(const std::vector<std::string>& words,
+                                  const std::filesystem::path& models = {});
+
+/// "12 files passed over: 9 .png, 3 .txt"; empty where there is none.
+std::string in_words(const FileCounts& passed_over);
 
 /// The one scene that the word means; a folder is not one. Throws SceneError.
 SceneSource select_scene(const std::string& word, const std::filesystem::path& models = {});

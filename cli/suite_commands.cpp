@@ -53,7 +53,7 @@ ExitCode execute(const GenerateArguments& arguments) {
         write_glb(out.working(), generate_suite_scene(names[written]));
         progress.say(std::cout, (arguments.out / (names[written] + ".view.json")).string() + "\n");
     }
-    publish(out);
+    publish(out, arguments.out);
     if (written == names.size()) return ExitCode::proven;
     return say_interrupted({written, names.size()}, "scene", "written");
 }

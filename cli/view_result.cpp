@@ -102,6 +102,18 @@ std::string explain_command_for(const ViewContext& context, const RendererChoice
     return command + " --width " + std::to_string(size.width) + " --height " + std::to_string(size.height);
 }
 
+std::string judging_command_for(const SceneSource& source, const ChosenRenderers& renderers,
+                                Resolution resolution, const std::string& typed) {
+    if (std::holds_alternative<StoredFrame>(renderers.candidate.who)) return typed;
+    std::string command = "zproof run " + shell_quoted(word_for(source)) + options_for(renderers.candidate);
+    if (resolution != default_resolution)
+        command +=
+            " --width " + std::to_string(resolution.width) + " --height " + std::to_string(resolution.height);
+    for (const OracleChoice& oracle : renderers.oracles)
+        if (oracle.need == OracleChoice::Need::required) command += " --oracle " + name_of(oracle.renderer);
+    return renderers.oracles.empty() ? command + " --oracle none" : command;
+}
+
 /// "14 pixels are undecidable at eps = 200 px: ...".
 std::string undecidable_words(const Verdict& verdict) {
     double eps_px = 0;

@@ -27,6 +27,10 @@ struct ViewContext {
 /// The command that explains what this candidate said at a pixel of this view, quoted for a shell.
 std::string explain_command_for(const ViewContext& context, const RendererChoice& candidate, int x, int y);
 
+/// The command that judges this scene once more: the one that was typed where it names a frame.
+std::string judging_command_for(const SceneSource& source, const ChosenRenderers& renderers,
+                                Resolution resolution, const std::string& typed);
+
 /// Everything but times and folder. A view whose defects are all waived is proven.
 ViewResult to_view_result(const ViewContext& context, const Verdict& verdict, const Gate& gate,
                           const CandidateFrame& candidate);

@@ -2,6 +2,8 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "frame/input_file.h"
+#include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "scenes/import/view_import.h"
 #include "scenes/scene_error.h"
@@ -26,9 +28,9 @@ std::vector<ImportedView> import_views(const ViewsArguments& arguments) {
 
 /// The model's path as a view file names it.
 std::string model_from(const fs::path& view_file, const fs::path& model) {
-    if (!fs::is_regular_file(model))
-        throw SceneError{model.string() +
-                         ": no such file; expected the .gltf or .glb file that the cameras see"};
+    if (const std::string fault = fault_of_input(model); !fault.empty())
+        throw SceneError{model.string() + ": " + fault +
+                         "; expected the .gltf or .glb file that the cameras see"};
     const fs::path path =
         fs::canonical(model).lexically_relative(fs::weakly_canonical(fs::absolute(view_file)).parent_path());
     if (path.empty() || *path.begin() == "..")
@@ -56,9 +58,9 @@ ExitCode execute(const ViewsArguments& arguments) {
     for (const ImportedView& one : imported) views.push_back(one.view);
     write_whole_file(arguments.out, view_document(model, views));
     const Adjustment largest = largest_adjustment(imported);
-    std::cout << arguments.out.string() << ": " << views.size() << (views.size() == 1 ? " view" : " views")
-              << "; eyes moved by at most " << largest.eye << " (they are float32), axes by at most "
-              << largest.axes << " (they are orthonormal)\n";
+    std::cout << one_line(arguments.out.string()) << ": " << views.size()
+              << (views.size() == 1 ? " view" : " views") << "; eyes moved by at most " << largest.eye
+              << " (they are float32), axes by at most " << largest.axes << " (they are orthonormal)\n";
     return ExitCode::proven;
 }
 

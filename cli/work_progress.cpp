@@ -84,7 +84,7 @@ void WorkProgress::mention(const std::string& what) {
 
 void WorkProgress::say(std::ostream& results, const std::string& line) {
     if (style_ == ProgressStyle::bar) out_ << erase_line << std::flush;
-    results << line << std::flush;
+    results << printable(line) << std::flush;
 }
 
 std::string WorkProgress::left() const { return left_in_words({seconds_, done_, all_}, estimate_); }

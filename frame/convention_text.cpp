@@ -2,8 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -12,8 +10,9 @@
 #include <utility>
 
 #include "frame/convention_presets.h"
+#include "frame/found_text.h"
 #include "frame/frame_error.h"
-#include "frame/json_shown.h"
+#include "frame/input_file.h"
 
 namespace zproof {
 namespace {
@@ -142,7 +141,7 @@ void store(Convention& to, const std::string& name, const Json& value, const std
         known.emplace_back(key.name);
         if (key.name != name) continue;
         if (!key.store(to, value))
-            refuse_key(place, name, "expected " + std::string(key.expected) + ", found " + shown(value));
+            refuse_key(place, name, "expected " + std::string(key.expected) + ", found " + found_text(value));
         return;
     }
     refuse_key(place, name, "unknown key; allowed here: " + joined(known));
@@ -227,12 +226,8 @@ Convention from_word(const std::string& word, const std::string& place) {
 }
 
 Convention from_file(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
     constexpr std::size_t longest = 1 << 16;
-    std::string text(longest + 1, '\0');
-    in.read(text.data(), std::streamsize(text.size()));
-    if (in.bad() || in.gcount() == 0) throw FrameError(file + ": cannot be read; expected a JSON file");
-    text.resize(std::size_t(in.gcount()));
+    const std::string text = read_input(file, {.words = "a JSON file"});
     if (text.size() > longest) throw FrameError(file + ": more than 64 KiB; a convention is a few keys");
     Json object = Json::parse(text, nullptr, false);
     if (!object.is_object())
@@ -243,7 +238,7 @@ Convention from_file(const std::string& file) {
         const ConventionPreset* preset = named->is_string() ? preset_named(*named) : nullptr;
         if (preset == nullptr)
             refuse_key(file, "preset",
-                       "expected one of " + joined(convention_names()) + ", found " + shown(*named));
+                       "expected one of " + joined(convention_names()) + ", found " + found_text(*named));
         convention = convention_of(*preset);
         object.erase(named);
     }
@@ -262,15 +257,17 @@ void store_channels(Convention& to, const std::string& word) {
 
 }  // namespace
 
+bool is_convention_file(const std::string& word) { return word.ends_with(".json"); }
+
 Convention convention_from_words(const std::string& convention, const std::string& channels) {
     const std::string place = "convention '" + convention + "'";
     Convention stated;
-    if (convention.ends_with(".json"))
+    if (is_convention_file(convention))
         stated = from_file(convention);
     else if (!convention.empty())
         stated = from_word(convention, place);
     store_channels(stated, channels);
-    check(stated, convention.ends_with(".json") ? convention : place);
+    check(stated, is_convention_file(convention) ? convention : place);
     return stated;
 }
 

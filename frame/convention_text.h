@@ -13,6 +13,9 @@ namespace zproof {
 /// "id=NAME,depth=NAME" or one of the two. Throws FrameError where a word, file or key is not understood.
 Convention convention_from_words(const std::string& convention, const std::string& channels);
 
+/// Whether --convention was given a file.
+bool is_convention_file(const std::string& word);
+
 /// The names of the presets.
 std::vector<std::string> convention_names();
 

@@ -1,15 +1,14 @@
 #include "frame/precision_text.h"
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 
+#include "frame/found_text.h"
 #include "frame/frame_error.h"
-#include "frame/json_shown.h"
+#include "frame/input_file.h"
 #include "frame/precision_fields.h"
 #include "frame/precision_presets.h"
 #include "frame/precision_words.h"
@@ -45,7 +44,7 @@ class Declaration {
             if (found == word_of(T(i))) return void(value = T(i));
             words += (i == 0 ? "\"" : " or \"") + std::string(word_of(T(i))) + "\"";
         }
-        refuse(key, "expected " + words + ", found " + shown(found));
+        refuse(key, "expected " + words + ", found " + found_text(found));
     }
 
     void peek(const std::string& key, int& value, const Limits& limits) const {
@@ -53,7 +52,7 @@ class Declaration {
         if (found.is_null()) return;
         if (!found.is_number_integer() || found < limits.low || found > limits.high)
             refuse(key, "expected a whole number from " + number_text(limits.low) + " to " +
-                            number_text(limits.high) + ", found " + shown(found));
+                            number_text(limits.high) + ", found " + found_text(found));
         value = found.get<int>();
     }
 
@@ -62,14 +61,14 @@ class Declaration {
         if (found.is_null()) return;
         if (!found.is_number() || found < limits.low || found > limits.high)
             refuse(key, "expected a number from " + number_text(limits.low) + " to " +
-                            number_text(limits.high) + ", found " + shown(found));
+                            number_text(limits.high) + ", found " + found_text(found));
         value = found.get<double>();
     }
 
     void peek(const std::string& key, bool& value) const {
         const Json found = at(key);
         if (found.is_null()) return;
-        if (!found.is_boolean()) refuse(key, "expected true or false, found " + shown(found));
+        if (!found.is_boolean()) refuse(key, "expected true or false, found " + found_text(found));
         value = found.get<bool>();
     }
 
@@ -183,7 +182,7 @@ Precision declared(Json object, const std::string& place) {
 Projections projections_of(const Json& list, const Declaration& declaration) {
     Projections found{false, false, false};
     const std::string expected =
-        R"(expected a list of "perspective", "orthographic" and "oblique", found )" + shown(list);
+        R"(expected a list of "perspective", "orthographic" and "oblique", found )" + found_text(list);
     if (!list.is_array() || list.empty()) declaration.refuse("projections", expected);
     for (const Json& word : list) {
         if (word == "perspective")
@@ -232,17 +231,17 @@ Undeclared parsed(const std::string& text, const std::string& place) {
 }
 
 Undeclared object_of_word(const std::string& word) {
-    if (is_kind(word.substr(0, word.find(',')))) return {object_from_word(word), "precision '" + word + "'"};
-    std::ifstream file(word, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file)
-        throw FrameError(word +
-                         ": cannot be read; expected a JSON file, a preset such as opengl, or a word such "
-                         "as raster,subpixel_bits=8");
-    return parsed(text, word);
+    if (is_promise_in_words(word)) return {object_from_word(word), "precision '" + word + "'"};
+    return parsed(
+        read_input(
+            word,
+            {.words = "a JSON file, a preset such as opengl, or a word such as raster,subpixel_bits=8"}),
+        word);
 }
 
 }  // namespace
+
+bool is_promise_in_words(const std::string& word) { return is_kind(word.substr(0, word.find(','))); }
 
 Precision precision_from_json(const std::string& text, const std::string& place) {
     return declared(parsed(text, place).object, place);

@@ -18,6 +18,9 @@ Precision precision_from_json(const std::string& text, const std::string& place)
 /// or "opengl". Throws FrameError where the file cannot be read or the word not understood.
 Precision precision_from_word(const std::string& word);
 
+/// Whether --precision was given a word; any other text names a file.
+bool is_promise_in_words(const std::string& word);
+
 /// The projections that the same declaration says the renderer has: all, unless it lists them.
 Projections projections_from_word(const std::string& word);
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <utility>
 
 #include "frame/frame_error.h"
+#include "frame/input_file.h"
 
 namespace zproof {
 namespace {
@@ -98,14 +98,11 @@ void write_whole_file(const std::filesystem::path& file, std::string_view bytes)
 }
 
 std::string content_of(const std::filesystem::path& file) {
-    std::error_code unknown;
-    const std::uintmax_t size = std::filesystem::file_size(file, unknown);
-    std::ifstream in(file, std::ios::binary);
-    if (unknown || !in) return {};
-    std::string content(size, '\0');
-    in.read(content.data(), static_cast<std::streamsize>(size));
-    content.resize(static_cast<std::size_t>(in.gcount()));
-    return content;
+    try {
+        return read_input(file, {.words = "a regular file", .most_bytes = largest_result_bytes});
+    } catch (const FrameError&) {
+        return {};
+    }
 }
 
 }  // namespace zproof

@@ -9,6 +9,7 @@
 
 #include "frame/frame_error.h"
 #include "frame/frame_size.h"
+#include "frame/input_file.h"
 #include "image_io/module.h"
 #include "image_io/samples.h"
 
@@ -93,8 +94,8 @@ Format format_of(std::span<const unsigned char> first_bytes) {
 }
 
 ImageFile::ImageFile(const std::filesystem::path& file, const std::string& expected) : name_(file.string()) {
-    if (!std::filesystem::is_regular_file(file))
-        throw FrameError(name_ + ": no such file; expected " + expected);
+    if (const std::string fault = fault_of_input(file); !fault.empty())
+        throw FrameError(name_ + ": " + fault + "; expected " + expected);
     format_ = format_of(first_bytes_of(file));
     if (format_ == Format::unknown)
         throw FrameError(name_ + ": not a readable OpenEXR file, nor TIFF, PNG, PFM or .npy");

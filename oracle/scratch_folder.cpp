@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -12,6 +13,19 @@
 #include "oracle/oracle_error.h"
 
 namespace zproof::oracle {
+namespace {
+
+std::string prefix_of(pid_t process) { return "zproof-" + std::to_string(process) + "-"; }
+
+}  // namespace
+
+void remove_scratch_folders_of(pid_t process) {
+    std::error_code ignored;
+    const std::filesystem::path parent = std::filesystem::temp_directory_path(ignored);
+    for (const auto& entry : std::filesystem::directory_iterator(parent, ignored))
+        if (entry.path().filename().string().starts_with(prefix_of(process)))
+            std::filesystem::remove_all(entry.path(), ignored);
+}
 
 ScratchFolder::ScratchFolder() {
     std::error_code trouble;
@@ -19,7 +33,7 @@ ScratchFolder::ScratchFolder() {
     if (trouble)
         throw OracleError("folder for temporary files: " + trouble.message() +
                           "; set TMPDIR to one that exists");
-    std::string name = parent / "zproof-XXXXXX";
+    std::string name = parent / (prefix_of(getpid()) + "XXXXXX");
     if (mkdtemp(name.data()) == nullptr)
         throw OracleError(parent.string() + ": no folder can be made here: " + std::strerror(errno) +
                           "; set TMPDIR to one that can be written");

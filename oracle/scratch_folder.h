@@ -1,6 +1,8 @@
 /// A folder that is gone when its owner is.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
 
@@ -24,5 +26,8 @@ class ScratchFolder {
   private:
     std::filesystem::path path_;
 };
+
+/// Removes those that a process which has crashed left behind.
+void remove_scratch_folders_of(pid_t process);
 
 }  // namespace zproof::oracle

@@ -19,6 +19,7 @@ extern "C" {
 
 #include "oracle/file_descriptor.h"
 #include "oracle/oracle_error.h"
+#include "oracle/strays.h"
 
 namespace zproof::oracle {
 namespace {
@@ -77,6 +78,7 @@ struct SpawnArguments {
     std::filesystem::path folder;
     int input, output, error_output;  ///< files that it gets as 0, 1 and 2
     pid_t group;                      ///< the process group that it joins; 0: it leads one of its own
+    std::string mark{};               ///< an entry that its environment gets; empty: none
 };
 
 /// posix_spawn's two arguments that C must free.
@@ -98,12 +100,16 @@ class SpawnPlan {
     SpawnPlan(const SpawnPlan&) = delete;
     SpawnPlan& operator=(const SpawnPlan&) = delete;
 
-    pid_t carry_out(std::vector<std::string> arguments, const Command& command) const {
-        std::vector<char*> pointers;
-        for (std::string& argument : arguments) pointers.push_back(argument.data());
-        pointers.push_back(nullptr);
+    pid_t carry_out(SpawnArguments start, const Command& command) const {
+        std::vector<char*> arguments, environment;
+        for (std::string& argument : start.arguments) arguments.push_back(argument.data());
+        arguments.push_back(nullptr);
+        for (char** entry = environ; *entry != nullptr; ++entry) environment.push_back(*entry);
+        if (!start.mark.empty()) environment.push_back(start.mark.data());
+        environment.push_back(nullptr);
         pid_t child = 0;
-        require(posix_spawnp(&child, pointers.at(0), &actions_, &attributes_, pointers.data(), environ),
+        require(posix_spawnp(&child, arguments.at(0), &actions_, &attributes_, arguments.data(),
+                             environment.data()),
                 command);
         return child;
     }
@@ -127,7 +133,7 @@ class SpawnPlan {
 };
 
 pid_t spawned(const SpawnArguments& start, const Command& command) {
-    return SpawnPlan(start, command).carry_out(start.arguments, command);
+    return SpawnPlan(start, command).carry_out(start, command);
 }
 
 void reap(pid_t id, int* status) {
@@ -171,7 +177,7 @@ class GroupLeader {
     pid_t id_ = 0;
 };
 
-/// A started command. Nothing of its process group outlives this object.
+/// A started command. Nothing that it has started outlives this object.
 class Child {
   public:
     Child(const Command& command, const OutputPipe& output, const OutputPipe& error_output)
@@ -182,7 +188,8 @@ class Child {
                        .input = dev_null_.number(),
                        .output = output.theirs.number(),
                        .error_output = error_output.theirs.number(),
-                       .group = group_leader_.group()},
+                       .group = group_leader_.group(),
+                       .mark = mark_},
                       command)),
           watched_(pidfd_open(id_, 0)) {
         if (watched_.is_open()) return;
@@ -197,18 +204,21 @@ class Child {
     /// Readable once the command has ended.
     int watched() const { return watched_.number(); }
 
-    /// Kills the group, then reaps. The status as waitpid reports it; nothing the second time.
+    /// Kills the group and what has left it, then reaps. The status as waitpid reports it; nothing the second
+    /// time.
     std::optional<int> end() {
         if (id_ == 0) return std::nullopt;
         group_leader_.end_group();
         int status = 0;
         reap(std::exchange(id_, 0), &status);
+        end_strays(mark_);
         return status;
     }
 
   private:
     FileDescriptor dev_null_;
     GroupLeader group_leader_;
+    std::string mark_ = next_command_mark();
     pid_t id_;
     FileDescriptor watched_;
 };

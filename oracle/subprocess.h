@@ -37,8 +37,9 @@ struct Outcome {
 
 /// Runs the command and waits for it. It stands in a process group of its own, and whatever of that group is
 /// left when the command has ended, when its time is up, or when this process is no more, is killed; so a
-/// child that the command left behind neither lives on nor keeps us waiting. Throws OracleError, naming
-/// program and reason, where it cannot be started.
+/// child that the command left behind neither lives on nor keeps us waiting. What has left the group is
+/// killed as well (oracle/strays.h), unless this process is no more. Throws OracleError, naming program and
+/// reason, where it cannot be started.
 Outcome run(const Command& command);
 
 /// The last thousand characters of its standard error, or else of its standard output; for a message.

@@ -45,13 +45,13 @@ std::string headline(const Results& results) {
     if (proven == views)
         return views == 1 ? "The view is proven." : "All " + std::to_string(views) + " views are proven.";
     std::string text;
-    const auto add = [&](Outcome outcome, std::string_view words) {
+    const auto add = [&](Outcome outcome) {
         const auto count = number_of(results, outcome);
-        if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(words);
+        if (count > 0)
+            text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(in_words(outcome));
     };
-    add(Outcome::defective, "defective");
-    add(Outcome::unreadable, "unreadable");
-    add(Outcome::not_judged, "not judged");
+    for (const Outcome outcome : all_outcomes)
+        if (outcome != Outcome::proven) add(outcome);
     return text + ", of " + in_words(extent_of(results)) + ".";
 }
 

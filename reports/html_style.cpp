@@ -53,7 +53,7 @@ th:last-child, td:last-child { padding-right: 0; }
 h2 .outcome { font-size: 0.86rem; margin-left: 0.6rem; }
 .proven { color: var(--proven); }
 .defective { color: var(--defect); }
-.undecided, .unreadable, .not_judged { color: var(--doubt); }
+.undecided, .unreadable, .not_judged, .internal_error { color: var(--doubt); }
 .class { display: inline-flex; align-items: center; gap: 0.5rem; white-space: nowrap; }
 .class i {
   display: inline-block; width: 1.3em; height: 1.3em; border-radius: 3px; text-align: center;

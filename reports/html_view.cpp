@@ -119,7 +119,8 @@ std::string histograms(const ViewResult& v) {
 
 std::string depth_cell(const Answer& answer) {
     return id_text(answer.primitive) + "<br><span class=\"fine\" title=\"" + hex_bits(answer.camera_depth) +
-           "\">" + shortest(answer.camera_depth) + "</span>";
+           "\">" + (std::isnan(answer.camera_depth) ? "not a number" : shortest(answer.camera_depth)) +
+           "</span>";
 }
 
 std::string worst_row(const ReportedFinding& reported) {
@@ -203,19 +204,8 @@ std::string class_badge(PixelClass c) {
 }
 
 std::string outcome_badge(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::proven:
-            return "<span class=\"outcome proven\">✓ proven</span>";
-        case Outcome::defective:
-            return "<span class=\"outcome defective\">✗ defective</span>";
-        case Outcome::undecided:
-            return "<span class=\"outcome undecided\">? undecided</span>";
-        case Outcome::unreadable:
-            return "<span class=\"outcome unreadable\">! unreadable</span>";
-        case Outcome::not_judged:
-            return "<span class=\"outcome not_judged\">? not judged</span>";
-    }
-    return "";
+    return "<span class=\"outcome " + std::string(name_of(outcome)) + "\">" + std::string(glyph_of(outcome)) +
+           " " + std::string(in_words(outcome)) + "</span>";
 }
 
 std::string html_view(const PageView& page) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/json.h"
+#include "reports/result_file.h"
 #include "reports/waiver_json.h"
 
 namespace zproof {
@@ -210,7 +211,11 @@ void read_gate(const Json& root, Results& results) {
     results.shard = {run.at("shard").at("number"), run.at("shard").at("count")};
     results.ending = run.at("ending") == "complete" ? Ending::complete : Ending::interrupted;
     results.today = run.at("today");
-    results.selection = {count(root.at("selection").at("scenes")), root.at("selection").at("sha256")};
+    const Json& selection = root.at("selection");
+    results.selection = {count(selection.at("scenes")), selection.at("sha256"), {}};
+    if (const auto passed_over = selection.find("passed_over"); passed_over != selection.end())
+        for (const auto& [ending, files] : passed_over->items())
+            results.selection.passed_over[ending] = count(files);
     const Json& waivers = root.at("waivers");
     results.strictness = waivers.at("strict") ? Strictness::strict : Strictness::lenient;
     for (const Json& one : waivers.at("list")) results.waivers.push_back(waiver_from(one));
@@ -246,7 +251,7 @@ Results results_from_json(const std::string& text) try {
     for (const Json& one : root.at("views")) results.views.push_back(view(one));
     return results;
 } catch (const Json::exception& e) {
-    refuse(e.what());
+    refuse(json_fault(e));
 }
 
 }  // namespace zproof

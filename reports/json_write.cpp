@@ -232,13 +232,15 @@ Json summary_object(const Results& results) {
 std::string to_json(const Results& results) {
     Json views = Json::array();
     for (const ViewResult& view : results.views) views.push_back(view_object(view));
-    const Json root = {
-        {"schema_version", Results::schema_version},
-        {"run", run_object(results)},
-        {"selection", {{"scenes", results.selection.scenes}, {"sha256", results.selection.sha256}}},
-        {"summary", summary_object(results)},
-        {"waivers", waivers(results)},
-        {"views", views}};
+    const Json root = {{"schema_version", Results::schema_version},
+                       {"run", run_object(results)},
+                       {"selection",
+                        {{"scenes", results.selection.scenes},
+                         {"sha256", results.selection.sha256},
+                         {"passed_over", results.selection.passed_over}}},
+                       {"summary", summary_object(results)},
+                       {"waivers", waivers(results)},
+                       {"views", views}};
     return root.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -31,7 +31,9 @@ bool is_failure(const ViewResult* v) {
            v->outcome == Outcome::not_judged;
 }
 
-bool is_error(const ViewResult* v) { return v->outcome == Outcome::unreadable; }
+bool is_error(const ViewResult* v) {
+    return v->outcome == Outcome::unreadable || v->outcome == Outcome::internal_error;
+}
 
 std::string attribute(std::string_view name, std::string_view value) {
     return " " + std::string(name) + "=\"" + escaped(one_line(value)) + "\"";
@@ -78,7 +80,7 @@ std::string story(const ViewResult& v) {
 std::string complaint(const ViewResult& v) {
     if (v.outcome == Outcome::proven) return "";
     const std::string element = is_error(&v) ? "error" : "failure";
-    const std::string type = is_error(&v) ? "unreadable" : failure_type(v);
+    const std::string type = failure_type(v);
     return "      <" + element + attribute("type", type) + attribute("message", headline(v)) + ">" +
            escaped(story(v)) + "</" + element + ">\n";
 }

@@ -29,19 +29,8 @@ std::string plain(const std::string& text) {
 std::string code_block(const std::string& text) { return "\n        " + one_line(text) + "\n"; }
 
 std::string word_of(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::proven:
-            return "✓ proven";
-        case Outcome::defective:
-            return "✗ **defective**";
-        case Outcome::undecided:
-            return "? **undecided**";
-        case Outcome::unreadable:
-            return "! **unreadable**";
-        case Outcome::not_judged:
-            return "? **not judged**";
-    }
-    return "";
+    const std::string words(in_words(outcome));
+    return std::string(glyph_of(outcome)) + " " + (outcome == Outcome::proven ? words : "**" + words + "**");
 }
 
 std::string markdown_headline(const Results& results) {

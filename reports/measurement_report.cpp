@@ -104,7 +104,7 @@ std::string measurement_json(const std::string& renderer, std::span<const measur
     }
     const nlohmann::ordered_json whole{
         {"renderer", renderer}, {"worse", measure::is_worse(findings)}, {"findings", all}};
-    return whole.dump(2) + "\n";
+    return whole.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace zproof

@@ -104,12 +104,14 @@ OutputFolder::~OutputFolder() {
     if (!published_) fs::remove_all(working_, ignored);
 }
 
-std::vector<fs::path> OutputFolder::publish() {
-    require_replaceable(path_);
-    mark_finished(working_);
-    const fs::path old = put_in_place(working_, path_);
+std::vector<fs::path> OutputFolder::publish(Completeness completeness) {
+    if (completeness == Completeness::partial && is_full(path_)) suffix_ = ".partial";
+    const fs::path place = path_.string() + suffix_;
+    require_replaceable(place);
+    mark_finished(working_, completeness);
+    const fs::path old = put_in_place(working_, place);
     published_ = true;
-    std::ranges::move(retire(old, path_), std::back_inserter(kept_));
+    std::ranges::move(retire(old, place), std::back_inserter(kept_));
     return kept_;
 }
 

@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "frame/folder_lock.h"
+#include "reports/output_manifest.h"
 #include "reports/report_error.h"
 
 namespace zproof {
@@ -29,17 +31,22 @@ class OutputFolder {
 
     const std::filesystem::path& working() const { return working_; }  ///< where to write
 
-    /// Puts the working folder in PATH's place, in one step where the file system can exchange two folders
+    /// Puts the working folder in PATH's place, or in that of PATH.partial where it is a partial one and PATH
+    /// a full one, in one step where the file system can exchange two folders
     /// (renameat2); otherwise the old one is renamed away first. Whenever the process dies, a whole folder is
     /// left, old or new. Throws ReportError where a rename fails or PATH has become somebody else's
     /// meanwhile; PATH is then as it was. To be called once. Returns what was kept of the old folder though
     /// zproof did not write it: where it lies now.
-    [[nodiscard]] std::vector<std::filesystem::path> publish();
+    [[nodiscard]] std::vector<std::filesystem::path> publish(Completeness completeness = Completeness::full);
+
+    /// What publish() added to PATH: ".partial" or nothing.
+    const std::string& suffix() const { return suffix_; }
 
   private:
     std::filesystem::path path_, working_;
     std::optional<FolderLock> lock_;                ///< of working_: its process lives
     std::vector<std::filesystem::path> kept_ = {};  ///< from the folders of runs that were killed
+    std::string suffix_ = {};
     bool published_ = false;
 };
 

@@ -4,8 +4,10 @@
 
 #include <fstream>
 #include <ios>
+#include <sstream>
 #include <vector>
 
+#include "frame/whole_file.h"
 #include "reports/report_error.h"
 
 namespace zproof {
@@ -14,6 +16,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* unfinished = "zproof has not finished this folder.";
+constexpr const char* finished_partial =
+    "zproof was interrupted, and made this folder of what it had. It replaces and removes only what is "
+    "listed "
+    "here: bytes, CRC-64, file.";
 constexpr const char* finished =
     "zproof made this folder. It replaces and removes only what is listed here: bytes, CRC-64, file.";
 
@@ -36,13 +42,13 @@ void mark_unfinished(const fs::path& folder) {
     close_written(out, folder);
 }
 
-void mark_finished(const fs::path& folder) try {
+void mark_finished(const fs::path& folder, Completeness completeness) try {
     OutputManifest manifest;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
         if (const auto file = as_it_is(entry.path()); file && entry.path() != folder / output_marker)
             manifest.emplace(entry.path().lexically_relative(folder).generic_string(), *file);
     std::ofstream out(folder / output_marker);
-    out << finished << "\n" << std::hex;
+    out << (completeness == Completeness::full ? finished : finished_partial) << "\n" << std::hex;
     for (const auto& [name, file] : manifest)
         out << std::dec << file.bytes << " " << std::hex << file.crc64 << " " << name << "\n";
     close_written(out, folder);
@@ -51,13 +57,19 @@ void mark_finished(const fs::path& folder) try {
 }
 
 bool is_unfinished(const fs::path& folder) {
-    std::ifstream in(folder / output_marker);
+    std::istringstream in(content_of(folder / output_marker));
     return first_line(in) == unfinished;
 }
 
+bool is_full(const fs::path& folder) {
+    std::istringstream in(content_of(folder / output_marker));
+    return first_line(in) == finished;
+}
+
 std::optional<OutputManifest> manifest_in(const fs::path& folder) {
-    std::ifstream in(folder / output_marker);
-    if (first_line(in) != finished) return std::nullopt;
+    std::istringstream in(content_of(folder / output_marker));
+    if (const std::string line = first_line(in); line != finished && line != finished_partial)
+        return std::nullopt;
     OutputManifest manifest;
     WrittenFile file{};
     for (std::string name;

@@ -26,10 +26,18 @@ using OutputManifest = std::map<std::string, WrittenFile>;
 /// Marks a folder as one that zproof is still writing. Throws ReportError.
 void mark_unfinished(const std::filesystem::path& folder);
 
+enum class Completeness {
+    full,
+    partial,  ///< an interrupt cut short what it reports
+};
+
 /// Marks a folder as finished, and lists every file in it. Throws ReportError.
-void mark_finished(const std::filesystem::path& folder);
+void mark_finished(const std::filesystem::path& folder, Completeness completeness);
 
 bool is_unfinished(const std::filesystem::path& folder);
+
+/// Did zproof finish it, and not as a partial one?
+bool is_full(const std::filesystem::path& folder);
 
 /// What the folder's list says; nothing where the folder is not one that zproof has finished.
 std::optional<OutputManifest> manifest_in(const std::filesystem::path& folder);

@@ -7,43 +7,30 @@ namespace zproof {
 
 namespace {
 
-int reading_order(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::defective:
-            return 0;
-        case Outcome::undecided:
-            return 1;
-        case Outcome::unreadable:
-            return 2;
-        case Outcome::not_judged:
-            return 3;
-        case Outcome::proven:
-            return 4;
-    }
-    return 4;
+struct OutcomeRow {
+    Outcome outcome;
+    std::string_view name, words, glyph;
+};
+
+/// In reading order.
+constexpr std::array<OutcomeRow, all_outcomes.size()> outcome_rows{{
+    {Outcome::defective, "defective", "defective", "✗"},
+    {Outcome::internal_error, "internal_error", "internal error", "!"},
+    {Outcome::undecided, "undecided", "undecided", "?"},
+    {Outcome::unreadable, "unreadable", "unreadable", "!"},
+    {Outcome::not_judged, "not_judged", "not judged", "?"},
+    {Outcome::proven, "proven", "proven", "✓"},
+}};
+
+const OutcomeRow& row_of(Outcome outcome) {
+    return *std::ranges::find(outcome_rows, outcome, &OutcomeRow::outcome);
 }
 
 }  // namespace
 
-std::string_view name_of(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::proven:
-            return "proven";
-        case Outcome::defective:
-            return "defective";
-        case Outcome::undecided:
-            return "undecided";
-        case Outcome::unreadable:
-            return "unreadable";
-        case Outcome::not_judged:
-            return "not_judged";
-    }
-    return "not_judged";
-}
-
-std::string_view in_words(Outcome outcome) {
-    return outcome == Outcome::not_judged ? "not judged" : name_of(outcome);
-}
+std::string_view name_of(Outcome outcome) { return row_of(outcome).name; }
+std::string_view in_words(Outcome outcome) { return row_of(outcome).words; }
+std::string_view glyph_of(Outcome outcome) { return row_of(outcome).glyph; }
 
 std::string title_of(const RendererFacts& renderer) {
     const std::string &name = renderer.name, &version = renderer.version;
@@ -87,7 +74,7 @@ double seconds(const StageTimes& t) {
 std::vector<const ViewResult*> failed_first(const Results& results) {
     std::vector<const ViewResult*> views;
     for (const ViewResult& view : results.views) views.push_back(&view);
-    std::ranges::stable_sort(views, {}, [](const ViewResult* v) { return reading_order(v->outcome); });
+    std::ranges::stable_sort(views, {}, [](const ViewResult* v) { return &row_of(v->outcome); });
     return views;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,21 +31,25 @@ struct ReportedFinding {
 };
 
 enum class Outcome {
-    proven,      ///< judged, no defect
-    defective,   ///< at least one pixel fails the gate, or an expected class did not occur
-    undecided,   ///< judged, no defect, but some pixels are undecidable at the declared precision
-    unreadable,  ///< the input or a tool refused; `message` says why
-    not_judged,  ///< nothing to judge (no triangles)
+    proven,          ///< judged, no defect
+    defective,       ///< at least one pixel fails the gate, or an expected class did not occur
+    undecided,       ///< judged, no defect, but some pixels are undecidable at the declared precision
+    unreadable,      ///< the input or a tool refused; `message` says why
+    not_judged,      ///< nothing to judge (no triangles)
+    internal_error,  ///< a fault of zproof's own ended the work on the scene; `message` says how
 };
 
-inline constexpr std::array all_outcomes{Outcome::proven, Outcome::defective, Outcome::undecided,
-                                         Outcome::unreadable, Outcome::not_judged};
+inline constexpr std::array all_outcomes{Outcome::proven,     Outcome::defective,  Outcome::undecided,
+                                         Outcome::unreadable, Outcome::not_judged, Outcome::internal_error};
 
 /// The outcome in words: "not judged".
 std::string_view in_words(Outcome outcome);
 
 /// The outcome's name in results.json: "not_judged".
 std::string_view name_of(Outcome outcome);
+
+/// The sign before the word: "✓".
+std::string_view glyph_of(Outcome outcome);
 
 /// Who a renderer is.
 struct RendererFacts {
@@ -130,6 +135,7 @@ struct Shard {
 struct Selection {
     std::uint64_t scenes = 0;
     std::string sha256{};  ///< of their words, a line each: the same for all shards of one run
+    std::map<std::string, std::uint64_t> passed_over{};  ///< files in folders that are no scenes, by ending
 };
 
 enum class Ending { complete, interrupted };
@@ -152,7 +158,8 @@ struct Results {
     std::vector<ViewResult> views;
 };
 
-/// The views in reading order: defective, unreadable, not judged, proven; each in the order of the run.
+/// The views in reading order: defective, internal error, undecided, unreadable, not judged, proven; each in
+/// the order of the run.
 std::vector<const ViewResult*> failed_first(const Results& results);
 
 }  // namespace zproof

@@ -33,22 +33,6 @@ const std::vector<Column> columns = [] {
 using TextRow = std::vector<std::string>;  ///< a text for each column
 constexpr std::size_t longest_name = 40;
 
-std::string_view glyph_of(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::proven:
-            return "✓";
-        case Outcome::defective:
-            return "✗";
-        case Outcome::undecided:
-            return "?";
-        case Outcome::unreadable:
-            return "!";
-        case Outcome::not_judged:
-            return "?";
-    }
-    return "?";
-}
-
 std::string word_of(Outcome outcome) { return std::string(in_words(outcome)); }
 
 std::string verdict_text(Outcome outcome) { return std::string(glyph_of(outcome)) + " " + word_of(outcome); }

@@ -13,7 +13,7 @@ enum class Colour {
 };
 
 /// A line per view, then each failure with its reason and the command that tells more, then the totals. Ends
-/// in a newline. Control characters in names are shown as U+FFFD, so a scene cannot write to the terminal.
+/// in a newline. Control characters in names are shown escaped, so a scene cannot write to the terminal.
 std::string summary_table(const Results& results, Colour colour);
 
 }  // namespace zproof

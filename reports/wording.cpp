@@ -9,8 +9,6 @@ namespace zproof {
 
 namespace {
 
-constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
-
 template <class... Format>
 std::string digits(Format... format) {
     std::array<char, 400> buffer{};
@@ -22,37 +20,6 @@ template <class Real>
 std::string shortest_of(Real value) {
     if (std::isnan(value)) return "nan";  // to_chars would tell -nan apart
     return digits(value);
-}
-
-/// Length of the well-formed UTF-8 sequence at the start of text (Unicode 15, table 3-7), 0 where there is
-/// none.
-std::size_t sequence_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return i < text.size() ? unsigned(std::uint8_t(text[i])) : 0u; };
-    const auto within = [&](std::size_t i, unsigned low, unsigned high) {
-        return byte(i) >= low && byte(i) <= high;
-    };
-    const unsigned lead = byte(0);
-    if (lead < 0x80) return 1;
-    if (lead >= 0xC2 && lead <= 0xDF) return within(1, 0x80, 0xBF) ? 2 : 0;
-    if (lead >= 0xE0 && lead <= 0xEF) {
-        const unsigned low = lead == 0xE0 ? 0xA0 : 0x80, high = lead == 0xED ? 0x9F : 0xBF;
-        return within(1, low, high) && within(2, 0x80, 0xBF) ? 3 : 0;
-    }
-    if (lead >= 0xF0 && lead <= 0xF4) {
-        const unsigned low = lead == 0xF0 ? 0x90 : 0x80, high = lead == 0xF4 ? 0x8F : 0xBF;
-        return within(1, low, high) && within(2, 0x80, 0xBF) && within(3, 0x80, 0xBF) ? 4 : 0;
-    }
-    return 0;
-}
-
-/// C0 and C1 controls, and the two non-characters that XML 1.0 forbids.
-bool is_forbidden(std::string_view sequence) {
-    if (sequence.size() == 1) {
-        const char c = sequence[0];
-        return (c >= 0 && c < 0x20 && c != '\n' && c != '\t') || c == 0x7F;
-    }
-    return (sequence.size() == 2 && sequence[0] == '\xC2' && std::uint8_t(sequence[1]) < 0xA0) ||
-           sequence == "\xEF\xBF\xBE" || sequence == "\xEF\xBF\xBF";
 }
 
 }  // namespace
@@ -85,24 +52,6 @@ std::string id_text(PrimitiveId id) {
 
 std::string counted(std::uint64_t count, std::string_view noun) {
     return grouped(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
-}
-
-std::string printable(std::string_view text) {
-    std::string safe;
-    while (!text.empty()) {
-        const std::size_t length = sequence_length(text);
-        const std::string_view sequence = text.substr(0, length);
-        safe += length == 0 || is_forbidden(sequence) ? replacement : sequence;
-        text.remove_prefix(length == 0 ? 1 : length);
-    }
-    return safe;
-}
-
-std::string one_line(std::string_view text) {
-    std::string line = printable(text);
-    for (char& c : line)
-        if (c == '\n' || c == '\t') c = ' ';
-    return line;
 }
 
 std::string escaped(std::string_view text) {

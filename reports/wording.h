@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "frame/frame.h"
+#include "frame/printable.h"
 
 namespace zproof {
 
@@ -21,12 +22,6 @@ std::string id_text(PrimitiveId id);            ///< "4711", or "none" for backg
 
 /// "1 view", "2 views".
 std::string counted(std::uint64_t count, std::string_view noun);
-
-/// Well-formed UTF-8 without control characters except newline and tab; everything else becomes U+FFFD.
-std::string printable(std::string_view text);
-
-/// The text on a single line: newlines and tabs of printable(text) become blanks.
-std::string one_line(std::string_view text);
 
 /// printable(text), safe as content and in quoted attributes of HTML and XML.
 std::string escaped(std::string_view text);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "scenes/gltf_limits.h"
@@ -102,6 +103,22 @@ std::uint32_t largest_index_of(const Elements& elements) {
     return most;
 }
 
+/// The first element with a float that is not finite.
+std::optional<std::size_t> first_not_finite(const Elements& elements) {
+    if (elements.component_type != TINYGLTF_COMPONENT_TYPE_FLOAT) return std::nullopt;
+    const auto components = static_cast<std::size_t>(elements.components);
+    if (elements.stride == element_bytes(elements) &&
+        largest_of_many(elements.first, elements.count * components, magnitude_bits) < infinite_bits)
+        return std::nullopt;
+    for (std::size_t i = 0; i < elements.count; ++i) {
+        bool is_finite = true;
+        for (std::size_t c = 0; c < components; ++c)
+            is_finite &= std::isfinite(load<float>(elements.first + i * elements.stride + c * sizeof(float)));
+        if (!is_finite) return i;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 void read_indices(const Elements& elements, std::size_t first, std::span<std::uint32_t> to) {
@@ -127,14 +144,28 @@ std::uint32_t largest_index(const Elements& elements) {
 }
 
 const Elements& Accessors::elements(int accessor) {
+    const Elements& elements = unchecked(accessor);
+    if (!is_finite(accessor))
+        refuse(model_.file, pointer("accessors", accessor),
+               "element " + std::to_string(*first_not_finite(elements)) +
+                   " is not finite; expected finite numbers: mend the model or export it again");
+    return elements;
+}
+
+bool Accessors::is_finite(int accessor) {
+    const auto known = is_finite_.find(accessor);
+    if (known != is_finite_.end()) return known->second;
+    return is_finite_[accessor] = !first_not_finite(unchecked(accessor));
+}
+
+const Elements& Accessors::unchecked(int accessor) {
     if (const auto found = known_.find(accessor); found != known_.end()) return found->second;
     Elements elements = packed(accessor);
     if (model_.gltf.accessors[static_cast<std::size_t>(accessor)].sparse.isSparse)
         elements = with_sparse(accessor, elements);
     if (elements.first == nullptr)
         refuse(model_.file, pointer("accessors", accessor),
-               "has neither bufferView nor sparse; its data is missing");
-    if (elements.component_type == TINYGLTF_COMPONENT_TYPE_FLOAT) check_finite(accessor, elements);
+               "has neither bufferView nor sparse; its data is missing: export without compression");
     return known_.emplace(accessor, elements).first->second;
 }
 
@@ -157,7 +188,9 @@ Elements Accessors::view_of(int buffer_view, std::size_t offset, const Elements&
     elements.stride = view.byteStride != 0 ? view.byteStride : element_bytes(type);
     elements.first = bytes.data() + view.byteOffset + offset;
     if (view.byteOffset + offset + elements.stride * (type.count - 1) + element_bytes(type) > bytes.size())
-        refuse(model_.file, pointer("bufferViews", buffer_view), "runs past the end of its buffer");
+        refuse(model_.file, pointer("bufferViews", buffer_view),
+               "its elements run past the buffer's " + std::to_string(bytes.size()) +
+                   " bytes; export the file again");
     return elements;
 }
 
@@ -166,9 +199,9 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
     const std::size_t size = element_bytes(base), count = static_cast<std::size_t>(sparse.count);
     written_bytes_ += size * base.count;
     if (written_bytes_ > limits::sparse_bytes)
-        refuse(
-            model_.file, pointer("accessors", accessor),
-            "sparse accessors need more than " + std::to_string(limits::sparse_bytes) + " bytes written out");
+        refuse(model_.file, pointer("accessors", accessor),
+               "sparse accessors need more than " + std::to_string(limits::sparse_bytes) +
+                   " bytes written out; export without sparse accessors");
     Bytes& bytes = written_out_.emplace_back(size * base.count, 0);
     for (std::size_t i = 0; base.first != nullptr && i < base.count; ++i)
         std::memcpy(bytes.data() + i * size, base.first + i * base.stride, size);
@@ -190,21 +223,6 @@ Elements Accessors::with_sparse(int accessor, const Elements& base) {
     result.first = bytes.data();
     result.stride = size;
     return result;
-}
-
-void Accessors::check_finite(int accessor, const Elements& elements) const {
-    const auto components = static_cast<std::size_t>(elements.components);
-    if (elements.stride == element_bytes(elements) &&
-        largest_of_many(elements.first, elements.count * components, magnitude_bits) < infinite_bits)
-        return;
-    for (std::size_t i = 0; i < elements.count; ++i) {
-        bool is_finite = true;
-        for (std::size_t c = 0; c < components; ++c)
-            is_finite &= std::isfinite(load<float>(elements.first + i * elements.stride + c * sizeof(float)));
-        if (!is_finite)
-            refuse(model_.file, pointer("accessors", accessor),
-                   "element " + std::to_string(i) + " is not finite; expected finite numbers");
-    }
 }
 
 }  // namespace zproof

@@ -13,7 +13,7 @@
 
 namespace zproof {
 
-/// The elements of one accessor, all readable; floats are finite.
+/// The elements of one accessor, all readable.
 struct Elements {
     const unsigned char* first = nullptr;
     std::size_t stride = 0, count = 0;
@@ -69,15 +69,18 @@ class Accessors {
     /// Throws SceneError for numbers that are not finite, for sparse indices that do not rise or are out of
     /// range, and for sparse accessors beyond limits::sparse_bytes.
     const Elements& elements(int accessor);
+    /// The same where some may be NaN or infinite.
+    const Elements& unchecked(int accessor);
+    bool is_finite(int accessor);
 
   private:
     Elements packed(int accessor) const;
     Elements with_sparse(int accessor, const Elements& base);
     Elements view_of(int buffer_view, std::size_t offset, const Elements& type) const;
-    void check_finite(int accessor, const Elements& elements) const;
 
     const GltfModel& model_;
     std::map<int, Elements> known_;
+    std::map<int, bool> is_finite_;
     std::vector<Bytes> written_out_;
     std::uint64_t written_bytes_ = 0;
 };

@@ -29,7 +29,7 @@ struct Tally {
     std::uint64_t points_and_lines = 0, without_position = 0, tails = 0, singular = 0, skinned = 0,
                   morphed = 0;
     std::uint64_t instancing = 0;
-    std::atomic<std::uint64_t> flat = 0;
+    std::atomic<std::uint64_t> flat = 0, normals_not_finite = 0, colors_not_finite = 0;
     std::atomic<bool> is_huge = false, is_unbounded = false;
 };
 
@@ -136,8 +136,8 @@ class Baker {
     void check_limits(std::uint64_t triangles, std::uint64_t vertices) const {
         if (triangles > limits::triangles || vertices > limits::vertices)
             refuse(model_.file, "scene",
-                   "too large after instancing: at most " + std::to_string(limits::triangles) +
-                       " triangles and " + std::to_string(limits::vertices) + " vertices");
+                   "too large after instancing: more than " + std::to_string(limits::triangles) +
+                       " triangles or " + std::to_string(limits::vertices) + " vertices; split the scene");
     }
 
     void bake(const PlacedNode& placed, int index, const tinygltf::Primitive& primitive) {
@@ -261,16 +261,23 @@ class Baker {
         const std::optional<int> accessor = attribute(primitive, "NORMAL");
         if (!accessor) return;
         const glm::dmat3 world_from_normal = normal_matrix(glm::dmat3(placed.world_from_node));
-        const Elements& elements = accessors_.elements(*accessor);
+        const Elements& elements = accessors_.unchecked(*accessor);
+        const bool all_finite = accessors_.is_finite(*accessor);
         make_room(scene_.vertices.normal_world, baked_primitive, glm::vec3(0));
-        of_vertices_.add(baked_primitive.vertex_count,
-                         [=, this, &elements, &baked_primitive](std::size_t from, std::size_t end) {
-                             VectorBlock block = block_of(elements, baked_primitive, from, end);
-                             block.multiply(world_from_normal);
-                             block.normalize();
-                             block.write(std::span(scene_.vertices.normal_world)
-                                             .subspan(baked_primitive.first_vertex + from, end - from));
-                         });
+        of_vertices_.add(baked_primitive.vertex_count, [=, this, &elements, &baked_primitive](
+                                                           std::size_t from, std::size_t end) {
+            VectorBlock block = block_of(elements, baked_primitive, from, end);
+            block.multiply(world_from_normal);
+            block.normalize();
+            const std::span baked = std::span(scene_.vertices.normal_world)
+                                        .subspan(baked_primitive.first_vertex + from, end - from);
+            block.write(baked);
+            for (std::size_t i = from; !all_finite && i < end; ++i) {
+                if (!is_unbounded(glm::vec3(vec3_at(elements, baked_primitive.element(i))))) continue;
+                baked[i - from] = glm::vec3(0);
+                ++tally_.normals_not_finite;
+            }
+        });
     }
 
     void append_uv(const tinygltf::Primitive& primitive, const BakedPrimitive& baked_primitive) {
@@ -289,9 +296,12 @@ class Baker {
         const std::optional<int> accessor = attribute(primitive, "COLOR_0");
         if (!accessor) return;
         append(scene_.vertices.color, baked_primitive, glm::vec4(1),
-               [&elements = accessors_.elements(*accessor)](std::size_t i) {
+               [this, &elements = accessors_.unchecked(*accessor)](std::size_t i) {
                    const double alpha = elements.components == 4 ? component(elements, i, 3) : 1;
-                   return glm::vec4(glm::dvec4(vec3_at(elements, i), alpha));
+                   const glm::vec4 color{glm::dvec4(vec3_at(elements, i), alpha)};
+                   if (std::isfinite(alpha) && !is_unbounded(glm::vec3(color))) return color;
+                   ++tally_.colors_not_finite;
+                   return glm::vec4(1);
                });
     }
 
@@ -304,6 +314,8 @@ class Baker {
         note(tally_.without_position, "primitives without POSITION skipped");
         note(tally_.tails, "primitives whose last one or two corners make no triangle");
         note(tally_.flat, "triangles without area, kept");
+        note(tally_.normals_not_finite, "vertices whose NORMAL is not finite, read as without one");
+        note(tally_.colors_not_finite, "vertices whose COLOR_0 is not finite, read as white");
         note(tally_.instancing, "nodes with EXT_mesh_gpu_instancing drawn once only");
         note(tally_.singular, "meshes flattened by a singular transform");
         note(tally_.skinned, "skinned meshes baked at rest, by their own node's transform");

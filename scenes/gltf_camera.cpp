@@ -62,7 +62,7 @@ class CameraBaker {
             glm::dot(glm::cross(glm::normalize(right), glm::normalize(up)), glm::normalize(back));
         if (!(std::abs(volume) > 1e-9))
             refuse(model_.file, "/nodes/" + std::to_string(placed.node),
-                   "the camera's axes are not independent");
+                   "the camera's axes are not independent; expected a node without a scale of 0");
         note_distortion(right, up, back);
         if (glm::dot(glm::cross(right, up), back) < 0) right = -right;
         for (int round = 0; round < 2; ++round) {

@@ -18,6 +18,9 @@ std::size_t components_of(const tinygltf::Accessor& accessor) {
         tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
 }
 
+/// The remedy where a file contradicts itself.
+const std::string export_again = "; export the file again";
+
 /// Elements in a row within a buffer view.
 struct Run {
     int view = -1;
@@ -35,7 +38,9 @@ class Check {
         for (const auto& [bound, values] :
              {std::pair("/min", &accessor.minValues), {"/max", &accessor.maxValues}})
             if (!values->empty() && values->size() != components)
-                refuse(file_, place + bound, "expected " + std::to_string(components) + " numbers");
+                refuse(file_, place + bound,
+                       "has " + std::to_string(values->size()) + " numbers, expected " +
+                           std::to_string(components) + export_again);
         const std::size_t size = components * component_bytes(accessor.componentType);
         if (accessor.bufferView >= 0)
             run(place, {accessor.bufferView, accessor.byteOffset, size, accessor.count});
@@ -48,7 +53,8 @@ class Check {
             const tinygltf::Accessor& accessor = at(model_.accessors, index);
             if (count.value_or(accessor.count) != accessor.count)
                 refuse(file_, place + "/attributes/" + name,
-                       "expected as many elements as the other attributes");
+                       "has " + std::to_string(accessor.count) + " elements, another attribute has " +
+                           std::to_string(*count) + "; expected as many" + export_again);
             count = accessor.count;
             attribute(place + "/attributes/" + name, name, accessor);
         }
@@ -61,14 +67,19 @@ class Check {
         if (camera.type == "perspective") {
             const tinygltf::PerspectiveCamera& intrinsics = camera.perspective;
             if (!(intrinsics.yfov < std::numbers::pi))
-                refuse(file_, place + "/yfov", "expected an angle between 0 and pi");
+                refuse(file_, place + "/yfov",
+                       "expected an angle between 0 and pi, found " + std::to_string(intrinsics.yfov));
             if (intrinsics.zfar != 0 && !(intrinsics.zfar > intrinsics.znear))
-                refuse(file_, place + "/zfar", "expected a distance above znear");
+                refuse(file_, place + "/zfar",
+                       "expected a distance above znear, " + std::to_string(intrinsics.znear));
         } else {
             const tinygltf::OrthographicCamera& intrinsics = camera.orthographic;
-            if (!(intrinsics.znear >= 0)) refuse(file_, place + "/znear", "expected a distance of 0 or more");
+            if (!(intrinsics.znear >= 0))
+                refuse(file_, place + "/znear",
+                       "expected a distance of 0 or more, found " + std::to_string(intrinsics.znear));
             if (!(intrinsics.zfar > intrinsics.znear))
-                refuse(file_, place + "/zfar", "expected a distance above znear");
+                refuse(file_, place + "/zfar",
+                       "expected a distance above znear, " + std::to_string(intrinsics.znear));
         }
     }
 
@@ -105,7 +116,8 @@ class Check {
             if (parents[index] > 0 || is_listed[index])
                 refuse(file_, pointer("scenes", scene, "/nodes"),
                        "node " + std::to_string(node) +
-                           (is_listed[index] ? " is listed twice" : " has a parent; expected roots"));
+                           (is_listed[index] ? " is listed twice; expected each root once"
+                                             : " has a parent; expected roots"));
             is_listed[index] = true;
         }
     }
@@ -114,7 +126,8 @@ class Check {
     void within_limits(std::size_t node, std::size_t depth, std::size_t placed) const {
         if (depth > limits::node_depth)
             refuse(file_, pointer("nodes", node),
-                   "nested too deep: at most " + std::to_string(limits::node_depth) + " nodes");
+                   "nested too deep: at most " + std::to_string(limits::node_depth) +
+                       " nodes; flatten the hierarchy");
         if (placed > limits::placed_nodes)
             refuse(file_, pointer("nodes", node),
                    "nodes with several parents draw more than " + std::to_string(limits::placed_nodes) +
@@ -129,22 +142,25 @@ class Check {
         if (stride < run.size)
             refuse(file_, place,
                    "byteStride " + std::to_string(stride) + " is less than an element's " +
-                       std::to_string(run.size) + " bytes");
-        if (run.offset + stride * (run.count - 1) + run.size > view.byteLength)
+                       std::to_string(run.size) + " bytes" + export_again);
+        const std::size_t needed = stride * (run.count - 1) + run.size;
+        if (run.offset + needed > view.byteLength)
             refuse(file_, place,
-                   std::to_string(run.count) + " elements of " + std::to_string(run.size) +
-                       " bytes from byteOffset " + std::to_string(run.offset) +
-                       " run past the end of their buffer view of " + std::to_string(view.byteLength) +
-                       " bytes");
+                   std::to_string(run.count) + " elements of " + std::to_string(run.size) + " bytes need " +
+                       std::to_string(needed) + " bytes at " + std::to_string(run.offset) + ", bufferView " +
+                       std::to_string(run.view) + " has " + std::to_string(view.byteLength) + export_again);
     }
 
     void sparse(const std::string& place, const tinygltf::Accessor& accessor, std::size_t size) const {
         const auto& [stated, is_sparse, indices, values] = accessor.sparse;
         const auto count = static_cast<std::size_t>(stated);
-        if (count > accessor.count) refuse(file_, place + "/count", "expected at most the accessor's count");
+        if (count > accessor.count)
+            refuse(file_, place + "/count",
+                   std::to_string(count) + "; expected at most the accessor's count, " +
+                       std::to_string(accessor.count) + export_again);
         const auto packed = [&](const std::string& part, int view, int offset, std::size_t bytes) {
             if (at(model_.bufferViews, view).byteStride != 0)
-                refuse(file_, place + part, "expected a buffer view without byteStride");
+                refuse(file_, place + part, "expected a buffer view without byteStride" + export_again);
             run(place + part, {view, static_cast<std::size_t>(offset), bytes, count});
         };
         packed("/indices", indices.bufferView, indices.byteOffset, component_bytes(indices.componentType));
@@ -159,7 +175,7 @@ class Check {
         const bool is_unit = accessor.normalized && (component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
                                                      component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
         const auto expect = [&](bool is_met, const char* expected) {
-            if (!is_met) refuse(file_, place, std::string("expected ") + expected);
+            if (!is_met) refuse(file_, place, std::string("expected ") + expected + export_again);
         };
         if (name == "POSITION" || name == "NORMAL")
             expect(accessor.type == TINYGLTF_TYPE_VEC3 && (is_float || is_quantized),
@@ -179,7 +195,8 @@ class Check {
                                  component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
                                  component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
         if (accessor.type != TINYGLTF_TYPE_SCALAR || !is_unsigned || accessor.normalized)
-            refuse(file_, place, "expected SCALAR of UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT");
+            refuse(file_, place,
+                   "expected SCALAR of UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT" + export_again);
     }
 
     const std::filesystem::path& file_;

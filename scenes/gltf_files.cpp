@@ -7,6 +7,8 @@
 #include <atomic>
 #include <fstream>
 
+#include "frame/input_file.h"
+#include "frame/printable.h"
 #include "scenes/gltf_limits.h"
 #include "scenes/refusal.h"
 
@@ -53,7 +55,7 @@ std::string fault_of(const std::string& relative) {
 /// The path in quotes, as a message shows it.
 std::string quoted(const std::string& path) {
     std::string text(1, '"');
-    text += on_one_line(path.substr(0, 100));
+    text += shortened(path, 100);
     text += '"';
     return text;
 }
@@ -62,18 +64,17 @@ std::string quoted(const std::string& path) {
 fs::path folder_of(const fs::path& file, const std::string& place) {
     std::error_code error;
     const fs::path folder = fs::canonical(fs::absolute(file).parent_path(), error);
-    if (error) refuse(file, place, "the file's folder cannot be resolved");
+    if (error) refuse(file, place, "the file's folder cannot be resolved; check its permissions");
     return folder;
 }
 
 /// The size of a regular file.
 std::uint64_t size_of(const fs::path& file) {
+    if (const std::string fault = fault_of_input(file); !fault.empty())
+        refuse(file, "file", fault + "; expected a regular file");
     std::error_code error;
-    const fs::file_status status = fs::status(file, error);
-    if (error || !fs::exists(status)) refuse(file, "file", "not found");
-    if (!fs::is_regular_file(status)) refuse(file, "file", "expected a regular file");
     const std::uint64_t bytes = fs::file_size(file, error);
-    if (error) refuse(file, "file", "cannot be measured");
+    if (error) refuse(file, "file", "its size cannot be told; check its permissions");
     return bytes;
 }
 
@@ -81,7 +82,10 @@ std::uint64_t size_of(const fs::path& file) {
 
 Bytes read_file(const fs::path& file, std::uint64_t limit) {
     const std::uint64_t bytes = size_of(file);
-    if (bytes > limit) refuse(file, "file", "too large: at most " + std::to_string(limit) + " bytes");
+    if (bytes > limit)
+        refuse(
+            file, "file",
+            std::to_string(bytes) + " bytes; at most " + std::to_string(limit) + " are read: split the file");
     Bytes content(bytes);
     read_first(file, content);
     return content;
@@ -132,7 +136,9 @@ fs::path beneath_folder_or_root(const fs::path& from, const std::string& place, 
         refuse(from, place, quoted(relative) + ": " + fault);
     std::error_code error;
     const fs::path folder = folder_of(from, place), models = fs::canonical(root, error);
-    if (error) refuse(from, place, "the folder of models " + quoted(root.string()) + " is not there");
+    if (error)
+        refuse(from, place,
+               "the folder of models " + quoted(root.string()) + " is not there; expected a folder");
     for (const fs::path& base : {folder, models}) {
         const fs::path file = fs::canonical(base / relative, error);
         if (error || !(is_within(folder, file) || is_within(models, file))) continue;
@@ -147,18 +153,19 @@ AdmittedFile Admission::admit(const std::string& place, const std::string& uri,
                               std::optional<std::uint64_t> declared) {
     if (uri.starts_with("data:"))
         refuse(scene_file_, place,
-               "expected data:TYPE;base64, with an octet-stream, gltf-buffer, PNG or JPEG type");
+               "expected data:TYPE;base64, with an octet-stream, gltf-buffer, PNG or JPEG type; export the "
+               "file again");
     const fs::path file = beneath_folder_of(scene_file_, place, percent_decoded(uri));
     const std::uint64_t there = size_of(file), bytes = declared.value_or(there);
     if (there < bytes)
         refuse(scene_file_, place,
                "expected a file of at least byteLength = " + std::to_string(bytes) + " bytes, found " +
-                   std::to_string(there));
+                   std::to_string(there) + "; export the file again");
     total_bytes_ += bytes;
     if (bytes > limits::file_bytes || total_bytes_ > limits::total_bytes)
         refuse(scene_file_, place,
                "too large: at most " + std::to_string(limits::file_bytes) + " bytes a file and " +
-                   std::to_string(limits::total_bytes) + " in all");
+                   std::to_string(limits::total_bytes) + " in all; split the scene");
     return {file, bytes};
 }
 

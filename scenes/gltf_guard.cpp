@@ -6,6 +6,7 @@
 #include <cctype>
 #include <string>
 
+#include "scenes/gltf_compression.h"
 #include "scenes/gltf_schema.h"
 #include "scenes/refusal.h"
 
@@ -34,8 +35,10 @@ std::size_t data_bytes(const Path& file, const std::string& place, const std::st
     const auto is_base64 = [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '/'; };
     const auto first = std::ranges::find(uri, ',') + 1, end = std::find_if_not(first, uri.end(), is_base64);
     if (end != uri.end() && *end != '=')
-        refuse(file, place, "not base64 at character " + std::to_string(end - first));
-    if (end - first < 2) refuse(file, place, "expected base64 behind the comma, found nothing");
+        refuse(file, place,
+               "not base64 at character " + std::to_string(end - first) + "; export the file again");
+    if (end - first < 2)
+        refuse(file, place, "expected base64 behind the comma, found nothing; export the file again");
     return static_cast<std::size_t>(end - first) * 3 / 4;
 }
 
@@ -45,7 +48,9 @@ std::vector<std::string> check_extensions(const Path& file, const json& gltf) {
     for (std::size_t i = 0; i < required.size(); ++i)
         if (const std::string name = required[i]; !is_known(name))
             refuse(file, pointer("extensionsRequired", i),
-                   "extension " + name + " is not supported; export the file without it");
+                   compressor_of(name).empty()
+                       ? "extension " + name + " is not supported; export the file without it"
+                       : refusal_of_compression(name));
     std::string ignored;
     for (const std::string name : list_of(gltf, "extensionsUsed"))
         if (!is_known(name)) ignored += (ignored.empty() ? "" : ", ") + name;
@@ -55,12 +60,12 @@ std::vector<std::string> check_extensions(const Path& file, const json& gltf) {
 
 void check_view(const Path& file, const json& gltf, std::size_t i) {
     const json& view = gltf["bufferViews"][i];
-    const std::uint64_t end =
-        view.value("byteOffset", std::uint64_t{0}) + view["byteLength"].get<std::uint64_t>();
+    const std::uint64_t first = view.value("byteOffset", std::uint64_t{0}), size = view["byteLength"];
     const std::uint64_t bytes = gltf["buffers"][view["buffer"].get<std::size_t>()]["byteLength"];
-    if (end > bytes)
+    if (first + size > bytes)
         refuse(file, pointer("bufferViews", i),
-               "runs past the end of its buffer of " + std::to_string(bytes) + " bytes");
+               "needs " + std::to_string(size) + " bytes at " + std::to_string(first) + ", its buffer has " +
+                   std::to_string(bytes) + "; export the file again");
 }
 
 void check_image(const Path& file, const json& image, std::size_t i) {
@@ -73,12 +78,16 @@ void check_image(const Path& file, const json& image, std::size_t i) {
 
 void check_indices(const Path& file, const json& gltf, std::size_t mesh) {
     const json& primitives = gltf["meshes"][mesh]["primitives"];
-    for (std::size_t i = 0; i < primitives.size(); ++i)
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+        for (const auto& [name, extension] : list_of(primitives[i], "extensions").items())
+            if (!compressor_of(name).empty())
+                refuse(file, pointer("meshes", mesh, pointer("primitives", i)), refusal_of_compression(name));
         if (const auto indices = primitives[i].find("indices");
             indices != primitives[i].end() &&
             !gltf["accessors"][indices->get<std::size_t>()].contains("bufferView"))
             refuse(file, pointer("meshes", mesh, pointer("primitives", i, "/indices")),
-                   "expected an accessor with a bufferView");
+                   "expected an accessor with a bufferView; export the file again");
+    }
 }
 
 void check_camera(const Path& file, const json& camera, std::size_t i) {
@@ -100,7 +109,8 @@ void check_inner_buffer(const Path& file, const json& buffer, std::size_t i, con
     if (there < declared || (uri != buffer.end() && there > declared))
         refuse(file, pointer("buffers", i, "/byteLength"),
                std::string("the ") + (uri == buffer.end() ? "BIN chunk" : "data URI") + " holds " +
-                   std::to_string(there) + " bytes, expected " + std::to_string(declared));
+                   std::to_string(there) + " bytes, expected " + std::to_string(declared) +
+                   "; export the file again");
 }
 
 }  // namespace

@@ -75,17 +75,19 @@ int jpeg_scan_count(Span bytes) {
 
 std::string image_fault(Span bytes) {
     const std::optional<ImageExtent> extent = extent_of(bytes);
-    if (!extent) return "expected a PNG or JPEG image";
+    if (!extent) return "expected a PNG or JPEG image; convert it";
     const auto [format, width, height] = *extent;
     const std::string size = std::to_string(width) + " x " + std::to_string(height);
-    if (width == 0 || height == 0) return "the image is " + size + " texels";
+    if (width == 0 || height == 0)
+        return "the image is " + size + " texels, expected one at least; export it again";
     if (width > limits::image_side || height > limits::image_side || width * height > limits::image_texels)
         return "the image claims " + size + " texels; at most " + std::to_string(limits::image_side) +
-               " per side and " + std::to_string(limits::image_texels) + " in all";
+               " per side and " + std::to_string(limits::image_texels) + " in all: scale it down";
     if (format == ImageExtent::Format::png && png_data_bytes(bytes) > width * height * 8 + height + (1 << 16))
-        return "the PNG holds more data than " + size + " texels need";
+        return "the PNG holds more data than " + size + " texels need; export it again";
     if (format == ImageExtent::Format::jpeg && jpeg_scan_count(bytes) > limits::jpeg_scans)
-        return "the JPEG has more than " + std::to_string(limits::jpeg_scans) + " scans";
+        return "the JPEG has more than " + std::to_string(limits::jpeg_scans) +
+               " scans; save it as a baseline JPEG";
     return {};
 }
 

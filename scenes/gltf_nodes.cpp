@@ -12,7 +12,7 @@ namespace {
 glm::dmat4 from_matrix(const GltfModel& model, int node, const std::vector<double>& m) {
     if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
         refuse(model.file, pointer("nodes", node, "/matrix"),
-               "expected the last row 0 0 0 1 (an affine transform)");
+               "expected the last row 0 0 0 1 (an affine transform); export the file again");
     return {{m[0], m[1], m[2], m[3]},
             {m[4], m[5], m[6], m[7]},
             {m[8], m[9], m[10], m[11]},
@@ -25,7 +25,8 @@ glm::dmat3 rotation_of(const GltfModel& model, int node, const std::vector<doubl
     const glm::dquat quaternion(q[3], q[0], q[1], q[2]);
     const double length = glm::length(quaternion);
     if (!(length > 0) || !std::isfinite(length))
-        refuse(model.file, pointer("nodes", node, "/rotation"), "expected a unit quaternion");
+        refuse(model.file, pointer("nodes", node, "/rotation"),
+               "expected a unit quaternion, its length is 0 or overflows; export the file again");
     return glm::mat3_cast(quaternion / length);
 }
 
@@ -82,7 +83,7 @@ std::vector<PlacedNode> placed_nodes(const GltfModel& model) {
         next.world_from_node = next.world_from_node * local_transform(model, next.node);
         if (!is_finite(next.world_from_node))
             refuse(model.file, pointer("nodes", next.node),
-                   "the world transform overflows; expected finite numbers");
+                   "the world transform overflows; expected finite numbers: scale the scene down");
         placed.push_back(next);
         put(model.gltf.nodes[static_cast<std::size_t>(next.node)].children, next.world_from_node);
     }

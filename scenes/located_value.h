@@ -19,8 +19,11 @@ class LocatedValue {
     LocatedValue(const std::filesystem::path& file, const nlohmann::json& value, std::string pointer)
         : file_(file), value_(value), pointer_(std::move(pointer)) {}
 
+    /// Text that begins with "expected" goes on with what was found, where that is a single value.
     [[noreturn]] void fail(const std::string& text) const {
-        refuse(file_, pointer_.empty() ? "/" : pointer_, text);
+        const bool shows_value = text.starts_with("expected") && !value_.is_structured();
+        refuse(file_, pointer_.empty() ? "/" : pointer_,
+               shows_value ? text + ", found " + value_.dump().substr(0, 60) : text);
     }
 
     const nlohmann::json& value() const { return value_; }

@@ -8,7 +8,7 @@
 
 namespace zproof {
 
-/// Text on one line: control characters become '?', and what is longer than 300 bytes is cut.
+/// Text on one line, safe to show (frame/printable.h), of at most 300 bytes.
 std::string on_one_line(std::string_view text);
 
 /// The JSON pointer to an element of a list of the file, and to what is in it.

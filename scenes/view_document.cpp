@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "scenes/scene_error.h"
+
 namespace zproof {
 
 namespace {
@@ -117,7 +119,12 @@ std::string camera_document(const View& view) {
 std::string view_document(const std::string& scene, std::span<const View> views) {
     json document = {{"scene", scene}, {"views", json::array()}};
     for (const View& view : views) document["views"].push_back(view_entry(view));
-    return document.dump(2) + "\n";
+    try {
+        return document.dump(2) + "\n";
+    } catch (const json::type_error&) {
+        throw SceneError(scene +
+                         ": a path that is no UTF-8, which a view file cannot name; rename the model");
+    }
 }
 
 }  // namespace zproof

@@ -23,7 +23,7 @@ const std::map<std::string, Names> may_include{
     {"math", {}},
     {"frame", {"math"}},
     {"image_io", {"frame"}},
-    {"scenes", {"math", "image_io"}},
+    {"scenes", {"math", "frame", "image_io"}},
     {"texture", {"math"}},
     {"rasterizer", {"math", "frame", "scenes", "texture"}},
     {"oracle", {"math", "frame", "image_io", "scenes", "texture"}},

@@ -55,7 +55,7 @@ ExitCode execute(const FiltersCrowArguments& arguments) {
     if (interrupted()) return say_interrupted({0, 1}, "page", "written");
     const std::string page = crow_page(results, pictures, answers);
     write_whole_file(out.working() / "crow1984.html", std::as_bytes(std::span{page}));
-    publish(out);
+    publish(out, arguments.out);
     progress.say(std::cout, (arguments.out / "crow1984.html").string() + "\n");
     return ExitCode::proven;
 }

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/nearest_word.h"
 #include "cli/usage_error.h"
+#include "frame/printable.h"
 #include "reports/filters/folder.h"
 
 namespace zproof {
@@ -24,7 +25,7 @@ ExitCode execute(const FiltersFigureArguments& arguments) {
     const study::StudyResults results = read_filters_results(arguments.folder);
     require_methods(results, arguments.labels);
     write_filters_figures(arguments.folder, results, {arguments.labels, arguments.crop});
-    std::cout << (arguments.folder / "filters.html").string() << "\n";
+    std::cout << one_line((arguments.folder / "filters.html").string()) << "\n";
     return ExitCode::proven;
 }
 

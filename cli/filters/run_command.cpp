@@ -12,6 +12,7 @@
 #include "cli/usage_error.h"
 #include "cli/version.h"
 #include "cli/work_progress.h"
+#include "frame/printable.h"
 #include "image_io/image_io.h"
 #include "oracle/oracle_error.h"
 #include "reports/filters/folder.h"
@@ -142,9 +143,10 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     results.seconds = watch.lap();
     write_filters_results(out.working(), results);
     write_filters_figures(out.working(), results, {});
-    publish(out);
+    const std::filesystem::path place =
+        publish(out, arguments.out, results.is_complete ? Completeness::full : Completeness::partial);
     std::cout << filters_table(results, "interior")
-              << "\nstudy: " << (arguments.out / "filters.html").string() << "\n";
+              << "\nstudy: " << one_line((place / "filters.html").string()) << "\n";
     return conclusion(results, share);
 }
 

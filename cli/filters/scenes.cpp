@@ -18,8 +18,15 @@ constexpr const char* worked = "worked";
 constexpr int worked_side = 256, worked_first_row = 56;
 
 bool is_photograph(const std::string& word) {
-    const std::string extension = std::filesystem::path{word}.extension().string();
+    std::string extension = std::filesystem::path{word}.extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
     return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+}
+
+bool is_there(const std::string& word) {
+    std::error_code ignored;
+    return std::filesystem::exists(std::filesystem::symlink_status(word, ignored));
 }
 
 [[noreturn]] void refuse(const std::string& word, const std::vector<FilterSceneEntry>& built_in) {
@@ -34,7 +41,7 @@ bool is_of_the_suite_or_a_file(const std::string& word) {
         select_scene(word);
         return true;
     } catch (const SceneError&) {
-        if (std::filesystem::exists(word)) throw;  // there, but no scene: its own words say why
+        if (is_there(word)) throw;  // there, but no scene: its own words say why
         return false;
     }
 }
@@ -42,7 +49,7 @@ bool is_of_the_suite_or_a_file(const std::string& word) {
 StudyScene meant_by(const std::string& word, const std::vector<FilterSceneEntry>& built_in) {
     const auto entry = std::ranges::find(built_in, word, &FilterSceneEntry::name);
     if (entry != built_in.end()) return {word, entry->reason};
-    if (is_photograph(word) && std::filesystem::exists(word)) return {word, {}};
+    if (is_photograph(word) && is_there(word)) return {word, {}};
     if (!is_of_the_suite_or_a_file(word)) refuse(word, built_in);
     return {word, {}};
 }

@@ -49,7 +49,7 @@ std::vector<SceneSource> share_of(std::vector<SceneSource> sources, Shard shard)
 Selection selection_of(const std::vector<SceneSource>& sources, Resolution resolution) {
     std::string words = std::to_string(resolution.width) + " x " + std::to_string(resolution.height) + "\n";
     for (const SceneSource& source : sources) words += word_for(source) + "\n";
-    return {sources.size(), sha256_of(words)};
+    return {sources.size(), sha256_of(words), {}};
 }
 
 }  // namespace zproof

@@ -6,6 +6,7 @@
 #include "cli/nearest_word.h"
 #include "cli/renderers/registry.h"
 #include "cli/usage_error.h"
+#include "frame/input_file.h"
 #include "scenes/triangle_labels.h"
 
 namespace zproof {
@@ -39,10 +40,12 @@ RendererChoice renderer_from_word(const std::string& word) {
 }
 
 std::string ids_from_word(const std::string& word) {
-    if (std::ranges::count(label_words(), word) > 0 || std::filesystem::is_regular_file(word)) return word;
+    if (std::ranges::count(label_words(), word) > 0) return word;
+    const std::string fault = fault_of_input(word);
+    if (fault.empty()) return word;
     std::string words;
     for (const std::string& known : label_words()) words += known + ", ";
-    throw UsageError{"--ids " + word + ": expected " + words +
+    throw UsageError{"--ids " + word + ": " + fault + "; expected " + words +
                      "or a JSON file with a label for each triangle" + did_you_mean(word, label_words())};
 }
 

@@ -7,9 +7,11 @@
 
 #include "cli/renderers/kept_input.h"
 #include "cli/samples.h"
+#include "cli/usage_error.h"
 #include "cli/version.h"
 #include "compare/labels/labelled_frame.h"
 #include "frame/convention_text.h"
+#include "frame/frame_error.h"
 #include "frame/precision_text.h"
 #include "oracle/convention/stored_frame.h"
 #include "oracle/embree.h"
@@ -107,8 +109,13 @@ Precision own_promise(const RendererChoice& choice) {
 Answers stored(const RendererChoice& choice) {
     return {[choice](const View& view) {
         const RendererChoice one = at_sample(choice, view.sample);
-        return oracle::read_stored_frame(std::get<StoredFrame>(one.who).file, declared_convention(one), view,
-                                         id_channel_of(one), one.time_limit);
+        const Convention convention = declared_convention(one);
+        try {
+            return oracle::read_stored_frame(std::get<StoredFrame>(one.who).file, convention, view,
+                                             id_channel_of(one), one.time_limit);
+        } catch (const FrameError& e) {
+            throw OracleError{e.what()};  // the view cannot be judged; the others can
+        }
     }};
 }
 
@@ -136,6 +143,16 @@ std::shared_ptr<const TriangleLabels> labels_of(const RendererChoice& choice, co
     return std::make_shared<const TriangleLabels>(label_triangles(choice.ids, scene));
 }
 
+/// What `read` makes of a word of the command line; a fault in it is one of usage.
+template <class Read>
+auto typed(const Read& read) {
+    try {
+        return read();
+    } catch (const FrameError& e) {
+        throw UsageError{e.what()};
+    }
+}
+
 /// Those that zproof knows by name give triangles.
 void give_labels(Answers& answers, const std::shared_ptr<const TriangleLabels>& labels) {
     answers.render = [render = answers.render, labels](const View& view) {
@@ -157,15 +174,23 @@ std::string absence_of(const RendererChoice& choice) {
 }
 
 Precision declared_precision(const RendererChoice& choice) {
-    return choice.precision_word.empty() ? own_promise(choice) : precision_from_word(choice.precision_word);
+    const std::string& word = choice.precision_word;
+    if (word.empty()) return own_promise(choice);
+    return is_promise_in_words(word) ? typed([&] { return precision_from_word(word); })
+                                     : precision_from_word(word);
 }
 
 Projections declared_projections(const RendererChoice& choice) {
-    return choice.precision_word.empty() ? Projections{} : projections_from_word(choice.precision_word);
+    const std::string& word = choice.precision_word;
+    if (word.empty()) return {};
+    return is_promise_in_words(word) ? typed([&] { return projections_from_word(word); })
+                                     : projections_from_word(word);
 }
 
 Convention declared_convention(const RendererChoice& choice) {
-    return convention_from_words(choice.convention.convention, choice.convention.channels);
+    const auto& [convention, channels] = choice.convention;
+    const auto read = [&] { return convention_from_words(convention, channels); };
+    return is_convention_file(convention) ? read() : typed(read);
 }
 
 RendererFacts facts_of(const RendererChoice& choice) {

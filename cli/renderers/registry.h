@@ -25,7 +25,7 @@ struct Renderer {
     std::string name;
     Precision precision;                                      ///< what it is judged by
     Projections projections;                                  ///< what it can be asked about
-    std::function<Frame(const View&)> render;                 ///< OracleError or FrameError where it cannot
+    std::function<Frame(const View&)> render;                 ///< OracleError where it cannot
     std::function<Picture(const View&, const Light&)> paint;  ///< empty: has no colours of its own
     std::shared_ptr<const TriangleLabels> labels;             ///< what its ids stand for; nothing: triangles
 };

@@ -35,7 +35,8 @@ std::string beside(const fs::path& file, const std::string& word) {
 /// A word of a list of paths may also be a name, such as that of a suite scene.
 std::string beside_if_there(const fs::path& file, const std::string& word) {
     const std::string path = beside(file, word);
-    return fs::exists(path) ? path : word;
+    std::error_code ignored;
+    return fs::exists(path, ignored) ? path : word;
 }
 
 std::vector<std::string> texts_of(const TomlReader& table, const TomlValue& value, const std::string& key) {
@@ -135,7 +136,8 @@ bool is_said(const Environment& environment, const std::string& name) {
 std::optional<SettingsFile> find_settings_file(const SettingsChoice& choice, const Environment& environment) {
     std::string name = choice.file;
     if (name.empty()) name = read(environment, "ZPROOF_CONFIG").value_or("");
-    if (name == "none" || (name.empty() && !fs::exists(usual_file))) return std::nullopt;
+    std::error_code ignored;
+    if (name == "none" || (name.empty() && !fs::exists(usual_file, ignored))) return std::nullopt;
     if (name.empty()) name = usual_file;
     SettingsFile file{name, read_toml(name)};
     check(file);

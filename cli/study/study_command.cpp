@@ -9,6 +9,7 @@
 #include "cli/threads.h"
 #include "cli/version.h"
 #include "cli/work_progress.h"
+#include "frame/printable.h"
 #include "reports/document/folder.h"
 #include "reports/document/terminal.h"
 #include "reports/output_folder.h"
@@ -54,8 +55,9 @@ ExitCode execute(const StudyArguments& arguments) {
     note_interrupts();
     const document::Document document = performed(study, arguments);
     document::write_document(out.working(), document);
-    publish(out);
-    std::cout << document::terminal_text(document) << "\nstudy: " << (arguments.out / "study.html").string()
+    const std::filesystem::path place =
+        publish(out, arguments.out, interrupted() ? Completeness::partial : Completeness::full);
+    std::cout << document::terminal_text(document) << "\nstudy: " << one_line((place / "study.html").string())
               << "\n";
     return interrupted() ? ExitCode::interrupted : ExitCode::proven;
 }

@@ -3,11 +3,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "cli/usage_error.h"
-#include "reports/report_error.h"
+#include "frame/input_file.h"
 
 namespace zproof {
 namespace {
@@ -63,10 +61,7 @@ TomlValue parse_toml(const std::string& text, const std::string& name) {
 }
 
 TomlValue read_toml(const std::filesystem::path& file) {
-    std::ifstream in{file, std::ios::binary};
-    const std::string text{std::istreambuf_iterator<char>{in}, {}};
-    if (!in) throw ReportError{file.string() + ": cannot be read; is it a file that exists?"};
-    return parse_toml(text, file.string());
+    return parse_toml(read_input(file, {.words = "a TOML file"}), file.string());
 }
 
 }  // namespace zproof

@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <optional>
 
 #include "cli/commands.h"
@@ -13,9 +11,11 @@
 #include "cli/waivers/waiver_file.h"
 #include "compare/waivers/coverage.h"
 #include "frame/folder_lock.h"
+#include "frame/input_file.h"
 #include "frame/whole_file.h"
 #include "reports/findings_file.h"
 #include "reports/report_error.h"
+#include "reports/result_file.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -41,10 +41,9 @@ const ViewResult& view_meant(const Results& results, const WaiveAddArguments& ar
 
 std::vector<Finding> findings_of(const ViewResult& view, const fs::path& run_folder) {
     const fs::path file = run_folder / view.folder / "findings.csv";
-    std::ifstream in{file, std::ios::binary};
-    if (view.folder.empty() || !in)
-        throw ReportError{file.string() + ": cannot be read; expected the evidence beside results.json"};
-    return findings_from_csv({std::istreambuf_iterator<char>{in}, {}}, file.string());
+    if (view.folder.empty())
+        throw ReportError{file.string() + ": no such file; expected the evidence beside results.json"};
+    return findings_from_csv(read_result(file, "the evidence beside results.json"), file.string());
 }
 
 struct Pixel {
@@ -142,9 +141,9 @@ Waiver drafted(const WaiveAddArguments& arguments, const ViewResult& view,
 }
 
 std::string text_of(const fs::path& file) {
-    if (!fs::exists(file)) return empty_waiver_file();
-    std::ifstream in{file, std::ios::binary};
-    return {std::istreambuf_iterator<char>{in}, {}};
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return empty_waiver_file();
+    return read_input(file, {.words = "a file of waivers (.toml)"});
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 // zproof waive list, check, prune.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "cli/commands.h"
 #include "cli/report_files.h"
@@ -52,11 +50,6 @@ Results results_with_waivers(const Gate& gate, const std::filesystem::path& resu
     return seen;
 }
 
-std::string waivers_text(const std::filesystem::path& file) {
-    std::ifstream in{file, std::ios::binary};
-    return {std::istreambuf_iterator<char>{in}, {}};
-}
-
 }  // namespace
 
 ExitCode execute(const WaiveListArguments& arguments) {
@@ -94,7 +87,7 @@ ExitCode execute(const WaivePruneArguments& arguments) {
             "removed " + one_line(status.waiver->id) + ": " + std::string(name_of(status.state)) + "\n";
     }
     if (!ids.empty())
-        write_whole_file(arguments.gate.waivers, without_waivers(waivers_text(arguments.gate.waivers), ids,
+        write_whole_file(arguments.gate.waivers, without_waivers(content_of(arguments.gate.waivers), ids,
                                                                  arguments.gate.waivers.string()));
     std::cout << removed << counted(gate.waivers.size() - ids.size(), "waiver") << " left\n";
     return ExitCode::proven;

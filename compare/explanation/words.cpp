@@ -9,6 +9,7 @@ namespace zproof {
 namespace {
 
 std::string number(double value, int digits) {
+    if (std::isnan(value)) return "not a number";
     std::ostringstream text;
     text.precision(digits);
     text << value;
@@ -31,16 +32,21 @@ std::string full_name_of(const Scene& scene, PrimitiveId primitive) {
            (part->mesh.empty() ? "unnamed" : part->mesh) + ")";
 }
 
+/// " (error/bound 1.25)"; nothing where there is no ratio, as of a depth that is not a number.
+std::string ratio(double error_over_bound) {
+    return std::isnan(error_over_bound) ? "" : " (error/bound " + number(error_over_bound, 3) + ")";
+}
+
 std::string depth_sentence(const Finding& f) {
     return "depth " + number(f.candidate.camera_depth, 9) + ", admissible from " +
-           number(f.candidate_depth.low, 9) + " to " + number(f.candidate_depth.high, 9) + " (error/bound " +
-           number(f.error_over_bound, 3) + ")";
+           number(f.candidate_depth.low, 9) + " to " + number(f.candidate_depth.high, 9) +
+           ratio(f.error_over_bound);
 }
 
 std::string attribute_sentence(const WrongAttribute& wrong) {
     return std::string(attribute_channels[wrong.channel].name) + " is " + number(wrong.value, 9) +
-           ", admissible from " + number(wrong.low, 9) + " to " + number(wrong.high, 9) + " (error/bound " +
-           number(wrong.error_over_bound, 3) + ")";
+           ", admissible from " + number(wrong.low, 9) + " to " + number(wrong.high, 9) +
+           ratio(wrong.error_over_bound);
 }
 
 std::string reason(const Finding& f) {
@@ -102,7 +108,8 @@ const char* words_for(Admissibility s) {
 
 void tell(std::ostream& text, const Scene& scene, const Candidate& c) {
     text << "  " << full_name_of(scene, c.primitive) << "\n      edges";
-    for (const double distance : c.edge_distance) text << ' ' << number(distance, 5);
+    for (const double distance : c.edge_distance)
+        text << ' ' << (std::isnan(distance) ? "-" : number(distance, 5));
     text << "  (1/256 px, inside > 0)\n      depth " << number(c.depth.truth, 12) << ", admissible "
          << number(c.depth.low, 12) << " to " << number(c.depth.high, 12) << "\n      "
          << words_for(c.decision.admissibility) << (c.decision.exact ? "  [exact rationals]" : "") << '\n';

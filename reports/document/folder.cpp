@@ -1,13 +1,12 @@
 #include "reports/document/folder.h"
 
-#include <fstream>
-#include <iterator>
 #include <span>
 
 #include "frame/whole_file.h"
 #include "reports/document/csv.h"
 #include "reports/document/json.h"
 #include "reports/document/page.h"
+#include "reports/result_file.h"
 
 namespace zproof::document {
 
@@ -32,12 +31,6 @@ void write_item(const fs::path& folder, const Drawing& drawing) {
     write_text(folder / (drawing.name + ".svg"), drawing.svg);
 }
 
-std::string read_file(const fs::path& file, const std::string& expected) {
-    std::ifstream in{file, std::ios::binary};
-    if (!in) throw ReportError{file.string() + ": cannot be read; expected " + expected};
-    return {std::istreambuf_iterator<char>{in}, {}};
-}
-
 }  // namespace
 
 void write_document(const fs::path& folder, const Document& document) {
@@ -50,11 +43,11 @@ void write_document(const fs::path& folder, const Document& document) {
 }
 
 Document read_document(const fs::path& folder) {
-    const std::string text = read_file(folder / "study.json", "a folder that 'zproof study' wrote");
+    const std::string text = read_result(folder / "study.json", "a folder that 'zproof study' wrote");
     return document_from_json(text, [&](const std::string& name) {
         if (fs::path{name}.filename() != name)
             throw ReportError{"study.json: the file '" + name + "' lies outside of its folder"};
-        return read_file(folder / name, "a picture that study.json names");
+        return read_result(folder / name, "a picture that study.json names");
     });
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "reports/result_file.h"
 #include "reports/wording.h"
 
 namespace zproof::document {
@@ -167,7 +168,7 @@ std::string json_of(const Document& document) {
                      {"version", document.version},
                      {"introduction", document.introduction},
                      {"sections", sections}};
-    return whole.dump(1) + "\n";
+    return whole.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 Document document_from_json(const std::string& text, const ReadFile& read_file) try {
@@ -184,7 +185,7 @@ Document document_from_json(const std::string& text, const ReadFile& read_file) 
     }
     return document;
 } catch (const Json::exception& e) {
-    throw ReportError{std::string{"study.json: "} + e.what()};
+    throw ReportError{"study.json: " + json_fault(e)};
 }
 
 }  // namespace zproof::document

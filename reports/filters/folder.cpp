@@ -1,7 +1,5 @@
 #include "reports/filters/folder.h"
 
-#include <fstream>
-#include <iterator>
 #include <span>
 
 #include "frame/whole_file.h"
@@ -12,6 +10,7 @@
 #include "reports/filters/tables.h"
 #include "reports/page_parts.h"
 #include "reports/pictures.h"
+#include "reports/result_file.h"
 
 namespace zproof {
 
@@ -86,12 +85,12 @@ void write_filters_figures(const fs::path& folder, const StudyResults& results, 
 }
 
 StudyResults read_filters_results(const fs::path& folder) {
-    const fs::path file = folder / "filters.json";
-    std::ifstream in{file, std::ios::binary};
-    if (!in)
-        throw ReportError{file.string() +
-                          ": cannot be read; expected a folder that 'zproof filters run' wrote"};
-    return filters_from_json({std::istreambuf_iterator<char>{in}, {}});
+    const std::string text = read_result(folder / "filters.json", "a folder that 'zproof filters run' wrote");
+    try {
+        return filters_from_json(text);
+    } catch (const ReportError& e) {
+        throw ReportError{(folder / e.what()).string()};
+    }
 }
 
 std::string file_stem(const std::string& label) {

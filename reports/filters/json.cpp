@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "reports/result_file.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -157,7 +158,7 @@ std::string filters_json(const StudyResults& results) {
                      {"is_complete", results.is_complete},
                      {"cards", cards_of(results)},
                      {"views", views}};
-    return whole.dump(1) + "\n";
+    return whole.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 StudyResults filters_from_json(const std::string& text) try {
@@ -175,7 +176,7 @@ StudyResults filters_from_json(const std::string& text) try {
     for (const Json& one : json.at("views")) results.views.push_back(view_study(one, results.metrics));
     return results;
 } catch (const Json::exception& e) {
-    throw ReportError{std::string{"filters.json: "} + e.what()};
+    throw ReportError{"filters.json: " + json_fault(e)};
 }
 
 }  // namespace zproof

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <utility>
 
+#include "frame/input_file.h"
 #include "frame/whole_file.h"
 
 namespace zproof::planes {
@@ -60,10 +61,9 @@ Container unpacked(std::string_view text) {
 }
 
 Directory read_directory(const std::filesystem::path& file) {
+    if (const std::string fault = fault_of_input(file); !fault.empty()) throw ReportError(fault);
     std::ifstream in(file, std::ios::binary);
-    std::error_code unknown;
-    const std::uintmax_t whole = std::filesystem::file_size(file, unknown);
-    if (!in || unknown) throw ReportError("cannot be read");
+    const std::uintmax_t whole = std::filesystem::file_size(file);
     const auto read = [&](std::size_t size) {
         std::string bytes(size, '\0');
         in.read(bytes.data(), std::streamsize(size));

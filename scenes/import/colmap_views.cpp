@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "frame/input_file.h"
 #include "scenes/import/unique_names.h"
 #include "scenes/import/view_import.h"
 #include "scenes/refusal.h"
@@ -18,11 +19,13 @@ namespace fs = std::filesystem;
 /// A text file, line by line, that knows where it is.
 class ColmapLines {
   public:
-    explicit ColmapLines(const fs::path& file) : file_(file), in_(file) {
-        if (!in_)
+    explicit ColmapLines(const fs::path& file) : file_(file) {
+        if (const std::string fault = fault_of_input(file); !fault.empty())
             refuse(file, "file",
-                   "cannot be read; expected COLMAP's text files, as "
-                   "'colmap model_converter --output_type TXT' writes them");
+                   fault +
+                       "; expected COLMAP's text files, as 'colmap model_converter --output_type TXT' "
+                       "writes them");
+        in_.open(file);
     }
 
     /// The next line, whatever is in it; false at the end.

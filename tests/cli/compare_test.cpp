@@ -103,13 +103,18 @@ TEST_F(StoredFrames, AWrongPixelOfTheReferenceDoesNotFail) {
     EXPECT_EQ(only_view().at("reference_defects"), 1);
 }
 
-TEST_F(StoredFrames, OfTheWrongSizeOrKindAreRefusedAndNothingIsWritten) {
+TEST_F(StoredFrames, AReferenceOfAnotherSizeLeavesAReportThatSaysSo) {
     write_frame(folder.path() / "small.exr", Frame({8, 8}));
+    const Ran ran = run(folder, {"compare", "zproof/frame-all.exr", "small.exr", "--scene", "two.gltf"});
+    EXPECT_EQ(ran.exit_code, 3) << ran.out << ran.err;
+    EXPECT_EQ(only_view().at("outcome"), "unreadable");
+    EXPECT_EQ(only_view().at("message"), "small.exr: 8 x 8 pixels; the view 'frame-all' has 64 x 48");
+}
+
+TEST_F(StoredFrames, OfTheWrongKindAreRefusedAndNothingIsWritten) {
     folder.write("words.exr", "no frame");
     for (const Words& words :
-         {Words{"compare", "zproof/frame-all.exr", "small.exr", "--scene", "two.gltf"},
-          Words{"compare", "words.exr", "two.gltf"}, Words{"compare", "absent.exr", "two.gltf"},
-          Words{"compare", "zproof/frame-all.exr", "two.gltf", "--precision", "raster,subpixel_bits=99"},
+         {Words{"compare", "words.exr", "two.gltf"}, Words{"compare", "absent.exr", "two.gltf"},
           Words{"compare", "zproof/frame-all.exr", "absent.gltf"}}) {
         const Ran ran = run(folder, words);
         EXPECT_EQ(ran.exit_code, 3) << ran.out << ran.err;
@@ -117,6 +122,10 @@ TEST_F(StoredFrames, OfTheWrongSizeOrKindAreRefusedAndNothingIsWritten) {
     }
     EXPECT_EQ(run(folder, {"compare", "zproof/frame-all.exr", "two.gltf", "--view", "none"}).exit_code, 2);
     EXPECT_EQ(run(folder, {"compare", "zproof/frame-all.exr", "off_axis"}).exit_code, 2);
+    EXPECT_EQ(
+        run(folder, {"compare", "zproof/frame-all.exr", "two.gltf", "--precision", "raster,subpixel_bits=99"})
+            .exit_code,
+        2);
     EXPECT_EQ(run(folder, {"compare", "zproof/frame-all.exr"}).exit_code, 2);
 }
 

@@ -73,12 +73,27 @@ Words process_facts(pid_t pid) {
     return {std::istream_iterator<std::string>{stat}, {}};
 }
 
-/// Waits until the process has worked for so long, or has ended.
+/// Those that a process has started and not yet waited for.
+std::vector<pid_t> children_of(pid_t pid) {
+    const std::string task = "/proc/" + std::to_string(pid) + "/task/" + std::to_string(pid) + "/children";
+    std::ifstream in(task);
+    return {std::istream_iterator<pid_t>(in), {}};
+}
+
+/// CPU time of the process and of those that it has started, ticks.
+long user_ticks_of(pid_t pid) {
+    constexpr std::size_t user_ticks = 11;
+    const Words facts = process_facts(pid);
+    long ticks = facts.size() > user_ticks ? std::stol(facts[user_ticks]) : 0;
+    for (const pid_t child : children_of(pid)) ticks += user_ticks_of(child);
+    return ticks;
+}
+
+/// Waits until the process and its children have worked for so long, or it has ended.
 void wait_until_it_worked(pid_t pid, long cpu_s) {
-    constexpr std::size_t state = 0, user_ticks = 11;
-    for (Words facts = process_facts(pid); facts.size() > user_ticks && facts[state] != "Z";
+    for (Words facts = process_facts(pid); !facts.empty() && facts.front() != "Z";
          facts = process_facts(pid)) {
-        if (std::stol(facts[user_ticks]) >= cpu_s * sysconf(_SC_CLK_TCK)) return;
+        if (user_ticks_of(pid) >= cpu_s * sysconf(_SC_CLK_TCK)) return;
         std::this_thread::yield();
     }
 }
@@ -122,6 +137,22 @@ TEST(Interrupt, WritesWhatWasJudgedAndMarksTheRest) {
         EXPECT_EQ(views[1].at("message"), "interrupted before it was judged");
         EXPECT_EQ(folder.names(), (Words{"a.gltf", "b.gltf", "zproof-out"}));
     }
+}
+
+TEST(Interrupt, KeepsTheLastFullReportBesideThePartialOne) {
+    const Folder folder;
+    folder.write("a.gltf", one_triangle());
+    folder.write("b.gltf", one_triangle());
+    ASSERT_EQ(run(folder, two_scenes).exit_code, 0);
+    const std::string full = folder.read("zproof-out/results.json");
+    const Ran ran = interrupted_run(folder, two_scenes, Blocked::at_its_progress);
+    EXPECT_EQ(ran.exit_code, 130);
+    EXPECT_THAT(ran.err, HasSubstr("zproof: zproof-out keeps the last full report; this one is in "
+                                   "zproof-out.partial\n"));
+    EXPECT_EQ(folder.read("zproof-out/results.json"), full);
+    const auto partial = nlohmann::json::parse(folder.read("zproof-out.partial/results.json"));
+    EXPECT_EQ(partial.at("run").at("ending"), "interrupted");
+    EXPECT_EQ(folder.names(), (Words{"a.gltf", "b.gltf", "zproof-out", "zproof-out.partial"}));
 }
 
 /// One view's frame is shown for both, and the precision is coarse far from the origin: whoever does not heed

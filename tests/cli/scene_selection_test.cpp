@@ -35,6 +35,30 @@ TEST(SceneSelection, FindsScenesBelowAFolderInOrder) {
     EXPECT_EQ(names_of(select_scenes({folder.path()})), (Words{"b", "c", "z"}));
 }
 
+TEST(SceneSelection, CountsWhatItPassesOverInFolders) {
+    const Folder folder;
+    for (const char* file :
+         {"z.glb", "a/b.view.json", "a/b.glb", "a/notes.json", "a/b.PNG", "c.png", "Makefile"})
+        folder.write(file, "");
+    const SceneSelection selection = select_with_counts({folder.path()});
+    EXPECT_EQ(names_of(selection.sources), (Words{"b", "z"}));
+    EXPECT_EQ(in_words(selection.passed_over), "4 files passed over: 2 .png, 1 without an ending, 1 .json");
+    EXPECT_EQ(in_words(select_with_counts({"room"}).passed_over), "");
+    EXPECT_EQ(in_words({{".png", 9}, {".txt", 3}}), "12 files passed over: 9 .png, 3 .txt");
+    EXPECT_EQ(in_words({{".a", 1}, {".b", 1}, {".c", 1}, {".d", 1}, {".e", 1}, {".f", 1}, {".g", 2000}}),
+              "2,006 files passed over: 2,000 .g, 1 .a, 1 .b, 1 .c, 1 .d, 1 .e, ...");
+}
+
+TEST(SceneSelection, TellsWhatARunPassedOverOnceUnlessQuiet) {
+    const Folder folder;
+    folder.write("one.gltf", test::one_triangle());
+    folder.write("notes.txt", "");
+    Words words{"run", ".", "--oracle", "none", "--width", "64", "--height", "48"};
+    EXPECT_NE(test::run(folder, words).err.find("zproof: 1 file passed over: 1 .txt\n"), std::string::npos);
+    words.emplace_back("-q");
+    EXPECT_EQ(test::run(folder, words).err, "");
+}
+
 TEST(SceneSelection, LeavesAModelToTheViewFileBesideIt) {
     const Folder folder;
     for (const char* file : {"room.glb", "room.view.json", "other/room.glb"}) folder.write(file, "");
@@ -71,6 +95,7 @@ TEST(SceneSelection, NamesWhatCannotBeLookedAtBesideTheRest) {
         test::run(folder, {"run", ".", "--oracle", "none", "--width", "64", "--height", "48"});
     EXPECT_EQ(ran.exit_code, 3);
     EXPECT_NE(ran.out.find("good"), std::string::npos) << ran.out << ran.err;
+    EXPECT_NE(ran.out.find("a.gltf: file: is a loop of links"), std::string::npos) << ran.out << ran.err;
 }
 
 /// A folder that this process may not list: what root may not do is tried as somebody else.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "test_scene.h"
 
@@ -53,6 +54,22 @@ TEST(Explain, ATriangleSeenEdgeOnHasNoDistances) {
     const PixelExplanation explanation = explanation_of(t, 1, 1);
     ASSERT_EQ(explanation.candidates.size(), 1u);
     for (const double distance : explanation.candidates[0].edge_distance) EXPECT_TRUE(std::isnan(distance));
+}
+
+TEST(Explain, SaysInWordsThatADepthIsNotANumber) {
+    TestScene t = meeting_walls();
+    answer(t.candidate, 1, 1, 0, NAN);
+    const PixelExplanation explanation = explanation_of(t, 1, 1);
+    EXPECT_EQ(explanation.finding.verdict, PixelClass::invalid);
+    const std::string words = in_words(t.scene, explanation);
+    EXPECT_NE(words.find("that is no answer: depth not a number\n"), std::string::npos) << words;
+    EXPECT_EQ(words.find("nan"), std::string::npos) << words;
+    Finding wrong = explanation.finding;
+    wrong.verdict = PixelClass::wrong_depth;
+    wrong.error_over_bound = NAN;
+    const std::string sentence = in_words(t.scene, wrong);
+    EXPECT_NE(sentence.find("depth not a number, admissible from"), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.find("error/bound"), std::string::npos) << sentence;
 }
 
 TEST(Explain, SaysTheVerdictOfTheJudgeAtEveryPixel) {

@@ -1,7 +1,7 @@
 // The bytes of a texture: a PNG or a JPEG of at most 64 Ki texels, which decode quickly.
 #include "scenes/gltf_image.h"
-#include "tests/fuzz/image_module.h"
 #include "tests/fuzz/harness.h"
+#include "tests/fuzz/image_module.h"
 
 namespace zproof::fuzz {
 

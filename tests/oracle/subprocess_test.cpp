@@ -84,14 +84,14 @@ TEST(Subprocess, AProgramThatNeverStopsWritingIsStopped) {
 }
 
 /// Hears who writes into a FIFO, until the last one who holds it open has ended.
-class OracleFrame {
+class HeldFifo {
   public:
-    OracleFrame() {
+    HeldFifo() {
         mkfifo(path().c_str(), 0600);
         reader_ = open(path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
         fcntl(reader_, F_SETFL, 0);
     }
-    ~OracleFrame() { close(reader_); }
+    ~HeldFifo() { close(reader_); }
     std::string path() const { return scratch_.path() / "fifo"; }
 
     /// The first character, once somebody has opened the FIFO and written it.
@@ -114,7 +114,7 @@ class OracleFrame {
 
 /// Killing the shell alone would leave its child, which then holds our pipes and writes its word.
 TEST(Subprocess, ATimeLimitEndsChildrenOfTheProgramAsWell) {
-    const OracleFrame fifo;
+    const HeldFifo fifo;
     const std::string line =
         "exec 3>" + fifo.path() + "; echo started >&3; (sleep 20; echo survived >&3) & wait";
     EXPECT_EQ(run_line(line, milliseconds(500)).ending, Ending::timed_out);
@@ -122,14 +122,25 @@ TEST(Subprocess, ATimeLimitEndsChildrenOfTheProgramAsWell) {
 }
 
 TEST(Subprocess, AChildLeftBehindIsEndedAndNotWaitedFor) {
-    const OracleFrame fifo;
+    const HeldFifo fifo;
     const std::string line = "exec 3>" + fifo.path() + "; echo started >&3; (sleep 20; echo survived >&3) &";
     EXPECT_TRUE(run_line(line).succeeded());
     EXPECT_EQ(fifo.all_that_was_written(), "started\n");
 }
 
+TEST(Subprocess, AChildInASessionOfItsOwnIsEndedToo) {
+    const HeldFifo fifo;
+    const ScratchFolder folder;
+    const std::string ready = folder.path() / "ready";
+    const std::string daemon = "echo yes >" + ready + "; sleep 20; echo survived >&3";
+    EXPECT_TRUE(run_line("exec 3>" + fifo.path() + "; echo started >&3; setsid sh -c '" + daemon +
+                         "' >/dev/null 2>&1 & while [ ! -s " + ready + " ]; do :; done")
+                    .succeeded());
+    EXPECT_EQ(fifo.all_that_was_written(), "started\n");
+}
+
 /// A process that runs the line and is killed, with no chance to tidy up, as soon as the line has begun.
-void kill_amid(const std::string& line, const OracleFrame& fifo) {
+void kill_amid(const std::string& line, const HeldFifo& fifo) {
     const pid_t runner = fork();
     if (runner == 0) {
         run_line(line);
@@ -141,7 +152,7 @@ void kill_amid(const std::string& line, const OracleFrame& fifo) {
 }
 
 TEST(Subprocess, NothingOutlivesTheProcessThatRanIt) {
-    const OracleFrame fifo;
+    const HeldFifo fifo;
     kill_amid("exec 3>" + fifo.path() + "; echo started >&3; (sleep 20; echo survived >&3) & wait", fifo);
     EXPECT_EQ(fifo.all_that_was_written(), "tarted\n");
 }

@@ -56,6 +56,26 @@ std::string refusal(const fs::path& path) {
 
 }  // namespace
 
+TEST(OutputFolder, ThatIsPartialStandsBesideTheLastFullOne) {
+    const TemporaryFolder home;
+    const auto publish_partial = [&](const std::string& content) {
+        OutputFolder folder(home.path() / "out");
+        write_file(folder.working() / "results.json", content);
+        EXPECT_TRUE(folder.publish(Completeness::partial).empty());
+        return folder.suffix();
+    };
+    EXPECT_EQ(publish_partial("partial"), "");
+    EXPECT_EQ(publish_partial("another"), "") << "replaces a partial one";
+    publish(home.path() / "out", "full");
+    EXPECT_EQ(publish_partial("third"), ".partial");
+    EXPECT_EQ(publish_partial("fourth"), ".partial") << "replaces a partial one there as well";
+    EXPECT_EQ(content_of(home.path() / "out/results.json"), "full");
+    EXPECT_EQ(content_of(home.path() / "out.partial/results.json"), "fourth");
+    EXPECT_EQ(names_in(home.path()), (Names{"out", "out.partial"}));
+    publish(home.path() / "out", "newer");
+    EXPECT_EQ(content_of(home.path() / "out/results.json"), "newer");
+}
+
 TEST(OutputFolder, AppearsWholeOnlyWhenPublished) {
     const TemporaryFolder home;
     OutputFolder folder(home.path() / "deep/out");

@@ -67,7 +67,7 @@ Results waived_run() {
     r.version = "0.1.0";
     r.command = "zproof run room";
     r.argv = {"run", "room"};
-    r.selection = {1, std::string(64, 'b')};
+    r.selection = {1, std::string(64, 'b'), {{".png", 9}, {"", 1}}};
     r.today = "2026-04-10";
     for (const char* id : {"holds", "generous", "exceeded"}) r.waivers.push_back(waiver(id, "2026-04-10", 3));
     r.waivers.push_back(waiver("expired", "2026-04-09", 40));

@@ -31,20 +31,6 @@ TEST(Wording, MarkupIsEscaped) {
               "&lt;/script&gt;&lt;img onerror=&quot;x&quot; y=&#39;z&#39;&gt;&amp;");
 }
 
-TEST(Wording, WhatIsNoTextIsReplaced) {
-    EXPECT_EQ(printable("a\x1b[31mb"), "a\xEF\xBF\xBD[31mb");  // escape
-    EXPECT_EQ(printable(std::string("a\0b", 3)),
-              "a\xEF\xBF\xBD"
-              "b");                                                                // NUL
-    EXPECT_EQ(printable("\xC2\x9B"), "\xEF\xBF\xBD");                              // C1: another escape
-    EXPECT_EQ(printable("\xFFz"), "\xEF\xBF\xBDz");                                // never in UTF-8
-    EXPECT_EQ(printable("\xC3"), "\xEF\xBF\xBD");                                  // cut short
-    EXPECT_EQ(printable("\xED\xA0\x80"), "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");  // a surrogate
-    EXPECT_EQ(printable("\xC0\xAF"), "\xEF\xBF\xBD\xEF\xBF\xBD");                  // overlong slash
-    EXPECT_EQ(printable("Grün 日本 🙂\n"), "Grün 日本 🙂\n");
-    EXPECT_EQ(one_line("a\nb\tc"), "a b c");
-}
-
 TEST(Wording, UrlsStayRelative) {
     EXPECT_EQ(as_url("scenes/room-1.a/class.png"), "scenes/room-1.a/class.png");
     EXPECT_EQ(as_url("javascript:x\"#?"), "javascript%3Ax%22%23%3F");

@@ -73,10 +73,23 @@ TEST(GltfGuard, NamesWhatTinygltfRefusesWithoutAPlace) {
 }
 
 TEST(GltfGuard, NamesABufferViewThatTinygltfWouldReadAnImageBeyond) {
-    expect_refused(
-        {"/bufferViews/0/byteLength", "37", "/bufferViews/0: runs past the end of its buffer of 36"});
-    expect_refused(
-        {"/bufferViews/0/byteOffset", "1", "/bufferViews/0: runs past the end of its buffer of 36"});
+    expect_refused({"/bufferViews/0/byteLength", "37",
+                    "/bufferViews/0: needs 37 bytes at 0, its buffer has 36; export the file again"});
+    expect_refused({"/bufferViews/0/byteOffset", "1",
+                    "/bufferViews/0: needs 36 bytes at 1, its buffer has 36; export the file again"});
+}
+
+TEST(GltfGuard, NamesTheCompressionThatItDoesNotDecode) {
+    expect_refused({"/extensionsRequired", R"(["KHR_draco_mesh_compression"])",
+                    "/extensionsRequired/0: compressed with Draco (KHR_draco_mesh_compression); zproof does "
+                    "not decode it: export without compression"});
+    expect_refused({"/extensionsRequired", R"(["EXT_meshopt_compression"])",
+                    "/extensionsRequired/0: compressed with meshopt"});
+    expect_refused({"/meshes/0/primitives/0/extensions", R"({"KHR_draco_mesh_compression": {}})",
+                    "/meshes/0/primitives/0: compressed with Draco"});
+    expect_refused({"/extensionsRequired", R"(["KHR_texture_basisu"])",
+                    "/extensionsRequired/0: extension KHR_texture_basisu is not supported; export the file "
+                    "without it"});
 }
 
 TEST(GltfGuard, NamesIndicesWithoutABufferView) {

@@ -153,12 +153,40 @@ TEST(Gltf, ReadsInterleavedAttributes) {
     EXPECT_EQ(scene.vertices.normal_world, (Bulk<glm::vec3>{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
 }
 
+/// Visibility asks for neither.
+TEST(Gltf, NotesNormalsAndColoursThatAreNotFinite) {
+    const TestFolder folder;
+    WrittenGltf gltf;
+    const float nan = NAN, infinite = INFINITY;
+    gltf.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    gltf.primitive()["attributes"]["NORMAL"] = gltf.add_vec3({0, 0, 1, nan, 0, 1, 0, -infinite, 0});
+    gltf.primitive()["attributes"]["COLOR_0"] = gltf.add_vec3({1, 0, 0, 0, nan, 0, 0, 0, 1});
+    const Scene scene = load_gltf(gltf.write(folder)).scene;
+    EXPECT_EQ(scene.vertices.normal_world, (Bulk<glm::vec3>{{0, 0, 1}, {0, 0, 0}, {0, 0, 0}}));
+    EXPECT_EQ(scene.vertices.color, (Bulk<glm::vec4>{{1, 0, 0, 1}, {1, 1, 1, 1}, {0, 0, 1, 1}}));
+    EXPECT_EQ(scene.notes,
+              (std::vector<std::string>{"vertices whose NORMAL is not finite, read as without one: 2",
+                                        "vertices whose COLOR_0 is not finite, read as white: 1"}));
+}
+
+TEST(Gltf, RefusesPositionsThatAreNotFiniteAlsoWhereNormalsShareThem) {
+    const TestFolder folder;
+    WrittenGltf gltf;
+    const float nan = NAN;
+    gltf.add_vec3({0, 0, 0, 1, nan, 0, 0, 1, 0});
+    gltf.primitive()["attributes"]["NORMAL"] = 0;
+    EXPECT_NE(refusal_of(gltf.write(folder)).find("/accessors/0: element 1 is not finite"),
+              std::string::npos);
+}
+
 TEST(Gltf, RefusesAnElementThatEndsOneByteBeyondItsView) {
     const TestFolder folder;
     WrittenGltf gltf;
     gltf.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, 0});
     gltf.json["bufferViews"][0]["byteLength"] = 35;
-    EXPECT_NE(refusal_of(gltf.write(folder)).find("/accessors/0: 3 elements of 12 bytes"), std::string::npos);
+    EXPECT_NE(refusal_of(gltf.write(folder))
+                  .find("/accessors/0: 3 elements of 12 bytes need 36 bytes at 0, bufferView 0 has 35"),
+              std::string::npos);
 }
 
 TEST(Gltf, ReadsNormalizedIntegers) {

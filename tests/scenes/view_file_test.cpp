@@ -152,6 +152,12 @@ TEST_F(ViewFile, GivesAnExactCameraBackBitForBit) {
     EXPECT_EQ(read.ndc_depth, written.ndc_depth);
 }
 
+TEST_F(ViewFile, SaysWhatWasFoundInPlaceOfWhatWasExpected) {
+    EXPECT_EQ(refusal_of_view(with("yfov_degrees", 200)),
+              "/views/0/yfov_degrees: expected an angle between 0 and 180 degrees, found 200");
+    EXPECT_EQ(refusal_of_view(with("near", "close")), "/views/0/near: expected a number, found \"close\"");
+}
+
 TEST_F(ViewFile, NamesUnknownKeysAndWhatIsAllowed) {
     const std::string refusal = refusal_of_view(with("yfov", 1));
     EXPECT_TRUE(refusal.starts_with("/views/0/yfov: unknown key; allowed here: back, ")) << refusal;

@@ -11,7 +11,7 @@ export function floatOf(bits: number): number {
 
 /// The shortest decimal that reads back to the same float32.
 export function shortestFloat(value: number): string {
-    if (!Number.isFinite(value)) return Number.isNaN(value) ? 'nan' : value < 0 ? '-inf' : 'inf';
+    if (!Number.isFinite(value)) return Number.isNaN(value) ? 'not a number' : value < 0 ? '-inf' : 'inf';
     for (let digits = 1; digits < 9; ++digits) {
         const text = value.toPrecision(digits);
         if (Math.fround(Number(text)) === value) return String(Number(text));

@@ -4,7 +4,8 @@ import {counted, grouped} from './numbers';
 import {defects, differing} from './run';
 import type {ClassStyle, Run, ViewEntry} from './run';
 
-const marks: Record<string, string> = {proven: '✓', defective: '✗', undecided: '?', unreadable: '!', not_judged: '?'};
+const marks: Record<string, string> = {proven: '✓', defective: '✗', undecided: '?', unreadable: '!', not_judged: '?',
+    internal_error: '!'};
 
 export class SceneList {
     readonly search = element('input', {type: 'search', placeholder: 'Search  /', 'aria-label': 'search views'});

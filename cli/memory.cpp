@@ -1,0 +1,79 @@
+#include "cli/memory.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "frame/frame.h"
+#include "frame/whole_file.h"
+#include "reports/wording.h"
+
+namespace zproof {
+namespace {
+
+constexpr std::uint64_t unlimited_bytes = std::numeric_limits<std::uint64_t>::max();
+constexpr const char* remedy = "; make the picture smaller, free memory, or raise the limit (ulimit -v)";
+
+/// The machine's; unlimited where the system does not tell.
+std::uint64_t left_on_machine() {
+    std::istringstream facts(content_of("/proc/meminfo"));
+    std::uint64_t kib = 0, left_kib = 0;
+    bool is_known = false;
+    for (std::string name, line; facts >> name && std::getline(facts, line);) {
+        if (name != "MemAvailable:" && name != "SwapFree:") continue;
+        if (std::istringstream(line) >> kib) left_kib += kib, is_known |= name == "MemAvailable:";
+    }
+    return is_known ? left_kib * 1024 : unlimited_bytes;
+}
+
+/// Of the process's own limit.
+std::uint64_t left_of_limit() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited_bytes;
+    std::uint64_t pages = 0;
+    std::istringstream(content_of("/proc/self/statm")) >> pages;
+    const std::uint64_t taken = pages * std::uint64_t(sysconf(_SC_PAGESIZE));
+    return limit.rlim_cur - std::min<std::uint64_t>(taken, limit.rlim_cur);
+}
+
+std::string in_gib(std::uint64_t bytes) { return fixed(double(bytes) / double(1 << 30), 2) + " GiB"; }
+
+std::string in_words(Resolution size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels";
+}
+
+}  // namespace
+
+std::uint64_t available_memory_bytes() { return std::min(left_on_machine(), left_of_limit()); }
+
+std::uint64_t least_memory_bytes(Resolution size) {
+    constexpr std::uint64_t frame = sizeof(PrimitiveId) + sizeof(float), verdict = 1;
+    return std::uint64_t(size.width) * std::uint64_t(size.height) * (2 * frame + verdict);
+}
+
+std::string lacking_memory(Resolution size) {
+    const std::uint64_t needed = least_memory_bytes(size), there = available_memory_bytes();
+    if (needed <= there) return "";
+    return in_words(size) + " need at least " + in_gib(needed) + " of memory, of which " + in_gib(there) +
+           " is there" + remedy;
+}
+
+void require_memory(Resolution size) {
+    if (const std::string lacking = lacking_memory(size); !lacking.empty()) throw std::runtime_error{lacking};
+}
+
+std::string out_of_memory(Resolution size, std::uint64_t triangles) {
+    return "out of memory: " + in_words(size) + " and " + counted(triangles, "triangle") +
+           " need more than " + in_gib(available_memory_bytes()) + ", which is left" + remedy;
+}
+
+std::string out_of_memory_for(const std::string& scene) {
+    return "out of memory while " + scene + " was read and built; " + in_gib(available_memory_bytes()) +
+           " are left; split the scene, free memory, or raise the limit (ulimit -v)";
+}
+
+}  // namespace zproof

@@ -1,0 +1,118 @@
+#include "cli/supervision.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <set>
+#include <stdexcept>
+
+#include "cli/interrupt.h"
+#include "cli/usage_error.h"
+#include "cli/worker.h"
+#include "reports/json.h"
+
+namespace zproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Supervision {
+  public:
+    Supervision(const std::vector<SceneSource>& sources, const RunConfig& config, Results& results)
+        : sources_(sources), config_(config), results_(results) {}
+
+    /// One worker until it ends. An interrupt that comes when everything is judged changes nothing any more.
+    void judge_on(int threads) {
+        Worker worker(sources_, next_, config_, threads);
+        stage_.clear();
+        while (const std::optional<Message> message = worker.next()) take(*message);
+        const std::string how = worker.end();
+        if (how.empty() && !all_are_judged()) results_.ending = Ending::interrupted;
+        if (!how.empty() && !all_are_judged()) lose_scene(how);
+    }
+
+    bool all_are_judged() const { return next_ == sources_.size(); }
+
+    /// Those that were not begun; returns how many they are.
+    std::size_t leave_the_rest() {
+        const std::size_t left = sources_.size() - next_;
+        if (left > 0) results_.ending = Ending::interrupted;
+        while (next_ < sources_.size()) results_.views.push_back(left_by_interrupt(sources_[next_++]));
+        return left;
+    }
+
+  private:
+    void take(const Message& message) {
+        switch (message.kind) {
+            case Message::Kind::facts:
+                return take_facts(results_from_json(message.text));
+            case Message::Kind::stage:
+                stage_ = message.text;
+                return;
+            case Message::Kind::scene:
+                return take_scene(results_from_json(message.text));
+            case Message::Kind::usage_error:
+                throw UsageError{message.text};
+            case Message::Kind::error:
+                throw std::runtime_error{message.text};
+            case Message::Kind::internal_error:
+                throw std::logic_error{message.text};
+        }
+    }
+
+    void take_facts(Results facts) {
+        results_.embree = std::move(facts.embree);
+        results_.renderers = std::move(facts.renderers);
+    }
+
+    void take_scene(Results scene) {
+        follow_progress();
+        results_.ending = scene.ending;
+        for (const ViewResult& view : scene.views)
+            if (!view.folder.empty()) config_.names.take(fs::path(view.folder).filename().string());
+        std::ranges::move(scene.views, std::back_inserter(results_.views));
+        stage_.clear();
+    }
+
+    void lose_scene(const std::string& how) {
+        ViewResult lost = ended_by_fault(sources_[next_], config_, how, stage_);
+        follow_progress();
+        config_.progress.tell(lost);
+        results_.views.push_back(std::move(lost));
+        remove_unfinished_evidence();
+    }
+
+    /// What the worker's own has shown of a scene.
+    void follow_progress() {
+        config_.progress.begin_scene(sources_[next_++].name);
+        config_.progress.finish_scene();
+    }
+
+    void remove_unfinished_evidence() const {
+        std::set<std::string> finished;
+        for (const ViewResult& view : results_.views)
+            finished.insert(fs::path(view.folder).filename().string());
+        std::error_code ignored;
+        for (const fs::directory_entry& entry :
+             fs::directory_iterator(config_.run_folder / "scenes", ignored))
+            if (!finished.contains(entry.path().filename().string())) fs::remove_all(entry.path(), ignored);
+    }
+
+    const std::vector<SceneSource>& sources_;
+    const RunConfig& config_;
+    Results& results_;
+    std::size_t next_ = 0;  ///< the scene in hand
+    std::string stage_;     ///< of it
+};
+
+}  // namespace
+
+std::size_t judge_supervised(const std::vector<SceneSource>& sources, const RunConfig& config, int threads,
+                             Results& results) {
+    Supervision supervision(sources, config, results);
+    do supervision.judge_on(threads);
+    while (!supervision.all_are_judged() && results.ending == Ending::complete && !interrupted());
+    return supervision.leave_the_rest();
+}
+
+}  // namespace zproof

@@ -1,0 +1,149 @@
+#include "cli/worker.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+#include "cli/interrupt.h"
+#include "cli/renderers/registry.h"
+#include "cli/threads.h"
+#include "cli/usage_error.h"
+#include "oracle/embree.h"
+#include "oracle/oracle_error.h"
+#include "oracle/scratch_folder.h"
+#include "reports/json.h"
+
+namespace zproof {
+namespace {
+
+/// Candidate, reference, and the oracles that can be asked. Throws OracleError for one that must be there
+/// and is not.
+std::vector<RendererFacts> facts_of_all(const ChosenRenderers& renderers) {
+    std::vector<RendererFacts> present;
+    const auto call = [&](const RendererChoice& choice, OracleChoice::Need need) {
+        const std::string absent = absence_of(choice);
+        if (absent.empty()) return present.push_back(facts_of(choice));
+        if (need == OracleChoice::Need::required) throw OracleError{name_of(choice) + ": " + absent};
+    };
+    call(renderers.candidate, OracleChoice::Need::required);
+    call(renderers.reference, OracleChoice::Need::required);
+    for (const OracleChoice& oracle : renderers.oracles) call(oracle.renderer, oracle.need);
+    return present;
+}
+
+/// What the worker does, and where it tells of it.
+struct Work {
+    const std::vector<SceneSource>& sources;
+    std::size_t first;
+    const RunConfig& config;
+    int threads;
+    int to;
+
+    void tell(Message::Kind kind, const std::string& text) const {
+        if (!send(to, {kind, text})) _exit(0);  // whoever asked is no more
+    }
+
+    void judge_scenes() const {
+        for (std::size_t i = first; i < sources.size() && !interrupted(); ++i) {
+            SceneReport report = run_scene(sources[i], config);
+            Results results;
+            results.ending = report.ending;
+            results.views = std::move(report.views);
+            tell(Message::Kind::scene, to_json(results));
+            if (report.ending == Ending::interrupted) return;
+        }
+    }
+
+    void do_all() const {
+        config.progress.on_stage([this](const std::string& stage) { tell(Message::Kind::stage, stage); });
+        Results facts;
+        facts.embree = oracle::embree_version();
+        facts.renderers = facts_of_all(config.renderers);
+        tell(Message::Kind::facts, to_json(facts));
+        on_threads(threads, [this] { judge_scenes(); });
+    }
+};
+
+/// Ends the process: nothing that the other one made is taken apart here.
+[[noreturn]] void work(const Work& all) {
+    try {
+        all.do_all();
+    } catch (const UsageError& e) {
+        all.tell(Message::Kind::usage_error, e.what());
+    } catch (const std::runtime_error& e) {
+        all.tell(Message::Kind::error, e.what());
+    } catch (const std::exception& e) {
+        all.tell(Message::Kind::internal_error, e.what());
+    }
+    _exit(0);
+}
+
+sigset_t all_interrupts() {
+    sigset_t interrupts;
+    sigemptyset(&interrupts);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&interrupts, number);
+    return interrupts;
+}
+
+/// fork(), and in either process interrupts go where they should from the beginning: to the worker.
+pid_t fork_worker() {
+    const sigset_t interrupts = all_interrupts();
+    sigset_t before;
+    pthread_sigmask(SIG_BLOCK, &interrupts, &before);
+    const pid_t id = fork();
+    if (id == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        note_interrupts(SecondInterrupt::is_ignored);
+    }
+    hand_interrupts_to(std::max(id, 0));
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    return id;
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw std::runtime_error{what + ": " + std::strerror(errno)};
+}
+
+}  // namespace
+
+Worker::Worker(const std::vector<SceneSource>& sources, std::size_t first, const RunConfig& config,
+               int threads) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse("no pipe to another process");
+    from_ = oracle::FileDescriptor(ends[0]);
+    const oracle::FileDescriptor to(ends[1]);
+    std::cout.flush();
+    id_ = fork_worker();
+    if (id_ < 0) refuse("no process can be started");
+    if (id_ == 0) work({sources, first, config, threads, to.number()});
+}
+
+Worker::~Worker() {
+    if (id_ == 0) return;
+    ::kill(id_, SIGKILL);
+    end();
+}
+
+std::string Worker::end() {
+    hand_interrupts_to(0);
+    int status = 0;
+    while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+    }
+    oracle::remove_scratch_folders_of(std::exchange(id_, 0));
+    if (WIFSIGNALED(status))
+        return "killed by signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) +
+               ")";
+    return WEXITSTATUS(status) == 0 ? "" : "ended with status " + std::to_string(WEXITSTATUS(status));
+}
+
+}  // namespace zproof
