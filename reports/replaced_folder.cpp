@@ -63,7 +63,7 @@ bool is_of_a_run_into(const fs::path& path, const fs::path& beside) {
 std::vector<fs::path> retire(const fs::path& old, const fs::path& path) {
     const OutputManifest written = manifest_in(old).value_or(OutputManifest{});
     Entries entries = entries_below(old);
-    std::ranges::stable_partition(entries.files, [&](const fs::path& name) {
+    std::stable_partition(entries.files.begin(), entries.files.end(), [&](const fs::path& name) {
         return !written.contains(name.generic_string());  // these first: they keep their names
     });
     std::vector<fs::path> kept;

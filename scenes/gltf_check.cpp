@@ -152,16 +152,16 @@ class Check {
     }
 
     void sparse(const std::string& place, const tinygltf::Accessor& accessor, std::size_t size) const {
-        const auto& [count, is_sparse, indices, values] = accessor.sparse;
-        if (static_cast<std::size_t>(count) > accessor.count)
+        const auto& [stated, is_sparse, indices, values] = accessor.sparse;
+        const auto count = static_cast<std::size_t>(stated);
+        if (count > accessor.count)
             refuse(file_, place + "/count",
                    std::to_string(count) + "; expected at most the accessor's count, " +
                        std::to_string(accessor.count) + export_again);
         const auto packed = [&](const std::string& part, int view, int offset, std::size_t bytes) {
             if (at(model_.bufferViews, view).byteStride != 0)
                 refuse(file_, place + part, "expected a buffer view without byteStride" + export_again);
-            run(place + part,
-                {view, static_cast<std::size_t>(offset), bytes, static_cast<std::size_t>(count)});
+            run(place + part, {view, static_cast<std::size_t>(offset), bytes, count});
         };
         packed("/indices", indices.bufferView, indices.byteOffset, component_bytes(indices.componentType));
         packed("/values", values.bufferView, values.byteOffset, size);

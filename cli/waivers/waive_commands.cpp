@@ -78,15 +78,18 @@ ExitCode execute(const WaivePruneArguments& arguments) {
     const Gate gate = open_gate(arguments.gate);
     const Results seen = results_with_waivers(gate, arguments.results);
     std::vector<std::string> ids;
+    std::string removed;
     for (const WaiverStatus& status : waiver_statuses(seen)) {
         using enum WaiverStatus::State;
         if (status.state != expired && status.state != unused) continue;
         ids.push_back(status.waiver->id);
-        std::cout << "removed " << one_line(status.waiver->id) << ": " << name_of(status.state) << "\n";
+        removed +=
+            "removed " + one_line(status.waiver->id) + ": " + std::string(name_of(status.state)) + "\n";
     }
     if (!ids.empty())
-        write_whole_file(arguments.gate.waivers, without_waivers(content_of(arguments.gate.waivers), ids));
-    std::cout << counted(gate.waivers.size() - ids.size(), "waiver") << " left\n";
+        write_whole_file(arguments.gate.waivers, without_waivers(content_of(arguments.gate.waivers), ids,
+                                                                 arguments.gate.waivers.string()));
+    std::cout << removed << counted(gate.waivers.size() - ids.size(), "waiver") << " left\n";
     return ExitCode::proven;
 }
 

@@ -21,7 +21,9 @@ std::string waiver_text(const Waiver& waiver);
 std::string empty_waiver_file();
 
 /// The file's text without the waivers of these ids, each with its lines up to the next one; comments that
-/// stand right above the next stay.
-std::string without_waivers(const std::string& text, const std::vector<std::string>& ids);
+/// stand right above the next stay. Throws UsageError, which begins with `name`, where that would not leave
+/// exactly the others: waivers that are no tables [[waiver]] of their own are a person's to remove.
+std::string without_waivers(const std::string& text, const std::vector<std::string>& ids,
+                            const std::string& name);
 
 }  // namespace zproof

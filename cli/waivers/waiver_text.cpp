@@ -2,6 +2,7 @@
 #include <array>
 #include <sstream>
 
+#include "cli/usage_error.h"
 #include "cli/waivers/waiver_file.h"
 
 namespace zproof {
@@ -77,6 +78,14 @@ std::vector<std::size_t> beginnings(const std::vector<std::string>& lines) {
     return places;
 }
 
+bool holds_exactly(const std::string& text, const std::vector<Waiver>& waivers) {
+    try {
+        return std::ranges::equal(parse_waivers(text, ""), waivers, {}, waiver_text, waiver_text);
+    } catch (const UsageError&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 std::string waiver_text(const Waiver& w) {
@@ -96,9 +105,10 @@ std::string empty_waiver_file() {
     return "# Waivers of zproof: docs/gate.md tells what they may say.\nformat = 1\n";
 }
 
-std::string without_waivers(const std::string& text, const std::vector<std::string>& ids) {
+std::string without_waivers(const std::string& text, const std::vector<std::string>& ids,
+                            const std::string& name) {
     const std::vector<std::string> lines = lines_of(text);
-    const std::vector<Waiver> waivers = parse_waivers(text, "waivers");
+    std::vector<Waiver> waivers = parse_waivers(text, name);
     const std::vector<std::size_t> begin = beginnings(lines);
     std::vector<bool> goes(lines.size());
     for (std::size_t i = 0; i < waivers.size() && i + 1 < begin.size(); ++i) {
@@ -110,6 +120,10 @@ std::string without_waivers(const std::string& text, const std::vector<std::stri
     std::string rest;
     for (std::size_t i = 0; i < lines.size(); ++i)
         if (!goes[i]) rest += lines[i] + "\n";
+    std::erase_if(waivers, [&](const Waiver& waiver) { return std::ranges::count(ids, waiver.id) > 0; });
+    if (!holds_exactly(rest, waivers))
+        throw UsageError{name + ": expected each waiver as a table [[waiver]] of its own; remove by hand: " +
+                         list_of(ids, [](const std::string& id) { return id; })};
     return rest;
 }
 

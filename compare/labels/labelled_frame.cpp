@@ -43,8 +43,8 @@ class FirstTriangles {
             if (t == 0 || of_triangle[t] != of_triangle[t - 1])
                 first_.push_back({of_triangle[t], std::uint32_t(t)});
         std::ranges::sort(first_);
-        const auto rest = std::ranges::unique(first_, {}, &std::pair<std::uint32_t, std::uint32_t>::first);
-        first_.erase(rest.begin(), rest.end());
+        const auto same_label = [](const auto& a, const auto& b) { return a.first == b.first; };
+        first_.erase(std::unique(first_.begin(), first_.end(), same_label), first_.end());
     }
 
     PrimitiveId of(std::uint32_t label) const {

@@ -222,7 +222,11 @@ std::vector<std::uint32_t> decode_sparse(std::string_view bytes, std::size_t cou
     const std::vector<std::uint32_t> words =
         decode(bytes, 2 * count, std::max<std::size_t>(count, 1), Prediction::left);
     std::vector<std::uint32_t> values(guess.begin(), guess.end());
-    for (std::size_t i = 0; i < count; ++i) values.at(words[i]) = words[count + i];
+    for (std::size_t i = 0; i < count; ++i) {
+        if (words[i] >= values.size())
+            throw ReportError("planes: a block is damaged: a place beyond its plane; run zproof again");
+        values[words[i]] = words[count + i];
+    }
     return values;
 }
 

@@ -146,10 +146,29 @@ TEST(WaiverText, LosesOnlyTheWaiversThatGo) {
     third.replace(third.find("W-1"), 3, "W-3");
     const std::string text =
         "# head\n" + head + "\n" + good + "# of two\n" + second + "\n# of three\n" + third;
-    EXPECT_EQ(without_waivers(text, {"W-2"}),
+    EXPECT_EQ(without_waivers(text, {"W-2"}, "w"),
               "# head\n" + head + "\n" + good + "# of two\n\n# of three\n" + third);
-    EXPECT_EQ(without_waivers(text, {}), text);
-    EXPECT_TRUE(parse_waivers(without_waivers(text, {"W-1", "W-2", "W-3"}), "w").empty());
+    EXPECT_EQ(without_waivers(text, {}, "w"), text);
+    EXPECT_TRUE(parse_waivers(without_waivers(text, {"W-1", "W-2", "W-3"}, "w"), "w").empty());
+}
+
+TEST(WaiverText, WaiversThatAreNoTablesOfTheirOwnAreLeftToAPerson) {
+    const std::string table = R"(id = "W-1", scene = "s", class = "hole", allow_all = true, )"
+                              R"(count = { min = 1, max = 2 }, reason = "r", link = "l", )"
+                              R"(created = 2026-11-01, expires = 2026-12-01)";
+    const std::string list = "format = 1\nwaiver = [{ " + table + " }]\n";
+    std::string in_a_text = good;
+    in_a_text.replace(in_a_text.find("reason = "), 9, "reason = \"\"\"\n[[waiver]]\n\"\"\"\n# ");
+    for (const std::string& text : {list, head + in_a_text}) {
+        ASSERT_EQ(parse_waivers(text, "w").size(), 1u);
+        try {
+            ADD_FAILURE() << without_waivers(text, {"W-1"}, "w.toml");
+        } catch (const UsageError& e) {
+            EXPECT_STREQ(
+                e.what(),
+                "w.toml: expected each waiver as a table [[waiver]] of its own; remove by hand: [W-1]");
+        }
+    }
 }
 
 }  // namespace

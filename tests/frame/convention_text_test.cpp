@@ -96,6 +96,7 @@ TEST(ConventionWord, MistakesAreNamed) {
     says("id_background=1.5", "/id_background: expected a whole number or largest");
     says("depth_scale=0", "/depth_scale: expected a number above 0");
     says("depth_background=0|none", "/depth_background: expected numbers, nan");
+    says("depth_scale=\xED", "found \"\xED\"");
     says("depth_kind=disparity", "/baseline: missing");
     says("baseline=1", "/baseline: only a disparity has one");
     says("id_coding=float", "/id_background: missing");

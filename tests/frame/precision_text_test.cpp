@@ -68,6 +68,7 @@ TEST(PrecisionText, ARefusalNamesPlaceAndRemedy) {
     EXPECT_NE(refusal("raster,snap=round")
                   .find("expected \"nearest\" or \"truncate\" or \"none\", found \"round\""),
               std::string::npos);
+    EXPECT_NE(refusal("raster,snap=\xCF").find("found \"\xCF\""), std::string::npos);
     EXPECT_NE(refusal("ray,subpixel_bits=4").find("unknown key"), std::string::npos);
     EXPECT_NE(refusal("plane_ray,aim_offset_px=-1").find("from 0 to 1, found -1"), std::string::npos);
     EXPECT_NE(refusal("raster,nonsense").find("KEY=VALUE"), std::string::npos);

@@ -68,6 +68,7 @@ TEST(PlaneCoding, GivesBackEveryBitBesideAGuess) {
     EXPECT_EQ(missed_by(nearly, guess), 1u);
     EXPECT_EQ(decode_sparse(encode_sparse(nearly, guess), 1, guess), nearly);
     EXPECT_EQ(decode_sparse(encode_sparse(guess, guess), 0, guess), guess);
+    EXPECT_THROW(decode_sparse(encode_sparse(nearly, guess), 1, std::span(guess).first(5)), ReportError);
 }
 
 /// Most pieces hold small numbers, some between them large ones.
