@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "math/widest.h"
+
 namespace zproof::oracle {
 namespace {
 
@@ -17,6 +19,22 @@ std::vector<double> for_each_pixel_of(int pixels, auto&& value) {
     std::vector<double> values(std::size_t(pixels / side + 1) * side);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = value(int(i));
     return values;
+}
+
+/// One coordinate of a block's rays: of_column + of_row + last, in this order.
+struct Sums {
+    const double *of_column, *of_row;
+    double last;
+    float* to;
+};
+
+void add_up(const std::array<Sums, 3>& all) {
+    for (const Sums& one : all) {
+        const Sums sums = one;
+        for (int row = 0; row < side; ++row)
+            for (int column = 0; column < side; ++column)
+                sums.to[row * side + column] = float((sums.of_column[column] + sums.of_row[row]) + sums.last);
+    }
 }
 
 }  // namespace
@@ -56,19 +74,13 @@ void BlockRays::begin(RTCRay16& rays) const {
     for (int lane = 0; lane < lanes; ++lane) rays.id[lane] = unsigned(lane);
 }
 
-/// Compiled once per instruction set; no bit depends on which runs.
-[[gnu::target_clones("default", "avx2", "avx512f")]] void BlockRays::aim(int left, int top,
-                                                                         RTCRay16& rays) const {
+void BlockRays::aim(int left, int top, RTCRay16& rays) const {
     const Axes varying = perspective_ ? directions_of(rays) : origins_of(rays);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double* const of_column = varying_[i].of_column.data() + left;
-        const double* const of_row = varying_[i].of_row.data() + top;
-        const double last = varying_[i].last;
-        float* const to = varying[i];
-        for (int row = 0; row < side; ++row)
-            for (int column = 0; column < side; ++column)
-                to[row * side + column] = float((of_column[column] + of_row[row]) + last);
-    }
+    std::array<Sums, 3> sums;
+    for (std::size_t i = 0; i < 3; ++i)
+        sums[i] = {varying_[i].of_column.data() + left, varying_[i].of_row.data() + top, varying_[i].last,
+                   varying[i]};
+    widest<add_up>(sums);
     std::fill_n(rays.tfar, lanes, any_.t_far);
 }
 

@@ -240,6 +240,7 @@ Results results_from_json(const std::string& text) try {
                     .compiler = run.at("compiler"),
                     .embree = run.at("embree"),
                     .threads = run.at("threads"),
+                    .isa = run.value("isa", ""),
                     .renderers = {},
                     .views = {}};
     for (const Json& one : run.at("renderers"))
