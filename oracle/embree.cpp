@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 
-#include "math/processor.h"
 #include "oracle/block_rays.h"
 #include "oracle/embree_errors.h"
 #include "oracle/embree_geometry.h"
@@ -246,7 +245,7 @@ std::string embree_version() {
                                 std::to_string(property(RTC_DEVICE_PROPERTY_VERSION_PATCH));
     if (property(RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED)) return "Embree " + version + " (AVX-512)";
     if (property(RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED)) {
-        return "Embree " + version + (widest_allowed() >= InstructionSet::avx2 ? " (AVX2)" : " (AVX)");
+        return "Embree " + version + (__builtin_cpu_supports("avx2") ? " (AVX2)" : " (AVX)");
     }
     return "Embree " + version + " (SSE)";
 }

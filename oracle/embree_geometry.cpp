@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "math/processor.h"
 #include "oracle/embree_errors.h"
 #include "oracle/oracle_error.h"
 #include "scenes/judged_ranges.h"
@@ -31,16 +30,10 @@ RTCSceneFlags flags_for(std::size_t triangles) {
                                               : RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT;
 }
 
-/// Where the instruction set is limited, Embree's is as well. Embree has nothing below SSE4.2.
-const char* configuration() {
-    if (widest_allowed() == instruction_sets().back()) return nullptr;
-    return widest_allowed() == InstructionSet::scalar ? "isa=sse4.2" : "isa=avx2";
-}
-
 }  // namespace
 
 DeviceHandle new_device() {
-    DeviceHandle device(rtcNewDevice(configuration()));
+    DeviceHandle device(rtcNewDevice(nullptr));
     if (!device)
         throw OracleError("Embree, while it opened a device: " + in_words(rtcGetDeviceError(nullptr)));
     return device;

@@ -46,7 +46,7 @@ void add_isa(CLI::App& app) {
                    throw UsageError{std::string{"--isa: "} + e.what()};
                }
            },
-           "the widest instruction set to use: scalar, avx2 or avx512; no result depends on it")
+           "the widest instruction set of zproof's own code, scalar, avx2 or avx512; no bit depends on it")
         ->default_str("all that the processor has");
 }
 

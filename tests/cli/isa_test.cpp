@@ -91,14 +91,6 @@ TEST(Isa, IsASettingLikeOthers) {
                 HasSubstr("(" + widest_here() + " is used)"));
 }
 
-TEST(Isa, OfEmbreeFollows) {
-    const Folder folder;
-    folder.write("one.gltf", one_triangle());
-    ASSERT_EQ(run(folder, with(one_triangle_small, {"--isa", "scalar"})).exit_code, 0);
-    const json results = json::parse(folder.read("zproof-out/results.json"));
-    EXPECT_THAT(std::string(results.at("run").at("embree")), HasSubstr("(SSE)"));
-}
-
 TEST(Isa, ThatIsUnknownOrNotHereIsAUsageError) {
     const Folder folder;
     folder.write("one.gltf", one_triangle());

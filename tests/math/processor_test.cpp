@@ -36,8 +36,9 @@ TEST(Processor, KnowsItsInstructionSetsByName) {
     for (const InstructionSet set : instruction_sets()) EXPECT_EQ(instruction_set_from(name_of(set)), set);
     EXPECT_THROW(instruction_set_from("sse2"), InstructionSetError);
     EXPECT_THROW(instruction_set_from(""), InstructionSetError);
-    if (instruction_sets().back() != InstructionSet::avx512)
+    if (instruction_sets().back() != InstructionSet::avx512) {
         EXPECT_THROW(instruction_set_from("avx512"), InstructionSetError);
+    }
 }
 
 TEST(Processor, AllowsNoMoreThanItHas) {

@@ -42,7 +42,9 @@ TEST(Widest, RunsACopyOfItsOwnForEachInstructionSet) {
     });
     for (std::size_t i = 0; i < places.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) EXPECT_NE(places[i], places[k]) << name_of(instruction_sets()[i]);
-    if (places.size() > 2) EXPECT_EQ(places_up_to_avx2[2], places_up_to_avx2[1]);
+    if (places.size() > 2) {
+        EXPECT_EQ(places_up_to_avx2[2], places_up_to_avx2[1]);
+    }
 }
 #endif
 
