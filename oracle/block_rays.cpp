@@ -21,19 +21,15 @@ std::vector<double> for_each_pixel_of(int pixels, auto&& value) {
     return values;
 }
 
-/// One coordinate of a block's rays: of_column + of_row + last, in this order.
-struct Sums {
-    const double *of_column, *of_row;
-    double last;
-    float* to;
-};
-
-void add_up(const std::array<Sums, 3>& all) {
-    for (const Sums& one : all) {
-        const Sums sums = one;
+void add_up(const std::array<BlockRays::Coordinate, 3>& coordinates, int left, int top, const Axes& to) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double* const of_column = coordinates[i].of_column.data() + left;
+        const double* const of_row = coordinates[i].of_row.data() + top;
+        const double last = coordinates[i].last;
+        float* const sums = to[i];
         for (int row = 0; row < side; ++row)
             for (int column = 0; column < side; ++column)
-                sums.to[row * side + column] = float((sums.of_column[column] + sums.of_row[row]) + sums.last);
+                sums[row * side + column] = float((of_column[column] + of_row[row]) + last);
     }
 }
 
@@ -75,12 +71,7 @@ void BlockRays::begin(RTCRay16& rays) const {
 }
 
 void BlockRays::aim(int left, int top, RTCRay16& rays) const {
-    const Axes varying = perspective_ ? directions_of(rays) : origins_of(rays);
-    std::array<Sums, 3> sums;
-    for (std::size_t i = 0; i < 3; ++i)
-        sums[i] = {varying_[i].of_column.data() + left, varying_[i].of_row.data() + top, varying_[i].last,
-                   varying[i]};
-    widest<add_up>(sums);
+    widest<add_up>(varying_, left, top, perspective_ ? directions_of(rays) : origins_of(rays));
     std::fill_n(rays.tfar, lanes, any_.t_far);
 }
 
