@@ -10,7 +10,7 @@
 #include "cli/usage_error.h"
 #include "cli/version.h"
 #include "frame/input_file.h"
-#include "rasterizer/dispatch.h"
+#include "math/processor.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -27,17 +27,17 @@ void print_row(const std::string& name, const std::string& value) {
     std::cout << "  " << padded(name, 14) << one_line(value) << "\n";
 }
 
-std::string instruction_sets() {
+std::string usable_instructions() {
     std::string names;
-    for (const rasterizer::Kernel& kernel : rasterizer::available_kernels())
-        names += (names.empty() ? "" : ", ") + std::string(kernel.name);
-    return names + " (the last is used)";
+    for (const InstructionSet set : instruction_sets())
+        names += (names.empty() ? "" : ", ") + std::string(name_of(set));
+    return names + " (" + std::string(name_of(widest_allowed())) + " is used)";
 }
 
 void print_machine() {
     std::cout << "zproof " << version_number() << "\n";
     print_row("compiler", compiler_name());
-    print_row("instructions", instruction_sets());
+    print_row("instructions", usable_instructions());
     print_row("processors", std::to_string(available_threads()));
 }
 

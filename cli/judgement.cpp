@@ -10,6 +10,7 @@
 #include "cli/supervision.h"
 #include "cli/threads.h"
 #include "cli/version.h"
+#include "math/processor.h"
 #include "reports/extent.h"
 #include "reports/output_folder.h"
 
@@ -49,6 +50,7 @@ ExitCode judge_and_report(const RunRequest& request) {
                     .compiler = compiler_name(),
                     .embree = "",
                     .threads = settings.threads,
+                    .isa = std::string(name_of(widest_allowed())),
                     .shard = shard,
                     .selection = selection,
                     .today = gate.waivers.empty() ? "" : in_words(gate.today),

@@ -14,6 +14,7 @@
 #include "cli/refusal.h"
 #include "cli/usage_error.h"
 #include "frame/printable.h"
+#include "math/processor.h"
 
 namespace zproof {
 namespace {
@@ -35,6 +36,8 @@ ExitCode guarded_run(int argc, const char* const* argv) {
         if (!std::cout.flush()) throw std::runtime_error{"stdout: cannot be written; is the disk full?"};
         return code;
     } catch (const UsageError& e) {
+        return complain("usage", e, ExitCode::usage);
+    } catch (const InstructionSetError& e) {  // ZPROOF_ISA, of a command without --isa
         return complain("usage", e, ExitCode::usage);
     } catch (const std::runtime_error& e) {  // the world refused: nothing is said about the renderer
         return complain(refusal, e, ExitCode::cannot_judge);

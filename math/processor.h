@@ -1,22 +1,40 @@
-/// What the processor can do, for code that is compiled once per instruction set.
+/// Instruction sets: what the processor has, and how much of it code may use that is compiled once for each.
 #pragma once
 
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace zproof {
 
-/// May code run here that was compiled with -mavx2, or with -mavx512f, dq, vl and bw? By what the processor
-/// says of itself; no on everything but x86.
-bool has_avx2();
-bool has_avx512();
+/// Each holds those before it.
+enum class InstructionSet : std::uint8_t {
+    scalar,  ///< what every processor has; on x86 that is SSE2
+    avx2,
+    avx512,  ///< its parts F, DQ, VL and BW
+};
 
-/// The kernels of three that may run here, narrowest first; the scalar one may everywhere.
-template <typename Kernel>
-std::vector<Kernel> runnable(const Kernel& scalar, const Kernel& avx2, const Kernel& avx512) {
-    std::vector<Kernel> kernels{scalar};
-    if (has_avx2()) kernels.push_back(avx2);
-    if (has_avx512()) kernels.push_back(avx512);
-    return kernels;
-}
+std::string_view name_of(InstructionSet set);
+
+/// What this processor has, narrowest first; scalar alone on everything but x86.
+const std::vector<InstructionSet>& instruction_sets();
+
+/// A word that names no instruction set, or one that this processor does not have.
+struct InstructionSetError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Throws InstructionSetError, which says what this processor has.
+InstructionSet instruction_set_from(std::string_view word);
+
+/// The widest that may run: what the processor has, up to what allow_at_most() or else the environment
+/// variable ZPROOF_ISA says. No bit of any result depends on it. The first call throws InstructionSetError
+/// where ZPROOF_ISA names none.
+InstructionSet widest_allowed();
+
+/// To be called before anything else runs, and on one thread.
+void allow_at_most(InstructionSet set);
 
 }  // namespace zproof

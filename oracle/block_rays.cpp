@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "math/widest.h"
+
 namespace zproof::oracle {
 namespace {
 
@@ -17,6 +19,18 @@ std::vector<double> for_each_pixel_of(int pixels, auto&& value) {
     std::vector<double> values(std::size_t(pixels / side + 1) * side);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = value(int(i));
     return values;
+}
+
+void add_up(const std::array<BlockRays::Coordinate, 3>& coordinates, int left, int top, const Axes& to) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double* const of_column = coordinates[i].of_column.data() + left;
+        const double* const of_row = coordinates[i].of_row.data() + top;
+        const double last = coordinates[i].last;
+        float* const sums = to[i];
+        for (int row = 0; row < side; ++row)
+            for (int column = 0; column < side; ++column)
+                sums[row * side + column] = float((of_column[column] + of_row[row]) + last);
+    }
 }
 
 }  // namespace
@@ -56,19 +70,8 @@ void BlockRays::begin(RTCRay16& rays) const {
     for (int lane = 0; lane < lanes; ++lane) rays.id[lane] = unsigned(lane);
 }
 
-/// Compiled once per instruction set; no bit depends on which runs.
-[[gnu::target_clones("default", "avx2", "avx512f")]] void BlockRays::aim(int left, int top,
-                                                                         RTCRay16& rays) const {
-    const Axes varying = perspective_ ? directions_of(rays) : origins_of(rays);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double* const of_column = varying_[i].of_column.data() + left;
-        const double* const of_row = varying_[i].of_row.data() + top;
-        const double last = varying_[i].last;
-        float* const to = varying[i];
-        for (int row = 0; row < side; ++row)
-            for (int column = 0; column < side; ++column)
-                to[row * side + column] = float((of_column[column] + of_row[row]) + last);
-    }
+void BlockRays::aim(int left, int top, RTCRay16& rays) const {
+    widest<add_up>(varying_, left, top, perspective_ ? directions_of(rays) : origins_of(rays));
     std::fill_n(rays.tfar, lanes, any_.t_far);
 }
 

@@ -16,6 +16,12 @@ class BlockRays {
     static constexpr int side = 4;  ///< pixels
     static constexpr int lanes = side * side;
 
+    /// One coordinate of what varies, as primary_ray() adds it up: (column + row) + last.
+    struct Coordinate {
+        std::vector<double> of_column, of_row;
+        double last = 0;
+    };
+
     explicit BlockRays(const View& view);
 
     /// Fills what all rays of the view have in common, with their bits in primary_ray(): tnear, origins or
@@ -31,12 +37,6 @@ class BlockRays {
     double origin_depth() const { return any_.origin_depth; }
 
   private:
-    /// One coordinate of what varies, as primary_ray() adds it up: (column + row) + last.
-    struct Coordinate {
-        std::vector<double> of_column, of_row;
-        double last = 0;
-    };
-
     PrimaryRay any_;
     bool perspective_;
     std::array<Coordinate, 3> varying_;

@@ -1,20 +1,31 @@
 #include "rasterizer/dispatch.h"
 
+#include <array>
+
 #include "math/processor.h"
 
 namespace zproof::rasterizer {
+namespace {
+
+/// In the order of InstructionSet.
+constexpr std::array kernels{
+    &scalar::kernel,
+#ifdef __x86_64__
+    &avx2::kernel,
+    &avx512::kernel,
+#endif
+};
+
+const Kernel& kernel_for(InstructionSet set) { return *kernels.at(std::size_t(set)); }
+
+}  // namespace
 
 std::vector<Kernel> available_kernels() {
-#ifdef __x86_64__
-    return runnable(scalar::kernel, avx2::kernel, avx512::kernel);
-#else
-    return {scalar::kernel};
-#endif
+    std::vector<Kernel> available;
+    for (const InstructionSet set : instruction_sets()) available.push_back(kernel_for(set));
+    return available;
 }
 
-const Kernel& widest_kernel() {
-    static const Kernel widest = available_kernels().back();
-    return widest;
-}
+const Kernel& widest_kernel() { return kernel_for(widest_allowed()); }
 
 }  // namespace zproof::rasterizer

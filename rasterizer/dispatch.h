@@ -10,7 +10,7 @@ namespace zproof::rasterizer {
 /// The kernels that the processor says it can run, narrowest first; scalar runs everywhere.
 std::vector<Kernel> available_kernels();
 
-/// The last of them. Asked once.
+/// The one for widest_allowed() (math/processor.h).
 const Kernel& widest_kernel();
 
 }  // namespace zproof::rasterizer

@@ -25,7 +25,7 @@ constexpr std::uint32_t buckets = 4096;
 constexpr std::uint32_t no_colour = none;
 
 /// The range of the finite positive depths; `none` and 0 where there are none.
-[[gnu::target_clones("default", "avx2", "avx512f")]] DepthRange range_in(std::span<const float> depths) {
+DepthRange range_in(std::span<const float> depths) {
     std::uint32_t low = none, high = 0;
     for (const float depth : depths) {
         const auto bits = std::bit_cast<std::uint32_t>(depth);
@@ -135,8 +135,7 @@ void DepthColours::Buckets::push_back(const Bucket& bucket) {
 
 /// No colour where the steps must be asked; returns the greatest word. No branches, so that neighbours are
 /// looked up side by side.
-[[gnu::target_clones("default", "avx2", "avx512f")]] std::uint32_t DepthColours::look_up(
-    std::span<const float> depths, std::uint32_t* __restrict words) const {
+std::uint32_t DepthColours::look_up(std::span<const float> depths, std::uint32_t* __restrict words) const {
     constexpr auto background = std::bit_cast<std::uint32_t>(background_depth);
     constexpr std::uint32_t far_off = word_of(background_colour), no_depth = word_of(no_depth_colour);
     const std::uint32_t *before = buckets_.before.data(), *after = buckets_.after.data(),

@@ -60,6 +60,7 @@ std::string provenance(const Results& r) {
     if (!r.embree.empty()) text += " · " + escaped(r.embree);
     if (!r.compiler.empty()) text += " · " + escaped(r.compiler);
     if (r.threads > 0) text += " · " + counted(std::uint64_t(r.threads), "thread");
+    if (!r.isa.empty()) text += " · " + escaped(r.isa);
     return "<p class=\"facts\">" + text + "</p>\n" +
            (r.command.empty() ? "" : "<p class=\"facts\"><code>" + escaped(r.command) + "</code></p>\n");
 }

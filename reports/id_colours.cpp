@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 
+#include "math/widest.h"
 #include "reports/rgb_words.h"
 
 namespace zproof {
@@ -40,8 +41,7 @@ struct Hsv {
 };
 
 /// No branches, so that neighbours are done side by side.
-[[gnu::target_clones("default", "avx2", "avx512f")]] void colour_block(const Block& ids, std::size_t count,
-                                                                       Block& colours) {
+void colour_block(const Block& ids, std::size_t count, Block& colours) {
     constexpr std::uint32_t background = word_of(background_colour);
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t h = scrambled(ids[i] + 1);
@@ -79,7 +79,7 @@ void colour_ids(std::span<const PrimitiveId> ids, std::span<Rgb8> pixels) {
     for (std::size_t first = 0; first < ids.size(); first += together) {
         const std::size_t count = std::min(together, ids.size() - first);
         runs.find(ids.subspan(first, count));
-        colour_block(runs.ids, runs.count, colours);
+        widest<colour_block>(runs.ids, runs.count, colours);
         for (std::size_t i = 0; i < count; ++i) words[i] = colours[runs.run[i]];
         store(std::span(words).first(count), pixels.subspan(first, count));
     }

@@ -237,6 +237,7 @@ Results results_from(const Json& root) {
                     .compiler = run.at("compiler"),
                     .embree = run.at("embree"),
                     .threads = run.at("threads"),
+                    .isa = run.value("isa", ""),
                     .renderers = {},
                     .views = {}};
     for (const Json& one : run.at("renderers"))

@@ -203,6 +203,7 @@ Json run_object(const Results& r) {
             {"compiler", r.compiler},
             {"embree", r.embree},
             {"threads", r.threads},
+            {"isa", r.isa},
             {"shard", {{"number", r.shard.number}, {"count", r.shard.count}}},
             {"ending", r.ending == Ending::complete ? "complete" : "interrupted"},
             {"today", r.today},

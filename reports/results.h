@@ -148,6 +148,7 @@ struct Results {
     std::vector<std::string> argv{};  ///< as typed, word by word, without "zproof"
     std::string compiler, embree;
     int threads = 0;
+    std::string isa{};  ///< the instruction set, "avx2"; empty in results of older versions
     Shard shard{};
     Selection selection{};
     Ending ending = Ending::complete;

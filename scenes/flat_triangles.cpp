@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "math/widest.h"
+
 namespace zproof {
 namespace {
 
@@ -19,8 +21,7 @@ constexpr std::size_t fetched_ahead = 16;
 /// Counted in each of the first three lanes; what the last one holds means nothing. Without a branch: in a
 /// box or a house every other triangle lies in a plane of the axes, so that one component alone tells
 /// nothing.
-inline __attribute__((always_inline)) std::uint64_t flat_side_by_side(std::span<const glm::uvec3> triangles,
-                                                                      const glm::vec3* positions) {
+std::uint64_t flat_side_by_side(std::span<const glm::uvec3> triangles, const glm::vec3* positions) {
     Longs flat{};
     for (std::size_t k = 0; k < triangles.size(); ++k) {
         const glm::uvec3& t = triangles[k];
@@ -42,9 +43,8 @@ inline __attribute__((always_inline)) std::uint64_t flat_side_by_side(std::span<
 
 }  // namespace
 
-[[gnu::flatten, gnu::target_clones("default", "avx2")]] std::uint64_t flat_among(
-    std::span<const glm::uvec3> triangles, const Positions& positions) {
-    return flat_side_by_side(triangles, positions.data());
+std::uint64_t flat_among(std::span<const glm::uvec3> triangles, const Positions& positions) {
+    return widest<flat_side_by_side, InstructionSet::avx2>(triangles, positions.data());
 }
 
 }  // namespace zproof

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "math/widest.h"
+
 namespace zproof {
 namespace {
 
@@ -19,19 +21,16 @@ T largest_of(const unsigned char* numbers, std::size_t count, T mask) {
 
 }  // namespace
 
-[[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] std::uint8_t largest(
-    const unsigned char* numbers, std::size_t count, std::uint8_t mask) {
-    return largest_of(numbers, count, mask);
+std::uint8_t largest(const unsigned char* numbers, std::size_t count, std::uint8_t mask) {
+    return widest<largest_of<std::uint8_t>>(numbers, count, mask);
 }
 
-[[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] std::uint16_t largest(
-    const unsigned char* numbers, std::size_t count, std::uint16_t mask) {
-    return largest_of(numbers, count, mask);
+std::uint16_t largest(const unsigned char* numbers, std::size_t count, std::uint16_t mask) {
+    return widest<largest_of<std::uint16_t>>(numbers, count, mask);
 }
 
-[[gnu::flatten, gnu::target_clones("default", "avx2", "arch=x86-64-v4")]] std::uint32_t largest(
-    const unsigned char* numbers, std::size_t count, std::uint32_t mask) {
-    return largest_of(numbers, count, mask);
+std::uint32_t largest(const unsigned char* numbers, std::size_t count, std::uint32_t mask) {
+    return widest<largest_of<std::uint32_t>>(numbers, count, mask);
 }
 
 }  // namespace zproof

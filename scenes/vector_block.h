@@ -13,13 +13,18 @@ class VectorBlock {
   public:
     static constexpr std::size_t capacity = 1024;
 
+    struct Coordinates {
+        std::size_t size;
+        std::array<double, capacity> x, y, z;
+    };
+
     /// The block has `size` vectors, at most `capacity`, without values yet.
-    explicit VectorBlock(std::size_t size) : size_(size) {}
+    explicit VectorBlock(std::size_t size) { all_.size = size; }
 
     void set(std::size_t i, const glm::dvec3& vector) {
-        x_[i] = vector.x;
-        y_[i] = vector.y;
-        z_[i] = vector.z;
+        all_.x[i] = vector.x;
+        all_.y[i] = vector.y;
+        all_.z[i] = vector.z;
     }
 
     /// Takes them from packed floats.
@@ -32,8 +37,7 @@ class VectorBlock {
     void write(std::span<glm::vec3> to) const;
 
   private:
-    std::size_t size_;
-    std::array<double, capacity> x_, y_, z_;
+    Coordinates all_;
 };
 
 }  // namespace zproof

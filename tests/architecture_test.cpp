@@ -31,8 +31,9 @@ const std::map<std::string, Names> may_include{
     {"measure", {"math", "frame", "scenes", "compare"}},  // is handed a renderer as a function; knows none
     {"study",
      {"math", "frame", "scenes", "texture", "rasterizer", "oracle",
-      "compare"}},                                                      // holds a method to its truth
-    {"reports", {"compare", "measure", "study", "frame", "image_io"}},  // shows results; never computes one
+      "compare"}},  // holds a method to its truth
+    {"reports",
+     {"math", "compare", "measure", "study", "frame", "image_io"}},  // shows results; never computes one
     {"cli",
      {"math", "frame", "image_io", "scenes", "texture", "rasterizer", "oracle", "compare", "measure", "study",
       "reports"}},

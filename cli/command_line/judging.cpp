@@ -64,6 +64,7 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     add_reference_words(app, words.renderers);
     add_oracle_options(app, words.renderers);
     add_threads(app, words.compare.settings.threads);
+    add_isa(app);
     add_samples(app, words.compare.settings);
     add_report(app, words.compare.report);
     add_evidence(app, words.compare.report);

@@ -2,6 +2,7 @@
 
 #include "cli/samples.h"
 #include "cli/usage_error.h"
+#include "math/processor.h"
 
 namespace zproof {
 namespace {
@@ -35,6 +36,20 @@ void add_threads(CLI::App& app, int& threads) {
         ->capture_default_str();
 }
 
+void add_isa(CLI::App& app) {
+    app.add_option_function<std::string>(
+           "--isa",
+           [](const std::string& word) {
+               try {
+                   allow_at_most(instruction_set_from(word));
+               } catch (const InstructionSetError& e) {
+                   throw UsageError{std::string{"--isa: "} + e.what()};
+               }
+           },
+           "the widest instruction set of zproof's own code, scalar, avx2 or avx512; no bit depends on it")
+        ->default_str("all that the processor has");
+}
+
 void add_render_settings(CLI::App& app, RenderSettings& settings) {
     app.add_option("--width", settings.resolution.width, "pixels; view files state their own")
         ->check(CLI::Range(1, 32768))
@@ -43,6 +58,7 @@ void add_render_settings(CLI::App& app, RenderSettings& settings) {
         ->check(CLI::Range(1, 32768))
         ->capture_default_str();
     add_threads(app, settings.threads);
+    add_isa(app);
 }
 
 void add_samples(CLI::App& app, RenderSettings& settings) {

@@ -29,7 +29,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value,
 /// --models
 void add_models(CLI::App& app, std::filesystem::path& models);
 void add_threads(CLI::App& app, int& threads);
-void add_render_settings(CLI::App& app, RenderSettings& settings);  ///< --width, --height, --threads
+/// --isa; holds for the process as soon as it is read.
+void add_isa(CLI::App& app);
+void add_render_settings(CLI::App& app, RenderSettings& settings);  ///< --width, --height, --threads, --isa
 void add_samples(CLI::App& app, RenderSettings& settings);          ///< --sample
 void add_report(CLI::App& app, ReportArguments& report);            ///< --out, --color and what is printed
 void add_evidence(CLI::App& app, ReportArguments& report);          ///< --evidence, --pictures

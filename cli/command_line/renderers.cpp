@@ -48,6 +48,7 @@ Branch add_measure(CLI::App& parent, CommandWords& words) {
         ->required();
     add_precision_options(app, words.renderers);
     add_keep_input(app, words.renderers);
+    add_isa(app);
     app.add_option("--emit", words.measure.emit,
                    "also write what was measured as a precision file (.json), for --precision");
     app.add_flag_callback(
@@ -96,6 +97,7 @@ Branch add_contract_check(CLI::App& parent, CommandWords& words) {
     add_keep_input(app, words.renderers);
     add_ids_option(app, words.renderers);
     add_threads(app, words.contract_check.threads);
+    add_isa(app);
     app.footer(contract_remark);
     return {&app, [&words] {
                 words.contract_check.renderer = candidate_of(words.renderers);
@@ -107,6 +109,7 @@ Branch add_selftest(CLI::App& parent, CommandWords& words) {
     CLI::App& app =
         *parent.add_subcommand("selftest", "see the gate fail: inject known faults into good frames");
     add_threads(app, words.selftest.threads);
+    add_isa(app);
     return {&app, [&words] { return words.selftest; }};
 }
 

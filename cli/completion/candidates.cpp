@@ -8,6 +8,7 @@
 #include "cli/report_files.h"
 #include "compare/pixel_class.h"
 #include "frame/convention_text.h"
+#include "math/processor.h"
 #include "scenes/filter_scenes.h"
 #include "scenes/suite.h"
 #include "scenes/triangle_labels.h"
@@ -53,6 +54,13 @@ Words class_names() {
 Words format_names() {
     Words names;
     for (const ReportFormat format : all_formats()) names.push_back(name_of(format));
+    return names;
+}
+
+Words isa_names() {
+    Words names;
+    for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::avx2, InstructionSet::avx512})
+        names.emplace_back(name_of(set));
     return names;
 }
 
@@ -110,6 +118,7 @@ constexpr std::array meanings{
             [](const OutlineCommand&) {
                 return Candidates{with({"all"}, method_names()), Paths::none, Listing::by_comma};
             }},
+    Meaning{"--isa", [](const OutlineCommand&) { return Candidates{isa_names()}; }},
     Meaning{"--region", [](const OutlineCommand&) { return Candidates{region_names()}; }},
     Meaning{"--class", [](const OutlineCommand&) { return Candidates{class_names()}; }},
     Meaning{"--precision", promises},

@@ -7,6 +7,7 @@
 #include <map>
 #include <sstream>
 
+#include "cli/command_line/options.h"
 #include "cli/filters/precision_words.h"
 #include "cli/usage_error.h"
 #include "texture/catalogue.h"
@@ -37,10 +38,11 @@ void add_size(CLI::App& app, Size& width, Size& height) {
         ->capture_default_str();
 }
 
-void add_threads(CLI::App& app, int& threads) {
+void add_threads_and_isa(CLI::App& app, int& threads) {
     app.add_option("--threads", threads, "all but the times is the same for any number")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
+    add_isa(app);
 }
 
 template <class T>
@@ -77,7 +79,7 @@ void add_run(CLI::App& app, FiltersWords& words) {
                    "rows above count in the regions all and horizon only; default 0, of 'worked' 56 of 256")
         ->check(CLI::Range(0, 32767));
     add_size(app, words.run.width, words.run.height);
-    add_threads(app, words.run.threads);
+    add_threads_and_isa(app, words.run.threads);
     app.footer("\nSettings of a method, NAME:key=value:key=value:\n" + filter_settings_help());
 }
 
@@ -108,7 +110,7 @@ void add_check(CLI::App& app, FiltersWords& words) {
     app.add_option("--picture", words.check.picture, "judge this picture (.exr) of one method and one view");
     app.add_option("--precision", words.precision, "what the filter promises, as key=value,key=value");
     add_size(app, words.check.width, words.check.height);
-    add_threads(app, words.check.threads);
+    add_threads_and_isa(app, words.check.threads);
     app.footer(check_remark);
 }
 
@@ -184,7 +186,7 @@ void add_filters(CLI::App& app, FiltersWords& words) {
         *app.add_subcommand("crow", "Crow 1984: the lecture's figure and its questions, answered");
     crow.add_option("-o,--out", words.crow.out, "folder for the page")->capture_default_str();
     add_size(crow, words.crow.settings.resolution.width, words.crow.settings.resolution.height);
-    add_threads(crow, words.crow.settings.threads);
+    add_threads_and_isa(crow, words.crow.settings.threads);
 }
 
 FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) {

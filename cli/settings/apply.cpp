@@ -17,7 +17,8 @@ bool bears_on_all(const CLI::App& app) {
 
 bool concerns(const CLI::App& app, const std::string& setting) {
     if (app.get_option_no_throw(option_name(setting)) == nullptr) return false;
-    if (setting == "threads" || setting == "color" || setting == "progress") return true;
+    const auto for_all = {"threads", "isa", "color", "progress"};
+    if (std::ranges::find(for_all, setting) != for_all.end()) return true;
     return bears_on_all(app) && (setting != "scenes" || app.get_name() == "run");
 }
 

@@ -17,6 +17,7 @@ std::span<const Setting> known_settings() {
         {"width", number, {1, 32768, 1920}},
         {"height", number, {1, 32768, 1080}},
         {"threads", number, {1, 1024, 4}},
+        {"isa", text},
         {"out", path},
         {"report", list},
         {"pictures", flag},

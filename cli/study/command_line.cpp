@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <map>
 
+#include "cli/command_line/options.h"
 #include "cli/study/study.h"
 #include "cli/usage_error.h"
 
@@ -36,6 +37,7 @@ void add_common(CLI::App& app, const Study& study, StudyArguments& arguments) {
     app.add_option("-j,--threads", arguments.threads, "figures are the same for any number")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
+    add_isa(app);
     std::vector<std::string> words;
     for (const auto& [word, style] : styles) words.push_back(word);
     app.add_option_function<std::string>(

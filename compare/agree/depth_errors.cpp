@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "math/widest.h"
+
 namespace zproof {
 
 namespace {
@@ -24,10 +26,9 @@ template <Projection projection>
         find_errors<projection, by_inverse_depth>(of, x, y, count, depths, errors);
 }
 
-// Compiled once per instruction set, with everything that it calls. No bit depends on which runs: contraction
-// is off, and every pixel's operations keep their order.
-[[gnu::flatten, gnu::target_clones("default", "avx2", "avx512f")]] void find_on_plane(
-    const TriangleDepth& triangle, int x, int y, int count, const float* depths, double* errors) {
+/// Every pixel's operations keep their order, whatever is done side by side.
+void find_on_plane(const TriangleDepth& triangle, int x, int y, int count, const float* depths,
+                   double* errors) {
     if (triangle.projection() == Projection::perspective)
         find_errors<Projection::perspective>(triangle, x, y, count, depths, errors);
     else
@@ -40,7 +41,7 @@ void find_depth_errors(const TriangleDepth& triangle, int x, int y, std::size_t 
                        double* errors) {
     const std::size_t rounded_up = (count + errors_together - 1) / errors_together * errors_together;
     if (triangle.has_plane())
-        find_on_plane(triangle, x, y, int(rounded_up), depths, errors);
+        widest<find_on_plane>(triangle, x, y, int(rounded_up), depths, errors);
     else
         std::fill_n(errors, count, undecided_error);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "math/widest.h"
+
 namespace zproof {
 
 namespace {
@@ -18,10 +20,8 @@ static_assert(uncounted < int(RowCounts::stride) && row_pixels % RowCounts::lane
 }
 
 /// Writes the bins of each pixel, and raises the largest errors. Is any pixel undecided?
-[[gnu::target_clones("default", "avx2", "avx512f")]] bool set_bins(const ComparedRow& row,
-                                                                   RowCounts::Most& candidate,
-                                                                   RowCounts::Most& reference,
-                                                                   RowOf<int>& pairs) {
+bool set_bins(const ComparedRow& row, RowCounts::Most& candidate, RowCounts::Most& reference,
+              RowOf<int>& pairs) {
     RowCounts::Most most = candidate, most_of_reference = reference;
     int undecided = 0;
     for (std::size_t first = 0; first < row_pixels; first += RowCounts::lanes)
@@ -45,7 +45,7 @@ static_assert(uncounted < int(RowCounts::stride) && row_pixels % RowCounts::lane
 
 bool RowCounts::add(const ComparedRow& row) {
     RowOf<int> pairs;
-    const bool is_any_undecided = set_bins(row, candidate_most_, reference_most_, pairs);
+    const bool is_any_undecided = widest<set_bins>(row, candidate_most_, reference_most_, pairs);
     for (std::size_t i = 0; i < row_pixels; ++i)
         ++pairs_[i % lanes * stride * stride + std::size_t(pairs[i])];
     return is_any_undecided;

@@ -26,8 +26,7 @@ std::uint32_t folded(std::uint32_t difference) { return (difference << 1) ^ (0u 
 std::uint32_t unfolded(std::uint32_t folded) { return (folded >> 1) ^ (0u - (folded & 1)); }
 
 /// The lowest byte of every number once it is shifted.
-[[gnu::target_clones("default", "avx2", "avx512f")]] void take_bytes(const std::uint32_t* values,
-                                                                     std::size_t count, int shift, char* to) {
+void take_bytes(const std::uint32_t* values, std::size_t count, int shift, char* to) {
     for (std::size_t i = 0; i < count; ++i) to[i] = char(values[i] >> shift);
 }
 void take_bytes(const std::uint64_t* values, std::size_t count, int shift, char* to) {
@@ -138,25 +137,22 @@ std::uint32_t guess_for(const std::uint32_t* values, std::size_t i, std::size_t 
 }
 
 /// What left prediction misses of a row.
-[[gnu::target_clones("default", "avx2", "avx512f")]] void miss_left(Words row,
-                                                                    std::span<std::uint32_t> missed) {
+void miss_left(Words row, std::span<std::uint32_t> missed) {
     missed[0] = folded(row[0]);
     for (std::size_t i = 1; i < missed.size(); ++i) missed[i] = folded(row[i] - row[i - 1]);
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] void miss_planar(Words upper, Words row,
-                                                                      std::span<std::uint32_t> missed) {
+void miss_planar(Words upper, Words row, std::span<std::uint32_t> missed) {
     missed[0] = folded(row[0] - upper[0]);
     for (std::size_t i = 1; i < missed.size(); ++i)
         missed[i] = folded(row[i] - row[i - 1] - (upper[i] - upper[i - 1]));
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] void miss_beside(Words values, Words guess,
-                                                                      std::span<std::uint32_t> missed) {
+void miss_beside(Words values, Words guess, std::span<std::uint32_t> missed) {
     for (std::size_t i = 0; i < missed.size(); ++i) missed[i] = folded(values[i] - guess[i]);
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] std::uint32_t count_unlike(Words a, Words b) {
+std::uint32_t count_unlike(Words a, Words b) {
     std::uint32_t unlike = 0;
     for (std::size_t i = 0; i < a.size(); ++i) unlike += a[i] != b[i];
     return unlike;

@@ -3,6 +3,8 @@
 #include <bit>
 #include <limits>
 
+#include "math/widest.h"
+
 namespace zproof::planes {
 
 namespace {
@@ -31,8 +33,7 @@ constexpr std::uint32_t least_fraction(double least) {
     return std::uint8_t(bits > infinite ? 0 : 1 + within);  // infinity's octave is the last
 }
 
-[[gnu::target_clones("default", "avx2", "avx512f")]] void fill_codes(const float* errors, std::size_t count,
-                                                                     char* codes) {
+void fill_codes(const float* errors, std::size_t count, char* codes) {
     for (std::size_t i = 0; i < count; ++i) codes[i] = char(code_of(errors[i]));
 }
 
@@ -42,7 +43,7 @@ std::uint8_t error_code(float ratio) { return code_of(ratio); }
 
 std::string error_codes(std::span<const float> errors) {
     std::string codes(errors.size(), '\0');
-    fill_codes(errors.data(), errors.size(), codes.data());
+    widest<fill_codes>(errors.data(), errors.size(), codes.data());
     return codes;
 }
 

@@ -2,6 +2,7 @@
 #include <span>
 #include <vector>
 
+#include "math/widest.h"
 #include "scenes/suite/random.h"
 #include "scenes/suite/scenes.h"
 #include "scenes/suite/shapes.h"
@@ -26,9 +27,8 @@ Among among(double coordinate) {
 }
 
 /// heights += amplitude * mix(upper, lower, weight).
-[[gnu::target_clones("default", "avx2", "avx512f")]] void add_mixed(const double* upper, const double* lower,
-                                                                    double weight, double amplitude,
-                                                                    std::span<double> heights) {
+void add_mixed(const double* upper, const double* lower, double weight, double amplitude,
+               std::span<double> heights) {
     for (std::size_t i = 0; i < heights.size(); ++i)
         heights[i] += amplitude * (upper[i] + (lower[i] - upper[i]) * weight);
 }
@@ -53,7 +53,7 @@ class Noise {
     void add_to(std::span<double> heights, double z, double amplitude) const {
         const auto [whole, weight] = among(z * frequency_);
         const auto upper = static_cast<std::size_t>(whole - first_line_);
-        add_mixed(lines_[upper].data(), lines_[upper + 1].data(), weight, amplitude, heights);
+        widest<add_mixed>(lines_[upper].data(), lines_[upper + 1].data(), weight, amplitude, heights);
     }
 
   private:

@@ -24,16 +24,32 @@ std::set<std::string> flags() {
 
 TEST(Processor, HasWhatTheKernelSays) {
     const std::set<std::string> known = flags();
-    EXPECT_EQ(has_avx2(), known.contains("avx2"));
-    EXPECT_EQ(has_avx512(), known.contains("avx512f") && known.contains("avx512dq") &&
-                                known.contains("avx512vl") && known.contains("avx512bw"));
+    std::vector<InstructionSet> expected{InstructionSet::scalar};
+    if (known.contains("avx2")) expected.push_back(InstructionSet::avx2);
+    if (known.contains("avx512f") && known.contains("avx512dq") && known.contains("avx512vl") &&
+        known.contains("avx512bw"))
+        expected.push_back(InstructionSet::avx512);
+    EXPECT_EQ(instruction_sets(), expected);
 }
 
-TEST(Processor, RunsKernelsNarrowestFirst) {
-    std::vector<std::string> expected{"scalar"};
-    if (has_avx2()) expected.push_back("avx2");
-    if (has_avx512()) expected.push_back("avx512");
-    EXPECT_EQ(runnable<std::string>("scalar", "avx2", "avx512"), expected);
+TEST(Processor, KnowsItsInstructionSetsByName) {
+    for (const InstructionSet set : instruction_sets()) EXPECT_EQ(instruction_set_from(name_of(set)), set);
+    EXPECT_THROW(instruction_set_from("sse2"), InstructionSetError);
+    EXPECT_THROW(instruction_set_from(""), InstructionSetError);
+    if (instruction_sets().back() != InstructionSet::avx512) {
+        EXPECT_THROW(instruction_set_from("avx512"), InstructionSetError);
+    }
+}
+
+TEST(Processor, AllowsNoMoreThanItHas) {
+    const InstructionSet before = widest_allowed();
+    for (const InstructionSet set : instruction_sets()) {
+        allow_at_most(set);
+        EXPECT_EQ(widest_allowed(), set);
+    }
+    allow_at_most(InstructionSet::avx512);
+    EXPECT_EQ(widest_allowed(), instruction_sets().back());
+    allow_at_most(before);
 }
 
 }  // namespace
