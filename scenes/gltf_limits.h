@@ -17,6 +17,8 @@ constexpr std::uint64_t triangles = std::uint64_t{1} << 27;     ///< baked, afte
 constexpr std::uint64_t vertices = std::uint64_t{1} << 28;      ///< baked, after instancing
 constexpr std::uint64_t sparse_bytes = std::uint64_t{1}
                                        << 28;  ///< sparse accessors written out, all together
+constexpr std::uint64_t decoded_bytes = std::uint64_t{1}
+                                        << 30;  ///< compressed meshes decoded, all together
 constexpr std::uint64_t image_side = 16384;    ///< texels
 constexpr std::uint64_t image_texels = std::uint64_t{1} << 26;  ///< each image
 constexpr std::uint64_t all_texels = std::uint64_t{1} << 28;    ///< all images of a scene together
