@@ -26,8 +26,8 @@ struct SceneSource {
 
 /// The scenes that the words mean, in their order, each once: "suite" or no word at all is the whole suite; a
 /// folder is every .gltf, .glb, .obj, .ply and .view.json below it, sorted, where NAME.view.json speaks for a
-/// NAME.gltf, NAME.glb, NAME.obj or NAME.ply beside it. A suite scene's name goes before a file of that name. Nothing is opened. Throws
-/// SceneError for a word that is none of this.
+/// NAME.gltf, NAME.glb, NAME.obj or NAME.ply beside it. A suite scene's name goes before a file of that name.
+/// Nothing is opened. Throws SceneError for a word that is none of this.
 std::vector<SceneSource> select_scenes(const std::vector<std::string>& words,
                                        const std::filesystem::path& models = {});
 

@@ -77,8 +77,9 @@ TEST(SceneSelection, CallsScenesThatShareANameByTheirFiles) {
 
 TEST(SceneSelection, TakesEndingsOfAnyCase) {
     const Folder folder;
-    for (const char* file : {"A.GLB", "b.GlTf", "C.View.JSON", "D.JSON"}) folder.write(file, "");
-    EXPECT_EQ(names_of(select_scenes({folder.path()})), (Words{"A", "C", "b"}));
+    for (const char* file : {"A.GLB", "b.GlTf", "C.View.JSON", "D.JSON", "e.Obj", "f.PLY", "g.mtl"})
+        folder.write(file, "");
+    EXPECT_EQ(names_of(select_scenes({folder.path()})), (Words{"A", "C", "b", "e", "f"}));
     EXPECT_EQ(select_scene((folder.path() / "A.GLB").string()).kind, SceneSource::Kind::model);
 }
 
