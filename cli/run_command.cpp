@@ -15,7 +15,7 @@ ExitCode execute(const RunArguments& arguments) {
         !words.empty() && arguments.report.detail != Detail::verdict)
         std::cerr << "zproof: " << shortened(words, longest_line_bytes - 10) << "\n";
     if (selected.empty()) {
-        std::cerr << "zproof: nothing to judge: no .gltf, .glb or .view.json in what was named\n";
+        std::cerr << "zproof: nothing to judge: no .gltf, .glb, .obj, .ply or .view.json in what was named\n";
         return ExitCode::nothing;
     }
     Selection selection = selection_of(selected, arguments.settings.resolution);

@@ -9,8 +9,8 @@
 
 #include "cli/nearest_word.h"
 #include "reports/wording.h"
-#include "scenes/gltf.h"
 #include "scenes/judged_ranges.h"
+#include "scenes/model_file.h"
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
 #include "scenes/view_file.h"
@@ -24,26 +24,16 @@ SceneSource of_suite(const SuiteEntry& entry) {
     return {SceneSource::Kind::suite, entry.name, "suite", entry.reason, entry.expects, 0};
 }
 
-/// In lower case.
-std::string extension_of(const fs::path& file) {
-    std::string extension = file.extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return extension;
-}
+bool is_view_file(const fs::path& file) { return ending_of(file) == ".json"; }
 
-bool is_gltf(const fs::path& file) { return extension_of(file) == ".gltf" || extension_of(file) == ".glb"; }
-
-bool is_view_file(const fs::path& file) { return extension_of(file) == ".json"; }
-
-/// "room" for room.gltf, room.glb, room.json and room.view.json.
+/// "room" for room.gltf, room.obj, room.json and room.view.json.
 std::string stem_of(const fs::path& file) {
     const fs::path stem = file.stem();
-    return extension_of(stem) == ".view" ? stem.stem().string() : stem.string();
+    return ending_of(stem) == ".view" ? stem.stem().string() : stem.string();
 }
 
 SceneSource of_file(const fs::path& file) {
-    const auto kind = is_gltf(file) ? SceneSource::Kind::gltf : SceneSource::Kind::view_file;
+    const auto kind = is_model(file) ? SceneSource::Kind::model : SceneSource::Kind::view_file;
     return {kind, stem_of(file), file.generic_string(), "", {}, 0};
 }
 
@@ -80,11 +70,11 @@ class FolderWalk {
     }
 
     void take(const fs::path& file) {
-        const bool is_view = is_view_file(file) && extension_of(file.stem()) == ".view";
-        if (is_view || (is_gltf(file) && !has_view_file(file)))
+        const bool is_view = is_view_file(file) && ending_of(file.stem()) == ".view";
+        if (is_view || (is_model(file) && !has_view_file(file)))
             found_.push_back(file);
-        else if (!is_gltf(file))
-            ++passed_over_[extension_of(file)];
+        else if (!is_model(file))
+            ++passed_over_[ending_of(file)];
     }
 
     std::vector<fs::path> found_;
@@ -104,9 +94,9 @@ std::optional<SceneSource> single_scene(const std::string& word, const std::vect
     std::error_code failure;
     if (fs::is_directory(word, failure)) return std::nullopt;
     if (fs::status(word, failure).type() == fs::file_type::not_found) throw unknown_word(word, manifest);
-    if (!is_gltf(word) && !is_view_file(word))
-        throw SceneError{word +
-                         ": not a scene; expected a file ending in .gltf, .glb or .json (a view file)"};
+    if (!is_model(word) && !is_view_file(word))
+        throw SceneError{word + ": not a scene; expected a file ending in " + model_endings +
+                         ", or .json (a view file)"};
     return of_file(word);
 }
 
@@ -186,8 +176,8 @@ Loaded loaded_as_it_is(const SceneSource& source, Resolution resolution) {
     switch (source.kind) {
         case SceneSource::Kind::suite:
             return generate_suite_scene(source.name, resolution.width, resolution.height);
-        case SceneSource::Kind::gltf:
-            return load_gltf(source.origin, resolution.width, resolution.height);
+        case SceneSource::Kind::model:
+            return load_model(source.origin, resolution.width, resolution.height);
         case SceneSource::Kind::view_file:
             return load_view_file(source.origin, source.models);
     }

@@ -14,7 +14,7 @@ namespace zproof {
 
 /// A scene that is known of, not yet loaded.
 struct SceneSource {
-    enum class Kind { suite, gltf, view_file };
+    enum class Kind { suite, model, view_file };
     Kind kind = Kind::suite;
     std::string name;                  ///< unique within a selection: what the reports call it
     std::string origin;                ///< "suite", or the file
@@ -25,9 +25,9 @@ struct SceneSource {
 };
 
 /// The scenes that the words mean, in their order, each once: "suite" or no word at all is the whole suite; a
-/// folder is every .gltf, .glb and .view.json below it, sorted, where NAME.view.json speaks for a NAME.gltf
-/// or NAME.glb beside it. A suite scene's name goes before a file of that name. Nothing is opened. Throws
-/// SceneError for a word that is none of this.
+/// folder is every .gltf, .glb, .obj, .ply and .view.json below it, sorted, where NAME.view.json speaks for a
+/// NAME.gltf, NAME.glb, NAME.obj or NAME.ply beside it. A suite scene's name goes before a file of that name.
+/// Nothing is opened. Throws SceneError for a word that is none of this.
 std::vector<SceneSource> select_scenes(const std::vector<std::string>& words,
                                        const std::filesystem::path& models = {});
 

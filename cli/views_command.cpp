@@ -30,7 +30,7 @@ std::vector<ImportedView> import_views(const ViewsArguments& arguments) {
 std::string model_from(const fs::path& view_file, const fs::path& model) {
     if (const std::string fault = fault_of_input(model); !fault.empty())
         throw SceneError{model.string() + ": " + fault +
-                         "; expected the .gltf or .glb file that the cameras see"};
+                         "; expected the model that the cameras see: a .gltf, .glb, .obj or .ply file"};
     const fs::path path =
         fs::canonical(model).lexically_relative(fs::weakly_canonical(fs::absolute(view_file)).parent_path());
     if (path.empty() || *path.begin() == "..")

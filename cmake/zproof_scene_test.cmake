@@ -4,7 +4,7 @@
 #                         [RESOLUTION 640x480] [TIMEOUT seconds] [EVIDENCE folder] [LABELS label ...] [OPTIONS option ...])
 #
 # NAME       of the test; also the scene where SCENE is not given
-# SCENE      a scene of zproof's suite, or a .gltf, .glb or .json file; relative to the current source folder
+# SCENE      a scene of zproof's suite, or a .gltf, .glb, .obj, .ply or .json file; relative to the current source folder
 # RENDERER   a name that zproof knows, or a command with {scene}, {camera}, {width}, {height} and {out} in it. Generator
 #            expressions are understood: "$<TARGET_FILE:mine> {scene} {camera} {width} {height} {out}"
 # PRECISION  what the renderer promises, as of zproof run --precision

@@ -18,6 +18,25 @@ std::uint32_t read_u32(const Bytes& bytes, std::size_t at) {
     return value;
 }
 
+void write_u32(Bytes& bytes, std::size_t at, std::uint32_t value) {
+    for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<unsigned char>(value >> (8 * i));
+}
+
+void append_u32(Bytes& bytes, std::uint32_t value) {
+    bytes.resize(bytes.size() + 4);
+    write_u32(bytes, bytes.size() - 4, value);
+}
+
+/// Padded to a multiple of 4 bytes.
+void append_chunk(Bytes& bytes, std::uint32_t type, std::span<const unsigned char> content,
+                  unsigned char padding) {
+    const std::size_t length = (content.size() + 3) / 4 * 4;
+    append_u32(bytes, static_cast<std::uint32_t>(length));
+    append_u32(bytes, type);
+    bytes.insert(bytes.end(), content.begin(), content.end());
+    bytes.insert(bytes.end(), length - content.size(), padding);
+}
+
 std::string at_byte(std::size_t byte) { return "byte " + std::to_string(byte); }
 
 void check_header(const std::filesystem::path& file, const Bytes& bytes) {
@@ -71,6 +90,20 @@ Container open_container(const std::filesystem::path& file, const Bytes& bytes) 
         return open_glb(file, bytes);
     }
     return {{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, {}};
+}
+
+Bytes packed_glb(const Container& container) {
+    const std::span json(reinterpret_cast<const unsigned char*>(container.json.data()),
+                         container.json.size());
+    Bytes bytes;
+    bytes.reserve(json.size() + container.bin.size() + 40);
+    for (const char c : magic) bytes.push_back(static_cast<unsigned char>(c));
+    append_u32(bytes, 2);
+    append_u32(bytes, 0);  // the length, which is not known yet
+    append_chunk(bytes, chunk_json, json, ' ');
+    append_chunk(bytes, chunk_bin, container.bin, 0);
+    write_u32(bytes, 8, static_cast<std::uint32_t>(bytes.size()));
+    return bytes;
 }
 
 }  // namespace zproof

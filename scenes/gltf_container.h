@@ -19,4 +19,7 @@ struct Container {
 /// Throws SceneError, naming the byte, where they contradict the file.
 Container open_container(const std::filesystem::path& file, const Bytes& bytes);
 
+/// A GLB of the two chunks.
+Bytes packed_glb(const Container& container);
+
 }  // namespace zproof

@@ -46,14 +46,14 @@ std::size_t data_bytes(const Path& file, const std::string& place, const std::st
 std::vector<std::string> check_extensions(const Path& file, const json& gltf) {
     const json& required = list_of(gltf, "extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i)
-        if (const std::string name = required[i]; !is_known(name))
+        if (const std::string name = required[i]; !is_known(name) && !is_decoded(name))
             refuse(file, pointer("extensionsRequired", i),
                    compressor_of(name).empty()
                        ? "extension " + name + " is not supported; export the file without it"
                        : refusal_of_compression(name));
     std::string ignored;
     for (const std::string name : list_of(gltf, "extensionsUsed"))
-        if (!is_known(name)) ignored += (ignored.empty() ? "" : ", ") + name;
+        if (!is_known(name) && !is_decoded(name)) ignored += (ignored.empty() ? "" : ", ") + name;
     if (ignored.empty()) return {};
     return {on_one_line("extensions ignored: " + ignored)};
 }
@@ -80,10 +80,10 @@ void check_indices(const Path& file, const json& gltf, std::size_t mesh) {
     const json& primitives = gltf["meshes"][mesh]["primitives"];
     for (std::size_t i = 0; i < primitives.size(); ++i) {
         for (const auto& [name, extension] : list_of(primitives[i], "extensions").items())
-            if (!compressor_of(name).empty())
+            if (!compressor_of(name).empty() && !is_decoded(name))
                 refuse(file, pointer("meshes", mesh, pointer("primitives", i)), refusal_of_compression(name));
         if (const auto indices = primitives[i].find("indices");
-            indices != primitives[i].end() &&
+            indices != primitives[i].end() && !is_draco_primitive(primitives[i]) &&
             !gltf["accessors"][indices->get<std::size_t>()].contains("bufferView"))
             refuse(file, pointer("meshes", mesh, pointer("primitives", i, "/indices")),
                    "expected an accessor with a bufferView; export the file again");
@@ -120,13 +120,16 @@ Guarded guarded(const Path& file, const json& gltf, const Container& container, 
     Guarded found{.buffers = {}, .notes = check_extensions(file, gltf)};
     for (std::size_t i = 0; i < list_of(gltf, "bufferViews").size(); ++i) check_view(file, gltf, i);
     for (std::size_t i = 0; i < list_of(gltf, "meshes").size(); ++i) check_indices(file, gltf, i);
+    check_compression(file, gltf, container);
     for (std::size_t i = 0; i < list_of(gltf, "images").size(); ++i) check_image(file, gltf["images"][i], i);
     for (std::size_t i = 0; i < list_of(gltf, "cameras").size(); ++i)
         check_camera(file, gltf["cameras"][i], i);
+    const std::set<std::size_t> without_bytes = stand_ins(gltf, container);
     for (std::size_t i = 0; i < list_of(gltf, "buffers").size(); ++i) {
         const json& buffer = gltf["buffers"][i];
         const std::string* uri =
             buffer.contains("uri") ? buffer["uri"].get_ptr<const std::string*>() : nullptr;
+        if (without_bytes.contains(i)) continue;
         if (uri == nullptr || tinygltf::IsDataURI(*uri))
             check_inner_buffer(file, buffer, i, container);
         else

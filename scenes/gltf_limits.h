@@ -17,11 +17,12 @@ constexpr std::uint64_t triangles = std::uint64_t{1} << 27;     ///< baked, afte
 constexpr std::uint64_t vertices = std::uint64_t{1} << 28;      ///< baked, after instancing
 constexpr std::uint64_t sparse_bytes = std::uint64_t{1}
                                        << 28;  ///< sparse accessors written out, all together
-constexpr std::uint64_t image_side = 16384;    ///< texels
-constexpr std::uint64_t image_texels = std::uint64_t{1} << 26;  ///< each image
-constexpr std::uint64_t all_texels = std::uint64_t{1} << 28;    ///< all images of a scene together
-constexpr int jpeg_scans = 256;                                 ///< progressive passes of one JPEG
-constexpr int uv_sets = 8;                                      ///< TEXCOORD_0 to TEXCOORD_7
+constexpr std::uint64_t decoded_bytes = std::uint64_t{1} << 30;  ///< compressed meshes decoded, all together
+constexpr std::uint64_t image_side = 16384;                      ///< texels
+constexpr std::uint64_t image_texels = std::uint64_t{1} << 26;   ///< each image
+constexpr std::uint64_t all_texels = std::uint64_t{1} << 28;     ///< all images of a scene together
+constexpr int jpeg_scans = 256;                                  ///< progressive passes of one JPEG
+constexpr int uv_sets = 8;                                       ///< TEXCOORD_0 to TEXCOORD_7
 
 /// Integers in JSON beyond this are refused, so that none is cut where tinygltf keeps it in an int, and sums
 /// and products of two checked ones fit 64 bits.

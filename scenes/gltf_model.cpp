@@ -3,6 +3,7 @@
 #include <span>
 
 #include "scenes/gltf_check.h"
+#include "scenes/gltf_compression.h"
 #include "scenes/gltf_guard.h"
 #include "scenes/gltf_images.h"
 #include "scenes/gltf_limits.h"
@@ -56,18 +57,32 @@ tinygltf::Model parsed(const std::filesystem::path& file, const Bytes& bytes, co
     return model;
 }
 
+/// The same of other JSON.
+tinygltf::Model parsed_again(const std::filesystem::path& file, const nlohmann::json& json,
+                             const Container& container, Files files) {
+    const std::string text = json.dump();
+    const Container changed{text, container.bin};
+    const Bytes glb = changed.bin.empty() ? Bytes{} : packed_glb(changed);
+    return parsed(file, glb, changed, files);
+}
+
 }  // namespace
 
 GltfModel read_gltf(const std::filesystem::path& file) {
     const Bytes bytes = read_file(file, limits::file_bytes);
     const Container container = open_container(file, bytes);
     Admission admission(file);
-    Guarded found = guarded(file, parse_json(file, container.json), container, admission);
+    nlohmann::json json = parse_json(file, container.json);
+    Guarded found = guarded(file, json, container, admission);
+    const CompressedMeshes compressed = take_out_compressed(json, container);
     GltfModel model{.file = file,
-                    .gltf = parsed(file, bytes, container, found.buffers),
+                    .gltf = compressed.empty() ? parsed(file, bytes, container, found.buffers)
+                                               : parsed_again(file, json, container, found.buffers),
                     .images = {},
                     .notes = std::move(found.notes)};
+    put_indices_back(compressed, model.gltf);
     for (std::string& note : check_model(file, model.gltf)) model.notes.push_back(std::move(note));
+    decode_compressed(file, compressed, model.gltf);
     read_images(admission, model);
     return model;
 }

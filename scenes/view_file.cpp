@@ -10,11 +10,11 @@
 #include <string_view>
 #include <utility>
 
-#include "scenes/gltf.h"
 #include "scenes/gltf_camera.h"
 #include "scenes/gltf_files.h"
 #include "scenes/json_text.h"
 #include "scenes/located_value.h"
+#include "scenes/model_file.h"
 #include "scenes/refusal.h"
 #include "scenes/scene_error.h"
 
@@ -198,7 +198,7 @@ Loaded load_view_file(const std::filesystem::path& file, const std::filesystem::
     const LocatedValue root(file, content, "");
     root.allow({"scene", "views"});
     std::vector<View> views = views_at(root.at("views"));
-    return {load_gltf_scene(model_of(file, root.at("scene").text(), models)), std::move(views)};
+    return {load_model_scene(model_of(file, root.at("scene").text(), models)), std::move(views)};
 }
 
 }  // namespace zproof

@@ -11,7 +11,7 @@ constexpr auto all = std::to_array<Example>({
      "does your own renderer keep the contract?"},
     {"", "zproof explain model.glb 812 344", "tell the whole story of one pixel"},
     {"run", "zproof run", "the built-in suite, into zproof-out/"},
-    {"run", "zproof run models/ -o out", "every .gltf, .glb and .view.json below models/"},
+    {"run", "zproof run models/ -o out", "every model and .view.json below models/"},
     {"run", "zproof run model.glb --renderer './mine {scene} {camera} {width} {height} {out}'",
      "your own renderer"},
     {"compare", "zproof compare frame.exr model.glb --view cam", "one stored frame, against Embree"},

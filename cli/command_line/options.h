@@ -11,7 +11,8 @@
 
 namespace zproof {
 
-inline constexpr const char* scene_words = "suite scene, .gltf or .glb file, or view file (.json)";
+inline constexpr const char* scene_words =
+    "suite scene, model (.gltf, .glb, .obj, .ply), or view file (.json)";
 
 /// Binds a word from a fixed list; the help shows the list, an unknown word is a usage error.
 template <class T>

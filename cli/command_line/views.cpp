@@ -25,7 +25,7 @@ Branch add_views(CLI::App& parent, CommandWords& words) {
                    "opencv: JSON with K, R and t; colmap: the folder of cameras.txt and images.txt; nerf: "
                    "transforms.json")
         ->required();
-    app.add_option("MODEL", views.model, "the .gltf or .glb file that is seen")->required();
+    app.add_option("MODEL", views.model, "the model that is seen: .gltf, .glb, .obj or .ply")->required();
     app.add_option("-o,--out", views.out, "the view file, in the model's folder or above it")->required();
     app.add_option("--near", views.range.near_depth, "camera depth of the near plane")
         ->required()

@@ -56,10 +56,10 @@ CLI::Option* add_word(CLI::App& app, const std::string& option, T& value,
 }
 
 void add_run(CLI::App& app, FiltersWords& words) {
-    app.add_option(
-        "SCENE", words.run.scenes,
-        "filter scene (zproof filters list), suite scene, .gltf, .glb or view file, or a photograph "
-        "(.png, .jpg); none: every filter scene");
+    app.add_option("SCENE", words.run.scenes,
+                   "filter scene (zproof filters list), suite scene, model (.gltf, .glb, .obj, .ply) or view "
+                   "file, or a photograph "
+                   "(.png, .jpg); none: every filter scene");
     app.add_option("--methods", words.methods,
                    "all of zproof's own, and names with settings, separated by commas")
         ->capture_default_str();

@@ -23,7 +23,8 @@ std::string list_of(const std::vector<std::string>& words) {
 
 void add_common(CLI::App& app, const Study& study, StudyArguments& arguments) {
     app.add_option("SCENE", arguments.scenes,
-                   "suite or filter scene, .gltf, .glb or view file; none: " + list_of(study.subjects));
+                   "suite or filter scene, model (.gltf, .glb, .obj, .ply) or view file; none: " +
+                       list_of(study.subjects));
     app.add_option("-o,--out", arguments.out, "folder for the study")->capture_default_str();
     app.add_option("--view", arguments.views,
                    "names of views, separated by commas; default: all of every scene")

@@ -64,7 +64,7 @@ TEST(SceneSelection, LeavesAModelToTheViewFileBesideIt) {
     for (const char* file : {"room.glb", "room.view.json", "other/room.glb"}) folder.write(file, "");
     const auto sources = select_scenes({folder.path()});
     ASSERT_EQ(sources.size(), 2u);
-    EXPECT_EQ(sources[0].kind, SceneSource::Kind::gltf);
+    EXPECT_EQ(sources[0].kind, SceneSource::Kind::model);
     EXPECT_EQ(sources[1].kind, SceneSource::Kind::view_file);
 }
 
@@ -77,9 +77,10 @@ TEST(SceneSelection, CallsScenesThatShareANameByTheirFiles) {
 
 TEST(SceneSelection, TakesEndingsOfAnyCase) {
     const Folder folder;
-    for (const char* file : {"A.GLB", "b.GlTf", "C.View.JSON", "D.JSON"}) folder.write(file, "");
-    EXPECT_EQ(names_of(select_scenes({folder.path()})), (Words{"A", "C", "b"}));
-    EXPECT_EQ(select_scene((folder.path() / "A.GLB").string()).kind, SceneSource::Kind::gltf);
+    for (const char* file : {"A.GLB", "b.GlTf", "C.View.JSON", "D.JSON", "e.Obj", "f.PLY", "g.mtl"})
+        folder.write(file, "");
+    EXPECT_EQ(names_of(select_scenes({folder.path()})), (Words{"A", "C", "b", "e", "f"}));
+    EXPECT_EQ(select_scene((folder.path() / "A.GLB").string()).kind, SceneSource::Kind::model);
 }
 
 TEST(SceneSelection, NamesWhatCannotBeLookedAtBesideTheRest) {

@@ -1,0 +1,38 @@
+/// What the readers of OBJ and PLY share.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "scenes/loaded.h"
+
+namespace zproof {
+
+/// The float32 nearest to a decimal number; none for text that is none, and for numbers beyond float32.
+std::optional<float> finite_float(std::string_view text);
+
+/// Of length 1; 0 where it has no direction or is not finite.
+glm::vec3 unit_normal(const glm::dvec3& normal);
+
+/// uv as glTF has it, v down, of uv whose v is up.
+glm::vec2 uv_of_v_up(float u, float v);
+
+/// Appends triangles (0, i, i + 1) of a polygon's corners. Throws SceneError beyond the limit of triangles.
+void append_fan(const std::filesystem::path& file, std::string_view place,
+                std::span<const std::uint32_t> corners, Scene& scene);
+
+/// Notes triangles without area, and that there are none.
+void note_triangles(Scene& scene);
+
+/// "TEXT: COUNT" for a count above 0.
+void note_count(Scene& scene, std::uint64_t count, const std::string& text);
+
+/// The scene with the view "frame-all". Throws SceneError where float32 cannot hold such an eye.
+Loaded with_default_view(const std::filesystem::path& file, Scene scene, int width, int height);
+
+}  // namespace zproof
