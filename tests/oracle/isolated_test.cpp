@@ -31,8 +31,7 @@ TEST(Isolated, GivesWhatTheWorkReturns) {
 
 TEST(Isolated, HandsOnTheWordsOfARefusal) {
     EXPECT_EQ(complaint_of([]() -> Bytes { throw FrameError("x.exr: no channel"); }), "x.exr: no channel");
-    EXPECT_EQ(complaint_of([]() -> Bytes { throw std::logic_error("odd"); }),
-              "x.exr: cannot be read: odd");
+    EXPECT_EQ(complaint_of([]() -> Bytes { throw std::logic_error("odd"); }), "x.exr: cannot be read: odd");
 }
 
 TEST(Isolated, NamesTheSignalThatEndedIt) {
