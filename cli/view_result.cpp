@@ -88,6 +88,12 @@ std::string renderer_options(const ViewContext& context, const RendererChoice& c
     return options;
 }
 
+/// " --width 64 --height 36"; empty for what is usual.
+std::string size_options(Resolution size) {
+    if (size == default_resolution) return "";
+    return " --width " + std::to_string(size.width) + " --height " + std::to_string(size.height);
+}
+
 }  // namespace
 
 std::string explain_command_for(const ViewContext& context, const RendererChoice& candidate, int x, int y) {
@@ -97,18 +103,14 @@ std::string explain_command_for(const ViewContext& context, const RendererChoice
     const bool is_view_file = context.source.kind == SceneSource::Kind::view_file;
     if (is_view_file && !context.source.models.empty())
         command += " --models " + shell_quoted(context.source.models.string());
-    const Resolution size{context.view.width, context.view.height};
-    if (is_view_file || size == default_resolution) return command;
-    return command + " --width " + std::to_string(size.width) + " --height " + std::to_string(size.height);
+    return is_view_file ? command : command + size_options({context.view.width, context.view.height});
 }
 
 std::string judging_command_for(const SceneSource& source, const ChosenRenderers& renderers,
                                 Resolution resolution, const std::string& typed) {
     if (std::holds_alternative<StoredFrame>(renderers.candidate.who)) return typed;
-    std::string command = "zproof run " + shell_quoted(word_for(source)) + options_for(renderers.candidate);
-    if (resolution != default_resolution)
-        command +=
-            " --width " + std::to_string(resolution.width) + " --height " + std::to_string(resolution.height);
+    std::string command = "zproof run " + shell_quoted(word_for(source)) + options_for(renderers.candidate) +
+                          size_options(resolution);
     for (const OracleChoice& oracle : renderers.oracles)
         if (oracle.need == OracleChoice::Need::required) command += " --oracle " + name_of(oracle.renderer);
     return renderers.oracles.empty() ? command + " --oracle none" : command;

@@ -21,6 +21,7 @@
 #include "oracle/embree.h"
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
+#include "oracle/subprocess.h"
 #include "reports/json.h"
 
 namespace zproof {
@@ -140,10 +141,10 @@ std::string Worker::end() {
     while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
     }
     oracle::remove_scratch_folders_of(std::exchange(id_, 0));
-    if (WIFSIGNALED(status))
-        return "killed by signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) +
-               ")";
-    return WEXITSTATUS(status) == 0 ? "" : "ended with status " + std::to_string(WEXITSTATUS(status));
+    const auto [ending, code] = WIFSIGNALED(status) ? std::pair{oracle::Ending::killed, WTERMSIG(status)}
+                                                    : std::pair{oracle::Ending::exited, WEXITSTATUS(status)};
+    const oracle::Outcome outcome{.ending = ending, .code = code};
+    return outcome.succeeded() ? "" : oracle::in_words(outcome, {});
 }
 
 }  // namespace zproof
