@@ -1,7 +1,6 @@
 #include "cli/memory.h"
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <limits>
@@ -10,6 +9,7 @@
 
 #include "frame/frame.h"
 #include "frame/whole_file.h"
+#include "oracle/isolated.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -34,10 +34,7 @@ std::uint64_t left_on_machine() {
 std::uint64_t left_of_limit() {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited_bytes;
-    std::uint64_t pages = 0;
-    std::istringstream(content_of("/proc/self/statm")) >> pages;
-    const std::uint64_t taken = pages * std::uint64_t(sysconf(_SC_PAGESIZE));
-    return limit.rlim_cur - std::min<std::uint64_t>(taken, limit.rlim_cur);
+    return limit.rlim_cur - std::min<std::uint64_t>(oracle::address_space_bytes(), limit.rlim_cur);
 }
 
 std::string in_gib(std::uint64_t bytes) { return fixed(double(bytes) / double(1 << 30), 2) + " GiB"; }

@@ -27,13 +27,6 @@ using Clock = std::chrono::steady_clock;
 /// The first byte that the copy sends.
 enum class Answer : unsigned char { result, refusal, failure };
 
-/// Bytes of address space that this process has.
-std::size_t address_space_bytes() {
-    std::size_t pages = 0;
-    std::ifstream{"/proc/self/statm"} >> pages;
-    return pages * std::size_t(sysconf(_SC_PAGESIZE));
-}
-
 void limit_memory(std::size_t more_bytes) {
     const rlim_t most = address_space_bytes() + more_bytes;
     rlimit limit{};
@@ -140,6 +133,12 @@ class Copy {
 };
 
 }  // namespace
+
+std::size_t address_space_bytes() {
+    std::size_t pages = 0;
+    std::ifstream{"/proc/self/statm"} >> pages;
+    return pages * std::size_t(sysconf(_SC_PAGESIZE));
+}
 
 Bytes isolated(const std::string& name, const IsolationLimits& limits, const std::function<Bytes()>& work) {
     const Clock::time_point deadline = Clock::now() + limits.time;

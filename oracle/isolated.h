@@ -10,6 +10,9 @@
 
 namespace zproof::oracle {
 
+/// Bytes of address space that this process has.
+std::size_t address_space_bytes();
+
 using Bytes = std::vector<std::byte>;
 
 struct IsolationLimits {
