@@ -13,9 +13,6 @@
 namespace zproof {
 namespace {
 
-/// Limits for oracles that nobody asked for.
-constexpr std::size_t affordable_triangles = 100'000;
-constexpr std::chrono::seconds patience{30};
 constexpr const char* nobody = "none";
 
 /// The oracles of a run that names none.
@@ -56,10 +53,7 @@ OracleChoice oracle_choice(const std::string& name, const RendererWords& words) 
     const bool asked = required || (words.oracles && contains(*words.oracles, name));
     OracleChoice choice{.renderer = oracle_named(name)};
     choice.renderer.time_limit = std::chrono::seconds{words.time_limit_s};
-    if (!asked) {
-        choice.most_triangles = affordable_triangles;
-        choice.renderer.time_limit = std::min(choice.renderer.time_limit, patience);
-    }
+    if (!asked) choice.pixels = OracleChoice::Pixels::sample;
     if (required) choice.need = OracleChoice::Need::required;
     return choice;
 }

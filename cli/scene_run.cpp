@@ -43,12 +43,12 @@ struct OpenedScene {
 };
 
 /// Hashing keeps one thread busy, and building trees keeps any number: they go side by side.
-OpenedScene open_scene(const ChosenRenderers& renderers, const Scene& scene) {
+OpenedScene open_scene(const ChosenRenderers& renderers, const Scene& scene, const std::vector<View>& views) {
     OpenedScene opened_scene;
     tbb::task_group beside;
     beside.run([&] { opened_scene.scene_sha256 = sha256_of(scene); });
     opened_scene.opened = {open(renderers.candidate, scene), open(renderers.reference, scene),
-                           open_oracles(renderers.oracles, scene)};
+                           open_oracles(renderers.oracles, scene, views)};
     beside.wait();
     return opened_scene;
 }
@@ -59,7 +59,8 @@ struct ViewRun {
     OpenedRenderers& opened;
     const RunConfig& config;
     StageClock& clock;
-    bool is_last;  ///< of the scene
+    std::size_t place;  ///< among the scene's views
+    bool is_last;
 };
 
 /// The renderer's frame. After the last view it lets go of what it made of the scene: Embree's tree takes
@@ -83,21 +84,18 @@ std::vector<OracleAnswer> ask_oracles(const ViewRun& view_run, const JudgedPair&
     for (const OpenedOracle& oracle : view_run.opened.oracles) {
         view_run.config.progress.begin_stage("ask " + name_of(oracle.choice.renderer) + " " +
                                              shown_name(view_run.context.view));
-        answers.push_back(ask_oracle(oracle, view_run.context, judged.reference));
+        answers.push_back(ask_oracle(oracle, view_run.context, view_run.place, judged.reference));
     }
     const std::filesystem::path folder = view_run.config.run_folder / result.folder;
     const bool is_kept = !result.folder.empty();
     if (is_kept && view_run.config.pictures == PictureMode::shaded)
         paint({view_run.context, candidate, judged.verdict.classes, folder}, view_run.opened.oracles,
               answers);
-    std::vector<const Frame*> frames{&candidate, &reference};
     for (const OracleAnswer& answer : answers) {
         result.oracles.push_back(answer.result);
-        if (!answer.frame) continue;
-        frames.push_back(answer.frame.get());
-        if (is_kept) write_oracle_frame(folder, answer.result.name, *answer.frame);
+        if (answer.frame && is_kept) write_oracle_frame(folder, answer.result.name, *answer.frame);
     }
-    result.id_agreement = count_id_agreement(frames);
+    result.id_agreement = id_agreement_of(candidate, reference, answers);
     const std::string missing = missing_oracle(view_run.opened.oracles, result.oracles);
     if (!missing.empty()) result.outcome = Outcome::unreadable, result.message = missing;
     return answers;
@@ -151,7 +149,7 @@ std::vector<std::string> remark_on_attributes(const ViewRun& view_run, const Att
 
 /// Returns nothing where it was interrupted between two stages.
 std::optional<ViewResult> run_view(const ViewRun& view_run) {
-    const auto& [context, opened, config, clock, is_last] = view_run;
+    const auto& [context, opened, config, clock, place, is_last] = view_run;
     const auto& [source, scene, scene_sha256, view, renderers] = context;
     if (const std::string refused = refused_projection(opened.candidate.projections, view.camera);
         !refused.empty())
@@ -280,7 +278,7 @@ Ending run_views(const SceneSource& source, const RunConfig& config, StageClock&
 
     config.progress.begin_stage("build");
     clock.begin(&StageTimes::reference_build);
-    auto [opened, scene_sha256] = open_scene(config.renderers, loaded.scene);
+    auto [opened, scene_sha256] = open_scene(config.renderers, loaded.scene, views);
     for (std::size_t i = 0; i < views.size(); ++i) {
         if (interrupted()) return leave(i);
         const ViewContext context{source, loaded.scene, scene_sha256, views[i], config.renderers};
@@ -288,6 +286,7 @@ Ending run_views(const SceneSource& source, const RunConfig& config, StageClock&
                                                                     .opened = opened,
                                                                     .config = config,
                                                                     .clock = clock,
+                                                                    .place = i,
                                                                     .is_last = i + 1 == views.size()});
         if (!result) return leave(i);
         result->times = clock.take();

@@ -20,6 +20,11 @@ Frame with_ids_that_exist(const Frame& frame, std::size_t triangle_count) {
 
 void paint_oracle(const PaintContext& paint_context, const Picture& ours, const OpenedOracle& oracle,
                   OracleAnswer& answer) {
+    if (answer.pixels) {
+        answer.result.no_picture =
+            "asked about a sample of the pixels; --oracle " + answer.result.name + " asks about all";
+        return;
+    }
     try {
         const Picture theirs = oracle.renderer.paint(paint_context.context.view, Light{});
         answer.result.picture =

@@ -136,7 +136,7 @@ void write_viewer_evidence(const std::filesystem::path& folder, const JudgedView
                              .ranges = ranges_of(context.scene),
                              .stories = stories_of(judged)};
     for (const OracleAnswer& answer : answers)
-        if (answer.frame)
+        if (answer.frame && !answer.pixels)
             shown.oracles.push_back({answer.result.name, *answer.frame,
                                      colours_in(folder / (answer.result.name + "-colour.exr"))});
     planes::write_view_planes(folder, shown);

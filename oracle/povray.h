@@ -6,6 +6,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -35,6 +36,11 @@ class PovRay {
     /// the program is missing, fails (with the end of what it said), runs out of time, or where the view is
     /// beyond its means: depths of more than 1e9 from nearest to farthest, or more than 2^20 triangles.
     Frame render(const View& view) const;
+
+    /// Starts POV-Ray on the view; the result, to be called once, waits for the frame. Its time runs
+    /// meanwhile. Where the result is dropped, POV-Ray is killed. Throws OracleError as render, here or when
+    /// it is called.
+    std::function<Frame()> begin(const View& view, int threads) const;
 
     /// A lit, textured picture of the same view (oracle/povray/picture.h), linear, 16 bits a channel, cut to
     /// [0, 1]. Throws OracleError as render, and for what povray_picture refuses.

@@ -14,6 +14,7 @@ extern "C" {
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -250,26 +251,45 @@ Outcome outcome_of(int status) {
     return {.ending = Ending::exited, .code = WEXITSTATUS(status)};
 }
 
+/// A command, from its start to its end.
+class Running {
+  public:
+    explicit Running(const Command& command)
+        : deadline_(Clock::now() + command.time_limit),
+          output_(command),
+          error_output_(command),
+          child_(command, output_, error_output_) {
+        output_.theirs.close();
+        error_output_.theirs.close();
+    }
+
+    Outcome wait() {
+        const WaitResult wait_result = wait_for(child_, output_, error_output_, deadline_);
+        const int status = child_.end().value();
+        output_.drain();
+        error_output_.drain();
+        Outcome outcome =
+            wait_result == WaitResult::timed_out ? Outcome{.ending = Ending::timed_out} : outcome_of(status);
+        outcome.output = std::move(output_.text);
+        outcome.error_output = std::move(error_output_.text);
+        return outcome;
+    }
+
+  private:
+    Clock::time_point deadline_;
+    OutputPipe output_, error_output_;
+    Child child_;
+};
+
 }  // namespace
 
 std::vector<std::string> shell_line(std::string line) { return {"/bin/sh", "-c", std::move(line)}; }
 
-Outcome run(const Command& command) {
-    const Clock::time_point deadline = Clock::now() + command.time_limit;
-    OutputPipe output(command), error_output(command);
-    Child child(command, output, error_output);
-    output.theirs.close();
-    error_output.theirs.close();
-    const WaitResult wait_result = wait_for(child, output, error_output, deadline);
-    const int status = child.end().value();
-    output.drain();
-    error_output.drain();
-    Outcome outcome =
-        wait_result == WaitResult::timed_out ? Outcome{.ending = Ending::timed_out} : outcome_of(status);
-    outcome.output = std::move(output.text);
-    outcome.error_output = std::move(error_output.text);
-    return outcome;
+std::function<Outcome()> start(const Command& command) {
+    return [running = std::make_shared<Running>(command)] { return running->wait(); };
 }
+
+Outcome run(const Command& command) { return Running(command).wait(); }
 
 std::string last_output(const Outcome& outcome) {
     constexpr std::size_t most = 1000;

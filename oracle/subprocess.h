@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,17 @@ struct Outcome {
     bool succeeded() const { return ending == Ending::exited && code == 0; }
 };
 
-/// Runs the command and waits for it. It stands in a process group of its own, and whatever of that group is
-/// left when the command has ended, when its time is up, or when this process is no more, is killed; so a
-/// child that the command left behind neither lives on nor keeps us waiting. What has left the group is
-/// killed as well (oracle/strays.h), unless this process is no more. Throws OracleError, naming program and
-/// reason, where it cannot be started.
+/// Starts the command. It stands in a process group of its own, and whatever of that group is left when the
+/// command has ended, when its time is up, when the result is dropped, or when this process is no more, is
+/// killed; so a child that the command left behind neither lives on nor keeps us waiting. What has left the
+/// group is killed as well (oracle/strays.h), unless this process is no more. Throws OracleError, naming
+/// program and reason, where it cannot be started.
+///
+/// The result waits for its end, and is to be called once. Time is counted from the start. What the command
+/// writes meanwhile stays in a pipe: one that writes much gets on only then.
+std::function<Outcome()> start(const Command& command);
+
+/// Starts it and waits for it.
 Outcome run(const Command& command);
 
 /// The last thousand characters of its standard error, or else of its standard output; for a message.

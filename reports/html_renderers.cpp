@@ -13,6 +13,11 @@ std::string compared(const RendererRecord& r) {
     return grouped(r.views) + (r.not_compared > 0 ? " of " + grouped(r.views + r.not_compared) : "");
 }
 
+/// The pixels that it was asked about; of samples with what they are samples of.
+std::string asked_pixels(const RendererRecord& r) {
+    return r.pixels == r.of_pixels ? grouped(r.pixels) : sample_words(r.pixels, r.of_pixels, r.seed);
+}
+
 /// JSON with a blank after every comma, so that a narrow column can break it.
 std::string breakable(const std::string& json_text) {
     std::string text;
@@ -32,18 +37,17 @@ std::string record_row(const Results& results, const RendererRecord& r) {
     const std::string absent =
         r.absent.empty() ? "" : "<p class=\"fine\">not compared: " + escaped(one_line(r.absent)) + "</p>";
     return "<tr><td><strong>" + escaped(one_line(r.name)) + "</strong><br>" + r.role + "</td>" +
-           number_cell(compared(r)) + number_cell(grouped(r.pixels)) + "<td class=\"n defects" +
+           number_cell(compared(r)) + number_cell(asked_pixels(r)) + "<td class=\"n defects" +
            (r.defects == 0 ? " zero" : "") + "\">" + grouped(r.defects) + "</td>" +
            number_cell(rounded(r.depth_error_over_bound)) + number_cell(rounded(r.edge_error_over_bound)) +
-           number_cell(grouped(r.pixels - r.same_as_candidate)) + "<td class=\"words\">" +
-           facts_of(results, r) + absent + "</td></tr>\n";
+           number_cell(grouped(r.unlike_candidate)) + "<td class=\"words\">" + facts_of(results, r) + absent +
+           "</td></tr>\n";
 }
 
 std::string id_agreement_row(const std::vector<std::string>& names, const ViewResult& v, std::size_t i) {
     std::string cells = "<th>" + escaped(one_line(names[i])) + "</th>";
-    const std::uint64_t pixels = std::uint64_t(v.width) * std::uint64_t(v.height);
     for (std::size_t j = 0; j < names.size(); ++j)
-        cells += number_cell(i == j ? "–" : grouped(pixels - v.id_agreement.same[i][j]));
+        cells += number_cell(i == j ? "–" : grouped(v.id_agreement.same[i][i] - v.id_agreement.same[i][j]));
     return "<tr>" + cells + "</tr>\n";
 }
 
@@ -64,7 +68,8 @@ std::string id_agreement_table(const ViewResult& v) {
     }
     return "<div><h3>Pixels that name different triangles</h3><table class=\"counts\"><tr>" + head +
            "</tr>\n" + rows + "</table><p class=\"fine\">All of them name the same triangle at " +
-           counted(v.id_agreement.unanimous, "pixel") + ".</p></div>\n";
+           grouped(v.id_agreement.unanimous) + " of " + counted(v.id_agreement.same[0][0], "pixel") +
+           ".</p></div>\n";
 }
 
 std::string tally(const ClassCounts& counts) {
@@ -86,13 +91,19 @@ std::string picture_words(const PictureDifferences& differences) {
     return text;
 }
 
-std::string oracle_item(const OracleResult& w) {
+std::string oracle_item(const ViewResult& v, const OracleResult& w) {
     const std::string name = "<strong>" + escaped(w.name) + "</strong>: ";
     if (!w.absent.empty()) return "<li>" + name + escaped(one_line(w.absent)) + "</li>\n";
     std::string text = "<li>" + name + counted(defect_count(w.counts), "defect") + " (" + tally(w.counts) +
                        "), depth error at most " + rounded(w.depth.max_error_over_bound) +
                        " times its bound, edges at most " + rounded(w.edges.max_error_over_bound) +
                        " times eps";
+    if (w.sample)
+        text +=
+            "; asked about " +
+            sample_words(w.sample->pixels, std::uint64_t(v.width) * std::uint64_t(v.height), w.sample->seed) +
+            (w.sample->fewer_because.empty() ? ""
+                                             : ", fewer than usual: " + escaped(w.sample->fewer_because));
     if (w.picture) text += picture_words(*w.picture);
     if (!w.no_picture.empty()) text += "; no picture: " + escaped(one_line(w.no_picture));
     for (const ReportedFinding& f : w.worst)
@@ -123,7 +134,7 @@ std::string html_renderers(const Results& results) {
 std::string html_oracles(const ViewResult& v) {
     if (v.oracles.empty()) return "";
     std::string items;
-    for (const OracleResult& w : v.oracles) items += oracle_item(w);
+    for (const OracleResult& w : v.oracles) items += oracle_item(v, w);
     return "<div><h3>Oracles</h3><ul>" + items + "</ul></div>\n" + id_agreement_table(v);
 }
 

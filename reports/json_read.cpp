@@ -145,6 +145,15 @@ PictureDifferences picture(const Json& json) {
     return differences;
 }
 
+SampledPixels sampled_pixels(const Json& json) {
+    return {.stride = json.at("stride"),
+            .first_x = json.at("first").at(0),
+            .first_y = json.at("first").at(1),
+            .pixels = count(json.at("pixels")),
+            .seed = count(json.at("seed")),
+            .fewer_because = json.at("fewer_because")};
+}
+
 OracleResult oracle_result(const Json& json) {
     OracleResult w{.name = json.at("name"), .absent = json.at("absent"), .worst = {}};
     if (!w.absent.empty()) return w;
@@ -152,6 +161,7 @@ OracleResult oracle_result(const Json& json) {
     w.depth = bound_record(json.at("depth"));
     w.edges = bound_record(json.at("edges"));
     for (const Json& finding : json.at("worst")) w.worst.push_back(reported(finding));
+    if (json.contains("sample")) w.sample = sampled_pixels(json.at("sample"));
     if (json.contains("picture")) w.picture = picture(json.at("picture"));
     if (json.contains("no_picture")) w.no_picture = json.at("no_picture");
     return w;

@@ -127,6 +127,12 @@ Json oracle_result(const OracleResult& w) {
                    {"depth", bound_record(w.depth)},
                    {"edges", bound_record(w.edges)},
                    {"worst", reported(w.worst)}});
+    if (w.sample)
+        object["sample"] = {{"pixels", w.sample->pixels},
+                            {"stride", w.sample->stride},
+                            {"first", {w.sample->first_x, w.sample->first_y}},
+                            {"seed", w.sample->seed},
+                            {"fewer_because", w.sample->fewer_because}};
     if (w.picture) object["picture"] = picture(*w.picture);
     if (!w.no_picture.empty()) object["no_picture"] = w.no_picture;
     return object;

@@ -30,16 +30,26 @@ class Records {
 struct Share {
     std::uint64_t defects;
     double depth_error_over_bound, edge_error_over_bound;
-    std::uint64_t same_as_candidate;
+    std::uint64_t unlike_candidate;
+    std::optional<SampledPixels> sample{};
 };
+
+/// Pixels that everybody was asked about.
+std::uint64_t compared_pixels(const ViewResult& v) { return v.id_agreement.same[0][0]; }
+
+std::uint64_t unlike_candidate(const ViewResult& v, std::size_t place) {
+    return compared_pixels(v) - v.id_agreement.same[0][place];
+}
 
 void add(RendererRecord& record, const ViewResult& v, const Share& share) {
     ++record.views;
-    record.pixels += pixels_of(v);
+    record.of_pixels += pixels_of(v);
+    record.pixels += share.sample ? share.sample->pixels : pixels_of(v);
+    if (share.sample) record.seed = share.sample->seed;
     record.defects += share.defects;
     record.depth_error_over_bound = std::max(record.depth_error_over_bound, share.depth_error_over_bound);
     record.edge_error_over_bound = std::max(record.edge_error_over_bound, share.edge_error_over_bound);
-    record.same_as_candidate += share.same_as_candidate;
+    record.unlike_candidate += share.unlike_candidate;
 }
 
 void add_not_compared(RendererRecord& record, const std::string& why) {
@@ -56,7 +66,7 @@ void add_oracles(Records& records, const ViewResult& v) {
         else
             add(record, v,
                 {defect_count(w.counts), w.depth.max_error_over_bound, w.edges.max_error_over_bound,
-                 v.id_agreement.same[0][place++]});
+                 unlike_candidate(v, place++), w.sample});
     }
 }
 
@@ -68,10 +78,10 @@ std::vector<RendererRecord> renderer_records(const Results& results) {
         if (!has_id_agreement(v)) continue;
         add(records.of(v.candidate, "candidate"), v,
             {defect_count(v), v.candidate_depth.max_error_over_bound, v.candidate_edges.max_error_over_bound,
-             pixels_of(v)});
+             0});
         add(records.of(v.reference, "reference"), v,
             {v.reference_defects, v.reference_depth.max_error_over_bound,
-             v.reference_edges.max_error_over_bound, v.id_agreement.same[0][1]});
+             v.reference_edges.max_error_over_bound, unlike_candidate(v, 1)});
         add_oracles(records, v);
     }
     return records.take();
@@ -80,7 +90,8 @@ std::vector<RendererRecord> renderer_records(const Results& results) {
 Unanimity unanimity(const Results& results) {
     Unanimity sum;
     for (const ViewResult& v : results.views)
-        if (has_id_agreement(v)) sum = {sum.pixels + pixels_of(v), sum.unanimous + v.id_agreement.unanimous};
+        if (has_id_agreement(v))
+            sum = {sum.pixels + compared_pixels(v), sum.unanimous + v.id_agreement.unanimous};
     return sum;
 }
 

@@ -66,6 +66,14 @@ std::string title_of(const RendererFacts& renderer);
 /// What its ids stand for: "ids: material"; "depth only" where it has none.
 std::string ids_in_words(const RendererFacts& renderer);
 
+/// Those pixels of a view that a renderer was asked about: every stride-th of every stride-th row.
+struct SampledPixels {
+    int stride = 1, first_x = 0, first_y = 0;
+    std::uint64_t pixels = 0;
+    std::uint64_t seed = 0;       ///< by which the first was drawn
+    std::string fewer_because{};  ///< why they are fewer than in other views; empty: they are not
+};
+
 /// One more renderer, judged against the same reference. Its defects are its own: they do not fail the view.
 struct OracleResult {
     std::string name;
@@ -76,6 +84,7 @@ struct OracleResult {
     std::optional<PictureDifferences>
         picture{};             ///< of its colours from the candidate's, where both were painted
     std::string no_picture{};  ///< why it could not paint; empty: it could, or was not asked
+    std::optional<SampledPixels> sample{};  ///< nothing: it was asked about all pixels
 };
 
 /// One view of one scene, judged.

@@ -172,6 +172,11 @@ std::string totals(const Results& results) {
            counted(reference_defects, "reference defect") + "   " + fixed(time, 1) + " s";
 }
 
+/// Of an oracle that was asked about samples.
+std::string asked_pixels(const RendererRecord& r) {
+    return r.pixels == r.of_pixels ? "" : sample_words(r.pixels, r.of_pixels, r.seed) + ", ";
+}
+
 /// A line for each oracle; candidate and reference have theirs in the table.
 std::string oracle_lines(const Results& results) {
     std::string text;
@@ -179,8 +184,8 @@ std::string oracle_lines(const Results& results) {
         if (r.role != "oracle") continue;
         text += one_line(r.name) + ": ";
         if (r.views > 0)
-            text += counted(r.views, "view") + ", " + counted(r.defects, "defect") + ", err/bound " +
-                    rounded(r.depth_error_over_bound) + (r.not_compared > 0 ? "; " : "");
+            text += counted(r.views, "view") + ", " + asked_pixels(r) + counted(r.defects, "defect") +
+                    ", err/bound " + rounded(r.depth_error_over_bound) + (r.not_compared > 0 ? "; " : "");
         if (r.not_compared > 0)
             text += "not compared in " + counted(r.not_compared, "view") + ": " + one_line(r.absent);
         text += "\n";

@@ -38,6 +38,10 @@ std::string grouped(std::uint64_t value) {
     return text;
 }
 
+std::string sample_words(std::uint64_t pixels, std::uint64_t of_pixels, std::uint64_t seed) {
+    return grouped(pixels) + " of " + grouped(of_pixels) + " pixels, chosen by seed " + std::to_string(seed);
+}
+
 std::string fixed(double value, int decimals) {
     return std::isfinite(value) ? digits(value, std::chars_format::fixed, decimals) : shortest(value);
 }

@@ -23,6 +23,9 @@ std::string id_text(PrimitiveId id);            ///< "4711", or "none" for backg
 /// "1 view", "2 views".
 std::string counted(std::uint64_t count, std::string_view noun);
 
+/// "57,600 of 2,073,600 pixels, chosen by seed 1".
+std::string sample_words(std::uint64_t pixels, std::uint64_t of_pixels, std::uint64_t seed);
+
 /// printable(text), safe as content and in quoted attributes of HTML and XML.
 std::string escaped(std::string_view text);
 

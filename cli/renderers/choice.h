@@ -51,11 +51,13 @@ struct OracleChoice {
         welcome,   ///< where it is absent, the report says so
         required,  ///< where it is absent, nothing is proven
     };
+    enum class Pixels {
+        all,
+        sample,  ///< as many as a known price buys, where the renderer has samples
+    };
     RendererChoice renderer;
-    std::size_t most_triangles = unlimited_triangles;  ///< not asked of larger scenes
+    Pixels pixels = Pixels::all;
     Need need = Need::welcome;
-
-    static constexpr std::size_t unlimited_triangles = std::size_t(-1);
 };
 
 /// Everybody who has a say in a run.

@@ -19,6 +19,7 @@
 #include "oracle/opengl.h"
 #include "oracle/oracle_error.h"
 #include "oracle/povray.h"
+#include "oracle/povray/budget.h"
 #include "rasterizer/rasterizer.h"
 
 namespace zproof {
@@ -28,6 +29,7 @@ namespace {
 struct Answers {
     std::function<Frame(const View&)> render;
     std::function<Picture(const View&, const Light&)> paint{};  ///< empty: has no colours of its own
+    std::function<BegunSample(const View&, std::uint64_t seed)> begin_sample{};  ///< as Renderer's
 };
 
 /// One that zproof knows by name. A new one is a row in `known`.
@@ -87,7 +89,11 @@ Answers povray_on(const Scene& scene, std::chrono::seconds time_limit) {
     const auto povray =
         std::make_shared<const oracle::PovRay>(scene, oracle::PovRayOptions{.time_limit = time_limit});
     return {[povray](const View& view) { return povray->render(view); },
-            [povray](const View& view, const Light& light) { return povray->picture(view, light); }};
+            [povray](const View& view, const Light& light) { return povray->picture(view, light); },
+            [povray, &scene](const View& view, std::uint64_t seed) {
+                const auto [pixels, fewer_because] = oracle::affordable_pixels(scene, view, seed);
+                return BegunSample{pixels, fewer_because, povray->begin(view_of(pixels, view), 1)};
+            }};
 }
 
 constexpr std::array known{
@@ -212,8 +218,13 @@ Renderer open(const RendererChoice& choice, const Scene& scene) {
     Answers answers = answers_on(choice, scene);
     std::shared_ptr<const TriangleLabels> labels = labels_of(choice, scene);
     if (labels && std::holds_alternative<BuiltIn>(choice.who)) give_labels(answers, labels);
-    return {name_of(choice),           declared_precision(choice), declared_projections(choice),
-            std::move(answers.render), std::move(answers.paint),   std::move(labels)};
+    return {.name = name_of(choice),
+            .precision = declared_precision(choice),
+            .projections = declared_projections(choice),
+            .render = std::move(answers.render),
+            .paint = std::move(answers.paint),
+            .begin_sample = std::move(answers.begin_sample),
+            .labels = std::move(labels)};
 }
 
 }  // namespace zproof

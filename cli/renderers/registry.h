@@ -14,11 +14,19 @@
 #include "image_io/image_io.h"
 #include "reports/results.h"
 #include "scenes/light.h"
+#include "scenes/pixel_lattice.h"
 #include "scenes/scene.h"
 #include "scenes/triangle_labels.h"
 #include "scenes/view.h"
 
 namespace zproof {
+
+/// A view that a renderer has begun on at some of its pixels.
+struct BegunSample {
+    PixelLattice pixels;
+    std::string fewer_because;     ///< why they are fewer than in other views; empty: they are not
+    std::function<Frame()> frame;  ///< waits for it; once. OracleError where there is none
+};
 
 /// A renderer that has been handed a scene.
 struct Renderer {
@@ -27,7 +35,10 @@ struct Renderer {
     Projections projections;                                  ///< what it can be asked about
     std::function<Frame(const View&)> render;                 ///< OracleError where it cannot
     std::function<Picture(const View&, const Light&)> paint;  ///< empty: has no colours of its own
-    std::shared_ptr<const TriangleLabels> labels;             ///< what its ids stand for; nothing: triangles
+    /// Begins on as much of a view as a known price buys, drawn by the seed. Empty: it is asked about all
+    /// pixels.
+    std::function<BegunSample(const View&, std::uint64_t seed)> begin_sample;
+    std::shared_ptr<const TriangleLabels> labels;  ///< what its ids stand for; nothing: triangles
 };
 
 /// The names that zproof knows, its own rasterizer first.

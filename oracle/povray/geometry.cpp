@@ -7,6 +7,7 @@
 #include <string>
 
 #include "oracle/oracle_error.h"
+#include "oracle/povray/raster_box.h"
 #include "oracle/povray/text.h"
 
 namespace zproof::oracle {
@@ -80,6 +81,7 @@ VisibleTriangles visible_triangles(const Scene& scene, const View& view) {
         const Corners corners = corners_from_eye(scene, view, scene.triangles[i]);
         const DepthRange range = depth_range(corners, view.camera.back);
         if (range.high < near || range.low > far || !has_a_normal(corners)) continue;
+        if (centres_around(corners, view, 1) == 0) continue;
         const Cut cut = range.low < near || range.high > far ? Cut::by_near_or_far : Cut::none;
         seen.triangles.push_back({{PrimitiveId{std::uint32_t(i)}, corners}, cut, 0});
         seen.depths.include(range);

@@ -44,9 +44,9 @@ struct PovrayGeometry {
     std::vector<PovrayCluster> clusters;
 };
 
-/// Leaves out triangles that lie wholly before near or beyond far, and those too thin to
-/// have a normal. Throws
-/// OracleError, naming the view, where what is seen spans more depth than POV-Ray can reach.
+/// Leaves out triangles that lie wholly before near or beyond far, those too thin to have a normal, and those
+/// that no ray meets (povray/raster_box.h). Throws OracleError, naming the view, where what is seen spans
+/// more depth than POV-Ray can reach.
 PovrayGeometry povray_geometry(const Scene& scene, const View& view);
 
 }  // namespace zproof::oracle

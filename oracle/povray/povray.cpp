@@ -3,6 +3,9 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <functional>
+#include <memory>
+#include <utility>
 
 #include "frame/frame_error.h"
 #include "image_io/image_io.h"
@@ -19,14 +22,14 @@ namespace {
 constexpr const char *scene_file = "scene.pov", *picture_file = "picture.png";
 
 /// One ray through each pixel's centre, 16 bits per channel as computed: no window, no dither, no gamma.
-std::vector<std::string> arguments(const std::string& program, const View& view) {
+std::vector<std::string> arguments(const std::string& program, const View& view, int threads) {
     return {program,
             std::string("+I") + scene_file,
             std::string("+O") + picture_file,
             "+FN16",
             "+W" + std::to_string(view.width),
             "+H" + std::to_string(view.height),
-            "+WT" + std::to_string(tbb::this_task_arena::max_concurrency()),
+            "+WT" + std::to_string(threads),
             "File_Gamma=1.0",
             "Dither=off",
             "-A",
@@ -36,14 +39,11 @@ std::vector<std::string> arguments(const std::string& program, const View& view)
             "-V"};
 }
 
-void run_povray(const PovRayOptions& options, const View& view, const std::filesystem::path& folder) {
-    const Command command{
-        .arguments = arguments(options.program, view), .folder = folder, .time_limit = options.time_limit};
-    const Outcome outcome = run(command);
+void require_success(const Outcome& outcome, const View& view, std::chrono::milliseconds time_limit) {
     if (outcome.succeeded()) return;
     // a picture that takes too long is no error of POV-Ray's, and it has nothing to say but how far it came
     const std::string said = outcome.ending == Ending::timed_out ? "" : "; it said: " + last_output(outcome);
-    throw OracleError("POV-Ray, view '" + view.name + "': " + in_words(outcome, options.time_limit) + said);
+    throw OracleError("POV-Ray, view '" + view.name + "': " + in_words(outcome, time_limit) + said);
 }
 
 Plane<Rgb16> drawn(const std::filesystem::path& folder, const View& view) {
@@ -52,6 +52,18 @@ Plane<Rgb16> drawn(const std::filesystem::path& folder, const View& view) {
     } catch (const FrameError& e) {
         throw OracleError("POV-Ray, view '" + view.name + "': " + e.what());
     }
+}
+
+/// POV-Ray at work in a folder that holds the view's scene file; the result waits for its picture.
+std::function<Plane<Rgb16>()> started(const PovRayOptions& options, const View& view, int threads,
+                                      std::shared_ptr<const ScratchFolder> folder) {
+    const Command command{.arguments = arguments(options.program, view, threads),
+                          .folder = folder->path(),
+                          .time_limit = options.time_limit};
+    return [view, folder, time_limit = options.time_limit, outcome_of = start(command)] {
+        require_success(outcome_of(), view, time_limit);
+        return drawn(folder->path(), view);
+    };
 }
 
 Frame frame_of(const Plane<PovrayCode::Channels>& picture, const PovrayScene& scene) {
@@ -75,22 +87,25 @@ Picture colours_of(const Plane<PovrayCode::Channels>& codes) {
 }  // namespace
 
 Frame PovRay::render(const View& view) const {
+    return begin(view, tbb::this_task_arena::max_concurrency())();
+}
+
+std::function<Frame()> PovRay::begin(const View& view, int threads) const {
     require_centre(view, "POV-Ray");
-    const ScratchFolder scratch;
-    const PovrayScene scene = povray_scene(scene_, view);
-    scratch.write(scene_file, scene.text);
-    run_povray(options_, view, scratch.path());
-    return frame_of(drawn(scratch.path(), view), scene);
+    const auto scratch = std::make_shared<const ScratchFolder>();
+    PovrayScene scene = povray_scene(scene_, view);
+    scratch->write(scene_file, std::exchange(scene.text, ""));
+    return
+        [scene, picture = started(options_, view, threads, scratch)] { return frame_of(picture(), scene); };
 }
 
 Picture PovRay::picture(const View& view, const Light& light, const PhongFinish& phong_finish) const {
     require_centre(view, "POV-Ray");
-    const ScratchFolder scratch;
+    const auto scratch = std::make_shared<const ScratchFolder>();
     const PovrayPicture picture = povray_picture(scene_, view, light, phong_finish);
-    scratch.write(scene_file, picture.text);
-    for (const PovrayImage& image : picture.images) scratch.write(image.name, image.bytes);
-    run_povray(options_, view, scratch.path());
-    return colours_of(drawn(scratch.path(), view));
+    scratch->write(scene_file, picture.text);
+    for (const PovrayImage& image : picture.images) scratch->write(image.name, image.bytes);
+    return colours_of(started(options_, view, tbb::this_task_arena::max_concurrency(), scratch)());
 }
 
 Precision povray_precision() {
