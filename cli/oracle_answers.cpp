@@ -62,6 +62,7 @@ OracleAnswer judged_sample(const OpenedOracle& oracle, const ViewContext& contex
     move_to_image(pixels, verdict.findings);
     const std::uint64_t count = frame->size().pixel_count();
     OracleAnswer answer = answer_of(oracle, context, std::move(frame), std::move(verdict));
+    if (pixels.stride == 1) return answer;  // that is all of them
     answer.pixels = pixels;
     answer.result.sample = SampledPixels{pixels.stride, pixels.first_x,     pixels.first_y,
                                          count,         SampledViews::seed, sampled.fewer_because};

@@ -156,6 +156,28 @@ TEST_F(StoredFrames, AnOracleThatIsNotInstalledIsNamedAndMayBeRequired) {
     EXPECT_EQ(run(folder, required).exit_code, 0);
 }
 
+TEST_F(StoredFrames, PovRayIsAskedAboutASampleUnlessItIsNamed) {
+    const Words run_words{"run", "two.gltf", "--width", "960", "--height", "540", "--evidence", "all"};
+    const Ran ran = run(folder, run_words);
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+    const json view = only_view(), oracle = view.at("oracles").at(0);
+    EXPECT_EQ(oracle.at("absent"), "");
+    EXPECT_EQ(oracle.at("sample").at("pixels"), 320 * 180);
+    EXPECT_EQ(oracle.at("sample").at("stride"), 3);
+    EXPECT_EQ(view.at("id_agreement").at("same").at(0).at(0), 320 * 180);
+    EXPECT_EQ(view.at("id_agreement").at("same").at(2).at(2), 320 * 180);
+    EXPECT_GT(view.at("id_agreement").at("same").at(0).at(2), 320 * 180 - 100);
+    const std::string words = "57,600 of 518,400 pixels, chosen by seed 1";
+    EXPECT_NE(ran.out.find(words), std::string::npos) << ran.out;
+    EXPECT_NE(folder.read("zproof-out/report.html").find(words), std::string::npos);
+
+    Words named = run_words;
+    named.insert(named.end(), {"--oracle", "povray"});
+    EXPECT_EQ(run(folder, named).exit_code, 0);
+    EXPECT_FALSE(only_view().at("oracles").at(0).contains("sample"));
+    EXPECT_EQ(only_view().at("id_agreement").at("same").at(2).at(2), 960 * 540);
+}
+
 TEST_F(StoredFrames, FourRenderersShareOneMatrixAndPovRayPaints) {
     const Ran ran = run(folder, {"run", "two.gltf", "--width", "64", "--height", "48", "--oracle",
                                  "povray,opengl", "--evidence", "all", "--pictures"});

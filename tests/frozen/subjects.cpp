@@ -64,7 +64,7 @@ std::vector<NamedView> wanted_views(const Wanted& wanted, const Source& source) 
 /// Two renderers that zproof knows by name.
 struct Pair {
     const char *candidate, *reference;
-    std::size_t most_triangles = OracleChoice::unlimited_triangles;
+    std::size_t most_triangles = std::size_t(-1);
 };
 
 RendererChoice renderer_named(const char* name) { return {.who = BuiltIn{name}, .precision_word = {}}; }

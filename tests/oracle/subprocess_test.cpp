@@ -48,6 +48,32 @@ TEST(Subprocess, ArgumentsReachTheProgramAsTheyAre) {
     EXPECT_EQ(outcome.output, "two words|$HOME|'||");
 }
 
+TEST(Subprocess, StartedCommandsRunSideBySide) {
+    const ScratchFolder scratch;  // each waits for the other's file
+    const auto meet = [&](const std::string& mine, const std::string& other) {
+        return start(
+            {.arguments = shell_line("touch " + mine + "; until [ -e " + other + " ]; do :; done; echo met"),
+             .folder = scratch.path(),
+             .time_limit = std::chrono::minutes(1)});
+    };
+    const auto first = meet("a", "b"), second = meet("b", "a");
+    EXPECT_EQ(first().output, "met\n");
+    EXPECT_EQ(second().output, "met\n");
+}
+
+TEST(Subprocess, ACommandThatNobodyWaitsForIsKilled) {
+    const ScratchFolder scratch;
+    const std::string pipe = scratch.path() / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    auto forgotten = start({.arguments = shell_line("exec 3>" + pipe + "; sleep 1000")});
+    const int reader = open(pipe.c_str(), O_RDONLY | O_CLOEXEC);  // returns when the command has opened it
+    ASSERT_GE(reader, 0);
+    forgotten = nullptr;
+    char nothing = 0;
+    EXPECT_EQ(read(reader, &nothing, 1), 0);  // its end: nobody holds the other one
+    close(reader);
+}
+
 TEST(Subprocess, StandardInputIsEmpty) { EXPECT_EQ(run_line("cat; echo done").output, "done\n"); }
 
 TEST(Subprocess, ItRunsInItsFolder) {
