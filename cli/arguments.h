@@ -12,6 +12,7 @@
 #include "cli/gate/arguments.h"
 #include "cli/renderers/choice.h"
 #include "cli/report_files.h"
+#include "cli/run_size.h"
 #include "cli/settings.h"
 #include "cli/study/arguments.h"
 #include "cli/views_arguments.h"
@@ -61,6 +62,7 @@ struct ReportArguments {
 };
 
 struct RunArguments {
+    RunSize size = RunSize::usual;
     std::vector<std::string> scenes;  ///< empty: the whole suite
     std::filesystem::path models;     ///< where view files' models may lie; empty: beside them only
     Shard shard;

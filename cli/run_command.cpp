@@ -4,20 +4,22 @@
 #include "cli/commands.h"
 #include "cli/gate/shard.h"
 #include "cli/judgement.h"
+#include "cli/run_size.h"
 #include "cli/scene_selection.h"
 #include "frame/printable.h"
 
 namespace zproof {
 
 ExitCode execute(const RunArguments& arguments) {
-    const auto [selected, passed_over] = select_with_counts(arguments.scenes, arguments.models);
+    const auto [named, passed_over] = select_with_counts(arguments.scenes, arguments.models);
     if (const std::string words = in_words(passed_over);
         !words.empty() && arguments.report.detail != Detail::verdict)
         std::cerr << "zproof: " << shortened(words, longest_line_bytes - 10) << "\n";
-    if (selected.empty()) {
+    if (named.empty()) {
         std::cerr << "zproof: nothing to judge: no .gltf, .glb, .obj, .ply or .view.json in what was named\n";
         return ExitCode::nothing;
     }
+    const std::vector<SceneSource> selected = sources_for(arguments.size, named);
     Selection selection = selection_of(selected, arguments.settings.resolution);
     selection.passed_over = passed_over;
     return judge_and_report({.sources = share_of(selected, arguments.shard),

@@ -30,6 +30,10 @@
 namespace zproof {
 namespace {
 
+Resolution resolution_of(const SceneSource& source, const RunConfig& config) {
+    return source.size.value_or(config.resolution);
+}
+
 /// Candidate, reference and oracles of one scene.
 struct OpenedRenderers {
     Renderer candidate, reference;
@@ -263,7 +267,7 @@ class Record {
 /// A result per view, or one that says that there is nothing to see.
 Ending run_views(const SceneSource& source, const RunConfig& config, StageClock& clock, Record& record) {
     config.progress.begin_stage("load");
-    const Loaded loaded = load(source, config.resolution);
+    const Loaded loaded = load(source, resolution_of(source, config));
     if (loaded.scene.triangles.empty()) {
         record.add(without_triangles(source, loaded.scene));
         return Ending::complete;
@@ -323,7 +327,7 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
     };
     try {
         const Ending ending = run_views(source, config, clock, record);
-        if (ending == Ending::complete && config.resolution == default_resolution &&
+        if (ending == Ending::complete && resolution_of(source, config) == default_resolution &&
             std::ranges::all_of(config.samples, is_centre) && are_the_usual(config.renderers))
             hold_to_expectations(source, config, results);
         return ending;
@@ -342,9 +346,10 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
 
 ViewResult ended_by_fault(const SceneSource& source, const RunConfig& config, const std::string& how,
                           const std::string& stage) {
-    return unjudged(source, Outcome::internal_error,
-                    how + (stage.empty() ? "" : " at '" + stage + "'") + "; to see it again: " +
-                        judging_command_for(source, config.renderers, config.resolution, config.command));
+    return unjudged(
+        source, Outcome::internal_error,
+        how + (stage.empty() ? "" : " at '" + stage + "'") + "; to see it again: " +
+            judging_command_for(source, config.renderers, resolution_of(source, config), config.command));
 }
 
 ViewResult left_by_interrupt(const SceneSource& source) {

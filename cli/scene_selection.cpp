@@ -175,7 +175,7 @@ Loaded loaded_as_it_is(const SceneSource& source, Resolution resolution) {
         throw SceneError{source.origin + ": folder cannot be read; expected one that may be listed (ls -l)"};
     switch (source.kind) {
         case SceneSource::Kind::suite:
-            return generate_suite_scene(source.name, resolution.width, resolution.height);
+            return generate_suite_scene(word_for(source), resolution.width, resolution.height);
         case SceneSource::Kind::model:
             return load_model(source.origin, resolution.width, resolution.height);
         case SceneSource::Kind::view_file:
@@ -199,7 +199,8 @@ std::string names_of(const std::vector<View>& views) {
 }
 
 std::string word_for(const SceneSource& source) {
-    return source.kind == SceneSource::Kind::suite ? source.name : source.origin;
+    if (source.kind != SceneSource::Kind::suite) return source.origin;
+    return source.suite_name.empty() ? source.name : source.suite_name;
 }
 
 }  // namespace zproof

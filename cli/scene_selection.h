@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct SceneSource {
     std::vector<std::string> expects;  ///< classes that must occur; empty for files
     std::uint64_t place = 0;           ///< in the selection, from 0
     std::filesystem::path models{};    ///< where a view file's model may lie; empty: in its own folder only
+    std::string suite_name{};          ///< where it goes by another name in the selection
+    std::optional<Resolution> size{};  ///< of its pictures; nothing: what the run has
 };
 
 /// The scenes that the words mean, in their order, each once: "suite" or no word at all is the whole suite; a

@@ -2,6 +2,7 @@
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
 #include "cli/gate/shard.h"
+#include "cli/run_size.h"
 
 namespace zproof {
 namespace {
@@ -28,6 +29,21 @@ void add_frames(CLI::App& app, CompareArguments& compare, RendererWords& words) 
         "the scene, where both words are frames");
 }
 
+/// Excluding one another, and a resolution of the caller's own.
+void add_run_size(CLI::App& app, RunSize& size) {
+    const auto flag = [&](const char* name, RunSize meant, const char* words) {
+        return app.add_flag_callback(
+            name, [&size, meant] { size = meant; }, words);
+    };
+    auto* quick = flag("--quick", RunSize::quick, "480 x 270, and no oracle beside Embree: seconds");
+    auto* thorough =
+        flag("--thorough", RunSize::thorough,
+             "further resolutions, odd ones and 1 x 1 among them, and POV-Ray and OpenGL at every pixel");
+    quick->excludes(thorough);
+    for (auto* one : {quick, thorough})
+        for (const char* other : {"--width", "--height"}) one->excludes(app.get_option(other));
+}
+
 }  // namespace
 
 Branch add_run(CLI::App& parent, CommandWords& words) {
@@ -39,6 +55,7 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     add_ids_option(app, words.renderers);
     add_oracle_options(app, words.renderers);
     add_render_settings(app, words.run.settings);
+    add_run_size(app, words.run.size);
     add_samples(app, words.run.settings);
     add_report(app, words.run.report);
     add_evidence(app, words.run.report);
@@ -49,6 +66,8 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     add_settings_choice(app, words.settings);
     return {&app, [&words] {
                 words.run.report = understood(words.run.report);
+                words.run.settings.resolution = resolution_for(words.run.size, words.run.settings.resolution);
+                if (!words.renderers.oracles) words.renderers.oracles = oracles_for(words.run.size);
                 words.run.renderers = chosen_renderers(words.renderers);
                 return words.run;
             }};

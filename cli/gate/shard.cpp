@@ -46,9 +46,18 @@ std::vector<SceneSource> share_of(std::vector<SceneSource> sources, Shard shard)
     return sources;
 }
 
+namespace {
+
+std::string in_words(const Resolution& size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+}  // namespace
+
 Selection selection_of(const std::vector<SceneSource>& sources, Resolution resolution) {
-    std::string words = std::to_string(resolution.width) + " x " + std::to_string(resolution.height) + "\n";
-    for (const SceneSource& source : sources) words += word_for(source) + "\n";
+    std::string words = in_words(resolution) + "\n";
+    for (const SceneSource& source : sources)
+        words += word_for(source) + (source.size ? " " + in_words(*source.size) : "") + "\n";
     return {sources.size(), sha256_of(words), {}};
 }
 

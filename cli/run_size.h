@@ -1,0 +1,28 @@
+/// How much a run does where nobody says it in detail.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/scene_selection.h"
+
+namespace zproof {
+
+enum class RunSize {
+    quick,     ///< small pictures, Embree alone: for a hook that runs before each commit
+    usual,     ///< 1920 x 1080, POV-Ray at a sample of the pixels
+    thorough,  ///< further resolutions, every oracle at every pixel: for the night
+};
+
+/// The resolution of a run of that size; `usual` is what it has otherwise.
+Resolution resolution_for(RunSize size, Resolution usual);
+
+/// The oracles of a run that names none; nothing: the usual ones.
+std::optional<std::vector<std::string>> oracles_for(RunSize size);
+
+/// The scenes, and for a thorough run each once more at further resolutions, as "room.641x359". View files
+/// state their own resolution and stand once. Places are counted anew.
+std::vector<SceneSource> sources_for(RunSize size, const std::vector<SceneSource>& named);
+
+}  // namespace zproof
