@@ -129,7 +129,10 @@ TEST(Html, ShowsWhatTheOraclesAnsweredAndWhichAgree) {
     EXPECT_EQ(occurrences(page, "no picture: no &lt;canvas&gt;"), 1u);
     EXPECT_EQ(occurrences(page, "3.7 &lt;b&gt;"), 1u);
     EXPECT_EQ(occurrences(page, "not compared: no &lt;device&gt;"), 1u);
-    EXPECT_EQ(occurrences(page, "All that were compared name the same triangle at 5 of 2,073,600 pixels."),
+    EXPECT_EQ(occurrences(page, "All that were compared name the same triangle at 5 of 9 pixels."), 1u);
+    EXPECT_EQ(occurrences(page,
+                          "asked about 9 of 2,073,600 pixels, chosen by seed 1, fewer than usual: "
+                          "&lt;many&gt; triangles"),
               1u);
 }
 

@@ -80,6 +80,7 @@ ViewResult room() {
     v.oracles[0].picture.emplace();
     v.oracles[0].picture->at(0) = {.pixels = 7, .rms = 0.5, .mean = 0.25, .largest = 1};
     v.oracles[0].no_picture = "no <canvas>";
+    v.oracles[0].sample = SampledPixels{700, 5, 6, 9, 1, "<many> triangles"};
     v.oracles[0].depth.max_error_over_bound = 0.125;
     v.id_agreement = {.same = {{9, 8, 7}, {8, 9, 6}, {7, 6, 9}}, .unanimous = 5};
     v.folder = "scenes/room-corner";
