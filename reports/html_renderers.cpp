@@ -13,9 +13,10 @@ std::string compared(const RendererRecord& r) {
     return grouped(r.views) + (r.not_compared > 0 ? " of " + grouped(r.views + r.not_compared) : "");
 }
 
-/// The pixels that it was asked about; of samples with what they are samples of.
-std::string asked_pixels(const RendererRecord& r) {
-    return r.pixels == r.of_pixels ? grouped(r.pixels) : sample_words(r.pixels, r.of_pixels, r.seed);
+/// What a sample is a sample of; empty where it was asked about every pixel.
+std::string sample_remark(const RendererRecord& r) {
+    if (r.pixels == r.of_pixels) return "";
+    return "<p class=\"fine\">asked about " + sample_words(r.pixels, r.of_pixels, r.seed) + "</p>";
 }
 
 /// JSON with a blank after every comma, so that a narrow column can break it.
@@ -37,11 +38,11 @@ std::string record_row(const Results& results, const RendererRecord& r) {
     const std::string absent =
         r.absent.empty() ? "" : "<p class=\"fine\">not compared: " + escaped(one_line(r.absent)) + "</p>";
     return "<tr><td><strong>" + escaped(one_line(r.name)) + "</strong><br>" + r.role + "</td>" +
-           number_cell(compared(r)) + number_cell(asked_pixels(r)) + "<td class=\"n defects" +
+           number_cell(compared(r)) + number_cell(grouped(r.pixels)) + "<td class=\"n defects" +
            (r.defects == 0 ? " zero" : "") + "\">" + grouped(r.defects) + "</td>" +
            number_cell(rounded(r.depth_error_over_bound)) + number_cell(rounded(r.edge_error_over_bound)) +
-           number_cell(grouped(r.unlike_candidate)) + "<td class=\"words\">" + facts_of(results, r) + absent +
-           "</td></tr>\n";
+           number_cell(grouped(r.unlike_candidate)) + "<td class=\"words\">" + facts_of(results, r) +
+           sample_remark(r) + absent + "</td></tr>\n";
 }
 
 std::string id_agreement_row(const std::vector<std::string>& names, const ViewResult& v, std::size_t i) {
