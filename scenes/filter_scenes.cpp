@@ -114,8 +114,8 @@ Loaded photograph_scene(const std::filesystem::path& file, int width, int height
     if (!fault.empty()) throw SceneError(file.string() + ": " + fault);
     try {
         Image image = decode_image(bytes);
-        image.name = file.filename().string();
-        return filters::ground("photograph", std::move(image), {.width = width, .height = height}, 45);
+        const std::string name = image.name = file.filename().string();
+        return filters::ground(name, std::move(image), {.width = width, .height = height}, 45);
     } catch (const std::runtime_error& error) {
         throw SceneError(file.string() + ": " + error.what());
     }

@@ -22,7 +22,7 @@ std::vector<FilterSceneEntry> filter_scenes();
 Loaded generate_filter_scene(const std::string& name, int width = 512, int height = 512);
 
 /// The plane of `checker_plane` with a PNG or JPEG file as its texture, 128 texels to a unit; the scene is
-/// named "photograph". Throws SceneError where the file cannot be read.
+/// named after the file, "rocket.jpg". Throws SceneError where the file cannot be read.
 Loaded photograph_scene(const std::filesystem::path& file, int width = 512, int height = 512);
 
 }  // namespace zproof

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iostream>
+#include <set>
 
 #include "cli/commands.h"
 #include "cli/filters/scenes.h"
@@ -61,13 +62,15 @@ class FilterStudyRun {
         const Loaded loaded = load(
             source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
         const std::vector<View> views = chosen_views(loaded, arguments.views);
+        const std::string name = unique_name(loaded.scene.name, source);
         progress_.expect_more(double(views.size() - 1) * study::units_of(plan_));
         views_ += views.size();
         for (const View& view : views) {
             if (interrupted()) return;
             plan_.first_row = arguments.first_row.value_or(natural_first_row(source, view.height));
-            progress_.within(loaded.scene.name + " / " + view.name + ": ");
-            study::ViewStudy one = study_one(loaded.scene, view);
+            progress_.within(name + " / " + view.name + ": ");
+            study::ViewStudy one = study_one(name, loaded.scene, view);
+            one.scene = name;
             one.reason = source.reason;
             scored_ += one.methods.size();
             results_.views.push_back(std::move(one));
@@ -75,14 +78,19 @@ class FilterStudyRun {
     }
 
   private:
-    study::ViewStudy study_one(const Scene& scene, const View& view) {
-        const std::string home = "pictures/" + names_.next(scene.name, view.name) + "/";
+    /// The scene's name, or what was typed where another scene of the study has that name.
+    std::string unique_name(const std::string& scene, const StudyScene& source) {
+        return scenes_.insert(scene).second ? scene : source.word;
+    }
+
+    study::ViewStudy study_one(const std::string& name, const Scene& scene, const View& view) {
+        const std::string home = "pictures/" + names_.next(name, view.name) + "/";
         fs::create_directories(folder_ / home);
         const study::ProgressSink progress_sink{
             .begins = [&](const std::string& what) { progress_.begin(what); },
             .is_shown =
-                [&](const std::string& name, const Picture& picture) {
-                    write_picture(folder_ / home / (file_stem(name) + ".exr"), picture);
+                [&](const std::string& what, const Picture& picture) {
+                    write_picture(folder_ / home / (file_stem(what) + ".exr"), picture);
                 },
             .wants_to_stop = interrupted};
         study::ViewStudy one = study::study_view(scene, view, plan_, progress_sink);
@@ -96,6 +104,7 @@ class FilterStudyRun {
     WorkProgress& progress_;
     study::StudyResults& results_;
     FolderNames names_;
+    std::set<std::string> scenes_;
     std::size_t scored_ = 0, views_ = 0, scenes_left_ = 0;
 };
 

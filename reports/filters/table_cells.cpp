@@ -38,9 +38,14 @@ void add_costs(const MethodScore& method, std::vector<std::string>& row) {
     row.push_back(cell(method.cost.ns_per_sample, 0));
 }
 
-std::vector<TableColumn> columns_of(const StudyResults& results) {
+/// Cost and flicker are of the whole picture: they stand beside the regions that are quoted, and are no value
+/// of a smaller one.
+bool shows_costs(const std::string& region) { return region == "all" || region == "interior"; }
+
+std::vector<TableColumn> columns_of(const StudyResults& results, const std::string& region) {
     std::vector<TableColumn> columns{{"rank"}, {"method", true}};
     for (const MetricCard& metric : results.metrics) columns.push_back({metric.name});
+    if (!shows_costs(region)) return columns;
     for (const char* name : {"flicker", "ratio", "texels", "lines", "stored", "build ms", "ns"})
         columns.push_back({name});
     return columns;
@@ -49,7 +54,8 @@ std::vector<TableColumn> columns_of(const StudyResults& results) {
 }  // namespace
 
 TableCells table_cells(const StudyResults& results, const ViewStudy& view, const std::string& region) {
-    TableCells table{.title = view.scene + " / " + view.view, .columns = columns_of(results), .rows = {}};
+    TableCells table{
+        .title = view.scene + " / " + view.view, .columns = columns_of(results, region), .rows = {}};
     const std::vector<int> places = ranks(results, view, region);
     std::uint64_t pixels = 0;
     for (std::size_t i = 0; i < view.methods.size(); ++i) {
@@ -58,7 +64,7 @@ TableCells table_cells(const StudyResults& results, const ViewStudy& view, const
         pixels = score->pixels;
         table.rows.push_back({places[i] == 0 ? "-" : std::to_string(places[i]), view.methods[i].label});
         add_metrics(results, *score, table.rows.back());
-        add_costs(view.methods[i], table.rows.back());
+        if (shows_costs(region)) add_costs(view.methods[i], table.rows.back());
     }
     if (view.first_row > 0) table.title += ", rows from " + std::to_string(view.first_row);
     table.title += ", " + std::to_string(view.width) + " x " + std::to_string(view.height) + ", region '" +

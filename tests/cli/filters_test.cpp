@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "cli/filters/arguments.h"
 #include "cli/usage_error.h"
@@ -63,6 +64,31 @@ TEST(Filters, RunWritesTheWholeStudy) {
     EXPECT_GT(interior, 20u * 32);
     EXPECT_EQ(read_picture(folder.path() / "study/pictures/worked-phi-0/nearest.exr").size(),
               (Resolution{32, 32}));
+}
+
+TEST(Filters, PhotographsAreToldApart) {
+    const Folder folder;
+    for (const char* place : {"one/photo.png", "two/photo.png", "other.png"}) {
+        folder.write(place, "");
+        write_png(folder.path() / place, Plane<Rgb8>({4, 4}, {90, 120, 200}));
+    }
+    Words words = small;
+    words[2] = "one/photo.png";
+    words.erase(words.begin() + 3, words.begin() + 5);  // --view
+    words.insert(words.end(), {"two/photo.png", "other.png"});
+    const Ran ran = run(folder, words);
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    std::set<std::string> names, files;
+    std::size_t views = 0;
+    for (const study::ViewStudy& view : filters_from_json(folder.read("study/filters.json")).views) {
+        names.insert(view.scene);
+        files.insert(view.truth_file);
+        ++views;
+    }
+    EXPECT_EQ(names, (std::set<std::string>{"photo.png", "two/photo.png", "other.png"}));
+    EXPECT_EQ(files.size(), views);
+    for (const std::string& name : names)
+        EXPECT_NE(folder.read("study/filters.csv").find("\n" + name + ","), std::string::npos);
 }
 
 TEST(Filters, SamplersOfOthersAreMethodsOfAStudy) {

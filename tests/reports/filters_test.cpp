@@ -99,6 +99,14 @@ TEST(FiltersTable, SaysWhatIsNotResolved) {
     EXPECT_NE(table.find("\n   2  dear_one "), std::string::npos) << table;
 }
 
+TEST(FiltersTable, ShowsCostsOfTheWholePictureBesideTheRegionsThatAreQuoted) {
+    EXPECT_NE(filters_table(sample_study(), "interior").find("flicker"), std::string::npos);
+    const std::string part = filters_table(sample_study(), "anisotropy 1");
+    EXPECT_NE(part.find("rmse"), std::string::npos);
+    EXPECT_EQ(part.find("flicker"), std::string::npos) << part;
+    EXPECT_EQ(part.find("4.0 KiB"), std::string::npos) << part;
+}
+
 TEST(FiltersLatex, EscapesWhatLatexWouldTakeForItself) {
     const std::string latex = filters_latex(sample_study(), "interior");
     EXPECT_NE(latex.find("best, \\& \"only\" & not resolved"), std::string::npos);

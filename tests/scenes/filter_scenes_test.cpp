@@ -155,6 +155,7 @@ TEST(FilterScenes, ShareMaterialsBetweenFieldsOfOneTexture) {
 
 TEST(FilterScenes, TakeAPhotograph) {
     const Loaded loaded = photograph_scene(ZPROOF_SHARED "/models/textures/rocket.jpg", 64, 64);
+    EXPECT_EQ(loaded.scene.name, "rocket.jpg");
     EXPECT_EQ(loaded.scene.images[0].width, 640);
     EXPECT_EQ(loaded.scene.images[0].height, 427);
     EXPECT_EQ(loaded.views.size(), 3u);
