@@ -141,13 +141,14 @@ struct Answered {
     std::string text;
 };
 
-using Command = std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments,
-                             MeasureArguments, FitArguments, ContractCheckArguments, SelftestArguments,
-                             MergeArguments, ReportAgainArguments, DiffResultsArguments, WaiveListArguments,
-                             WaiveCheckArguments, WaivePruneArguments, WaiveAddArguments, DoctorArguments,
-                             ListArguments, GenerateArguments, ViewsArguments, FiltersRunArguments,
-                             FiltersListArguments, FiltersTableArguments, FiltersFigureArguments,
-                             FiltersCrowArguments, FiltersCheckArguments, StudyArguments, Answered>;
+using Command =
+    std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
+                 FitArguments, ContractCheckArguments, SelftestArguments, MergeArguments,
+                 ReportAgainArguments, DiffResultsArguments, WaiveListArguments, WaiveCheckArguments,
+                 WaivePruneArguments, WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments,
+                 ViewsArguments, FiltersRunArguments, FiltersListArguments, FiltersScenesArguments,
+                 FiltersTableArguments, FiltersFigureArguments, FiltersCrowArguments, FiltersCheckArguments,
+                 StudyArguments, Answered>;
 
 /// What is not typed is taken from the settings (docs/gate.md). Throws UsageError, and ReportError where a
 /// settings file that is named cannot be read.

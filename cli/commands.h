@@ -80,6 +80,10 @@ ExitCode execute(const FiltersRunArguments& arguments);
 /// Prints the filter methods with their definitions, the metrics and the filter scenes.
 ExitCode execute(const FiltersListArguments& arguments);
 
+/// Writes filter scenes as NAME.glb and NAME.view.json. SceneError for one that there is not, before anything
+/// is written.
+ExitCode execute(const FiltersScenesArguments& arguments);
+
 /// Prints a study's table.
 ExitCode execute(const FiltersTableArguments& arguments);
 

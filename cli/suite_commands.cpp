@@ -2,12 +2,8 @@
 #include <iostream>
 
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/nearest_word.h"
-#include "cli/published.h"
-#include "cli/work_progress.h"
-#include "reports/output_folder.h"
-#include "scenes/glb_writer.h"
+#include "cli/written_scenes.h"
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
 
@@ -44,18 +40,8 @@ ExitCode execute(const GenerateArguments& arguments) {
     const std::vector<std::string> suite = names_of_suite();
     const std::vector<std::string> names = arguments.names.empty() ? suite : arguments.names;
     require_known(names, suite);
-    OutputFolder out{arguments.out};
-    note_interrupts();
-    WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(names.size())};
-    std::size_t written = 0;
-    for (; written < names.size() && !interrupted(); ++written) {
-        progress.begin(names[written]);
-        write_glb(out.working(), generate_suite_scene(names[written]));
-        progress.say(std::cout, (arguments.out / (names[written] + ".view.json")).string() + "\n");
-    }
-    publish(out, arguments.out);
-    if (written == names.size()) return ExitCode::proven;
-    return say_interrupted({written, names.size()}, "scene", "written");
+    return write_scenes(names, arguments.out,
+                        [](const std::string& name) { return generate_suite_scene(name); });
 }
 
 ExitCode execute(const Answered& answered) {

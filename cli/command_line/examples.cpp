@@ -91,6 +91,8 @@ constexpr auto all = std::to_array<Example>({
     {"filters run", "zproof filters run model.glb --methods nearest,trilinear-gl,ewa-true",
      "three methods on a scene of your own"},
     {"filters list", "zproof filters list", "methods, metrics and scenes"},
+    {"filters scenes", "zproof filters scenes -o scenes", "every filter scene as .glb and .view.json"},
+    {"filters scenes", "zproof filters scenes tunnel worked -o scenes", "two of them"},
     {"filters table", "zproof filters table study", "a study's figures on the terminal"},
     {"filters table", "zproof filters table study --region silhouette --latex",
      "another region, as a LaTeX table"},

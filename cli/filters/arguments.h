@@ -35,6 +35,11 @@ struct FiltersRunArguments {
 
 struct FiltersListArguments {};
 
+struct FiltersScenesArguments {
+    std::vector<std::string> names;  ///< empty: all
+    std::filesystem::path out = "zproof-filter-scenes";
+};
+
 enum class TableFormat { terminal, latex, csv };
 
 struct FiltersTableArguments {
@@ -69,6 +74,7 @@ struct FiltersWords {
     std::string methods = "all", truth = "N", views, crop, only;
     FiltersRunArguments run;
     FiltersListArguments list;
+    FiltersScenesArguments scenes;
     FiltersTableArguments table;
     FiltersFigureArguments figure;
     FiltersCrowArguments crow;

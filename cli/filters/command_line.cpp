@@ -178,6 +178,9 @@ void add_filters(CLI::App& app, FiltersWords& words) {
     app.require_subcommand(0, 1);
     add_run(*app.add_subcommand("run", "hold methods to the truth on scenes; write a study"), words);
     app.add_subcommand("list", "methods, metrics and scenes, a line each");
+    CLI::App& scenes = *app.add_subcommand("scenes", "write filter scenes as .glb and .view.json files");
+    scenes.add_option("NAME", words.scenes.names, "of filter scenes; none: all");
+    scenes.add_option("-o,--out,--export", words.scenes.out, "folder for the files")->capture_default_str();
     add_table(*app.add_subcommand("table", "print a study's table"), words);
     add_figure(*app.add_subcommand("figure", "make a study's plots, crops and page again"), words);
     add_check(*app.add_subcommand("check", "does a filter compute its own definition? pixel by pixel"),
@@ -198,12 +201,14 @@ FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) 
         return words.run;
     }
     if (typed("list")) return words.list;
+    if (typed("scenes")) return words.scenes;
     if (typed("check")) return chosen_check(words);
     if (typed("table")) return words.table;
     if (typed("crow")) return words.crow;
     if (!typed("figure"))
         throw UsageError{
-            "filters: 'run', 'list', 'table', 'figure', 'check' or 'crow' expected (see: zproof filters "
+            "filters: 'run', 'list', 'scenes', 'table', 'figure', 'check' or 'crow' expected (see: zproof "
+            "filters "
             "--help)"};
     words.figure.labels = words_of_list(words.only);
     if (!words.crop.empty()) words.figure.crop = crop_box(words.crop);

@@ -8,6 +8,9 @@
 #include "cli/usage_error.h"
 #include "image_io/image_io.h"
 #include "reports/filters/json.h"
+#include "scenes/filter_scenes.h"
+#include "scenes/scene_hash.h"
+#include "scenes/view_file.h"
 #include "study/filters/claims.h"
 #include "tests/cli/program.h"
 #include "texture/catalogue.h"
@@ -64,6 +67,25 @@ TEST(Filters, RunWritesTheWholeStudy) {
     EXPECT_GT(interior, 20u * 32);
     EXPECT_EQ(read_picture(folder.path() / "study/pictures/worked-phi-0/nearest.exr").size(),
               (Resolution{32, 32}));
+}
+
+TEST(Filters, ScenesAreWrittenAsTheyAre) {
+    const Folder folder;
+    EXPECT_EQ(run(folder, {"filters", "scenes", "worked", "npot_plane", "--export", "out"}).exit_code, 0);
+    for (const auto& [name, side] : {std::pair{"worked", 256}, std::pair{"npot_plane", 512}}) {
+        const Loaded read = load_view_file(folder.path() / "out" / (std::string{name} + ".view.json"));
+        const Loaded made = generate_filter_scene(name, side, side);
+        EXPECT_EQ(sha256_of(read.scene), sha256_of(made.scene)) << name;
+        ASSERT_EQ(read.scene.images.size(), made.scene.images.size());
+        EXPECT_EQ(read.scene.images[0].texels, made.scene.images[0].texels) << name;
+        ASSERT_EQ(read.views.size(), made.views.size());
+        EXPECT_EQ(read.views[0].width, side);
+        EXPECT_EQ(read.views[0].camera.window.top, made.views[0].camera.window.top);
+    }
+    const Ran unknown = run(folder, {"filters", "scenes", "tunel", "-o", "other"});
+    EXPECT_EQ(unknown.exit_code, 3);
+    EXPECT_NE(unknown.err.find("did you mean 'tunnel'?"), std::string::npos) << unknown.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "other"));
 }
 
 TEST(Filters, PhotographsAreToldApart) {
@@ -130,7 +152,7 @@ TEST(Filters, WhatIsMistypedIsNamedWithWhatIsNear) {
         EXPECT_EQ(ran.exit_code, status) << ran.err;
         EXPECT_NE(ran.err.find(said), std::string::npos) << ran.err;
     };
-    refused({"filters"}, "'run', 'list', 'table', 'figure', 'check' or 'crow' expected");
+    refused({"filters"}, "'run', 'list', 'scenes', 'table', 'figure', 'check' or 'crow' expected");
     refused({"filters", "run", "wroked"}, "did you mean 'worked'?", 3);
     refused({"filters", "run", "worked", "--methods", "nearst"}, "did you mean 'nearest'?");
     refused({"filters", "run", "worked", "--truth", "X"}, "--truth");
