@@ -18,18 +18,19 @@ if [ -z "$package" ]; then
     package=$releases/v$version/zproof_${version}_$(dpkg --print-architecture).deb
 fi
 
-apt update
 if [[ $package == *://* ]]; then
-    apt install -y --no-install-recommends ca-certificates curl
     folder=$(mktemp -d)
     trap 'rm -rf "$folder"' EXIT
     chmod 755 "$folder"  # apt reads it as a user of its own
     file=$folder/zproof.deb
+    apt update
+    apt install -y --no-install-recommends ca-certificates curl
     curl -fsSL --retry 3 -o "$file" "$package" || die "$package: not there; expected the address of a .deb"
 else
     files=$(compgen -G "$package") || die "$package: no such file; expected a .deb"
     [ "$(wc -l <<<"$files")" = 1 ] || die "$package: fits several files; expected one .deb"
     file=$(realpath "$files")
+    apt update
 fi
 apt install -y --no-install-recommends "$file" "$@" ||
     die "apt-get failed; the package is built for Debian 12: let the job run in 'container: debian:12'"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The CI files: action.yml, templates/gate.yml and those of examples/ci. Their shape, and every command in them, run on
-small scenes. Of the Action's steps only the installation is left out: packaging/action/install.sh needs root.
+small scenes. Of the Action's steps only the installation is left out, which needs root.
 
     ci_test.py ZPROOF SOURCE_FOLDER
 """
@@ -139,6 +139,14 @@ def try_bad_renderers(action, place, environment):
         shutil.rmtree(place / 'bad', ignore_errors=True)
 
 
+def try_bad_packages(source, place):
+    """What cannot be installed is refused before anything is: this test is no root."""
+    for package, words in (('', 'no package'), ('gone.deb', 'gone.deb: no such file'), ('*', 'several files')):
+        ran = subprocess.run([source / 'packaging/action/install.sh'], cwd=place, text=True, stderr=subprocess.PIPE,
+                             env=dict(os.environ, PACKAGE=package, REPOSITORY=''))
+        require(ran.returncode == 3 and words in ran.stderr, f'package "{package}": {ran.returncode}, {ran.stderr}')
+
+
 # --- GitLab ------------------------------------------------------------------------------------------------
 
 def try_gitlab(source, place, environment):
@@ -209,6 +217,7 @@ def main():
                 require((place / 'zproof-out' / name).stat().st_size > 0, f'{server}: {name} is empty')
             if action:
                 try_bad_renderers(action, place, environment)
+                try_bad_packages(source, place)
 
 
 if __name__ == '__main__':
