@@ -164,6 +164,8 @@ def try_gitlab(source, place, environment):
         require_keys(job, [] if name.startswith('.') else ['script', 'artifacts', 'extends'],
                      ['stage', 'image', 'variables', 'before_script', 'parallel', 'timeout', 'needs', 'when'], name)
     variables = {name: filled(value, values, '$[[', ']]') for name, value in jobs['.zproof']['variables'].items()}
+    for line in jobs['.zproof']['before_script']:  # needs root
+        require(subprocess.run(['sh', '-n', '-c', line]).returncode == 0, f'no shell reads: {line}')
     judge, verdict = jobs['zproof:judge'], jobs['zproof:verdict']
     require(verdict['artifacts']['reports']['junit'] == 'zproof-out/junit.xml', 'no JUnit')
     total = int(filled(str(judge['parallel']), values, '$[[', ']]'))
