@@ -36,6 +36,7 @@ std::string usable_instructions() {
 
 void print_machine() {
     std::cout << "zproof " << version_number() << "\n";
+    print_row("commit", commit());
     print_row("compiler", compiler_name());
     print_row("instructions", usable_instructions());
     print_row("processors", std::to_string(available_threads()));

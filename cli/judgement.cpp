@@ -45,6 +45,7 @@ ExitCode judge_and_report(const RunRequest& request) {
     const auto& [sources, renderers, settings, report, selection, shard, views] = request;
     const Gate gate = open_gate(report.gate);
     Results results{.version = version_number(),
+                    .commit = commit(),
                     .command = report.typed,
                     .argv = report.argv,
                     .compiler = compiler_name(),

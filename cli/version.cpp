@@ -15,7 +15,8 @@ std::string compiler_name() {
 }
 
 std::string version_line() {
-    return "zproof " + version_number() + " (" + compiler_name() + "; " + oracle::embree_version() + ")";
+    return "zproof " + version_number() + " (commit " + commit() + "; " + compiler_name() + "; " +
+           oracle::embree_version() + ")";
 }
 
 }  // namespace zproof

@@ -6,7 +6,8 @@
 namespace zproof {
 
 std::string version_number();  ///< "0.2.0"
+std::string commit();          ///< "22ec5f20a1b2", with ", changed" behind it, or "unknown"
 std::string compiler_name();   ///< "g++ 12.2.0"
-std::string version_line();    ///< both, and the reference's version
+std::string version_line();    ///< all of these, and the reference's version
 
 }  // namespace zproof

@@ -51,11 +51,10 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/zproof.pc.in ${PROJECT_BINARY_DIR}/zpro
 install(FILES ${PROJECT_BINARY_DIR}/zproof.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT libzproof-dev)
 
 # What a shell and man(1) want to know, as the program itself writes it.
-find_program(ZPROOF_GZIP gzip REQUIRED)
 add_custom_command(OUTPUT shell/zproof.1.gz shell/zproof shell/_zproof shell/zproof.fish DEPENDS zproof
     COMMAND ${CMAKE_COMMAND} -E make_directory shell
     COMMAND zproof man > shell/zproof.1
-    COMMAND ${ZPROOF_GZIP} -9 -n -f shell/zproof.1
+    COMMAND gzip -9 -n -f shell/zproof.1
     COMMAND zproof completion bash > shell/zproof
     COMMAND zproof completion zsh > shell/_zproof
     COMMAND zproof completion fish > shell/zproof.fish)

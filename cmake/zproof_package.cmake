@@ -1,4 +1,5 @@
 # cpack -G DEB in the build folder: zproof_VERSION_ARCH.deb, the program, and libzproof-dev_VERSION_ARCH.deb, the libraries.
+# ./dev package builds zproof_packaged, all that is in them, and calls packaging/make.sh.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME zproof)
 set(ZPROOF_MAINTAINER "The authors of zproof <noreply@zproof.invalid>" CACHE STRING "who answers for the packages")
@@ -34,10 +35,12 @@ trace it, and hand your own frames to the judge.")
 # Debian's own two files of every package.
 configure_file(${PROJECT_SOURCE_DIR}/cmake/debian/changelog.in ${PROJECT_BINARY_DIR}/changelog @ONLY)
 add_custom_command(OUTPUT changelog.gz DEPENDS ${PROJECT_BINARY_DIR}/changelog
-    COMMAND ${ZPROOF_GZIP} -9 -n -c changelog > changelog.gz)
+    COMMAND gzip -9 -n -c changelog > changelog.gz)
 add_custom_target(zproof_changelog ALL DEPENDS changelog.gz)
 foreach(package zproof libzproof-dev)
     install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian/copyright ${PROJECT_BINARY_DIR}/changelog.gz
             DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${package})
 endforeach()
+add_custom_target(zproof_packaged)
+add_dependencies(zproof_packaged zproof_shell zproof_changelog zproof_image_io_module ${zproof_targets})
 include(CPack)

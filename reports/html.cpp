@@ -57,6 +57,7 @@ std::string headline(const Results& results) {
 
 std::string provenance(const Results& r) {
     std::string text = "zproof " + escaped(r.version);
+    if (!r.commit.empty()) text += " · commit " + escaped(r.commit);
     if (!r.embree.empty()) text += " · " + escaped(r.embree);
     if (!r.compiler.empty()) text += " · " + escaped(r.compiler);
     if (r.threads > 0) text += " · " + counted(std::uint64_t(r.threads), "thread");

@@ -243,6 +243,7 @@ Results results_from(const Json& root) {
     require_known_version(root.at("schema_version"));
     const Json& run = root.at("run");
     Results results{.version = run.at("version"),
+                    .commit = run.value("commit", ""),
                     .command = run.at("command"),
                     .compiler = run.at("compiler"),
                     .embree = run.at("embree"),

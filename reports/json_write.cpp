@@ -204,6 +204,7 @@ Json renderers(const std::vector<RendererFacts>& all) {
 
 Json run_object(const Results& r) {
     return {{"version", r.version},
+            {"commit", r.commit},
             {"command", r.command},
             {"argv", r.argv},
             {"compiler", r.compiler},

@@ -34,6 +34,7 @@ struct Common {
 const std::vector<Common>& common_things() {
     static const std::vector<Common> all{
         {"zproof's version", [](const Results& r) { return r.version; }, "run all shards with one zproof"},
+        {"zproof's commit", [](const Results& r) { return r.commit; }, "run all shards with one zproof"},
         {"the compiler", [](const Results& r) { return r.compiler; }, "run all shards with one zproof"},
         {"Embree's version", [](const Results& r) { return r.embree; }, "run all shards with one Embree"},
         {"the renderers or what they declare", renderers_of, "judge one renderer, with the same oracles"},

@@ -153,6 +153,7 @@ enum class Ending { complete, interrupted };
 struct Results {
     static constexpr const char* schema_version = "2.0";
     std::string version;              ///< zproof's
+    std::string commit{};             ///< that it was built from; empty in results of older versions
     std::string command;              ///< as typed, quoted for a shell
     std::vector<std::string> argv{};  ///< as typed, word by word, without "zproof"
     std::string compiler, embree;

@@ -33,6 +33,23 @@ try_tests() {
     [ "$(ctest --test-dir consumer -N -L zproof | grep -c 'Test *#')" = 4 ] || die "not every scene test has the label zproof"
 }
 
+# The tarball runs wherever it is unpacked, finds its image module there, and says what it needs.
+try_tarball() {
+    mkdir 'some where'
+    tar -C 'some where' -xzf packages/zproof-*-linux-*.tar.gz
+    mv 'some where'/zproof-* 'some where/else'
+    quietly 'some where/else/bin/zproof' run guard_band --width 64 --height 40 --oracle none --pictures --evidence all
+    [ -s zproof-out/report.html ] || die "the tarball's program wrote no report"
+    for package in libembree3 libopenimageio libtbb; do
+        grep -q "^        .*$package" 'some where/else/INSTALL' || die "INSTALL does not name $package"
+    done
+    [ -z "$(find 'some where/else' -perm /022 ! -type l)" ] || die "the tarball has files that everybody may write"
+    ! grep -rqlF "$build" 'some where/else/bin' 'some where/else/lib' || die "the tarball names the build folder"
+    mv 'some where/else/lib' 'some where/lib'
+    expect_status 3 'some where/else/bin/zproof' run guard_band --width 64 --height 40 --oracle none --evidence all -o lost
+    grep -q 'libopenimageio' log || die "a missing image module is not named"
+}
+
 case $way in
     installed)
         quietly cmake --install "$build" --prefix "$place/prefix"
@@ -41,9 +58,15 @@ case $way in
         try_tests
         ;;
     unpacked)
-        (cd "$build" && quietly cpack -G DEB -B "$place/packages")
+        "$source/packaging/make.sh" "$build" packages
         for package in packages/*.deb; do quietly dpkg -x "$package" root; done
         root/usr/bin/zproof --version
+        if git -C "$source" rev-parse --git-dir >/dev/null 2>&1; then
+            commit=$(root/usr/bin/zproof --version | sed -n 's/.*(commit \([0-9a-f]*\)[,;].*/\1/p')
+            git -C "$source" cat-file -e "$commit^{commit}" || die "--version names no commit of this repository"
+        fi
+        try_tarball
+        "$source/tests/examples/container_test.sh" "$source" packages
         man -l root/usr/share/man/man1/zproof.1.gz | grep -q 'zproof filters check' || die "the manual page says too little"
         for script in bash-completion/completions/zproof fish/vendor_completions.d/zproof.fish \
             zsh/vendor-completions/_zproof; do

@@ -79,6 +79,7 @@ TEST(Merge, RefusesWhatIsNotOneRun) {
         EXPECT_TRUE(text.starts_with("shard-1: ") && text.find(what) != std::string::npos) << text;
     };
     is_about(changed([](Results& r) { r.version = "9"; }), "version");
+    is_about(changed([](Results& r) { r.commit = "9"; }), "commit");
     is_about(changed([](Results& r) { r.embree = "9"; }), "Embree");
     is_about(changed([](Results& r) { r.renderers = {{"mine", "1", "{}"}}; }), "renderers");
     is_about(changed([](Results& r) { r.selection.sha256 = std::string(64, 'c'); }), "resolution");

@@ -133,6 +133,7 @@ SampleView sample_view() {
 Results sample_results() {
     Results results;
     results.version = "0.1.0";
+    results.commit = "22ec5f20a1b2, changed";
     results.command = "zproof run";
     results.compiler = "g++ 12";
     results.embree = "Embree 3.13.5 (AVX2)";
