@@ -60,7 +60,7 @@ OracleChoice oracle_choice(const std::string& name, const RendererWords& words) 
         choice.most_triangles = affordable_triangles;
         choice.renderer.time_limit = std::min(choice.renderer.time_limit, patience);
     }
-    if (required) choice.need = OracleChoice::Need::required;
+    if (asked) choice.need = required ? OracleChoice::Need::required : OracleChoice::Need::named;
     return choice;
 }
 
