@@ -6,6 +6,7 @@
 #include "cli/nearest_word.h"
 #include "cli/published.h"
 #include "cli/work_progress.h"
+#include "frame/printable.h"
 #include "reports/output_folder.h"
 #include "scenes/glb_writer.h"
 #include "scenes/scene_error.h"
@@ -44,16 +45,18 @@ ExitCode execute(const GenerateArguments& arguments) {
     const std::vector<std::string> suite = names_of_suite();
     const std::vector<std::string> names = arguments.names.empty() ? suite : arguments.names;
     require_known(names, suite);
-    OutputFolder out{arguments.out};
+    OutputFolder out{arguments.common.out};
     note_interrupts();
-    WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(names.size())};
+    WorkProgress progress{std::cerr, progress_beside_lines(arguments.common), double(names.size())};
     std::size_t written = 0;
     for (; written < names.size() && !interrupted(); ++written) {
         progress.begin(names[written]);
         write_glb(out.working(), generate_suite_scene(names[written]));
-        progress.say(std::cout, (arguments.out / (names[written] + ".view.json")).string() + "\n");
+        const std::filesystem::path file = arguments.common.out / (names[written] + ".view.json");
+        if (!arguments.common.is_quiet()) progress.say(std::cout, file.string() + "\n");
     }
-    publish(out, arguments.out);
+    const std::filesystem::path place = publish(out, arguments.common);
+    if (arguments.common.is_quiet()) std::cout << one_line(place.string()) << "\n";
     if (written == names.size()) return ExitCode::proven;
     return say_interrupted({written, names.size()}, "scene", "written");
 }
