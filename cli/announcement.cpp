@@ -1,14 +1,11 @@
 #include "cli/announcement.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 
 #include "cli/outcome_code.h"
-#include "cli/progress.h"
 #include "cli/times_table.h"
 #include "reports/extent.h"
 #include "reports/github.h"
@@ -20,14 +17,6 @@
 
 namespace zproof {
 namespace {
-
-Colour resolve(ColourMode mode) {
-    if (mode == ColourMode::always) return Colour::ansi;
-    if (mode == ColourMode::never) return Colour::plain;
-    const char* no_color = std::getenv("NO_COLOR");  // no-color.org: any value but the empty one
-    const bool refused = no_color != nullptr && *no_color != '\0';
-    return !refused && is_terminal(STDOUT_FILENO) ? Colour::ansi : Colour::plain;
-}
 
 bool is_asked_for(const ReportArguments& report, ReportFormat format) {
     return std::ranges::count(report.formats, format) > 0;
@@ -42,11 +31,14 @@ void summarize_step(const Results& results) {
     if (!out) throw ReportError{std::string{file} + ": the step's summary cannot be written"};
 }
 
-void remark_on_waivers(const Results& results) {
-    for (const WaiverStatus& status : waiver_statuses(results))
-        if (const std::string advice = advice_for(status); !advice.empty())
-            std::cerr << "zproof: " << (fails(status, results.strictness) ? "error: " : "warning: ")
-                      << one_line(advice) << "\n";
+/// -q leaves errors.
+void remark_on_waivers(const Results& results, const CommonArguments& common) {
+    for (const WaiverStatus& status : waiver_statuses(results)) {
+        const bool is_error = fails(status, results.strictness);
+        if (const std::string advice = advice_for(status);
+            !advice.empty() && (is_error || !common.is_quiet()))
+            std::cerr << "zproof: " << (is_error ? "error: " : "warning: ") << one_line(advice) << "\n";
+    }
 }
 
 /// "16 views"; where some were not judged, "8 views; 6 views and 1 whole scene not judged".
@@ -68,20 +60,22 @@ std::string what_was_judged(const Results& results) {
 /// The page if one was written, else results.json.
 std::string where_to_look(const ReportArguments& report) {
     const bool page = is_asked_for(report, ReportFormat::html);
-    return (report.out / (page ? "report.html" : "results.json")).string();
+    return (report.common.out / (page ? "report.html" : "results.json")).string();
 }
 
 }  // namespace
 
 ExitCode announce(const Results& results, const ReportArguments& report) {
     const ExitCode code = exit_code_of(results);
-    if (report.detail != Detail::verdict) std::cout << summary_table(results, resolve(report.colour));
-    if (report.detail == Detail::times) std::cout << times_table(results);
+    const CommonArguments& common = report.common;
+    if (!common.is_quiet())
+        std::cout << summary_table(results, wants_colours(common) ? Colour::ansi : Colour::plain);
+    if (common.detail == Detail::times) std::cout << times_table(results);
     if (is_asked_for(report, ReportFormat::github)) {
         std::cout << to_github(results);
         summarize_step(results);
     }
-    remark_on_waivers(results);
+    remark_on_waivers(results, common);
     std::cout << in_words(code) << ": " << judged_views(results) << one_line(what_was_judged(results))
               << "; report: " << one_line(where_to_look(report)) << "\n";
     return code;

@@ -42,10 +42,27 @@ Answered answer_or_throw(CLI::App& app, const CLI::ParseError& e) {
                          " --help)"};
     std::ostringstream text;
     app.exit(e, text, text);
-    return {text.str()};
+    return {.common = {}, .text = text.str()};
 }
 
 }  // namespace
+
+namespace {
+
+template <class Arguments>
+const CommonArguments& common_in(const Arguments& arguments) {
+    if constexpr (requires { arguments.report.common; })
+        return arguments.report.common;
+    else
+        return arguments.common;
+}
+
+}  // namespace
+
+const CommonArguments& common_of(const Command& command) {
+    return std::visit([](const auto& arguments) -> const CommonArguments& { return common_in(arguments); },
+                      command);
+}
 
 int available_threads() { return std::clamp(int(std::thread::hardware_concurrency()), 1, 1024); }
 

@@ -7,33 +7,21 @@
 #include <variant>
 #include <vector>
 
+#include "cli/common_arguments.h"
 #include "cli/filter_choice.h"
 #include "cli/filters/arguments.h"
 #include "cli/gate/arguments.h"
 #include "cli/renderers/choice.h"
 #include "cli/report_files.h"
 #include "cli/run_size.h"
-#include "cli/settings.h"
 #include "cli/study/arguments.h"
 #include "cli/views_arguments.h"
 
 namespace zproof {
 
-enum class ColourMode {
-    automatic,  ///< on a terminal, unless NO_COLOR is set or TERM is "dumb"
-    always,
-    never,
-};
-
 enum class MeasurementFormat {
     table,  ///< for people
     json,   ///< for programs: docs/measure.md
-};
-
-enum class Detail {
-    verdict,  ///< the last line only
-    table,    ///< a row per view and the verdict
-    times,    ///< the same, and where the time went
 };
 
 enum class PictureMode {
@@ -47,12 +35,9 @@ enum class Evidence {
     defects,  ///< those with a pixel that fails the gate, waived or not
 };
 
-/// Where the reports go and what the terminal shows.
+/// The reports of a run: a folder of them.
 struct ReportArguments {
-    std::filesystem::path out = "zproof-out";
-    ColourMode colour = ColourMode::automatic;
-    ProgressStyle progress = ProgressStyle::automatic;
-    Detail detail = Detail::table;
+    CommonArguments common{.output = Output::folder, .out = "zproof-out"};
     PictureMode pictures = PictureMode::none;
     Evidence evidence = Evidence::defects;
     std::vector<ReportFormat> formats = usual_formats();
@@ -81,6 +66,7 @@ struct CompareArguments {
 };
 
 struct ExplainArguments {
+    CommonArguments common;
     std::string scene;
     std::filesystem::path models;  ///< where view files' models may lie; empty: beside them only
     int x = 0, y = 0;              ///< pixel
@@ -90,37 +76,38 @@ struct ExplainArguments {
 };
 
 struct RenderArguments {
+    CommonArguments common{.output = Output::folder, .out = "zproof-render"};
     std::string scene;
     std::filesystem::path models;  ///< where view files' models may lie; empty: beside them only
     RendererChoice renderer;
     std::optional<FilterChoice> filter;  ///< also write the textures, read this way
     bool attributes = false;             ///< also write what our rasterizer interpolates over the triangles
-    std::filesystem::path out = "zproof-render";
     RenderSettings settings;
 };
 
 struct MeasureArguments {
+    CommonArguments common;
     RendererChoice renderer;
     MeasurementFormat format = MeasurementFormat::table;
     std::filesystem::path emit;  ///< for the measured precision; empty: it is not written
 };
 
 struct FitArguments {
+    CommonArguments common{.output = Output::folder, .out = "zproof-fit"};
     std::vector<std::string> scenes;  ///< empty: the whole suite
     std::string view;                 ///< empty: all; of a stored frame, the scene's only one
     RendererChoice renderer;
     RenderSettings settings;
-    std::filesystem::path out = "zproof-fit";
     std::string typed;  ///< the command line, quoted for a shell
 };
 
 struct ContractCheckArguments {
+    CommonArguments common;
     RendererChoice renderer;
-    int threads = available_threads();
 };
 
 struct SelftestArguments {
-    int threads = available_threads();
+    CommonArguments common;
 };
 
 /// Shards of one run, put together.
@@ -129,15 +116,18 @@ struct MergeArguments {
     ReportArguments report;
 };
 
-struct ListArguments {};
-
-struct GenerateArguments {
-    std::vector<std::string> names;  ///< empty: the whole suite
-    std::filesystem::path out = "zproof-scenes";
+struct ListArguments {
+    CommonArguments common;
 };
 
-/// Text that the command line asked for: --help or --version.
+struct GenerateArguments {
+    CommonArguments common{.output = Output::folder, .out = "zproof-scenes"};
+    std::vector<std::string> names;  ///< empty: the whole suite
+};
+
+/// Text that the command line asked for: --help, --version, a completion, the manual page.
 struct Answered {
+    CommonArguments common;
     std::string text;
 };
 
@@ -149,6 +139,9 @@ using Command =
                  ViewsArguments, FiltersRunArguments, FiltersListArguments, FiltersScenesArguments,
                  FiltersTableArguments, FiltersFigureArguments, FiltersCrowArguments, FiltersCheckArguments,
                  StudyArguments, Answered>;
+
+/// What the command shares with every other.
+const CommonArguments& common_of(const Command& command);
 
 /// What is not typed is taken from the settings (docs/gate.md). Throws UsageError, and ReportError where a
 /// settings file that is named cannot be read.

@@ -37,9 +37,7 @@ ExitCode execute(const CompareArguments& arguments) {
     const SceneSource source = select_scene(arguments.scene, arguments.models);
     return judge_and_report({.sources = {source},
                              .renderers = arguments.renderers,
-                             .settings = {.resolution = size,
-                                          .threads = arguments.settings.threads,
-                                          .samples = arguments.settings.samples},
+                             .settings = {.resolution = size, .samples = arguments.settings.samples},
                              .report = arguments.report,
                              .selection = selection_of({source}, size),
                              .views = {arguments.view, ViewChoice::Many::are_refused}});

@@ -69,14 +69,15 @@ std::string answer_of(const Scene& scene, const View& view, const Renderer& rend
     }
 }
 
-void check_views(const Loaded& loaded, const RendererChoice& choice, WorkProgress& progress,
+void check_views(const Loaded& loaded, const ContractCheckArguments& arguments, WorkProgress& progress,
                  ContractTally& tally) {
-    const Renderer renderer = open(choice, loaded.scene);
+    const Renderer renderer = open(arguments.renderer, loaded.scene);
     for (const View& view : loaded.views) {
         if (interrupted()) return;
         const std::string picture = loaded.scene.name + "/" + view.name;
         progress.begin(picture);
-        progress.say(std::cout, picture + ": " + answer_of(loaded.scene, view, renderer, tally));
+        const std::string answer = answer_of(loaded.scene, view, renderer, tally);
+        if (!arguments.common.is_quiet()) progress.say(std::cout, picture + ": " + answer);
     }
 }
 
@@ -93,12 +94,15 @@ int views_of(const std::vector<Loaded>& scenes) {
     return views;
 }
 
-ExitCode conclusion(const ContractTally& tally) {
+void tell_causes(const ContractTally& tally) {
     std::cout << "\n";
     for (const auto& [cause, count] : tally.causes)
         std::cout << "likely cause: " << cause << " (" << counted(std::uint64_t(count), "picture") << ")\n";
-    std::cout << "\n"
-              << counted(std::uint64_t(tally.pictures), "picture") << ": " << tally.wrong << " wrong, "
+    std::cout << "\n";
+}
+
+ExitCode conclusion(const ContractTally& tally) {
+    std::cout << counted(std::uint64_t(tally.pictures), "picture") << ": " << tally.wrong << " wrong, "
               << tally.missing << " missing. ";
     if (tally.pictures < tally.expected) {
         std::cout << "Not all were asked for.\n" << std::flush;
@@ -121,11 +125,12 @@ ExitCode execute(const ContractCheckArguments& arguments) {
     note_interrupts();
     ContractTally tally{.expected = views_of(scenes), .causes = {}};
     {
-        WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(tally.expected)};
-        on_threads(arguments.threads, [&] {
-            for (const Loaded& loaded : scenes) check_views(loaded, arguments.renderer, progress, tally);
+        WorkProgress progress{std::cerr, progress_beside_lines(arguments.common), double(tally.expected)};
+        on_threads(arguments.common.threads, [&] {
+            for (const Loaded& loaded : scenes) check_views(loaded, arguments, progress, tally);
         });
     }
+    if (!arguments.common.is_quiet()) tell_causes(tally);
     return conclusion(tally);
 }
 

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "cli/commands.h"
+#include "cli/result_line.h"
 #include "frame/input_file.h"
 #include "frame/whole_file.h"
 #include "reports/findings_file.h"
@@ -28,6 +29,13 @@ RunToCompare with_defects(const Results& results, const fs::path& run_folder) {
     return run;
 }
 
+std::string told(const DiffResultsArguments& arguments, const Results& before, const Results& after,
+                 const std::vector<ViewChange>& changes) {
+    if (arguments.format == DifferenceFormat::json) return differences_json(before, after, changes);
+    const std::string table = differences_table(before, after, changes);
+    return arguments.common.is_quiet() ? last_line(table) : table;
+}
+
 }  // namespace
 
 ExitCode execute(const DiffResultsArguments& arguments) {
@@ -35,8 +43,7 @@ ExitCode execute(const DiffResultsArguments& arguments) {
     const std::vector<ViewChange> changes =
         changes_between(with_defects(before, folder_of_results(arguments.before)),
                         with_defects(after, folder_of_results(arguments.after)));
-    std::cout << (arguments.format == DifferenceFormat::json ? differences_json(before, after, changes)
-                                                             : differences_table(before, after, changes));
+    std::cout << told(arguments, before, after, changes);
     return std::ranges::any_of(changes, is_worse) ? ExitCode::defect : ExitCode::proven;
 }
 

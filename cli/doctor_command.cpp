@@ -75,7 +75,7 @@ std::string missing_among(const ChosenRenderers& renderers, const std::filesyste
     std::string missing = absent(renderers.reference);
     if (missing.empty()) missing = absent(renderers.candidate);
     for (const OracleChoice& oracle : renderers.oracles)
-        if (missing.empty() && oracle.need == OracleChoice::Need::required) missing = absent(oracle.renderer);
+        if (missing.empty() && oracle.need != OracleChoice::Need::welcome) missing = absent(oracle.renderer);
     if (missing.empty() && !waivers.empty())
         if (const std::string fault = fault_of_input(waivers); !fault.empty())
             missing = "waivers: " + waivers.string() + ": " + fault;
@@ -102,6 +102,14 @@ void print_file(const SettingsChoice& choice) {
     print_row("profile", profile.empty() ? "none" : profile);
 }
 
+void print_state(const SettingsChoice& choice, const SettingValues& effective, const CLI::App& run) {
+    print_machine();
+    print_renderers();
+    print_file(choice);
+    for (const Setting& setting : known_settings())
+        print_setting(setting, effective, run.get_option(option_name(setting.name)));
+}
+
 }  // namespace
 
 ExitCode execute(const DoctorArguments& arguments) {
@@ -110,18 +118,15 @@ ExitCode execute(const DoctorArguments& arguments) {
     const SettingValues effective = settings_here(arguments.settings, of_process);
     give(effective, run);
     const ChosenRenderers renderers = chosen_renderers(tree.words().renderers);
-    print_machine();
-    print_renderers();
-    print_file(arguments.settings);
-    for (const Setting& setting : known_settings())
-        print_setting(setting, effective, run.get_option(option_name(setting.name)));
+    const bool is_quiet = arguments.common.is_quiet();
+    if (!is_quiet) print_state(arguments.settings, effective, run);
     if (const std::string missing = missing_among(renderers, tree.words().run.report.gate.waivers);
         !missing.empty()) {
         std::cout << "missing: " << one_line(missing) << "\n";
         return ExitCode::cannot_judge;
     }
     const std::vector<std::string> programs = programs_among(renderers);
-    for (const std::string& program : programs)
+    for (const std::string& program : is_quiet ? std::vector<std::string>{} : programs)
         std::cout << "not tried: " << one_line(program) << " (zproof contract-check asks it for pictures)\n";
     std::cout << (programs.empty() ? "everything" : "everything else")
               << " that these settings need is here\n";

@@ -5,6 +5,7 @@
 #include "cli/labelled_candidate.h"
 #include "cli/memory.h"
 #include "cli/renderers/registry.h"
+#include "cli/result_line.h"
 #include "cli/samples.h"
 #include "cli/scene_selection.h"
 #include "cli/threads.h"
@@ -73,7 +74,8 @@ ExitCode execute(const ExplainArguments& arguments) {
         return ExitCode::nothing;
     }
     Story story;
-    on_threads(arguments.settings.threads, [&] { story = story_of(arguments, loaded.scene, view); });
+    on_threads(arguments.common.threads, [&] { story = story_of(arguments, loaded.scene, view); });
+    if (arguments.common.is_quiet()) story = {first_line(story.text), "", story.verdict};
     std::cout << printable(story.text);
     if (!story.of_label.empty()) std::cout << one_line(story.of_label.substr(2)) << '\n';
     return passes(story.verdict) ? ExitCode::proven : ExitCode::defect;

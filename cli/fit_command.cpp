@@ -71,8 +71,8 @@ void fit_scene(const FitArguments& arguments, const SceneSource& source, WorkPro
 
 Fitted fit_all(const FitArguments& arguments, const std::vector<SceneSource>& sources) {
     Fitted fitted;
-    WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(sources.size())};
-    on_threads(arguments.settings.threads, [&] {
+    WorkProgress progress{std::cerr, progress_beside_lines(arguments.common), double(sources.size())};
+    on_threads(arguments.common.threads, [&] {
         for (std::size_t i = 0; i < sources.size(); ++i) {
             if (interrupted()) fitted.share.scenes_left = sources.size() - i;
             if (interrupted()) return;
@@ -87,13 +87,13 @@ void write(const FitArguments& arguments, const std::vector<FittedView>& views, 
     document::Document document = fit_document(renderer, views);
     document.command = arguments.typed;
     document.version = version_number();
-    OutputFolder out{arguments.out};
+    OutputFolder out{arguments.common.out};
     document::write_document(out.working(), document);
     write_whole_file(out.working() / "fit.json", fit_json(renderer, views));
     write_whole_file(out.working() / "precision.json", precision_to_json(promise_of(views)) + "\n");
-    const std::filesystem::path place = publish(out, arguments.out, completeness);
-    std::cout << document::terminal_text(document) << "\nfit: " << one_line((place / "study.html").string())
-              << "\n";
+    const std::filesystem::path place = publish(out, arguments.common, completeness);
+    if (!arguments.common.is_quiet()) std::cout << document::terminal_text(document) << "\n";
+    std::cout << "fit: " << one_line((place / "study.html").string()) << "\n";
 }
 
 }  // namespace

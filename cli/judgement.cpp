@@ -50,7 +50,7 @@ ExitCode judge_and_report(const RunRequest& request) {
                     .argv = report.argv,
                     .compiler = compiler_name(),
                     .embree = "",
-                    .threads = settings.threads,
+                    .threads = report.common.threads,
                     .isa = std::string(name_of(widest_allowed())),
                     .shard = shard,
                     .selection = selection,
@@ -59,22 +59,22 @@ ExitCode judge_and_report(const RunRequest& request) {
                     .waivers = gate.waivers,
                     .renderers = {},
                     .views = {}};
-    OutputFolder out{report.out};
+    OutputFolder out{report.common.out};
     note_interrupts();
 
     FolderNames names;
     std::size_t scenes_left = 0;
     {
-        Progress progress{std::cerr, resolve(report.progress), expected_work(sources, report.out)};
+        Progress progress{std::cerr, progress_of(report.common), expected_work(sources, report.common.out)};
         const RunConfig config{settings.resolution, out.working(), names,           progress,
                                renderers,           gate,          report.pictures, report.evidence,
                                settings.samples,    views,         report.typed};
-        scenes_left = judge_supervised(sources, config, settings.threads, results);
+        scenes_left = judge_supervised(sources, config, report.common.threads, results);
     }
-    on_threads(settings.threads, [&] { write_reports(out.working(), results, report.formats); });
+    on_threads(report.common.threads, [&] { write_reports(out.working(), results, report.formats); });
     ReportArguments published = report;
-    published.out = publish(out, report.out,
-                            results.ending == Ending::complete ? Completeness::full : Completeness::partial);
+    published.common.out = publish(
+        out, report.common, results.ending == Ending::complete ? Completeness::full : Completeness::partial);
     const ExitCode code = announce(results, published);
     if (code != ExitCode::interrupted) return code;
     return say_interrupted(judged_of(results, scenes_left), "view", "judged and written");

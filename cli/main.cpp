@@ -11,6 +11,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/printed_file.h"
 #include "cli/refusal.h"
 #include "cli/usage_error.h"
 #include "frame/printable.h"
@@ -32,8 +33,9 @@ ExitCode guarded_run(int argc, const char* const* argv) {
         const Command command =
             parse_command_line(argc, argv, [](const std::string& name) { return std::getenv(name.c_str()); });
         refusal = refusal_of(command);
+        PrintedFile printed{common_of(command)};
         const ExitCode code = std::visit([](const auto& arguments) { return execute(arguments); }, command);
-        if (!std::cout.flush()) throw std::runtime_error{"stdout: cannot be written; is the disk full?"};
+        printed.finish();
         return code;
     } catch (const UsageError& e) {
         return complain("usage", e, ExitCode::usage);

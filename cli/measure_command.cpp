@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/renderers/registry.h"
+#include "cli/result_line.h"
 #include "cli/threads.h"
 #include "cli/work_progress.h"
 #include "frame/precision_text.h"
@@ -35,6 +36,13 @@ void emit(const std::filesystem::path& file, const measure::Measurement& measure
     }
 }
 
+std::string told(const MeasureArguments& arguments, const std::string& renderer,
+                 const std::vector<measure::Finding>& findings) {
+    if (arguments.format == MeasurementFormat::json) return measurement_json(renderer, findings);
+    const std::string table = measurement_table(renderer, findings);
+    return arguments.common.is_quiet() ? last_line(table) : table;
+}
+
 }  // namespace
 
 ExitCode execute(const MeasureArguments& arguments) {
@@ -43,17 +51,16 @@ ExitCode execute(const MeasureArguments& arguments) {
     measure::Measurement measurement;
     Share instruments{0, measure::instrument_count};
     {
-        WorkProgress progress{std::cerr, resolve(ProgressStyle::automatic), measure::about_all_pictures};
+        WorkProgress progress{std::cerr, progress_of(arguments.common), measure::about_all_pictures};
         const measure::ProgressSink progress_sink{
             .begins = [&](const std::string& what, int pictures) { progress.begin(what, pictures); },
             .ends = [&] { ++instruments.done; },
             .wants_to_stop = interrupted};
-        on_threads(1,
-                   [&] { measurement = measure::measure(renderer, progress_sink); });  // hundreds, all tiny
+        constexpr int of_tiny_pictures = 1;  // there are hundreds of them
+        on_threads(of_tiny_pictures, [&] { measurement = measure::measure(renderer, progress_sink); });
     }
     const auto findings = measure::findings(measurement, renderer.declared);
-    std::cout << (arguments.format == MeasurementFormat::json ? measurement_json(renderer.name, findings)
-                                                              : measurement_table(renderer.name, findings));
+    std::cout << told(arguments, renderer.name, findings);
     if (instruments.done < instruments.all) return say_interrupted(instruments, "instrument", "read");
     if (!arguments.emit.empty()) emit(arguments.emit, measurement, renderer.declared);
     return measure::is_worse(findings) ? ExitCode::defect : ExitCode::proven;

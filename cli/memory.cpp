@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -16,7 +17,8 @@ namespace zproof {
 namespace {
 
 constexpr std::uint64_t unlimited_bytes = std::numeric_limits<std::uint64_t>::max();
-constexpr const char* remedy = "; make the picture smaller, free memory, or raise the limit (ulimit -v)";
+constexpr const char* remedy =
+    "; make the picture smaller, free memory, or raise the limit (ulimit -v, or the container's)";
 
 /// The machine's; unlimited where the system does not tell.
 std::uint64_t left_on_machine() {
@@ -37,6 +39,37 @@ std::uint64_t left_of_limit() {
     return limit.rlim_cur - std::min<std::uint64_t>(oracle::address_space_bytes(), limit.rlim_cur);
 }
 
+std::optional<std::uint64_t> number_in(const std::filesystem::path& file) {
+    std::istringstream text(content_of(file));
+    std::uint64_t number = 0;
+    return text >> number ? std::optional(number) : std::nullopt;  // "max": no limit
+}
+
+/// Pages of files, which the system drops where it needs the memory.
+std::uint64_t droppable_bytes(const std::filesystem::path& group) {
+    std::istringstream facts(content_of(group / "memory.stat"));
+    std::uint64_t sum = 0, bytes = 0;
+    for (std::string name; facts >> name >> bytes;)
+        if (name == "active_file" || name == "inactive_file") sum += bytes;
+    return sum;
+}
+
+std::uint64_t left_of_group(const std::filesystem::path& group) {
+    const auto most = number_in(group / "memory.max");
+    if (!most) return unlimited_bytes;
+    const std::uint64_t used = number_in(group / "memory.current").value_or(0),
+                        held = used - std::min(used, droppable_bytes(group));
+    return *most - std::min(*most, held);
+}
+
+/// "/a/b" of the line "0::/a/b"; empty where there is none.
+std::string group_in(const std::string& groups) {
+    std::istringstream lines(groups);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("0::/")) return line.substr(3);
+    return "";
+}
+
 std::string in_gib(std::uint64_t bytes) { return fixed(double(bytes) / double(1 << 30), 2) + " GiB"; }
 
 std::string in_words(Resolution size) {
@@ -45,7 +78,18 @@ std::string in_words(Resolution size) {
 
 }  // namespace
 
-std::uint64_t available_memory_bytes() { return std::min(left_on_machine(), left_of_limit()); }
+std::uint64_t memory_left_of_groups(const std::string& groups, const std::filesystem::path& root) {
+    const std::filesystem::path own = std::filesystem::path(group_in(groups)).relative_path();
+    std::uint64_t left = left_of_group(root);
+    std::filesystem::path group = root;
+    for (const std::filesystem::path& name : own) left = std::min(left, left_of_group(group /= name));
+    return left;
+}
+
+std::uint64_t available_memory_bytes() {
+    return std::min({left_on_machine(), left_of_limit(),
+                     memory_left_of_groups(content_of("/proc/self/cgroup"), "/sys/fs/cgroup")});
+}
 
 std::uint64_t least_memory_bytes(Resolution size) {
     constexpr std::uint64_t frame = sizeof(PrimitiveId) + sizeof(float), verdict = 1;

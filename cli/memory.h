@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 
 #include "frame/plane.h"
@@ -9,8 +10,13 @@
 namespace zproof {
 
 /// What this process may still take: the least of what the machine has left (MemAvailable and SwapFree of
-/// /proc/meminfo) and what its own limit (RLIMIT_AS) leaves it.
+/// /proc/meminfo), what its own limit (RLIMIT_AS) and what its control groups leave it.
 std::uint64_t available_memory_bytes();
+
+/// What the control groups (cgroup v2) of a process leave it: the least of memory.max less what is in use and
+/// cannot be dropped, of its own group and those above. `groups`: /proc/PID/cgroup; `root`: where the groups'
+/// folders are. Swap is not counted. The largest number where none has a limit.
+std::uint64_t memory_left_of_groups(const std::string& groups, const std::filesystem::path& root);
 
 /// What the frames of candidate and reference and the verdict of such a view take at the least. A run takes
 /// more.

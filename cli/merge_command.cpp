@@ -6,6 +6,7 @@
 #include "cli/folder_names.h"
 #include "cli/published.h"
 #include "cli/report_files.h"
+#include "cli/threads.h"
 #include "cli/usage_error.h"
 #include "reports/merge.h"
 #include "reports/output_folder.h"
@@ -56,15 +57,16 @@ ExitCode execute(const MergeArguments& arguments) {
         folders.push_back(folder_of_results(shard));
     }
     Results whole = merged(shards, names);
-    if (arguments.report.out != ReportArguments{}.out) {
+    const CommonArguments& common = arguments.report.common;
+    if (common.out != ReportArguments{}.common.out) {
         whole.argv.emplace_back("-o");
-        whole.argv.push_back(arguments.report.out.string());
+        whole.argv.push_back(common.out.string());
     }
     whole.command = shell_line(whole.argv);
-    OutputFolder out{arguments.report.out};
+    OutputFolder out{common.out};
     gather_evidence(evidence_of(shards, folders), out.working(), whole);
-    write_reports(out.working(), whole, arguments.report.formats);
-    publish(out, arguments.report.out);
+    on_threads(common.threads, [&] { write_reports(out.working(), whole, arguments.report.formats); });
+    publish(out, common);
     return announce(whole, arguments.report);
 }
 

@@ -93,7 +93,7 @@ void Progress::tell(const ViewResult& view) {
 }
 
 void Progress::remark(const std::string& text) {
-    if (remarks_.insert(text).second)
+    if (style_ != ProgressStyle::silent && remarks_.insert(text).second)
         work_.say(out_, "zproof: " + shortened(text, longest_line_bytes - 10) + "\n");
 }
 

@@ -36,7 +36,7 @@ class Progress {
     void end_view();                       ///< its share of the work is done
     void finish_scene();                   ///< all of it, whatever came of its views
     void tell(const ViewResult& view);     ///< as soon as it is judged, or cannot be
-    void remark(const std::string& text);  ///< in every style; the same text once in a run
+    void remark(const std::string& text);  ///< in every style but silent; the same text once in a run
 
   private:
     std::ostream& out_;

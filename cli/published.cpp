@@ -20,14 +20,17 @@ void say_kept(const std::vector<std::filesystem::path>& kept) {
 
 }  // namespace
 
-std::filesystem::path publish(OutputFolder& folder, const std::filesystem::path& typed,
+std::filesystem::path publish(OutputFolder& folder, const CommonArguments& common,
                               Completeness completeness) {
-    say_kept(folder.publish(completeness));
+    const std::filesystem::path& typed = common.out;
+    const std::vector<std::filesystem::path> kept = folder.publish(completeness);
+    if (!common.is_quiet()) say_kept(kept);
     if (folder.suffix().empty()) return typed;
     const std::filesystem::path full = typed.has_filename() ? typed : typed.parent_path();
     const std::filesystem::path partial = full.string() + folder.suffix();
-    std::cerr << "zproof: " << one_line(full.string()) << " keeps the last full report; this one is in "
-              << one_line(partial.string()) << "\n";
+    if (!common.is_quiet())
+        std::cerr << "zproof: " << one_line(full.string()) << " keeps the last full report; this one is in "
+                  << one_line(partial.string()) << "\n";
     return partial;
 }
 

@@ -38,11 +38,11 @@ ExitCode execute(const RenderArguments& arguments) {
     const Loaded loaded =
         load(select_scene(arguments.scene, arguments.models), arguments.settings.resolution);
     const std::vector<View> views = at_samples(loaded.views, arguments.settings.samples);
-    OutputFolder out{arguments.out};
+    OutputFolder out{arguments.common.out};
     note_interrupts();
     std::vector<std::string> written;
-    WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(views.size())};
-    on_threads(arguments.settings.threads, [&] {
+    WorkProgress progress{std::cerr, progress_beside_lines(arguments.common), double(views.size())};
+    on_threads(arguments.common.threads, [&] {
         const Renderer renderer = open(arguments.renderer, loaded.scene);
         for (const View& view : views) {
             if (interrupted()) return;
@@ -62,9 +62,10 @@ ExitCode execute(const RenderArguments& arguments) {
     });
     const bool all_written = written.size() == views.size();
     const std::filesystem::path place =
-        publish(out, arguments.out, all_written ? Completeness::full : Completeness::partial);
+        publish(out, arguments.common, all_written ? Completeness::full : Completeness::partial);
+    if (arguments.common.is_quiet()) progress.say(std::cout, place.string() + "\n");
     for (const std::string& name : written)
-        progress.say(std::cout, (place / (name + ".exr")).string() + "\n");
+        if (!arguments.common.is_quiet()) progress.say(std::cout, (place / (name + ".exr")).string() + "\n");
     if (all_written) return ExitCode::proven;
     return say_interrupted({written.size(), views.size()}, "view", "rendered and written");
 }

@@ -54,7 +54,7 @@ OracleChoice oracle_choice(const std::string& name, const RendererWords& words) 
     OracleChoice choice{.renderer = oracle_named(name)};
     choice.renderer.time_limit = std::chrono::seconds{words.time_limit_s};
     if (!asked) choice.pixels = OracleChoice::Pixels::sample;
-    if (required) choice.need = OracleChoice::Need::required;
+    if (asked) choice.need = required ? OracleChoice::Need::required : OracleChoice::Need::named;
     return choice;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cli/commands.h"
+#include "cli/threads.h"
 #include "cli/usage_error.h"
 #include "frame/printable.h"
 #include "frame/whole_file.h"
@@ -22,9 +23,9 @@ ReportFormat format_of(const ReportAgainArguments& arguments) {
     using enum ReportFormat;
     static const std::map<std::string, ReportFormat> endings{{".html", html}, {".htm", html}, {".json", json},
                                                              {".xml", junit}, {".md", md},    {".csv", csv}};
-    const auto found = endings.find(arguments.out.extension().string());
+    const auto found = endings.find(arguments.common.out.extension().string());
     if (found != endings.end()) return found->second;
-    throw UsageError{"-o " + arguments.out.string() +
+    throw UsageError{"-o " + arguments.common.out.string() +
                      ": expected a name ending in .html, .json, .xml, .md or .csv; or say which report with "
                      "--format"};
 }
@@ -76,21 +77,25 @@ Results all_of(const ReportAgainArguments& arguments, const fs::path& report_fol
 }  // namespace
 
 ExitCode execute(const ReportAgainArguments& arguments) {
-    const bool to_stdout = arguments.out == "-";
+    const bool to_stdout = arguments.common.out == "-";
     if (to_stdout && !arguments.format)
         throw UsageError{"-o -: expected --format beside it: html, json, junit, md, github or csv"};
     const ReportFormat format = format_of(arguments);
-    const fs::path folder = to_stdout || !arguments.out.has_parent_path() ? "." : arguments.out.parent_path();
+    const fs::path folder =
+        to_stdout || !arguments.common.out.has_parent_path() ? "." : arguments.common.out.parent_path();
     const std::vector<document::Document> studies = studies_of(arguments, format);
     const Results results = all_of(arguments, folder);
-    const std::string text = format == ReportFormat::html ? to_html(results, folder, page_budget, studies)
-                                                          : report_text(format, results, folder);
+    std::string text;
+    on_threads(arguments.common.threads, [&] {
+        text = format == ReportFormat::html ? to_html(results, folder, page_budget, studies)
+                                            : report_text(format, results, folder);
+    });
     if (to_stdout) {
         std::cout << text;
         return ExitCode::proven;
     }
-    write_whole_file(arguments.out, text);
-    std::cout << one_line(arguments.out.string()) << "\n";
+    write_whole_file(arguments.common.out, text);
+    std::cout << one_line(arguments.common.out.string()) << "\n";
     return ExitCode::proven;
 }
 

@@ -7,16 +7,18 @@
 #include "cli/run_size.h"
 #include "cli/scene_selection.h"
 #include "frame/printable.h"
+#include "scenes/model_file.h"
 
 namespace zproof {
 
 ExitCode execute(const RunArguments& arguments) {
     const auto [named, passed_over] = select_with_counts(arguments.scenes, arguments.models);
     if (const std::string words = in_words(passed_over);
-        !words.empty() && arguments.report.detail != Detail::verdict)
+        !words.empty() && !arguments.report.common.is_quiet())
         std::cerr << "zproof: " << shortened(words, longest_line_bytes - 10) << "\n";
     if (named.empty()) {
-        std::cerr << "zproof: nothing to judge: no .gltf, .glb, .obj, .ply or .view.json in what was named\n";
+        std::cerr << "zproof: nothing to judge: no " << model_endings
+                  << " and no .view.json in what was named; export any other model as .glb\n";
         return ExitCode::nothing;
     }
     const std::vector<SceneSource> selected = sources_for(arguments.size, named);

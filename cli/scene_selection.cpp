@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cli/nearest_word.h"
+#include "reports/output_manifest.h"
 #include "reports/wording.h"
 #include "scenes/judged_ranges.h"
 #include "scenes/model_file.h"
@@ -81,6 +82,19 @@ class FolderWalk {
     FileCounts passed_over_;
 };
 
+/// Is it an output folder of zproof's, or the results in one?
+bool is_of_results(const fs::path& path) {
+    std::error_code ignored;
+    if (path.filename() == "results.json") return fs::exists(path.parent_path() / output_marker, ignored);
+    return fs::exists(path / output_marker, ignored);
+}
+
+SceneError no_scene_but_results(const std::string& word) {
+    return SceneError{word +
+                      ": holds the results of zproof, not scenes; name the scenes to judge (zproof report "
+                      "shows results again)"};
+}
+
 SceneError unknown_word(const std::string& word, const std::vector<SuiteEntry>& manifest) {
     std::vector<std::string> names;
     for (const SuiteEntry& entry : manifest) names.push_back(entry.name);
@@ -94,9 +108,10 @@ std::optional<SceneSource> single_scene(const std::string& word, const std::vect
     std::error_code failure;
     if (fs::is_directory(word, failure)) return std::nullopt;
     if (fs::status(word, failure).type() == fs::file_type::not_found) throw unknown_word(word, manifest);
+    if (is_of_results(word)) throw no_scene_but_results(word);
     if (!is_model(word) && !is_view_file(word))
         throw SceneError{word + ": not a scene; expected a file ending in " + model_endings +
-                         ", or .json (a view file)"};
+                         ", or .json (a view file); export any other model as .glb"};
     return of_file(word);
 }
 
@@ -108,6 +123,7 @@ SceneSelection meant_by(const std::string& word, const std::vector<SuiteEntry>& 
     }
     if (const auto scene = single_scene(word, manifest)) return {{*scene}, {}};
     const FolderWalk walk(word);
+    if (walk.sources().empty() && is_of_results(word)) throw no_scene_but_results(word);
     return {walk.sources(), walk.passed_over()};
 }
 
@@ -164,6 +180,7 @@ SceneSource select_scene(const std::string& word, const fs::path& models) {
         scene->models = models;
         return *scene;
     }
+    if (is_of_results(word)) throw no_scene_but_results(word);
     throw SceneError{word + ": a folder, where one scene was expected; name a file in it"};
 }
 

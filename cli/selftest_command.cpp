@@ -15,12 +15,15 @@ ExitCode execute(const SelftestArguments& arguments) {
     note_interrupts();
     selftest::Score score;
     {
-        WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(tests)};
+        WorkProgress progress{std::cerr, progress_beside_lines(arguments.common), double(tests)};
         const selftest::ProgressSink progress_sink{
             .begins = [&](const std::string& name) { progress.begin(name); },
-            .told = [&](const std::string& line) { progress.say(std::cout, line); },
+            .told =
+                [&](const std::string& line) {
+                    if (!arguments.common.is_quiet()) progress.say(std::cout, line);
+                },
             .wants_to_stop = interrupted};
-        on_threads(arguments.threads, [&] {
+        on_threads(arguments.common.threads, [&] {
             score = try_all(faults, progress_sink);
             score += selftest::try_filters(progress_sink);
         });

@@ -12,7 +12,8 @@ enum class ProgressStyle {
     automatic,  ///< a bar on a terminal, lines elsewhere
     bar,        ///< one line that is redrawn
     lines,      ///< a line per judged view
-    none,
+    none,       ///< remarks only
+    silent,     ///< -q: not even remarks
 };
 
 /// The resolution at which the suite's expectations hold.
@@ -24,8 +25,7 @@ int available_threads();
 /// How views are made; shared by every command that renders.
 struct RenderSettings {
     Resolution resolution =
-        default_resolution;  ///< of suite scenes and glTF files; a view file states its own
-    int threads = available_threads();
+        default_resolution;                 ///< of suite scenes and glTF files; a view file states its own
     std::vector<Sample> samples{Sample{}};  ///< of every view
 };
 

@@ -40,7 +40,7 @@ ExitCode execute(const GenerateArguments& arguments) {
     const std::vector<std::string> suite = names_of_suite();
     const std::vector<std::string> names = arguments.names.empty() ? suite : arguments.names;
     require_known(names, suite);
-    return write_scenes(names, arguments.out,
+    return write_scenes(names, arguments.common,
                         [](const std::string& name) { return generate_suite_scene(name); });
 }
 

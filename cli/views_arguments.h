@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "cli/common_arguments.h"
 #include "scenes/import/calibrated_camera.h"
 
 namespace zproof {
@@ -13,10 +14,11 @@ namespace zproof {
 enum class CameraSource { opencv, colmap, nerf };
 
 struct ViewsArguments {
+    CommonArguments common{
+        .output = Output::file};  ///< the view file; no default, so that none is replaced unasked
     CameraSource source = CameraSource::opencv;
     std::filesystem::path cameras;  ///< COLMAP: a folder
     std::filesystem::path model;
-    std::filesystem::path out;  ///< the view file; not a default, so that none is replaced unasked
     DepthRange range{.near_depth = 0, .far_depth = std::numeric_limits<double>::infinity()};
     std::optional<glm::ivec2> image_size;  ///< of files that do not say it
 };

@@ -52,13 +52,13 @@ Adjustment largest_adjustment(const std::vector<ImportedView>& views) {
 }  // namespace
 
 ExitCode execute(const ViewsArguments& arguments) {
-    const std::string model = model_from(arguments.out, arguments.model);
+    const std::string model = model_from(arguments.common.out, arguments.model);
     const std::vector<ImportedView> imported = import_views(arguments);
     std::vector<View> views;
     for (const ImportedView& one : imported) views.push_back(one.view);
-    write_whole_file(arguments.out, view_document(model, views));
+    write_whole_file(arguments.common.out, view_document(model, views));
     const Adjustment largest = largest_adjustment(imported);
-    std::cout << one_line(arguments.out.string()) << ": " << views.size()
+    std::cout << one_line(arguments.common.out.string()) << ": " << views.size()
               << (views.size() == 1 ? " view" : " views") << "; eyes moved by at most " << largest.eye
               << " (they are float32), axes by at most " << largest.axes << " (they are orthonormal)\n";
     return ExitCode::proven;

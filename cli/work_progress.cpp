@@ -32,16 +32,6 @@ bool is_terminal(int file_descriptor) {
     return isatty(file_descriptor) == 1 && term != nullptr && std::string{term} != "dumb";
 }
 
-ProgressStyle resolve(ProgressStyle mode) {
-    if (mode != ProgressStyle::automatic) return mode;
-    return is_terminal(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::lines;
-}
-
-ProgressStyle beside_lines(ProgressStyle mode) {
-    const ProgressStyle style = resolve(mode);
-    return style == ProgressStyle::lines && mode == ProgressStyle::automatic ? ProgressStyle::none : style;
-}
-
 std::string time_left(double seconds) {
     const int whole = int(std::floor(std::max(0.0, seconds) + 0.5)), hours = whole / 3600,
               minutes = whole / 60 % 60;

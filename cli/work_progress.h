@@ -12,12 +12,6 @@ namespace zproof {
 /// Is this file descriptor a terminal that understands cursor movements?
 bool is_terminal(int file_descriptor);
 
-/// The style that `automatic` stands for here.
-ProgressStyle resolve(ProgressStyle mode);
-
-/// The style for a command whose results are lines that tell as much: a bar on a terminal, else nothing.
-ProgressStyle beside_lines(ProgressStyle mode);
-
 /// "2:05 left"; "1:02:05 left" from an hour on.
 std::string time_left(double seconds);
 

@@ -34,7 +34,7 @@ std::vector<RendererFacts> facts_of_all(const ChosenRenderers& renderers) {
     const auto call = [&](const RendererChoice& choice, OracleChoice::Need need) {
         const std::string absent = absence_of(choice);
         if (absent.empty()) return present.push_back(facts_of(choice));
-        if (need == OracleChoice::Need::required) throw OracleError{name_of(choice) + ": " + absent};
+        if (need != OracleChoice::Need::welcome) throw OracleError{name_of(choice) + ": " + absent};
     };
     call(renderers.candidate, OracleChoice::Need::required);
     call(renderers.reference, OracleChoice::Need::required);

@@ -5,23 +5,26 @@
 #include "cli/interrupt.h"
 #include "cli/published.h"
 #include "cli/work_progress.h"
+#include "frame/printable.h"
 #include "reports/output_folder.h"
 #include "scenes/glb_writer.h"
 
 namespace zproof {
 
-ExitCode write_scenes(const std::vector<std::string>& names, const std::filesystem::path& folder,
+ExitCode write_scenes(const std::vector<std::string>& names, const CommonArguments& common,
                       const std::function<Loaded(const std::string&)>& scene_named) {
-    OutputFolder out{folder};
+    OutputFolder out{common.out};
     note_interrupts();
-    WorkProgress progress{std::cerr, beside_lines(ProgressStyle::automatic), double(names.size())};
+    WorkProgress progress{std::cerr, progress_beside_lines(common), double(names.size())};
     std::size_t written = 0;
     for (; written < names.size() && !interrupted(); ++written) {
         progress.begin(names[written]);
         write_glb(out.working(), scene_named(names[written]));
-        progress.say(std::cout, (folder / (names[written] + ".view.json")).string() + "\n");
+        const std::filesystem::path file = common.out / (names[written] + ".view.json");
+        if (!common.is_quiet()) progress.say(std::cout, file.string() + "\n");
     }
-    publish(out, folder);
+    const std::filesystem::path place = publish(out, common);
+    if (common.is_quiet()) std::cout << one_line(place.string()) << "\n";
     if (written == names.size()) return ExitCode::proven;
     return say_interrupted({written, names.size()}, "scene", "written");
 }

@@ -1,5 +1,4 @@
 # OpenImageIO::OpenImageIO for the image module, tests and benchmarks: the program is not linked to it.
-find_package(OpenImageIO REQUIRED)
 # Debian's OpenImageIO names OpenCV's include folder, which is not there unless OpenCV is installed: then CMake refuses
 # to generate. No header that we include needs it.
 get_target_property(openimageio_folders OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* partial_suffix = ".partial";
+
 [[noreturn]] void refuse(const fs::path& path, const std::string& why) {
     throw ReportError(path.string() + ": " + why);
 }
@@ -105,13 +107,16 @@ OutputFolder::~OutputFolder() {
 }
 
 std::vector<fs::path> OutputFolder::publish(Completeness completeness) {
-    if (completeness == Completeness::partial && is_full(path_)) suffix_ = ".partial";
+    if (completeness == Completeness::partial && is_full(path_)) suffix_ = partial_suffix;
     const fs::path place = path_.string() + suffix_;
     require_replaceable(place);
     mark_finished(working_, completeness);
     const fs::path old = put_in_place(working_, place);
     published_ = true;
     std::ranges::move(retire(old, place), std::back_inserter(kept_));
+    if (const fs::path partial = path_.string() + partial_suffix;
+        completeness == Completeness::full && manifest_in(partial) && !is_full(partial))
+        std::ranges::move(retire(partial, place), std::back_inserter(kept_));
     return kept_;
 }
 

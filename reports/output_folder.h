@@ -35,8 +35,9 @@ class OutputFolder {
     /// a full one, in one step where the file system can exchange two folders
     /// (renameat2); otherwise the old one is renamed away first. Whenever the process dies, a whole folder is
     /// left, old or new. Throws ReportError where a rename fails or PATH has become somebody else's
-    /// meanwhile; PATH is then as it was. To be called once. Returns what was kept of the old folder though
-    /// zproof did not write it: where it lies now.
+    /// meanwhile; PATH is then as it was. To be called once. A full folder also ends what an interrupted run
+    /// had left at PATH.partial. Returns what was kept of the old folders though zproof did not write it:
+    /// where it lies now.
     [[nodiscard]] std::vector<std::filesystem::path> publish(Completeness completeness = Completeness::full);
 
     /// What publish() added to PATH: ".partial" or nothing.

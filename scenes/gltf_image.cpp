@@ -1,5 +1,7 @@
 #include "scenes/gltf_image.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -93,13 +95,35 @@ std::string image_fault(Span bytes) {
 
 ImageExtent image_extent(Span bytes) { return extent_of(bytes).value(); }
 
+namespace {
+
+constexpr const char* broken = "the image's data is broken or cut short; export it again";
+
+/// libpng would print its complaint on stderr, without a file's name.
+std::string png_chunk_fault(Span bytes) {
+    constexpr std::uint64_t end_chunk = 0x49454E44;  // IEND
+    for (std::size_t at = png_magic.size(); at + 12 <= bytes.size();) {
+        const std::uint64_t length = big_endian(bytes, at, 4), type = big_endian(bytes, at + 4, 4);
+        if (length > bytes.size() - at - 12) break;
+        const bool is_critical = (bytes[at + 4] & 0x20) == 0;
+        const auto sum = crc32_z(0, bytes.data() + at + 4, length + 4);
+        if (is_critical && sum != big_endian(bytes, at + 8 + length, 4)) return "a chunk's sum is wrong";
+        if (type == end_chunk) return "";
+        at += 12 + length;
+    }
+    return "the PNG ends too early";
+}
+
+}  // namespace
+
 Image decode_image(Span bytes) {
     try {
+        if (const std::string fault = is_png(bytes) ? png_chunk_fault(bytes) : ""; !fault.empty())
+            throw std::runtime_error(fault);
         Rgba8Image decoded = decode_rgba8(bytes, limits::image_side);
         return {{}, decoded.size.width, decoded.size.height, std::move(decoded.rgba)};
     } catch (const std::runtime_error& e) {
-        throw std::runtime_error("the image's data is broken or cut short; export it again (" +
-                                 std::string(e.what()) + ")");
+        throw std::runtime_error(std::string(broken) + " (" + e.what() + ")");
     }
 }
 

@@ -18,12 +18,12 @@ Branch add_report_again(CLI::App& parent, CommandWords& words);
 Branch add_diff_results(CLI::App& parent, CommandWords& words);
 Branch add_waive(CLI::App& parent, CommandWords& words);
 Branch add_doctor(CLI::App& parent, CommandWords& words);
-Branch add_list(CLI::App& parent);
+Branch add_list(CLI::App& parent, CommandWords& words);
 Branch add_scenes(CLI::App& parent, CommandWords& words);
 Branch add_views(CLI::App& parent, CommandWords& words);
 Branch add_filters(CLI::App& parent, CommandWords& words);
 Branch add_study(CLI::App& parent, CommandWords& words);
 Branch add_completion(CLI::App& parent, CommandWords& words);
-Branch add_man(CLI::App& parent);
+Branch add_man(CLI::App& parent, CommandWords& words);
 
 }  // namespace zproof

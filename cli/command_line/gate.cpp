@@ -21,14 +21,18 @@ Exit status: 0 all sound, 1 one has run out (--strict: or is not needed), 2 the 
 const std::map<std::string, WaiverReach> reaches{
     {"pair", WaiverReach::pair}, {"triangle", WaiverReach::triangle}, {"pixels", WaiverReach::pixels}};
 
+constexpr const char* waivers_made = "the file of waivers as it becomes; default: that of --waivers";
+
 void add_waive_list(CLI::App& waive, CommandWords& words) {
     CLI::App& app = *waive.add_subcommand("list", "every waiver, a line each, with the days it has left");
+    add_common(app, words.waive_list.common);
     add_waiver_file(app, words.waive_list.gate);
     add_settings_choice(app, words.settings);
 }
 
 void add_waive_check(CLI::App& waive, CommandWords& words) {
     CLI::App& app = *waive.add_subcommand("check", "are they well formed, in time, and needed?");
+    add_common(app, words.waive_check.common);
     add_gate(app, words.waive_check.gate);
     app.add_option("--from", words.waive_check.results, "results.json of a run, to see which are needed");
     app.footer(check_remark);
@@ -37,6 +41,7 @@ void add_waive_check(CLI::App& waive, CommandWords& words) {
 
 void add_waive_prune(CLI::App& waive, CommandWords& words) {
     CLI::App& app = *waive.add_subcommand("prune", "remove those that have run out, or are not needed");
+    add_common(app, words.waive_prune.common, waivers_made);
     add_waiver_file(app, words.waive_prune.gate);
     app.add_option("--from", words.waive_prune.results,
                    "results.json of a run: remove also those that let nothing pass there");
@@ -46,6 +51,7 @@ void add_waive_prune(CLI::App& waive, CommandWords& words) {
 void add_waive_add(CLI::App& waive, CommandWords& words) {
     CLI::App& app = *waive.add_subcommand("add", "waive the defects around a pixel that was looked at");
     WaiveAddArguments& add = words.waive_add;
+    add_common(app, add.common, waivers_made);
     add_waiver_file(app, add.gate);
     app.add_option("--from", add.results, "results.json of the run, its evidence beside it")->required();
     app.add_option("--scene", add.scene, "as the results call it")->required();
@@ -56,8 +62,8 @@ void add_waive_add(CLI::App& waive, CommandWords& words) {
     add_choice(app, "--reach", add.reach, reaches)
         ->default_str("pair")
         ->description(
-            "what else in the view: all pixels with the same pair of triangles, with the "
-            "candidate's triangle, or none");
+            "what the waiver holds for in the view: pair: all pixels with the same two triangles; triangle: "
+            "all with the candidate's triangle; pixels: those of --pixel alone");
     app.add_option("--id", add.id, "default: W- and a number");
     app.add_option("--reason", add.reason, "why it may stay for a while")->required();
     app.add_option("--link", add.link, "where it is being worked on")->required();
@@ -83,10 +89,7 @@ Branch add_merge(CLI::App& parent, CommandWords& words) {
     add_report(app, words.merge.report);
     add_settings_choice(app, words.settings);
     app.footer(merge_remark);
-    return {&app, [&words] {
-                words.merge.report = understood(words.merge.report);
-                return words.merge;
-            }};
+    return {&app, [&words] { return words.merge; }};
 }
 
 Branch add_report_again(CLI::App& parent, CommandWords& words) {
@@ -96,8 +99,7 @@ Branch add_report_again(CLI::App& parent, CommandWords& words) {
                    "results.json, or the folder of one; several: all their views; and folders of studies, "
                    "for the page")
         ->required();
-    app.add_option("-o,--out", again.out, "file: .html, .json, .xml, .md or .csv; or - for stdout")
-        ->capture_default_str();
+    add_common(app, again.common, "file: .html, .json, .xml, .md or .csv; or - for stdout");
     app.add_option_function<std::string>(
         "--format", [&again](const std::string& word) { again.format = format_from(word); },
         "html, json, junit, md, github or csv; default: by the file's name");
@@ -109,6 +111,7 @@ Branch add_diff_results(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("diff-results", "what became better or worse between two runs");
     app.add_option("OLD", words.diff_results.before, "results.json, or the folder of one")->required();
     app.add_option("NEW", words.diff_results.after, "results.json, or the folder of one")->required();
+    add_common(app, words.diff_results.common);
     app.add_flag_callback(
         "--json", [&words] { words.diff_results.format = DifferenceFormat::json; },
         "print JSON instead of a table");
@@ -129,8 +132,12 @@ Branch add_waive(CLI::App& parent, CommandWords& words) {
 Branch add_doctor(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand(
         "doctor", "what is installed here, and which settings hold, each with where it comes from");
+    add_common(app, words.doctor.common);
     add_settings_choice(app, words.settings);
-    return {&app, [&words] { return DoctorArguments{words.settings}; }};
+    return {&app, [&words] {
+                words.doctor.settings = words.settings;
+                return words.doctor;
+            }};
 }
 
 }  // namespace zproof

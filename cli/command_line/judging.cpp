@@ -65,7 +65,6 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
         "hash:NUMBER/COUNT: judge this share of the scenes only (zproof merge puts shards together)");
     add_settings_choice(app, words.settings);
     return {&app, [&words] {
-                words.run.report = understood(words.run.report);
                 words.run.settings.resolution = resolution_for(words.run.size, words.run.settings.resolution);
                 if (!words.renderers.oracles) words.renderers.oracles = oracles_for(words.run.size);
                 words.run.renderers = chosen_renderers(words.renderers);
@@ -82,7 +81,6 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     add_ids_option(app, words.renderers);
     add_reference_words(app, words.renderers);
     add_oracle_options(app, words.renderers);
-    add_threads(app, words.compare.settings.threads);
     add_isa(app);
     add_samples(app, words.compare.settings);
     add_report(app, words.compare.report);
@@ -91,7 +89,6 @@ Branch add_compare(CLI::App& parent, CommandWords& words) {
     add_settings_choice(app, words.settings);
     app.footer(compare_remark);
     return {&app, [&words] {
-                words.compare.report = understood(words.compare.report);
                 words.compare.renderers = chosen_renderers(words.renderers);
                 return words.compare;
             }};
@@ -103,6 +100,7 @@ Branch add_explain(CLI::App& parent, CommandWords& words) {
     app.add_option("SCENE", explain.scene, scene_words)->required();
     app.add_option("X", explain.x, "pixel column, 0 = left")->required()->check(CLI::Range(0, 32767));
     app.add_option("Y", explain.y, "pixel row, 0 = top")->required()->check(CLI::Range(0, 32767));
+    add_common(app, explain.common);
     add_models(app, explain.models);
     app.add_option("--view", explain.view, "name of the view; default: the scene's first");
     add_renderer_options(app, words.renderers);

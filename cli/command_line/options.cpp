@@ -15,12 +15,14 @@ const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyl
                                                            {"none", ProgressStyle::none}};
 const std::map<std::string, Evidence> evidences{{"all", Evidence::all}, {"defects", Evidence::defects}};
 
-void add_detail(CLI::App& app, ReportArguments& report) {
-    auto* quiet = app.add_flag_callback(
-        "-q,--quiet", [&report] { report.detail = Detail::verdict; }, "print the verdict only");
-    app.add_flag_callback(
-           "--times", [&report] { report.detail = Detail::times; }, "also print where the time went")
-        ->excludes(quiet);
+void add_out(CLI::App& app, CommonArguments& common, const std::string& made) {
+    CLI::Option* out =
+        app.add_option("-o,--out", common.out, made.empty() ? "file for what is printed; -: stdout" : made)
+            ->type_name(common.output == Output::folder ? "FOLDER" : "FILE");
+    if (made.empty())
+        out->default_str("-");
+    else if (!common.out.empty())
+        out->capture_default_str();
 }
 
 }  // namespace
@@ -30,10 +32,21 @@ void add_models(CLI::App& app, std::filesystem::path& models) {
         ->check(CLI::ExistingDirectory);
 }
 
-void add_threads(CLI::App& app, int& threads) {
-    app.add_option("--threads", threads, "the verdict is the same for any number")
+void add_common(CLI::App& app, CommonArguments& common, const std::string& made) {
+    app.add_option("-j,--threads", common.threads, "at most so many; no result depends on their number")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
+    add_choice(app, "--color", common.colour, colour_modes)
+        ->description("of what is printed; auto: on a terminal, unless NO_COLOR is set");
+    app.add_flag_callback(
+        "-q,--quiet", [&common] { common.detail = Detail::verdict; },
+        "print nothing but the result and errors");
+    add_out(app, common, made);
+}
+
+void add_progress(CLI::App& app, CommonArguments& common) {
+    add_choice(app, "--progress", common.progress, progress_styles)
+        ->description("how it is told on stderr; auto: a bar on a terminal, else lines");
 }
 
 void add_isa(CLI::App& app) {
@@ -57,7 +70,6 @@ void add_render_settings(CLI::App& app, RenderSettings& settings) {
     app.add_option("--height", settings.resolution.height, "pixels; view files state their own")
         ->check(CLI::Range(1, 32768))
         ->capture_default_str();
-    add_threads(app, settings.threads);
     add_isa(app);
 }
 
@@ -70,7 +82,11 @@ void add_samples(CLI::App& app, RenderSettings& settings) {
 }
 
 void add_report(CLI::App& app, ReportArguments& report) {
-    app.add_option("-o,--out", report.out, "folder for the reports")->capture_default_str();
+    add_common(app, report.common, "folder for the reports");
+    add_progress(app, report.common);
+    app.add_flag_callback(
+           "--times", [&report] { report.common.detail = Detail::times; }, "also print where the time went")
+        ->excludes(app.get_option("--quiet"));
     app.add_option_function<std::vector<std::string>>(
            "--report",
            [&report](const std::vector<std::string>& words) {
@@ -81,11 +97,6 @@ void add_report(CLI::App& app, ReportArguments& report) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->default_str("html,json,junit");
-    add_choice(app, "--color", report.colour, colour_modes)
-        ->description("of the table on the terminal; auto: unless NO_COLOR is set");
-    add_choice(app, "--progress", report.progress, progress_styles)
-        ->description("how it is told on stderr; auto: a bar on a terminal, else a line per view");
-    add_detail(app, report);
 }
 
 void add_evidence(CLI::App& app, ReportArguments& report) {
@@ -121,11 +132,6 @@ void add_gate(CLI::App& app, GateArguments& gate) {
 void add_settings_choice(CLI::App& app, SettingsChoice& settings) {
     app.add_option("--config", settings.file, "settings file; default: zproof.toml, where it is; or none");
     app.add_option("--profile", settings.profile, "the table [profiles.NAME] of the settings file");
-}
-
-ReportArguments understood(ReportArguments report) {
-    if (report.detail == Detail::verdict) report.progress = ProgressStyle::none;
-    return report;
 }
 
 }  // namespace zproof

@@ -29,18 +29,18 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value,
 
 /// --models
 void add_models(CLI::App& app, std::filesystem::path& models);
-void add_threads(CLI::App& app, int& threads);
+/// -j, --color, -q and -o: of every command, and stated here alone. `made`: what -o names, where it is not
+/// what is printed.
+void add_common(CLI::App& app, CommonArguments& common, const std::string& made = "");
+void add_progress(CLI::App& app, CommonArguments& common);  ///< --progress
 /// --isa; holds for the process as soon as it is read.
 void add_isa(CLI::App& app);
-void add_render_settings(CLI::App& app, RenderSettings& settings);  ///< --width, --height, --threads, --isa
+void add_render_settings(CLI::App& app, RenderSettings& settings);  ///< --width, --height, --isa
 void add_samples(CLI::App& app, RenderSettings& settings);          ///< --sample
-void add_report(CLI::App& app, ReportArguments& report);            ///< --out, --color and what is printed
+void add_report(CLI::App& app, ReportArguments& report);  ///< the common ones, --report, --progress, --times
 void add_evidence(CLI::App& app, ReportArguments& report);          ///< --evidence, --pictures
 void add_gate(CLI::App& app, GateArguments& gate);                  ///< --waivers, --strict, --now
 void add_waiver_file(CLI::App& app, GateArguments& gate);           ///< --waivers, --now
 void add_settings_choice(CLI::App& app, SettingsChoice& settings);  ///< --config, --profile
-
-/// What -q means, whatever a setting says of progress.
-ReportArguments understood(ReportArguments report);
 
 }  // namespace zproof

@@ -23,7 +23,7 @@ Branch add_render(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("render", "write a renderer's frames as EXR and PNG, not judged");
     app.add_option("SCENE", words.render.scene, scene_words)->required();
     add_models(app, words.render.models);
-    app.add_option("-o,--out", words.render.out, "folder for the frames")->capture_default_str();
+    add_common(app, words.render.common, "folder for the frames");
     add_renderer_options(app, words.renderers);
     app.add_option("--filter", words.renderers.filter,
                    "also write textures as this method reads them: NAME[:key=value]...");
@@ -46,6 +46,7 @@ Branch add_measure(CLI::App& parent, CommandWords& words) {
     app.add_option("RENDERER", words.renderers.renderer,
                    "a name, or 'CMD {scene} {camera} {width} {height} {out}'")
         ->required();
+    add_common(app, words.measure.common);
     add_precision_options(app, words.renderers);
     add_keep_input(app, words.renderers);
     add_isa(app);
@@ -77,8 +78,7 @@ Branch add_fit(CLI::App& parent, CommandWords& words) {
         ->check(CLI::Range(1, 86400))
         ->capture_default_str();
     app.add_option("--candidate", words.renderers.candidate, "a stored frame in the renderer's place");
-    app.add_option("-o,--out", fit.out, "folder for tables, chart, fit.json and precision.json")
-        ->capture_default_str();
+    add_common(app, fit.common, "folder for tables, chart, fit.json and precision.json");
     add_render_settings(app, fit.settings);
     app.footer(fit_remark);
     return {&app, [&words] {
@@ -96,7 +96,7 @@ Branch add_contract_check(CLI::App& parent, CommandWords& words) {
     add_precision_options(app, words.renderers);
     add_keep_input(app, words.renderers);
     add_ids_option(app, words.renderers);
-    add_threads(app, words.contract_check.threads);
+    add_common(app, words.contract_check.common);
     add_isa(app);
     app.footer(contract_remark);
     return {&app, [&words] {
@@ -108,14 +108,15 @@ Branch add_contract_check(CLI::App& parent, CommandWords& words) {
 Branch add_selftest(CLI::App& parent, CommandWords& words) {
     CLI::App& app =
         *parent.add_subcommand("selftest", "see the gate fail: inject known faults into good frames");
-    add_threads(app, words.selftest.threads);
+    add_common(app, words.selftest.common);
     add_isa(app);
     return {&app, [&words] { return words.selftest; }};
 }
 
-Branch add_list(CLI::App& parent) {
+Branch add_list(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("list", "the built-in suite: each scene with its reason");
-    return {&app, [] { return ListArguments{}; }};
+    add_common(app, words.list.common);
+    return {&app, [&words] { return words.list; }};
 }
 
 Branch add_scenes(CLI::App& parent, CommandWords& words) {
@@ -123,7 +124,7 @@ Branch add_scenes(CLI::App& parent, CommandWords& words) {
     CLI::App& generate = *app.add_subcommand("generate", "write suite scenes as .glb and .view.json");
     app.require_subcommand(0, 1);
     generate.add_option("NAME", words.generate.names, "suite scenes (zproof list); none: all");
-    generate.add_option("-o,--out", words.generate.out, "folder for the files")->capture_default_str();
+    add_common(generate, words.generate.common, "folder for the files");
     return {&app, [&words, &generate] {
                 if (!generate.parsed())
                     throw UsageError{"scenes: 'generate' expected (see: zproof scenes --help)"};

@@ -19,12 +19,20 @@ Branch add_completion(CLI::App& parent, CommandWords& words) {
     app.add_option("SHELL", words.shell, "which shell's")
         ->required()
         ->check(CLI::IsMember({"bash", "fish", "zsh"}));
-    return {&app, [&] { return Answered{writers.at(words.shell)(outline_of(parent))}; }};
+    add_common(app, words.completion.common);
+    return {&app, [&] {
+                words.completion.text = writers.at(words.shell)(outline_of(parent));
+                return words.completion;
+            }};
 }
 
-Branch add_man(CLI::App& parent) {
+Branch add_man(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("man", "the manual page, in roff");
-    return {&app, [&] { return Answered{manual_page(outline_of(parent))}; }};
+    add_common(app, words.manual.common);
+    return {&app, [&] {
+                words.manual.text = manual_page(outline_of(parent));
+                return words.manual;
+            }};
 }
 
 }  // namespace zproof

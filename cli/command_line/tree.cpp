@@ -54,13 +54,13 @@ CommandTree::CommandTree()
                  add_diff_results(*root_, words_),
                  add_waive(*root_, words_),
                  add_doctor(*root_, words_),
-                 add_list(*root_),
+                 add_list(*root_, words_),
                  add_scenes(*root_, words_),
                  add_views(*root_, words_),
                  add_filters(*root_, words_),
                  add_study(*root_, words_),
                  add_completion(*root_, words_),
-                 add_man(*root_)};
+                 add_man(*root_, words_)};
 }
 
 CommandTree::~CommandTree() = default;

@@ -26,7 +26,8 @@ Branch add_views(CLI::App& parent, CommandWords& words) {
                    "transforms.json")
         ->required();
     app.add_option("MODEL", views.model, "the model that is seen: .gltf, .glb, .obj or .ply")->required();
-    app.add_option("-o,--out", views.out, "the view file, in the model's folder or above it")->required();
+    add_common(app, views.common, "the view file, in the model's folder or above it");
+    app.get_option("--out")->required();
     app.add_option("--near", views.range.near_depth, "camera depth of the near plane")
         ->required()
         ->check(CLI::PositiveNumber);

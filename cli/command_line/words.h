@@ -34,6 +34,9 @@ struct CommandWords {
     WaiveCheckArguments waive_check;
     WaivePruneArguments waive_prune;
     WaiveAddArguments waive_add;
+    DoctorArguments doctor;
+    ListArguments list;
+    Answered completion, manual;
     SettingsChoice settings;  ///< --config, --profile
     FiltersWords filters;
     StudyArguments study;

@@ -135,10 +135,6 @@ constexpr std::array meanings{
     Meaning{"--reference-convention", conventions},
     Meaning{"--channels", [](const OutlineCommand&) { return Candidates{}; }},
     Meaning{"--reference-channels", [](const OutlineCommand&) { return Candidates{}; }},
-    Meaning{"--out",
-            [](const OutlineCommand&) {
-                return Candidates{{}, Paths::folders};
-            }},
     Meaning{"--models",
             [](const OutlineCommand&) {
                 return Candidates{{}, Paths::folders};
@@ -168,6 +164,7 @@ Candidates candidates_for(const OutlineCommand& command, const OutlineOption& op
         const auto meaning = std::ranges::find_if(meanings, [&](const Meaning& m) { return m.name == name; });
         if (meaning != meanings.end()) return meaning->candidates(command);
     }
+    if (option.kind == "FOLDER") return {{}, Paths::folders};
     return {{}, is_number(option.kind) ? Paths::none : Paths::files};
 }
 

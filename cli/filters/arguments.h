@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/common_arguments.h"
 #include "cli/filter_choice.h"
-#include "cli/settings.h"
 #include "frame/filter_precision.h"
 #include "oracle/area_integral.h"
 #include "reports/filters/crops.h"
@@ -20,51 +20,53 @@ class App;
 namespace zproof {
 
 struct FiltersRunArguments {
+    CommonArguments common{.output = Output::folder, .out = "zproof-filters"};
     std::vector<std::string> scenes;    ///< empty: every built-in filter scene
     std::vector<FilterChoice> methods;  ///< at least one, no two typed alike
     oracle::Reconstruction truth = oracle::Reconstruction::nearest;
     std::vector<std::string> views;    ///< empty: all of every scene
     std::optional<int> width, height;  ///< pixels; none: the scene's own
     std::optional<int> first_row;      ///< study::Plan::first_row; none: the scene's own
-    int threads = available_threads();
-    int flicker_steps = 2;  ///< 0: not measured
-    std::filesystem::path out = "zproof-filters";
-    ProgressStyle progress = ProgressStyle::automatic;
-    std::string typed;  ///< the command line, quoted for a shell
+    int flicker_steps = 2;             ///< 0: not measured
+    std::string typed;                 ///< the command line, quoted for a shell
 };
 
-struct FiltersListArguments {};
+struct FiltersListArguments {
+    CommonArguments common;
+};
 
 struct FiltersScenesArguments {
+    CommonArguments common{.output = Output::folder, .out = "zproof-filter-scenes"};
     std::vector<std::string> names;  ///< empty: all
-    std::filesystem::path out = "zproof-filter-scenes";
 };
 
 enum class TableFormat { terminal, latex, csv };
 
 struct FiltersTableArguments {
+    CommonArguments common;
     std::filesystem::path folder;
     std::string region = "interior";
     TableFormat format = TableFormat::terminal;
 };
 
 struct FiltersFigureArguments {
+    CommonArguments common{.output = Output::folder};  ///< empty: the study's own
     std::filesystem::path folder;
     std::vector<std::string> labels;
     std::optional<CropBox> crop;
 };
 
 struct FiltersCrowArguments {
+    CommonArguments common{.output = Output::folder, .out = "zproof-crow"};
     RenderSettings settings{.resolution = {512, 512}};
-    std::filesystem::path out = "zproof-crow";
 };
 
 struct FiltersCheckArguments {
-    std::vector<FilterChoice> methods;  ///< at least one; with a picture exactly one
-    std::vector<std::string> scenes;    ///< empty: every built-in filter scene
-    std::vector<std::string> views;     ///< empty: all of every scene
-    std::optional<int> width, height;   ///< pixels; none: the scene's own
-    int threads = available_threads();
+    CommonArguments common;
+    std::vector<FilterChoice> methods;         ///< at least one; with a picture exactly one
+    std::vector<std::string> scenes;           ///< empty: every built-in filter scene
+    std::vector<std::string> views;            ///< empty: all of every scene
+    std::optional<int> width, height;          ///< pixels; none: the scene's own
     std::filesystem::path picture;             ///< somebody's own, in place of ours; empty: none
     std::optional<FilterPrecision> precision;  ///< none: what zproof's own filters promise
 };

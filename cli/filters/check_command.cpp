@@ -66,7 +66,7 @@ class FilterChecker {
     FilterChecker(const FiltersCheckArguments& arguments, std::size_t scenes)
         : arguments_(arguments),
           scenes_left_(scenes),
-          progress_(std::cerr, beside_lines(ProgressStyle::automatic),
+          progress_(std::cerr, progress_beside_lines(arguments.common),
                     double(scenes * arguments.methods.size())) {}
 
     /// The next scene: it may have more views than the one that progress expects of each.
@@ -85,8 +85,8 @@ class FilterChecker {
             const Picture picture = picture_of(fixture, choice, arguments_.picture);
             const ConformanceResult result =
                 selftest::conformance_of(picture, fixture, claim_of(choice, arguments_));
-            progress_.say(std::cout, (result.is_caught() ? "FAILED  " : "passed  ") + name +
-                                         found_in_words(result) + where_in_words(result.found) + "\n");
+            tell((result.is_caught() ? "FAILED  " : "passed  ") + name + found_in_words(result) +
+                 where_in_words(result.found) + "\n");
             ++judged_;
             failed_ += result.is_caught();
         }
@@ -104,6 +104,10 @@ class FilterChecker {
     }
 
   private:
+    void tell(const std::string& line) {
+        if (!arguments_.common.is_quiet()) progress_.say(std::cout, line);
+    }
+
     const FiltersCheckArguments& arguments_;
     int judged_ = 0, failed_ = 0;
     std::size_t expected_ = 0;  ///< pictures of the scenes that were begun
@@ -130,7 +134,7 @@ ExitCode execute(const FiltersCheckArguments& arguments) {
         if (!arguments.picture.empty() && views_judged > 1)
             throw UsageError{"--picture: one view is expected; name it (--view)"};
         for (const View& view : views)
-            on_threads(arguments.threads, [&] {
+            on_threads(arguments.common.threads, [&] {
                 checker.judge({loaded.scene, view, rasterizer::render(loaded.scene, view)});
             });
     }

@@ -15,11 +15,6 @@
 namespace zproof {
 namespace {
 
-const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automatic},
-                                                  {"bar", ProgressStyle::bar},
-                                                  {"lines", ProgressStyle::lines},
-                                                  {"none", ProgressStyle::none}};
-
 constexpr const char* check_remark = R"(
 What may be promised, each by default as exactly as zproof's own filters: arithmetic_bits, coordinate_bits,
 displacement_px, step_bits, place_bits, weight_bits, lod_bits, tap_bits, sum_bits, texel_bits, colour_bits
@@ -38,23 +33,6 @@ void add_size(CLI::App& app, Size& width, Size& height) {
         ->capture_default_str();
 }
 
-void add_threads_and_isa(CLI::App& app, int& threads) {
-    app.add_option("--threads", threads, "all but the times is the same for any number")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
-    add_isa(app);
-}
-
-template <class T>
-CLI::Option* add_word(CLI::App& app, const std::string& option, T& value,
-                      const std::map<std::string, T>& choices) {
-    std::vector<std::string> words;
-    for (const auto& [word, meaning] : choices) words.push_back(word);
-    return app
-        .add_option_function<std::string>(option, [&](const std::string& word) { value = choices.at(word); })
-        ->check(CLI::IsMember(words));
-}
-
 void add_run(CLI::App& app, FiltersWords& words) {
     app.add_option("SCENE", words.run.scenes,
                    "filter scene (zproof filters list), suite scene, model (.gltf, .glb, .obj, .ply) or view "
@@ -71,20 +49,20 @@ void add_run(CLI::App& app, FiltersWords& words) {
                    "further views, each a fraction of a pixel on; 0: none")
         ->check(CLI::Range(0, 32))
         ->capture_default_str();
-    app.add_option("-o,--out", words.run.out, "folder for the study")->capture_default_str();
-    add_word(app, "--progress", words.run.progress, styles)
-        ->description("how it is told on stderr; auto: a bar on a terminal, else lines");
+    add_common(app, words.run.common, "folder for the study");
+    add_progress(app, words.run.common);
     app.add_option("--view", words.views, "names of views, separated by commas; default: all of every scene");
     app.add_option("--first-row", words.run.first_row,
                    "rows above count in the regions all and horizon only; default 0, of 'worked' 56 of 256")
         ->check(CLI::Range(0, 32767));
     add_size(app, words.run.width, words.run.height);
-    add_threads_and_isa(app, words.run.threads);
+    add_isa(app);
     app.footer("\nSettings of a method, NAME:key=value:key=value:\n" + filter_settings_help());
 }
 
 void add_table(CLI::App& app, FiltersWords& words) {
     app.add_option("DIR", words.table.folder, "what 'filters run' wrote")->required();
+    add_common(app, words.table.common);
     app.add_option("--region", words.table.region, "such as all, silhouette, magnified, 'anisotropy 8-16'")
         ->capture_default_str();
     auto* latex = app.add_flag_callback(
@@ -96,6 +74,7 @@ void add_table(CLI::App& app, FiltersWords& words) {
 
 void add_figure(CLI::App& app, FiltersWords& words) {
     app.add_option("DIR", words.figure.folder, "what 'filters run' wrote")->required();
+    add_common(app, words.figure.common, "folder for plots, crops and page; default: DIR");
     app.add_option("--methods", words.only,
                    "those to name in colour, separated by commas; default: the best");
     app.add_option("--crop", words.crop, "X,Y,WIDTH,HEIGHT in pixels; default: where methods err most");
@@ -110,7 +89,8 @@ void add_check(CLI::App& app, FiltersWords& words) {
     app.add_option("--picture", words.check.picture, "judge this picture (.exr) of one method and one view");
     app.add_option("--precision", words.precision, "what the filter promises, as key=value,key=value");
     add_size(app, words.check.width, words.check.height);
-    add_threads_and_isa(app, words.check.threads);
+    add_common(app, words.check.common);
+    add_isa(app);
     app.footer(check_remark);
 }
 
@@ -177,19 +157,19 @@ FiltersCheckArguments chosen_check(FiltersWords& words) {
 void add_filters(CLI::App& app, FiltersWords& words) {
     app.require_subcommand(0, 1);
     add_run(*app.add_subcommand("run", "hold methods to the truth on scenes; write a study"), words);
-    app.add_subcommand("list", "methods, metrics and scenes, a line each");
+    add_common(*app.add_subcommand("list", "methods, metrics and scenes, a line each"), words.list.common);
     CLI::App& scenes = *app.add_subcommand("scenes", "write filter scenes as .glb and .view.json files");
     scenes.add_option("NAME", words.scenes.names, "of filter scenes; none: all");
-    scenes.add_option("-o,--out,--export", words.scenes.out, "folder for the files")->capture_default_str();
+    add_common(scenes, words.scenes.common, "folder for the files");
     add_table(*app.add_subcommand("table", "print a study's table"), words);
     add_figure(*app.add_subcommand("figure", "make a study's plots, crops and page again"), words);
     add_check(*app.add_subcommand("check", "does a filter compute its own definition? pixel by pixel"),
               words);
     CLI::App& crow =
         *app.add_subcommand("crow", "Crow 1984: the lecture's figure and its questions, answered");
-    crow.add_option("-o,--out", words.crow.out, "folder for the page")->capture_default_str();
+    add_common(crow, words.crow.common, "folder for the page");
     add_size(crow, words.crow.settings.resolution.width, words.crow.settings.resolution.height);
-    add_threads_and_isa(crow, words.crow.settings.threads);
+    add_isa(crow);
 }
 
 FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) {

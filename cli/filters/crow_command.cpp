@@ -30,7 +30,7 @@ study::Plan crow_plan(int height) {
 }  // namespace
 
 ExitCode execute(const FiltersCrowArguments& arguments) {
-    OutputFolder out{arguments.out};
+    OutputFolder out{arguments.common.out};
     const Loaded loaded = load({.word = "worked", .reason = {}}, arguments.settings.resolution);
     const study::Plan plan = crow_plan(arguments.settings.resolution.height);
     study::StudyResults results = study::begun(plan);
@@ -38,7 +38,7 @@ ExitCode execute(const FiltersCrowArguments& arguments) {
     results.compiler = compiler_name();
     std::vector<CrowPicture> pictures;
     note_interrupts();
-    WorkProgress progress{std::cerr, resolve(ProgressStyle::automatic), 1.0 + study::units_of(plan)};
+    WorkProgress progress{std::cerr, progress_of(arguments.common), 1.0 + study::units_of(plan)};
     const study::ProgressSink progress_sink{.begins = [&](const std::string& what) { progress.begin(what); },
                                             .is_shown =
                                                 [&](const std::string& name, const Picture& picture) {
@@ -46,7 +46,7 @@ ExitCode execute(const FiltersCrowArguments& arguments) {
                                                 },
                                             .wants_to_stop = interrupted};
     study::CrowAnswers answers;
-    on_threads(arguments.settings.threads, [&] {
+    on_threads(arguments.common.threads, [&] {
         results.views.push_back(study::study_view(loaded.scene, loaded.views.at(0), plan, progress_sink));
         if (interrupted()) return;
         progress.begin("answers");
@@ -55,8 +55,8 @@ ExitCode execute(const FiltersCrowArguments& arguments) {
     if (interrupted()) return say_interrupted({0, 1}, "page", "written");
     const std::string page = crow_page(results, pictures, answers);
     write_whole_file(out.working() / "crow1984.html", std::as_bytes(std::span{page}));
-    publish(out, arguments.out);
-    progress.say(std::cout, (arguments.out / "crow1984.html").string() + "\n");
+    const std::filesystem::path place = publish(out, arguments.common);
+    progress.say(std::cout, (place / "crow1984.html").string() + "\n");
     return ExitCode::proven;
 }
 

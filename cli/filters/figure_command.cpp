@@ -3,12 +3,16 @@
 
 #include "cli/commands.h"
 #include "cli/nearest_word.h"
+#include "cli/published.h"
 #include "cli/usage_error.h"
 #include "frame/printable.h"
 #include "reports/filters/folder.h"
+#include "reports/output_folder.h"
 
 namespace zproof {
 namespace {
+
+namespace fs = std::filesystem;
 
 void require_methods(const study::StudyResults& results, const std::vector<std::string>& labels) {
     std::vector<std::string> known;
@@ -24,8 +28,16 @@ void require_methods(const study::StudyResults& results, const std::vector<std::
 ExitCode execute(const FiltersFigureArguments& arguments) {
     const study::StudyResults results = read_filters_results(arguments.folder);
     require_methods(results, arguments.labels);
-    write_filters_figures(arguments.folder, results, {arguments.labels, arguments.crop});
-    std::cout << one_line((arguments.folder / "filters.html").string()) << "\n";
+    const FigureChoice choice{arguments.labels, arguments.crop};
+    fs::path place = arguments.folder;
+    if (arguments.common.out.empty()) {
+        write_filters_figures({.study = place, .figures = place}, results, choice);
+    } else {
+        OutputFolder out{arguments.common.out};
+        write_filters_figures({.study = place, .figures = out.working()}, results, choice);
+        place = publish(out, arguments.common);
+    }
+    std::cout << one_line((place / "filters.html").string()) << "\n";
     return ExitCode::proven;
 }
 

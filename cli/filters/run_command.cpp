@@ -113,7 +113,7 @@ study::StudyResults results_of(const FiltersRunArguments& arguments, const study
     results.version = version_number();
     results.command = arguments.typed;
     results.compiler = compiler_name();
-    results.threads = arguments.threads;
+    results.threads = arguments.common.threads;
     return results;
 }
 
@@ -134,15 +134,15 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     const std::vector<StudyScene> scenes = study_scenes(arguments.scenes);
     const study::Plan plan = plan_of(arguments);
     study::StudyResults results = results_of(arguments, plan);
-    OutputFolder out{arguments.out};
+    OutputFolder out{arguments.common.out};
     note_interrupts();
     Stopwatch watch;
     Share share{};
     {
-        WorkProgress progress{std::cerr, resolve(arguments.progress),
+        WorkProgress progress{std::cerr, progress_of(arguments.common),
                               double(scenes.size()) * study::units_of(plan)};
         FilterStudyRun study_run{plan, out.working(), progress, results};
-        on_threads(arguments.threads, [&] {
+        on_threads(arguments.common.threads, [&] {
             for (const StudyScene& scene : scenes)
                 interrupted() ? study_run.leave(scene) : study_run.study_scene(scene, arguments);
         });
@@ -151,11 +151,11 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     results.is_complete = share.done == share.all && share.scenes_left == 0;
     results.seconds = watch.lap();
     write_filters_results(out.working(), results);
-    write_filters_figures(out.working(), results, {});
+    write_filters_figures({.study = out.working(), .figures = out.working()}, results, {});
     const std::filesystem::path place =
-        publish(out, arguments.out, results.is_complete ? Completeness::full : Completeness::partial);
-    std::cout << filters_table(results, "interior")
-              << "\nstudy: " << one_line((place / "filters.html").string()) << "\n";
+        publish(out, arguments.common, results.is_complete ? Completeness::full : Completeness::partial);
+    if (!arguments.common.is_quiet()) std::cout << filters_table(results, "interior") << "\n";
+    std::cout << "study: " << one_line((place / "filters.html").string()) << "\n";
     return conclusion(results, share);
 }
 

@@ -17,7 +17,7 @@ ExitCode execute(const FiltersScenesArguments& arguments) {
         if (std::ranges::find(known, name) == known.end())
             throw SceneError{name + ": no such filter scene" + did_you_mean(name, known) +
                              " (zproof filters list shows them)"};
-    return write_scenes(names, arguments.out, [](const std::string& name) {
+    return write_scenes(names, arguments.common, [](const std::string& name) {
         const StudyScene scene{name, {}};
         return load(scene, natural_resolution(scene));
     });

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/common_arguments.h"
 #include "cli/gate/gate.h"
 #include "cli/report_files.h"
 #include "cli/settings/sources.h"
@@ -14,28 +15,32 @@ namespace zproof {
 
 /// Results shown again.
 struct ReportAgainArguments {
+    CommonArguments common{.output = Output::file, .out = "report.html"};  ///< "-": stdout
     std::vector<std::filesystem::path> results;  ///< results.json, or the folders that hold one
-    std::filesystem::path out = "report.html";   ///< "-": stdout
     std::optional<ReportFormat> format;          ///< nothing: by the ending of `out`
 };
 
 enum class DifferenceFormat { table, json };
 
 struct DiffResultsArguments {
+    CommonArguments common;
     std::filesystem::path before, after;  ///< results.json, or the folders that hold one
     DifferenceFormat format = DifferenceFormat::table;
 };
 
 struct WaiveListArguments {
+    CommonArguments common;
     GateArguments gate;
 };
 
 struct WaiveCheckArguments {
+    CommonArguments common;
     GateArguments gate;
     std::filesystem::path results;  ///< of a run, to find waivers without use; empty: none
 };
 
 struct WaivePruneArguments {
+    CommonArguments common{.output = Output::file};  ///< empty: the file of waivers itself
     GateArguments gate;
     std::filesystem::path results;  ///< as above: those without use go as well
 };
@@ -48,6 +53,7 @@ enum class WaiverReach {
 };
 
 struct WaiveAddArguments {
+    CommonArguments common{.output = Output::file};  ///< empty: the file of waivers itself
     GateArguments gate;
     std::filesystem::path results;
     std::string scene, view;          ///< view empty: the scene's only one
@@ -58,6 +64,7 @@ struct WaiveAddArguments {
 
 /// What zproof stands on, and which settings hold here.
 struct DoctorArguments {
+    CommonArguments common;
     SettingsChoice settings;
 };
 

@@ -49,6 +49,7 @@ struct RendererChoice {
 struct OracleChoice {
     enum class Need {
         welcome,   ///< where it is absent, the report says so
+        named,     ///< somebody asked for it: it is installed, or nothing is begun
         required,  ///< where it is absent, nothing is proven
     };
     enum class Pixels {

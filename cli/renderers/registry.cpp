@@ -82,7 +82,7 @@ std::string povray_version_words() {
 }
 
 std::string povray_absence() {
-    return povray_version_words().empty() ? "not installed (Debian's package povray)" : "";
+    return povray_version_words().empty() ? "not installed; on Debian: apt-get install povray" : "";
 }
 
 Answers povray_on(const Scene& scene, std::chrono::seconds time_limit) {

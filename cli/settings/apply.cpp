@@ -8,10 +8,14 @@
 namespace zproof {
 namespace {
 
+bool is_of_waive(const CLI::App& app) {
+    return app.get_parent() != nullptr && app.get_parent()->get_name() == "waive";
+}
+
 bool bears_on_all(const CLI::App& app) {
     const std::string name = app.get_name();
     const CLI::App* parent = app.get_parent();
-    return name == "compare" || name == "merge" || (parent != nullptr && parent->get_name() == "waive") ||
+    return name == "compare" || name == "merge" || is_of_waive(app) ||
            (name == "run" && parent != nullptr && parent->get_parent() == nullptr);
 }
 
@@ -19,6 +23,7 @@ bool concerns(const CLI::App& app, const std::string& setting) {
     if (app.get_option_no_throw(option_name(setting)) == nullptr) return false;
     const auto for_all = {"threads", "isa", "color", "progress"};
     if (std::ranges::find(for_all, setting) != for_all.end()) return true;
+    if (setting == "out") return bears_on_all(app) && !is_of_waive(app);  // a folder of reports
     return bears_on_all(app) && (setting != "scenes" || app.get_name() == "run");
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/settings.h"
+#include "cli/common_arguments.h"
 
 namespace CLI {
 class App;
@@ -37,14 +37,12 @@ struct CostOptions {
 
 /// What every study is asked with. A study's own options get a member of their own here.
 struct StudyArguments {
+    CommonArguments common{.output = Output::folder, .out = "zproof-study"};
     std::string study;                 ///< Study::name
     std::vector<std::string> scenes;   ///< empty: the study's own
     std::vector<std::string> views;    ///< empty: all of every scene
     std::optional<int> width, height;  ///< pixels; none: the study's own; view files state theirs
-    int threads = available_threads();
-    std::filesystem::path out = "zproof-study";
-    ProgressStyle progress = ProgressStyle::automatic;
-    std::string typed;  ///< the command line, quoted for a shell
+    std::string typed;                 ///< the command line, quoted for a shell
     ProjectionOptions projection;
     DepthOptions depth;
     CostOptions cost;

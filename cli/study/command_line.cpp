@@ -1,7 +1,6 @@
 #include "cli/study/command_line.h"
 
 #include <CLI/CLI.hpp>
-#include <map>
 
 #include "cli/command_line/options.h"
 #include "cli/study/study.h"
@@ -9,11 +8,6 @@
 
 namespace zproof {
 namespace {
-
-const std::map<std::string, ProgressStyle> styles{{"auto", ProgressStyle::automatic},
-                                                  {"bar", ProgressStyle::bar},
-                                                  {"lines", ProgressStyle::lines},
-                                                  {"none", ProgressStyle::none}};
 
 std::string list_of(const std::vector<std::string>& words) {
     std::string list;
@@ -25,7 +19,8 @@ void add_common(CLI::App& app, const Study& study, StudyArguments& arguments) {
     app.add_option("SCENE", arguments.scenes,
                    "suite or filter scene, model (.gltf, .glb, .obj, .ply) or view file; none: " +
                        list_of(study.subjects));
-    app.add_option("-o,--out", arguments.out, "folder for the study")->capture_default_str();
+    add_common(app, arguments.common, "folder for the study");
+    add_progress(app, arguments.common);
     app.add_option("--view", arguments.views,
                    "names of views, separated by commas; default: all of every scene")
         ->delimiter(',');
@@ -35,16 +30,7 @@ void add_common(CLI::App& app, const Study& study, StudyArguments& arguments) {
     app.add_option("--height", arguments.height,
                    "pixels; default " + std::to_string(study.resolution.height) + "; view files state theirs")
         ->check(CLI::Range(1, 32768));
-    app.add_option("-j,--threads", arguments.threads, "figures are the same for any number")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
     add_isa(app);
-    std::vector<std::string> words;
-    for (const auto& [word, style] : styles) words.push_back(word);
-    app.add_option_function<std::string>(
-           "--progress", [&](const std::string& word) { arguments.progress = styles.at(word); }, "on stderr")
-        ->check(CLI::IsMember(words))
-        ->default_str("auto");
 }
 
 }  // namespace

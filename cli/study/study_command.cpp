@@ -37,9 +37,9 @@ int units_of(const Study& study, const std::vector<Loaded>& subjects) {
 
 document::Document performed(const Study& study, const StudyArguments& arguments) {
     const std::vector<Loaded> subjects = subjects_of(study, arguments);
-    WorkProgress progress{std::cerr, resolve(arguments.progress), double(units_of(study, subjects))};
+    WorkProgress progress{std::cerr, progress_of(arguments.common), double(units_of(study, subjects))};
     document::Document document;
-    on_threads(arguments.threads, [&] { document = study.perform({arguments, subjects, progress}); });
+    on_threads(arguments.common.threads, [&] { document = study.perform({arguments, subjects, progress}); });
     document.command = arguments.typed;
     document.version = version_number();
     if (interrupted())
@@ -51,14 +51,14 @@ document::Document performed(const Study& study, const StudyArguments& arguments
 
 ExitCode execute(const StudyArguments& arguments) {
     const Study& study = *std::ranges::find(studies(), arguments.study, &Study::name);
-    OutputFolder out{arguments.out};
+    OutputFolder out{arguments.common.out};
     note_interrupts();
     const document::Document document = performed(study, arguments);
     document::write_document(out.working(), document);
     const std::filesystem::path place =
-        publish(out, arguments.out, interrupted() ? Completeness::partial : Completeness::full);
-    std::cout << document::terminal_text(document) << "\nstudy: " << one_line((place / "study.html").string())
-              << "\n";
+        publish(out, arguments.common, interrupted() ? Completeness::partial : Completeness::full);
+    if (!arguments.common.is_quiet()) std::cout << document::terminal_text(document) << "\n";
+    std::cout << "study: " << one_line((place / "study.html").string()) << "\n";
     return interrupted() ? ExitCode::interrupted : ExitCode::proven;
 }
 

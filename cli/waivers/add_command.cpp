@@ -154,13 +154,14 @@ ExitCode execute(const WaiveAddArguments& arguments) {
     const Results results = read_results(arguments.results);
     const ViewResult& view = view_meant(results, arguments);
     Waiver waiver = drafted(arguments, view, findings_of(view, folder_of_results(arguments.results)));
-    const FolderLock lock(folder_of(file));  // others add and prune before or after
+    const fs::path& target = arguments.common.out.empty() ? file : arguments.common.out;
+    const FolderLock lock(folder_of(target));  // others add and prune before or after
     const std::string before = text_of(file);
     if (waiver.id.empty()) waiver.id = free_id(parse_waivers(before, file.string()));
     const std::string after = before + (before.ends_with('\n') ? "\n" : "\n\n") + waiver_text(waiver);
     parse_waivers(after, file.string());  // the same rules as for one that was written by hand
-    write_whole_file(file, after);
-    std::cout << printable(waiver_text(waiver));
+    write_whole_file(target, after);
+    std::cout << (arguments.common.is_quiet() ? one_line(waiver.id) + "\n" : printable(waiver_text(waiver)));
     return ExitCode::proven;
 }
 

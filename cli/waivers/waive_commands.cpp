@@ -64,17 +64,21 @@ ExitCode execute(const WaiveCheckArguments& arguments) {
     require_file(arguments.gate);
     const Gate gate = open_gate(arguments.gate);
     const Results seen = results_with_waivers(gate, arguments.results);
-    for (const WaiverStatus& status : waiver_statuses(seen))
-        if (const std::string advice = advice_for(status); !advice.empty())
-            std::cout << (fails(status, gate.strictness) ? "error: " : "warning: ") << one_line(advice)
-                      << "\n";
+    for (const WaiverStatus& status : waiver_statuses(seen)) {
+        const bool is_error = fails(status, gate.strictness);
+        const std::string advice = advice_for(status);
+        if (!advice.empty() && (is_error || !arguments.common.is_quiet()))
+            std::cout << (is_error ? "error: " : "warning: ") << one_line(advice) << "\n";
+    }
     std::cout << counted(gate.waivers.size(), "waiver") << ", well formed\n";
     return waivers_fail(seen) ? ExitCode::defect : ExitCode::proven;
 }
 
 ExitCode execute(const WaivePruneArguments& arguments) {
     require_file(arguments.gate);
-    const FolderLock lock(folder_of(arguments.gate.waivers));  // others add and prune before or after
+    const std::filesystem::path &file = arguments.gate.waivers, &out = arguments.common.out,
+                                &target = out.empty() ? file : out;
+    const FolderLock lock(folder_of(target));  // others add and prune before or after
     const Gate gate = open_gate(arguments.gate);
     const Results seen = results_with_waivers(gate, arguments.results);
     std::vector<std::string> ids;
@@ -86,10 +90,10 @@ ExitCode execute(const WaivePruneArguments& arguments) {
         removed +=
             "removed " + one_line(status.waiver->id) + ": " + std::string(name_of(status.state)) + "\n";
     }
-    if (!ids.empty())
-        write_whole_file(arguments.gate.waivers, without_waivers(content_of(arguments.gate.waivers), ids,
-                                                                 arguments.gate.waivers.string()));
-    std::cout << removed << counted(gate.waivers.size() - ids.size(), "waiver") << " left\n";
+    if (!ids.empty() || target != file)
+        write_whole_file(target, without_waivers(content_of(file), ids, file.string()));
+    std::cout << (arguments.common.is_quiet() ? "" : removed)
+              << counted(gate.waivers.size() - ids.size(), "waiver") << " left\n";
     return ExitCode::proven;
 }
 

@@ -47,11 +47,11 @@ PageImage write_crop(const fs::path& file, const Picture& picture, const CropBox
     return {caption, png_uri(crop(picture, box, 1))};
 }
 
-ViewFigures figures_of(const fs::path& folder, const StudyResults& results, const ViewStudy& view,
+ViewFigures figures_of(const FigureFolders& folders, const StudyResults& results, const ViewStudy& view,
                        const FigureChoice& choice) {
+    const fs::path &folder = folders.study, crops = folders.figures / "crops" / study_view_name(view),
+                   plots = folders.figures / "plots" / study_view_name(view);
     const Picture truth = read_picture(folder / view.truth_file);
-    const fs::path crops = folder / "crops" / study_view_name(view),
-                   plots = folder / "plots" / study_view_name(view);
     fs::create_directories(crops);
     fs::create_directories(plots);
     const Plane<Rgb8> whole = picture_of_light(truth);
@@ -75,13 +75,14 @@ void write_filters_results(const fs::path& folder, const StudyResults& results) 
     write_text(folder / "table.tex", filters_latex(results, "interior"));
 }
 
-void write_filters_figures(const fs::path& folder, const StudyResults& results, const FigureChoice& choice) {
+void write_filters_figures(const FigureFolders& folders, const StudyResults& results,
+                           const FigureChoice& choice) {
     std::vector<ViewFigures> figures;
-    for (const ViewStudy& view : results.views) figures.push_back(figures_of(folder, results, view, choice));
+    for (const ViewStudy& view : results.views) figures.push_back(figures_of(folders, results, view, choice));
     std::vector<Plot> overview;
     if (results.views.size() > 1) overview = filters_plots(results, choice.labels);
-    for (const Plot& plot : overview) write_text(folder / "plots" / (plot.name + ".svg"), plot.svg);
-    write_text(folder / "filters.html", filters_page(results, figures, overview));
+    for (const Plot& plot : overview) write_text(folders.figures / "plots" / (plot.name + ".svg"), plot.svg);
+    write_text(folders.figures / "filters.html", filters_page(results, figures, overview));
 }
 
 StudyResults read_filters_results(const fs::path& folder) {

@@ -24,9 +24,14 @@ inline constexpr int crop_side = 48, crop_magnification = 6;
 /// Writes filters.json, filters.csv and table.tex.
 void write_filters_results(const std::filesystem::path& folder, const study::StudyResults& results);
 
+/// Where the study's pictures lie, and where figures of them go; they may be one.
+struct FigureFolders {
+    std::filesystem::path study, figures;
+};
+
 /// Writes plots/*.svg, crops/VIEW/*.png and filters.html from the results and the pictures beside them.
 /// Throws ReportError or FrameError where a file is missing or cannot be written.
-void write_filters_figures(const std::filesystem::path& folder, const study::StudyResults& results,
+void write_filters_figures(const FigureFolders& folders, const study::StudyResults& results,
                            const FigureChoice& choice);
 
 /// Reads filters.json of a folder. Throws ReportError where there is none.

@@ -37,6 +37,9 @@ class ExitCodesOf : public testing::TestWithParam<Case> {
         folder.write("mixed/b.gltf", one_triangle());
         folder.write("foreign/thesis.tex", "years of work");
         folder.write("file", "not a folder");
+        folder.write("model.fbx", "Kaydara FBX Binary");
+        folder.write("results/.zproof-out", "");
+        folder.write("results/results.json", "{}");
         folder.write("colmap/cameras.txt", "1 PINHOLE 64 48 50 50 32 24\n");
         folder.write("colmap/images.txt", "1 1 0 0 0 0 0 2 1 a.png\n\n");
     }
@@ -111,6 +114,10 @@ const std::vector<Case> cases{
     {"MeasureUnknown", {"measure", "nosuch"}, 2, "expected one of zproof, embree, opengl, povray"},
     {"MissingFile", {"run", "absent.glb"}, 3, "absent.glb: no such file"},
     {"NotAScene", {"run", "words.txt"}, 3, ".gltf"},
+    {"ModelOfAnotherKind", {"run", "model.fbx"}, 3, "export any other model as .glb"},
+    {"FolderOfResults", {"run", "results"}, 3, "results: holds the results of zproof, not scenes"},
+    {"FileOfResults", {"run", "results/results.json"}, 3, "holds the results of zproof, not scenes"},
+    {"ExplainResults", {"explain", "results", "1", "1"}, 3, "holds the results of zproof, not scenes"},
     {"Malformed", {"run", "broken.gltf"}, 3, "broken.gltf"},
     {"MalformedBesideGood", {"run", "one.gltf", "broken.gltf"}, 3, "broken.gltf"},
     {"ExplainMalformed", {"explain", "broken.gltf", "1", "1"}, 3, "broken.gltf"},

@@ -71,7 +71,7 @@ TEST(Filters, RunWritesTheWholeStudy) {
 
 TEST(Filters, ScenesAreWrittenAsTheyAre) {
     const Folder folder;
-    EXPECT_EQ(run(folder, {"filters", "scenes", "worked", "npot_plane", "--export", "out"}).exit_code, 0);
+    EXPECT_EQ(run(folder, {"filters", "scenes", "worked", "npot_plane", "-o", "out"}).exit_code, 0);
     for (const auto& [name, side] : {std::pair{"worked", 256}, std::pair{"npot_plane", 512}}) {
         const Loaded read = load_view_file(folder.path() / "out" / (std::string{name} + ".view.json"));
         const Loaded made = generate_filter_scene(name, side, side);

@@ -45,6 +45,36 @@ TEST(Memory, NeededForAViewIsComparedWithWhatThereIs) {
 using test::Folder;
 using test::Ran;
 
+constexpr std::uint64_t no_limit = std::uint64_t(-1);
+
+TEST(Memory, OfControlGroupsIsTheLeastOfThoseAbove) {
+    const Folder groups;
+    groups.write("memory.max", "max\n");
+    groups.write("a/memory.max", "1000\n");
+    groups.write("a/memory.current", "300\n");
+    groups.write("a/b/memory.max", "900\n");
+    groups.write("a/b/memory.current", "100\n");
+    groups.write("a/b/c/memory.max", "max\n");
+    groups.write("a/b/c/memory.current", "100\n");
+    const auto left = [&](const char* line) { return memory_left_of_groups(line, groups.path()); };
+    EXPECT_EQ(left("4:memory:/x\n0::/a/b/c\n"), 700u) << "a leaves less than b";
+    EXPECT_EQ(left("0::/a\n"), 700u);
+    EXPECT_EQ(left("0::/elsewhere\n"), no_limit);
+    EXPECT_EQ(left("0::/\n"), no_limit);
+    EXPECT_EQ(left("4:memory:/a\n"), no_limit) << "of cgroup v1";
+}
+
+TEST(Memory, OfAControlGroupIsWithoutThePagesOfFiles) {
+    const Folder groups;
+    groups.write("memory.max", "1000\n");
+    groups.write("memory.current", "950\n");
+    groups.write("memory.stat", "anon 100\nfile 850\ninactive_file 300\nactive_file 500\nshmem 50\n");
+    EXPECT_EQ(memory_left_of_groups("0::/\n", groups.path()), 850u);
+    groups.write("memory.current", "2000\n");
+    groups.write("memory.stat", "");
+    EXPECT_EQ(memory_left_of_groups("0::/\n", groups.path()), 0u) << "in excess of a limit set later";
+}
+
 /// The view is a result, and the next scene is judged.
 TEST(Memory, ThatLacksForAViewIsSaidOfThatView) {
     const Folder folder;

@@ -128,6 +128,24 @@ TEST(Run, CountsTheTimeOfAViewThatDidNotCome) {
     EXPECT_GE(view.at("times").at("render"), 0.9);
 }
 
+/// A program is not installed where PATH does not lead to it.
+TEST(Run, SaysHowToInstallWhatIsNotInstalled) {
+    const Folder folder;
+    folder.write("a.gltf", one_triangle());
+    const Words nothing_installed{"PATH=/nowhere"};
+    const std::string remedy = "not installed; on Debian: apt-get install povray";
+    const Ran unasked = run(folder, run_words({"a.gltf"}), nothing_installed);
+    EXPECT_EQ(unasked.exit_code, 0) << unasked.out << unasked.err;
+    const std::size_t said = unasked.out.find("povray: not compared in 1 view: " + remedy);
+    EXPECT_NE(said, std::string::npos) << unasked.out;
+    EXPECT_EQ(unasked.out.find("povray", said + remedy.size() + 40), std::string::npos) << "said once";
+    for (const char* option : {"--oracle", "--require", "--renderer"}) {
+        const Ran named = run(folder, run_words({"a.gltf", option, "povray"}), nothing_installed);
+        EXPECT_EQ(named.exit_code, 3) << option << named.out;
+        EXPECT_EQ(named.err, "zproof: cannot judge: povray: " + remedy + "\n") << option;
+    }
+}
+
 TEST(Run, ColoursATerminalUnlessAskedNotTo) {
     const Folder folder;
     folder.write("a.gltf", one_triangle());

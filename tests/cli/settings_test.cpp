@@ -67,7 +67,7 @@ TEST(Settings, OfAFlagWinOverTheEnvironmentOverTheProfileOverTheFile) {
     EXPECT_EQ(quiet.run({"--profile", "local"}).settings.resolution, (Resolution{400, 200}));
     EXPECT_EQ(loud.run({}).settings.resolution, (Resolution{500, 200}));
     EXPECT_EQ(loud.run({"--width", "600"}).settings.resolution, (Resolution{600, 200}));
-    EXPECT_EQ(quiet.run({}).settings.threads, 3);
+    EXPECT_EQ(quiet.run({}).report.common.threads, 3);
     const SettingsFolder by_variable{layered, {{"ZPROOF_PROFILE", "local"}}};
     EXPECT_EQ(by_variable.run({}).settings.resolution.width, 400);
     EXPECT_EQ(by_variable.run({"--profile", "ci"}).settings.resolution.width, 300);
@@ -95,8 +95,8 @@ out = "reports"
     EXPECT_EQ(run.report.gate.strictness, Strictness::strict);
     EXPECT_EQ(in_words(*run.report.gate.today), "2026-04-10");
     EXPECT_EQ(run.shard.number, 2);
-    EXPECT_EQ(run.report.colour, ColourMode::never);
-    EXPECT_EQ(run.report.out, place.folder.path() / "reports");
+    EXPECT_EQ(run.report.common.colour, ColourMode::never);
+    EXPECT_EQ(run.report.common.out, place.folder.path() / "reports");
     EXPECT_EQ(place.run({"other"}).scenes, std::vector<std::string>{"other"});
 }
 
@@ -105,10 +105,10 @@ TEST(Settings, OfTheEnvironmentAreUnderstood) {
                                {{"ZPROOF_SCENES", "room,tie"}, {"ZPROOF_STRICT", "1"}, {"ZPROOF_OUT", "x"}}};
     EXPECT_EQ(place.run({}).scenes, (std::vector<std::string>{"room", "tie"}));
     EXPECT_EQ(place.run({}).report.gate.strictness, Strictness::strict);
-    EXPECT_EQ(place.run({}).report.out, "x");
+    EXPECT_EQ(place.run({}).report.common.out, "x");
     EXPECT_EQ(SettingsFolder("strict = true", {{"ZPROOF_STRICT", "false"}}).run({}).report.gate.strictness,
               Strictness::lenient);
-    EXPECT_EQ(SettingsFolder("", {{"ZPROOF_OUT", ""}}).run({}).report.out, "zproof-out");
+    EXPECT_EQ(SettingsFolder("", {{"ZPROOF_OUT", ""}}).run({}).report.common.out, "zproof-out");
 }
 
 TEST(Settings, AreRefusedWithWhereTheyStand) {
@@ -167,18 +167,18 @@ TEST(Settings, ThatBearOnTheVerdictDoNotReachCommandsThatReportsName) {
         std::get<ExplainArguments>(parse_command_line(int(argv.size()), argv.data(), environment));
     EXPECT_EQ(explain.settings.resolution.width, 1920);
     EXPECT_EQ(name_of(explain.renderers.candidate), "zproof");
-    EXPECT_EQ(explain.settings.threads, 3);
+    EXPECT_EQ(explain.common.threads, 3);
 }
 
 TEST(Settings, OfACiServerAreTheWeakest) {
     const SettingsFolder place{"", {{"CI", "true"}, {"GITHUB_ACTIONS", "true"}}};
-    EXPECT_EQ(place.run({}).report.progress, ProgressStyle::lines);
+    EXPECT_EQ(place.run({}).report.common.progress, ProgressStyle::lines);
     EXPECT_EQ(place.run({}).report.formats.back(), ReportFormat::github);
     EXPECT_EQ(place.run({"--report", "md"}).report.formats, std::vector{ReportFormat::md});
-    EXPECT_EQ(place.run({"-q"}).report.progress, ProgressStyle::none);
-    EXPECT_EQ(SettingsFolder("progress = \"bar\"", {{"CI", "1"}}).run({}).report.progress,
+    EXPECT_EQ(place.run({"-q"}).report.common.detail, Detail::verdict);
+    EXPECT_EQ(SettingsFolder("progress = \"bar\"", {{"CI", "1"}}).run({}).report.common.progress,
               ProgressStyle::bar);
-    EXPECT_EQ(SettingsFolder("", {{"CI", "false"}}).run({}).report.progress, ProgressStyle::automatic);
+    EXPECT_EQ(SettingsFolder("", {{"CI", "false"}}).run({}).report.common.progress, ProgressStyle::automatic);
 }
 
 TEST(Precedence, IsOneFold) {

@@ -16,18 +16,20 @@ TEST(CommandLine, OfRunIsUnderstood) {
     const auto run = std::get<RunArguments>(parsed(
         {"run", "a b.glb", "suite", "-o", "x", "--width", "640", "--threads", "3", "--color", "never"}));
     EXPECT_EQ(run.scenes, (std::vector<std::string>{"a b.glb", "suite"}));
-    EXPECT_EQ(run.report.out, "x");
+    EXPECT_EQ(run.report.common.out, "x");
     EXPECT_EQ(run.settings.resolution, (Resolution{640, 1080}));
-    EXPECT_EQ(run.settings.threads, 3);
-    EXPECT_EQ(run.report.colour, ColourMode::never);
-    EXPECT_EQ(run.report.progress, ProgressStyle::automatic);
+    EXPECT_EQ(run.report.common.threads, 3);
+    EXPECT_EQ(run.report.common.colour, ColourMode::never);
+    EXPECT_EQ(run.report.common.progress, ProgressStyle::automatic);
     EXPECT_EQ(run.report.typed, "zproof run 'a b.glb' suite -o x --width 640 --threads 3 --color never");
 }
 
 TEST(CommandLine, QuietMeansVerdictAndNoProgress) {
     const auto run = std::get<RunArguments>(parsed({"run", "-q"}));
-    EXPECT_EQ(run.report.detail, Detail::verdict);
-    EXPECT_EQ(run.report.progress, ProgressStyle::none);
+    EXPECT_EQ(run.report.common.detail, Detail::verdict);
+    EXPECT_EQ(progress_of(run.report.common), ProgressStyle::silent);
+    EXPECT_EQ(progress_of(std::get<RunArguments>(parsed({"run", "-q", "--progress", "bar"})).report.common),
+              ProgressStyle::silent);
     EXPECT_THROW(parsed({"run", "-q", "--times"}), UsageError);
 }
 

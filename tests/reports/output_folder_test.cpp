@@ -74,6 +74,30 @@ TEST(OutputFolder, ThatIsPartialStandsBesideTheLastFullOne) {
     EXPECT_EQ(names_in(home.path()), (Names{"out", "out.partial"}));
     publish(home.path() / "out", "newer");
     EXPECT_EQ(content_of(home.path() / "out/results.json"), "newer");
+    EXPECT_EQ(names_in(home.path()), Names{"out"}) << "a full one ends the partial one";
+}
+
+TEST(OutputFolder, ThatIsFullLeavesAForeignPartialFolderAlone) {
+    const TemporaryFolder home;
+    fs::create_directory(home.path() / "out.partial");
+    write_file(home.path() / "out.partial/thesis.tex", "years of work");
+    publish(home.path() / "full.partial", "a run's own folder");
+    publish(home.path() / "out", "full");
+    publish(home.path() / "full", "full");
+    EXPECT_EQ(content_of(home.path() / "out.partial/thesis.tex"), "years of work");
+    EXPECT_EQ(content_of(home.path() / "full.partial/results.json"), "a run's own folder");
+}
+
+TEST(OutputFolder, KeepsWhatOthersPutIntoAPartialOne) {
+    const TemporaryFolder home;
+    publish(home.path() / "out", "full");
+    {
+        OutputFolder folder(home.path() / "out");
+        EXPECT_TRUE(folder.publish(Completeness::partial).empty());
+    }
+    write_file(home.path() / "out.partial/notes.txt", "mine");
+    EXPECT_EQ(republish(home, "newer"), std::vector<std::string>{"out/notes.txt"});
+    EXPECT_EQ(names_in(home.path()), Names{"out"});
 }
 
 TEST(OutputFolder, AppearsWholeOnlyWhenPublished) {

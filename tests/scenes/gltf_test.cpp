@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "image_io/image_io.h"
 #include "scenes/scene_error.h"
 #include "tests/scenes/written_gltf.h"
 
@@ -334,6 +335,30 @@ TEST(Gltf, NamesTheFirstOfSeveralBrokenImages) {
     folder.write("no.png", "no image");
     const std::string refusal = refusal_of(with_images({"cut.png", "cut.png", "no.png"}).write(folder));
     EXPECT_NE(refusal.find("/images/0: the image's data is broken"), std::string::npos) << refusal;
+}
+
+/// What the file's refusal says, where libpng says nothing beside it.
+std::string refusal_of_png(const std::string& bytes) {
+    const TestFolder folder;
+    folder.write("a.png", bytes);
+    testing::internal::CaptureStderr();
+    const std::string refusal = refusal_of(with_images({"a.png"}).write(folder));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    return refusal;
+}
+
+TEST(Gltf, RefusesABrokenPngInItsOwnWords) {
+    const std::vector<std::byte> whole = encode_png(Plane<Rgb8>({64, 64}, Rgb8{1, 2, 3}));
+    const std::string png(reinterpret_cast<const char*>(whole.data()), whole.size());
+    for (const std::size_t size : {std::size_t{40}, png.size() / 2, png.size() - 12, png.size() - 1}) {
+        const std::string refusal = refusal_of_png(png.substr(0, size));
+        EXPECT_NE(refusal.find("/images/0: the image's data is broken or cut short; export it again"),
+                  std::string::npos)
+            << size << ": " << refusal;
+    }
+    std::string flipped = png;
+    flipped[png.find("IDAT") + 12] ^= 1;
+    EXPECT_NE(refusal_of_png(flipped).find("a chunk's sum is wrong"), std::string::npos);
 }
 
 TEST(Gltf, NotesSkinsMorphTargetsAndAnimations) {
