@@ -22,7 +22,8 @@ bool bears_on_all(const CLI::App& app) {
 bool concerns(const CLI::App& app, const std::string& setting) {
     if (app.get_option_no_throw(option_name(setting)) == nullptr) return false;
     const auto for_all = {"threads", "isa", "color", "progress"};
-    if (std::ranges::find(for_all, setting) != for_all.end()) return true;
+    const bool renders = app.get_option_no_throw("--isa") != nullptr;
+    if (std::ranges::find(for_all, setting) != for_all.end()) return renders || bears_on_all(app);
     if (setting == "out") return bears_on_all(app) && !is_of_waive(app);  // a folder of reports
     return bears_on_all(app) && (setting != "scenes" || app.get_name() == "run");
 }

@@ -15,8 +15,8 @@ namespace zproof {
 void give(const SettingValues& assignments, CLI::App& app);
 
 /// Those that this command listens to. What bears on the judgement is for the commands that judge (run,
-/// compare, merge) and for waive; threads, isa, color and progress are for every command. So the commands
-/// that a report names (zproof explain ...) mean the same on every machine.
+/// compare, merge) and for waive (but not out); threads, isa, color and progress are for every command that
+/// renders. So the commands that a report names (zproof explain ...) mean the same on every machine.
 SettingValues that_concern(const CLI::App& app, const SettingValues& assignments);
 
 /// Is there a setting at all that the command listens to?
