@@ -53,6 +53,7 @@ const std::map<std::string, Call> calls{
     {"views", {{"colmap", "colmap", "two.gltf", "--near", "0.1", "-o", "v.view.json"}}},
     {"filters run", {{"worked", "--view", "phi-0", "--methods", "nearest"}, Call::Told::with_times}},
     {"filters list", {{}}},
+    {"filters scenes", {{"worked"}}},
     {"filters table", {{"filters"}}},
     {"filters figure", {{"filters"}}},
     {"filters check", {{"nearest", "worked", "--view", "phi-0"}}},
