@@ -21,7 +21,7 @@ using namespace area;
 /// The limit beyond which samples are cheaper (docs/area-integral.md, "Cost").
 constexpr double most_texels = 0x1p17;
 constexpr double gaussian_cost = 4;  ///< beside a mean without weights
-constexpr double half_px = 0.5;
+constexpr double half_px = 0.5, widest_reach_px = 1;
 
 struct PixelTruth {
     glm::dvec3 mean{0};
@@ -41,7 +41,7 @@ class Integral {
         : surfaces_(surfaces), reconstruction_(reconstruction) {}
 
     /// Half the side of the square that a pixel looks at.
-    double reach() const { return is_gaussian() ? 2 * half_px : half_px; }
+    double reach() const { return is_gaussian() ? widest_reach_px : half_px; }
     /// The bound of the mean's error, where rounding does not count.
     double bound() const { return is_gaussian() ? gaussian_error : 0; }
 
@@ -145,6 +145,21 @@ AreaTruth area_truth(const Scene& scene, const View& view, Reconstruction recons
     const Embree embree(scene);
     estimate(PixelEstimator(surfaces, embree, view, reconstruction), view, truth);
     return truth;
+}
+
+Plane<TruthKind> surfaces_around(const Scene& scene, const View& view) {
+    const Surfaces surfaces(scene, view);
+    const RowSpans spans(surfaces, view, widest_reach_px);
+    Plane<TruthKind> kinds({view.width, view.height});
+    for_each_row(view, [&](int y) {
+        Sweep sweep(spans.row(y));
+        for (int x = 0; x < view.width; ++x) {
+            const auto visible =
+                visible_pieces(surfaces, sweep.at(x), Point<double>{x + 0.5, y + 0.5}, widest_reach_px);
+            kinds.at(x, y) = visible ? kind_of(surfaces, *visible) : TruthKind::silhouette;
+        }
+    });
+    return kinds;
 }
 
 AreaTruth sampled_area_truth(const Scene& scene, const View& view, Reconstruction reconstruction) {

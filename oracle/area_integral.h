@@ -39,6 +39,11 @@ struct AreaTruth {
 /// any number of them. Throws OracleError where Embree is needed and refuses the scene.
 AreaTruth area_truth(const Scene& scene, const View& view, Reconstruction reconstruction);
 
+/// What every pixel sees within 1 px of its centre in x and in y, which is all that any reconstruction
+/// weighs: the same for each of them, and never `sampled`. Where too many triangles lie there, it is a
+/// silhouette.
+Plane<TruthKind> surfaces_around(const Scene& scene, const View& view);
+
 /// The truth from samples alone, at every pixel: a check of the exact integral that shares no clipping with
 /// it.
 AreaTruth sampled_area_truth(const Scene& scene, const View& view, Reconstruction reconstruction);

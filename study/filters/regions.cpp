@@ -13,7 +13,7 @@ using oracle::TruthKind;
 
 struct PixelFacts {
     const Patch& patch;
-    TruthKind kind;
+    TruthKind around, truth;
 };
 
 struct Rule {
@@ -25,7 +25,7 @@ struct Rule {
 /// octave, 2^(1/8).
 constexpr double isotropic = 1.0905;
 
-bool is_interior(const PixelFacts& p) { return p.kind == TruthKind::interior && p.patch.is_textured(); }
+bool is_interior(const PixelFacts& p) { return p.around == TruthKind::interior && p.patch.is_textured(); }
 
 double anisotropy(const Patch& patch) { return patch.major / patch.minor; }
 
@@ -63,11 +63,11 @@ void add_angles(std::vector<Rule>& rules) {
 std::vector<Rule> all_rules() {
     std::vector<Rule> rules{
         {{"all", "every pixel of the image"}, [](const PixelFacts&) { return true; }},
-        {{"interior", "one continuous textured surface all over the pixel"}, is_interior},
-        {{"silhouette", "several surfaces, or an edge, within the pixel; the truth is exact"},
-         [](const PixelFacts& p) { return p.kind == TruthKind::silhouette; }},
+        {{"interior", "one continuous textured surface within 1 px of the centre"}, is_interior},
+        {{"silhouette", "several surfaces, or an edge, within 1 px of the centre"},
+         [](const PixelFacts& p) { return p.around == TruthKind::silhouette; }},
         {{"sampled", "the truth is an estimate from samples"},
-         [](const PixelFacts& p) { return p.kind == TruthKind::sampled; }},
+         [](const PixelFacts& p) { return p.truth == TruthKind::sampled; }},
         {{"magnified", "interior, minor axis below 1 texel"},
          [](const PixelFacts& p) { return is_interior(p) && p.patch.minor < 1; }},
         {{"horizon", "textured, major axis longer than the texture's longer side"},
@@ -77,10 +77,11 @@ std::vector<Rule> all_rules() {
     return rules;
 }
 
-Region region_of(const Rule& rule, const Plane<Patch>& patches, const Plane<TruthKind>& kinds) {
+Region region_of(const Rule& rule, const Plane<Patch>& patches, const Plane<TruthKind>& around,
+                 const Plane<TruthKind>& truth) {
     Region region{rule.card.name, Plane<std::uint8_t>(patches.size()), 0};
     for (std::size_t i = 0; i < patches.pixels().size(); ++i) {
-        const bool holds = rule.holds({patches.pixels()[i], kinds.pixels()[i]});
+        const bool holds = rule.holds({patches.pixels()[i], around.pixels()[i], truth.pixels()[i]});
         region.mask.pixels()[i] = holds ? 1 : 0;
         region.pixels += holds ? 1 : 0;
     }
@@ -95,10 +96,11 @@ std::vector<RegionCard> region_cards() {
     return cards;
 }
 
-std::vector<Region> regions(const Plane<Patch>& patches, const Plane<TruthKind>& kinds) {
-    assert(patches.size() == kinds.size());
+std::vector<Region> regions(const Plane<Patch>& patches, const Plane<TruthKind>& around,
+                            const Plane<TruthKind>& truth) {
+    assert(patches.size() == around.size() && patches.size() == truth.size());
     std::vector<Region> all;
-    for (const Rule& rule : all_rules()) all.push_back(region_of(rule, patches, kinds));
+    for (const Rule& rule : all_rules()) all.push_back(region_of(rule, patches, around, truth));
     return all;
 }
 

@@ -20,7 +20,9 @@ struct Region {
 /// the classes of anisotropy, the angles.
 std::vector<RegionCard> region_cards();
 
-/// Every region of the view, empty ones as well. Planes of one size.
-std::vector<Region> regions(const Plane<Patch>& patches, const Plane<oracle::TruthKind>& kinds);
+/// Every region of the view, empty ones as well: by the surfaces around each pixel (oracle::surfaces_around),
+/// and by whether its truth is exact. But for `sampled`, no region depends on the truth. Planes of one size.
+std::vector<Region> regions(const Plane<Patch>& patches, const Plane<oracle::TruthKind>& around,
+                            const Plane<oracle::TruthKind>& truth);
 
 }  // namespace zproof::study

@@ -37,12 +37,12 @@ Picture in_float(const LinearPicture& light) {
 
 /// Textured and interior in every view of the pan; the first has the regions.
 Plane<std::uint8_t> steady_mask(const Scene& scene, const Pan& pan,
-                                const std::vector<Plane<oracle::TruthKind>>& kinds) {
+                                const std::vector<Plane<oracle::TruthKind>>& around) {
     Plane<std::uint8_t> mask(pan.frames[0].size(), 1);
     for (std::size_t k = 0; k < pan.frames.size(); ++k) {
         const Plane<Patch> patches = surface_map(scene, pan.views[k], pan.frames[k]);
         for (std::size_t i = 0; i < mask.pixels().size(); ++i)
-            if (!patches.pixels()[i].is_textured() || kinds[k].pixels()[i] != oracle::TruthKind::interior)
+            if (!patches.pixels()[i].is_textured() || around[k].pixels()[i] != oracle::TruthKind::interior)
                 mask.pixels()[i] = 0;
     }
     return mask;
@@ -60,7 +60,11 @@ class MeasuredView {
   public:
     MeasuredView(const Scene& scene, const View& view, const Plan& plan)
         : scene_(scene), textures_(source_textures(scene)) {
-        std::vector<Plane<oracle::TruthKind>> kinds;
+        const auto counted_rows = [&](Plane<oracle::TruthKind> kinds) {
+            return from_row(std::move(kinds), plan.first_row, oracle::TruthKind::background);
+        };
+        std::vector<Plane<oracle::TruthKind>> around;
+        Plane<oracle::TruthKind> truth_kinds;
         for (int step = 0; step <= plan.flicker_steps; ++step) {
             pan_.views.push_back(shifted(view, step * flicker_step_x_px, step * flicker_step_y_px));
             pan_.frames.push_back(rasterizer::render(scene, pan_.views.back()));
@@ -68,11 +72,12 @@ class MeasuredView {
             oracle::AreaTruth truth = oracle::area_truth(scene, pan_.views.back(), plan.truth);
             if (step == 0) truth_seconds_ = seconds_since(start);
             if (step == 0) half_width_ = truth.half_width;
-            kinds.push_back(from_row(std::move(truth.kind), plan.first_row, oracle::TruthKind::background));
+            if (step == 0) truth_kinds = counted_rows(std::move(truth.kind));
+            around.push_back(counted_rows(oracle::surfaces_around(scene, pan_.views.back())));
             pan_.truths.push_back(std::move(truth.mean));
         }
-        regions_ = regions(surface_map(scene, view, pan_.frames[0]), kinds[0]);
-        steady_ = steady_mask(scene, pan_, kinds);
+        regions_ = regions(surface_map(scene, view, pan_.frames[0]), around[0], truth_kinds);
+        steady_ = steady_mask(scene, pan_, around);
         Frame counted = pan_.frames[0];
         counted.primitive = from_row(std::move(counted.primitive), plan.first_row, PrimitiveId::none);
         lookups_ = lookups(scene, view, counted, most_lookups);

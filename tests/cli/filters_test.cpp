@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "cli/filters/arguments.h"
@@ -86,6 +87,22 @@ TEST(Filters, ScenesAreWrittenAsTheyAre) {
     EXPECT_EQ(unknown.exit_code, 3);
     EXPECT_NE(unknown.err.find("did you mean 'tunnel'?"), std::string::npos) << unknown.err;
     EXPECT_FALSE(fs::exists(folder.path() / "other"));
+}
+
+TEST(Filters, RegionsHaveTheSamePixelsWhateverTheTruth) {
+    const Folder folder;
+    std::map<std::string, std::set<std::uint64_t>> pixels_of;
+    for (const char* truth : {"N", "B", "G"}) {
+        Words words = small;
+        words[2] = "tunnel";
+        words.erase(words.begin() + 3, words.begin() + 5);  // --view
+        words.insert(words.end(), {"--truth", truth});
+        ASSERT_EQ(run(folder, words).exit_code, 0);
+        for (const study::ViewStudy& view : filters_from_json(folder.read("study/filters.json")).views)
+            for (const study::RegionScore& score : view.methods.at(0).regions)
+                if (score.region != "sampled") pixels_of[view.view + score.region].insert(score.pixels);
+    }
+    for (const auto& [region, pixels] : pixels_of) EXPECT_EQ(pixels.size(), 1u) << region;
 }
 
 TEST(Filters, PhotographsAreToldApart) {

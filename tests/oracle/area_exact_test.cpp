@@ -256,6 +256,21 @@ TEST(AreaIntegral, AStepInDepthIsASilhouetteInOneMaterialToo) {
     EXPECT_DOUBLE_EQ(truth.mean.at(2, 1).g, 1);
 }
 
+/// The square of side 2 px is what decides, whatever the truth looks at.
+TEST(AreaIntegral, SurfacesAroundAPixelDoNotDependOnTheTruth) {
+    const Scene scene =
+        painted({{0.3f, -40, -1}, {0.3f, 40, -1}, {-80, 0, -1}});  // to the left of raster 2.3
+    const View view = unit_pixels(4, 4);
+    const Plane<TruthKind> around = surfaces_around(scene, view);
+    EXPECT_EQ(around.at(0, 1), TruthKind::interior);
+    EXPECT_EQ(around.at(1, 1), TruthKind::silhouette);  // reaches to 2.5
+    EXPECT_EQ(around.at(2, 1), TruthKind::silhouette);
+    EXPECT_EQ(around.at(3, 1), TruthKind::background);  // begins at 2.5
+    const AreaTruth gaussian = area_truth(scene, view, Reconstruction::gaussian);
+    for (std::size_t i = 0; i < around.pixels().size(); ++i)
+        EXPECT_EQ(around.pixels()[i], gaussian.kind.pixels()[i]) << i;
+}
+
 TEST(AreaIntegral, TooManyTrianglesAreEstimated) {
     Corners corners;
     for (int i = 0; i < 40; ++i) {

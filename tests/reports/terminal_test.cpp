@@ -77,7 +77,10 @@ TEST(Terminal, CountsScenesWhoseViewsAreNotKnown) {
 
 TEST(Terminal, HasALinePerOracle) {
     const std::string text = summary_table(sample_results(), Colour::plain);
-    EXPECT_NE(text.find("\npovray: 1 view, 9 of 2,073,600 pixels, chosen by seed 1, 5 defects, err/bound 0.125\n"), std::string::npos) << text;
+    EXPECT_NE(
+        text.find("\npovray: 1 view, 9 of 2,073,600 pixels, chosen by seed 1, 5 defects, err/bound 0.125\n"),
+        std::string::npos)
+        << text;
     EXPECT_NE(text.find("\nopengl: not compared in 1 view: no <device>\n"), std::string::npos) << text;
 }
 

@@ -13,19 +13,20 @@ const Region& named(const std::vector<Region>& all, const std::string& name) {
     return *std::ranges::find(all, name, &Region::name);
 }
 
-/// A row of pixels, one patch and kind each.
+/// A row of pixels, one patch and kind each; those of a truth that is sampled lie in one surface.
 struct Row {
     std::vector<std::pair<Patch, TruthKind>> pixels;
 
     std::vector<Region> regions() const {
         const Resolution size{int(pixels.size()), 1};
         Plane<Patch> patches(size);
-        Plane<TruthKind> kinds(size);
+        Plane<TruthKind> around(size), truth(size);
         for (int x = 0; x < size.width; ++x) {
             patches.at(x, 0) = pixels[std::size_t(x)].first;
-            kinds.at(x, 0) = pixels[std::size_t(x)].second;
+            truth.at(x, 0) = around.at(x, 0) = pixels[std::size_t(x)].second;
+            if (truth.at(x, 0) == TruthKind::sampled) around.at(x, 0) = TruthKind::interior;
         }
-        return study::regions(patches, kinds);
+        return study::regions(patches, around, truth);
     }
 };
 
@@ -46,10 +47,11 @@ TEST(Regions, SortPixelsByWhatTheTruthSees) {
                                          {{}, TruthKind::interior}}}  // without a texture
                                         .regions();
     EXPECT_EQ(named(all, "all").pixels, 5u);
-    EXPECT_EQ(named(all, "interior").pixels, 1u);
+    EXPECT_EQ(named(all, "interior").pixels, 2u);
     EXPECT_EQ(named(all, "silhouette").pixels, 1u);
     EXPECT_EQ(named(all, "sampled").pixels, 1u);
     EXPECT_EQ(named(all, "interior").mask.at(0, 0), 1);
+    EXPECT_EQ(named(all, "interior").mask.at(2, 0), 1);
     EXPECT_EQ(named(all, "interior").mask.at(4, 0), 0);
 }
 
