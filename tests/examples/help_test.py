@@ -101,6 +101,38 @@ def furnish_frames(place):
     return view
 
 
+# The scene's first view at SIZE, as PyTorch3D's rasterizer would give it: int64 with -1, float32 with -1.
+ARRAYS = '''
+import numpy, OpenImageIO as oiio
+image = oiio.ImageInput.open("frame.exr")
+spec = image.spec()
+channel = lambda name, kind: image.read_image(0, 0, spec.channelnames.index(name), spec.channelnames.index(name) + 1, kind)
+ids = channel("id", "uint")[..., 0].astype(numpy.int64)
+ids[ids == 0xFFFFFFFF] = -1
+depths = channel("Z", "float")[..., 0].astype(numpy.float32)
+depths[ids == -1] = -1
+numpy.save("id.npy", ids)
+numpy.save("z.npy", depths)
+'''
+
+
+def furnish_arrays(place):
+    place.made(f"/usr/bin/python3 -c '{ARRAYS}'")
+
+
+def furnish_cameras(place):
+    """One camera, as three programs write it."""
+    (place.folder / 'sparse/0').mkdir(parents=True)
+    (place.folder / 'sparse/0/cameras.txt').write_text('1 PINHOLE 64 48 50 50 32 24\n')
+    (place.folder / 'sparse/0/images.txt').write_text('1 1 0 0 0 0 0 2 1 a.png\n\n')
+    pose = '[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 4], [0, 0, 0, 1]]'
+    (place.folder / 'transforms.json').write_text(
+        f'{{"camera_angle_x": 0.69, "frames": [{{"file_path": "r_0", "transform_matrix": {pose}}}]}}')
+    (place.folder / 'cameras.json').write_text(
+        '{"views": [{"name": "a", "width": 64, "height": 48, "pixel_centre": "integer", '
+        '"K": [[60, 0, 32], [0, 60, 24], [0, 0, 1]], "R": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "t": [0, 0, 2]}]}')
+
+
 def furnish_results(place):
     """Shards of one run; runs before and after a defect was mended; studies; a picture of a filter."""
     for shard in 1, 2:
@@ -166,6 +198,8 @@ def main():
         place.script('caster/mine', f'{raycaster} "$1" "$2" "$5"')
         furnish_models(place)
         view = furnish_frames(place)
+        furnish_arrays(place)
+        furnish_cameras(place)
         furnish_results(place)
         furnish_gate(place)
         failed = sum([fails(line, view, place) for line in chosen])
