@@ -1,6 +1,7 @@
 // zproof compare, and everything else that is told of renderers, on the real program.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "image_io/image_io.h"
@@ -176,6 +177,38 @@ TEST_F(StoredFrames, PovRayIsAskedAboutASampleUnlessItIsNamed) {
     EXPECT_EQ(run(folder, named).exit_code, 0);
     EXPECT_FALSE(only_view().at("oracles").at(0).contains("sample"));
     EXPECT_EQ(only_view().at("id_agreement").at("same").at(2).at(2), 960 * 540);
+}
+
+/// A POV-Ray that is not shown the last triangle of its scene file.
+TEST_F(StoredFrames, DefectsOfASampleAreToldInPixelsOfTheImage) {
+    folder.write(
+        "bin/povray",
+        "#!/bin/sh\n"
+        "[ -f scene.pov ] && sed -i \"$(grep -n '^triangle' scene.pov | tail -1 | cut -d: -f1)d\" scene.pov\n"
+        "exec /usr/bin/povray \"$@\"\n");
+    std::filesystem::permissions(folder.path() / "bin/povray", std::filesystem::perms::owner_all);
+    const Ran ran = run(folder, {"run", "two.gltf", "--width", "960", "--height", "540"},
+                        {"PATH=" + (folder.path() / "bin").string() + ":/usr/bin:/bin"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;  // a reference's defects are its own
+    const json oracle = only_view().at("oracles").at(0), first = oracle.at("sample").at("first");
+    ASSERT_GT(oracle.at("defects"), 100);
+    const Frame ours = [&] {
+        EXPECT_EQ(
+            run(folder, {"render", "two.gltf", "-o", "whole", "--width", "960", "--height", "540"}).exit_code,
+            0);
+        return read_frame(folder.path() / "whole/frame-all.exr");
+    }();
+    for (const json& finding : oracle.at("worst")) {
+        const int x = finding.at("x"), y = finding.at("y");
+        EXPECT_EQ(x % 3, first.at(0));
+        EXPECT_EQ(y % 3, first.at(1));
+        EXPECT_EQ(std::uint32_t(ours.primitive.at(x, y)),
+                  finding.at("reference").at("primitive").get<std::uint32_t>());
+        const std::string command = finding.at("command");
+        EXPECT_NE(command.find("two.gltf " + std::to_string(x) + " " + std::to_string(y) + " "),
+                  std::string::npos);
+        EXPECT_NE(command.find("--width 960 --height 540"), std::string::npos) << command;
+    }
 }
 
 TEST_F(StoredFrames, FourRenderersShareOneMatrixAndPovRayPaints) {
