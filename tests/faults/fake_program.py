@@ -2,6 +2,7 @@
 """A program that only writes a report, in one of several ways: fake_program.py WAY report FOLDER -o FILE."""
 import os
 import sys
+import time
 
 TEXT = b"the report, first half; " + b"second half\n"
 
@@ -87,7 +88,16 @@ def write_older(name):
         file.write(b"an older report\n")
 
 
-WAYS = {way.__name__: way for way in (careful, in_place, deaf, idle, untidy, mute, signalled)}
+def endless(name):
+    file = os.open(name + ".tmp", os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+    write_all(file, TEXT)
+    try:
+        os.rename(name + ".tmp", name)
+    except OSError:
+        time.sleep(1000)
+
+
+WAYS = {way.__name__: way for way in (careful, in_place, deaf, idle, untidy, mute, signalled, endless)}
 
 
 def main():

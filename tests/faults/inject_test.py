@@ -7,6 +7,7 @@ import random
 import shutil
 import sys
 import unittest
+import unittest.mock
 
 import fake_program
 import inject
@@ -51,6 +52,11 @@ class Injected(unittest.TestCase):
 
     def test_a_signal(self):
         self.assert_said("signalled", "fsync:error=EIO", "not a documented status")
+
+
+    def test_an_end_that_never_comes(self):
+        with unittest.mock.patch.object(inject, "PATIENCE_SECONDS", 5):
+            self.assert_said("endless", "rename:error=EIO", "it does not end")
 
 
 class Places(unittest.TestCase):
