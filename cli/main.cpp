@@ -54,7 +54,8 @@ ExitCode guarded_run(int argc, const char* const* argv) {
 }
 
 /// What was touched once is used again: coming by a page takes longer than filling it, and reports are made
-/// in buffers of some megabytes, each of which would be the system's again as soon as it is written.
+/// in buffers of some megabytes, each of which would be the system's again as soon as it is written. Between
+/// scenes it is given back (cli/worker.cpp).
 void keep_freed_memory() {
     constexpr int largest_buffer_bytes = 32 << 20;  // the most that glibc looks for among what was freed
     constexpr int most_kept_bytes = 1 << 30;

@@ -27,8 +27,11 @@ class Supervision {
         stage_.clear();
         while (const std::optional<Message> message = worker.next()) take(*message);
         const std::string how = worker.end();
-        if (how.empty() && !all_are_judged()) results_.ending = Ending::interrupted;
-        if (!how.empty() && !all_are_judged()) lose_scene(how);
+        if (all_are_judged()) return;
+        if (how.empty() && (interrupted() || results_.ending == Ending::interrupted))
+            results_.ending = Ending::interrupted;
+        else
+            lose_scene(how.empty() ? "ended without a word" : how);
     }
 
     bool all_are_judged() const { return next_ == sources_.size(); }

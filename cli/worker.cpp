@@ -1,6 +1,7 @@
 #include "cli/worker.h"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,6 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/renderers/registry.h"
 #include "cli/threads.h"
@@ -51,7 +53,7 @@ struct Work {
     int to;
 
     void tell(Message::Kind kind, const std::string& text) const {
-        if (!send(to, {kind, text})) _exit(0);  // whoever asked is no more
+        if (!send(to, {kind, text})) _exit(int(ExitCode::internal));  // read only by one who is still there
     }
 
     void judge_scenes() const {
@@ -61,6 +63,7 @@ struct Work {
             results.ending = report.ending;
             results.views = std::move(report.views);
             tell(Message::Kind::scene, to_message_pack(results));
+            malloc_trim(0);  // the next scene wants it in other pieces: kept, it would become more and more
             if (report.ending == Ending::interrupted) return;
         }
     }
@@ -137,6 +140,7 @@ Worker::~Worker() {
 
 std::string Worker::end() {
     hand_interrupts_to(0);
+    from_.close();  // it may have more to tell than the pipe takes
     int status = 0;
     while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
     }

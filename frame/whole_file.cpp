@@ -1,12 +1,14 @@
 #include "frame/whole_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <string>
 #include <utility>
 
 #include "frame/frame_error.h"
@@ -18,6 +20,50 @@ namespace {
 /// Unique among running programs; two threads never write the same frame.
 std::filesystem::path temporary_name(const std::filesystem::path& file) {
     return file.string() + "." + std::to_string(getpid()) + ".partial";
+}
+
+/// Is it temporary_name(file), of any process?
+bool is_temporary(const std::filesystem::path& name, const std::filesystem::path& file) {
+    const std::string text = name.filename().string(), begin = file.filename().string() + ".",
+                      end = ".partial";
+    if (!text.starts_with(begin) || !text.ends_with(end)) return false;
+    return text.find_first_not_of("0123456789", begin.size()) == text.size() - end.size();
+}
+
+/// Removes the temporary file of a process that is gone: no one holds its lock.
+void remove_if_left(const std::filesystem::path& temporary) {
+    const int descriptor = open(temporary.c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return;
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) unlink(temporary.c_str());
+    close(descriptor);
+}
+
+void remove_what_was_left(const std::filesystem::path& file) {
+    std::error_code failure;
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    for (auto i = std::filesystem::directory_iterator(folder, failure); !failure && i != end(i);
+         i.increment(failure))
+        if (is_temporary(i->path(), file)) remove_if_left(i->path());
+}
+
+/// Locked until it is closed, where the file system has locks. One that was taken for a left one between
+/// both calls is opened again.
+int open_locked(const std::filesystem::path& temporary) {
+    for (;;) {
+        const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        if (descriptor < 0) return descriptor;
+        while (flock(descriptor, LOCK_EX) != 0 && errno == EINTR) continue;
+        struct stat opened {};
+        if (fstat(descriptor, &opened) != 0 || opened.st_nlink > 0) return descriptor;
+        close(descriptor);
+    }
+}
+
+/// As open_locked(), and first what others left is removed.
+int open_alone(const std::filesystem::path& temporary, const std::filesystem::path& file) {
+    remove_what_was_left(file);
+    errno = 0;
+    return open_locked(temporary);
 }
 
 /// The file itself where `file` is a link to one.
@@ -38,7 +84,7 @@ std::filesystem::path replaceable(const std::filesystem::path& file) {
 WholeFile::WholeFile(const std::filesystem::path& file)
     : file_(replaceable(file)),
       temporary_(temporary_name(file_)),
-      descriptor_(open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+      descriptor_(open_alone(temporary_, file_)) {
     if (descriptor_ < 0) fail();
 }
 

@@ -12,7 +12,8 @@ namespace zproof {
 
 /// A file in the making: it stands under a temporary name in the same folder until it is finished, so that
 /// no reader ever meets a half-written one. Where it is given up before that, nothing is left behind. A link
-/// is followed; what is there and is no regular file is never replaced.
+/// is followed; what is there and is no regular file is never replaced. What a killed process left of the
+/// same file is removed.
 class WholeFile {
   public:
     /// Throws FrameError where the place is a device, a pipe or a socket.

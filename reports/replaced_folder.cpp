@@ -1,6 +1,10 @@
 #include "reports/replaced_folder.h"
 
+#include <signal.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <string>
 
 #include "frame/folder_lock.h"
@@ -58,6 +62,22 @@ bool is_of_a_run_into(const fs::path& path, const fs::path& beside) {
     return name.find_first_not_of("0123456789-", stem.size() + 5) == std::string::npos;
 }
 
+/// The process that made it, or another of its number, runs: its folder may be so new that it is still empty.
+bool is_of_a_living_process(const fs::path& path, const fs::path& beside) {
+    const std::string number = beside.filename().string().substr(path.filename().string().size() + 5);
+    return ::kill(std::atoi(number.c_str()), 0) == 0 || errno != ESRCH;
+}
+
+/// Of what could not be removed, the list stays: the next run tries again.
+void remove_with_list(const fs::path& old) {
+    const Entries left = entries_below(old);
+    const auto is_list = [](const fs::path& name) { return name == output_marker; };
+    if (!left.folders.empty() || !std::ranges::all_of(left.files, is_list)) return;
+    std::error_code ignored;
+    fs::remove(old / output_marker, ignored);
+    fs::remove(old, ignored);
+}
+
 }  // namespace
 
 std::vector<fs::path> retire(const fs::path& old, const fs::path& path) {
@@ -79,8 +99,7 @@ std::vector<fs::path> retire(const fs::path& old, const fs::path& path) {
     for (const fs::path& name : entries.folders) fs::remove(old / name, ignored);  // only where it is empty
     const auto stays = [&](const fs::path& file) { return file.native().starts_with(old.native() + "/"); };
     if (std::ranges::any_of(kept, stays)) return kept;
-    fs::remove(old / output_marker, ignored);
-    fs::remove(old, ignored);
+    remove_with_list(old);
     return kept;
 }
 
@@ -101,6 +120,8 @@ std::vector<fs::path> tidy_up_beside(const fs::path& path) {
                 fs::rename(folder, path, failure);
             else
                 std::ranges::move(retire(folder, path), std::back_inserter(kept));
+        } else if (!is_of_a_living_process(path, folder)) {
+            fs::remove(folder, failure);  // only where it is empty
         }
     }
     return kept;

@@ -141,8 +141,8 @@ Waiver drafted(const WaiveAddArguments& arguments, const ViewResult& view,
 }
 
 std::string text_of(const fs::path& file) {
-    std::error_code ignored;
-    if (!fs::exists(file, ignored)) return empty_waiver_file();
+    std::error_code failure;  // what cannot be looked at may be there
+    if (fs::status(file, failure).type() == fs::file_type::not_found) return empty_waiver_file();
     return read_input(file, {.words = "a file of waivers (.toml)"});
 }
 

@@ -105,5 +105,12 @@ TEST_F(WaiverFileOnDisk, KeepsItsPermissionsAndItsLink) {
     EXPECT_EQ(waivers(), 1);
 }
 
+TEST_F(WaiverFileOnDisk, IsNotReplacedWhereItCannotBeLookedAt) {
+    fs::create_symlink("w.toml", folder.path() / "w.toml");
+    const Ran ran = run(folder, add);
+    EXPECT_EQ(ran.exit_code, 3) << ran.out << ran.err;
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "w.toml"));
+}
+
 }  // namespace
 }  // namespace zproof::test

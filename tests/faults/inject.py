@@ -1,31 +1,44 @@
 #!/usr/bin/env python3
 """Makes every system call of a command fail once, and kills the command at every rename.
 
-    tests/faults/inject.py PROGRAM [--every N] [--scenario NAME]   N: only each N-th call of those with more than 60
+    tests/faults/inject.py PROGRAM [--every N [--seed S]] [--scenario NAME]
 
-strace does the injecting; calls that load the program (as many as `--version` makes) are left out. Whatever fails:
+Of a call that is made more than 60 times, one in N is tried, drawn by the seed. Without --seed each run draws others; the
+seed is printed. strace does the injecting. What `--version` does in the same order loads the program and is left out; of
+every other thread, as many first calls are left out, too, since strace counts for each by itself. Whatever fails:
 
 - the command ends with a documented status, never by a signal;
-- the folder or file that it replaces is whole afterwards, the old one or the new one;
-- nothing half-written lies beside it; after a kill, the next run tidies up.
+- the folder or file that it replaces is whole afterwards, the old one or the new one; a file is the new one where the
+  status says so;
+- nothing half-written lies beside it; after a kill, or where it could not be removed, the next run tidies up.
 
 Prints a table of the calls and errors that were tried. Exit status: 1 where anything of this does not hold.
 """
 import argparse
 import collections
 import json
+import math
+import os
 import pathlib
+import random
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
+UNCHANGED = "retval=0"  # the kernel tells no error of brk, but an end of the heap that is not the wanted one
+PATIENCE_SECONDS = 300
+REMOVALS = ("unlink", "rmdir", "getdents64")
 STATUSES = {0, 1, 2, 3, 4, 70, 130}
+# clone3, which starts a thread, is left out: liblog4cplus, which OpenImageIO brings along, aborts or waits for ever where it
+# gets none for its pool, while it is being loaded.
 ERRORS = {"write": ["ENOSPC", "EIO", "EINTR"], "pwrite64": ["ENOSPC", "EIO"], "writev": ["ENOSPC", "EIO"],
           "openat": ["EMFILE", "EIO", "ENOMEM"], "read": ["EIO", "EINTR"], "close": ["EIO"], "fsync": ["EIO", "ENOSPC"],
           "rename": ["ENOSPC", "EIO"], "renameat2": ["EIO", "EINVAL"], "mkdir": ["ENOSPC"], "mmap": ["ENOMEM"],
-          "brk": ["ENOMEM"], "pipe2": ["EMFILE"], "clone": ["EAGAIN"], "clone3": ["EAGAIN"], "vfork": ["EAGAIN"],
+          "brk": [UNCHANGED], "pipe2": ["EMFILE"], "clone": ["EAGAIN"], "vfork": ["EAGAIN"],
           "unlink": ["EIO"], "rmdir": ["EIO"], "unlinkat": ["EIO"], "newfstatat": ["EIO"], "getdents64": ["EIO"],
           "flock": ["ENOLCK"], "lseek": ["EIO"], "ftruncate": ["ENOSPC"], "wait4": ["EINTR"], "statx": ["EIO"],
           "poll": ["EINTR"], "ppoll": ["EINTR"], "pidfd_open": ["EMFILE"], "fcntl": ["EBADF"], "prctl": ["EINVAL"]}
@@ -53,7 +66,7 @@ SCENARIOS = {
 
 
 class Trial:
-    """One scenario in a folder of its own."""
+    """One scenario in a folder of its own. The program is a list of words, that the command's follow."""
 
     def __init__(self, program, name):
         self.program, self.name = program, name
@@ -65,13 +78,14 @@ class Trial:
         self.before = self.folder / "before"
         self.before.mkdir()
         self.keep(self.folder / self.target, self.before / self.target)
-        self.require_sense(self.plain(self.command), self.command)
+        self.success = self.require_sense(self.plain(self.command), self.command)
         self.old, self.new = self.text(self.before), self.text(self.folder)
-        self.faults = []
+        self.faults, self.tried, self.not_reached = [], collections.Counter(), 0
 
     def require_sense(self, done, words):
         if done.returncode not in (0, 1, 3):
             sys.exit(f"{self.name}: {words}: status {done.returncode}: {done.stderr.decode()}")
+        return done.returncode
 
     def with_pixel(self, words):
         """PIXEL stands for the worst one of the second view."""
@@ -81,7 +95,7 @@ class Trial:
         return [f"{worst['x']},{worst['y']}" if word == "PIXEL" else word for word in words]
 
     def plain(self, words):
-        return subprocess.run([self.program, *self.with_pixel(words)], cwd=self.folder, capture_output=True, timeout=300)
+        return subprocess.run([*self.program, *self.with_pixel(words)], cwd=self.folder, capture_output=True, timeout=300)
 
     def keep(self, source, to):
         if source.is_dir():
@@ -97,18 +111,37 @@ class Trial:
 
     def traced(self, *options, words=None):
         log = self.folder / "strace.log"
-        command = ["strace", "-f", "-o", log, *options, self.program, *(words or self.command)]
-        done = subprocess.run(command, cwd=self.folder, capture_output=True, timeout=300)
-        return done, log.read_text(errors="replace")
+        command = ["strace", "-f", "-o", log, *options, *self.program, *(words or self.command)]
+        with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              start_new_session=True) as process:
+            try:
+                said = process.communicate(timeout=PATIENCE_SECONDS)
+                status = process.returncode
+            except subprocess.TimeoutExpired:
+                os.killpg(process.pid, signal.SIGKILL)
+                said, status = process.communicate(), "that it would have had: it does not end"
+        return subprocess.CompletedProcess(command, status, *said), log.read_text(errors="replace")
 
     def calls(self, words):
-        """The calls that the threads make: the largest count of any, since strace counts for each by itself."""
+        """The calls that each thread makes, in order, with numbers that differ from run to run left out."""
         _, log = self.traced("-e", "trace=" + ",".join("?" + name for name in ERRORS), words=words)
-        counts = collections.Counter(re.findall(r"^(\d+) +(\w+)\(", log, re.M))
+        threads = collections.defaultdict(list)
+        for thread, call, rest in re.findall(r"^(\d+) +(\w+)(\(.*)$", log, re.M):
+            threads[thread].append((call, re.sub(r"0x[0-9a-f]+", "0x", rest)))
+        return list(threads.values())
+
+    def loading_and_all(self):
+        """How often each is called while the program is loaded, and at most by one thread: strace counts for each."""
+        version, threads = self.calls(["--version"])[0], self.calls(self.command)
+        loading = collections.Counter()
+        for plain, here in zip(version, threads[0]):
+            if plain != here:
+                break
+            loading[here[0]] += 1
         most = collections.Counter()
-        for (_, name), count in counts.items():
-            most[name] = max(most[name], count)
-        return most
+        for calls in threads:
+            most |= collections.Counter(call for call, _ in calls)
+        return loading, most
 
     def text(self, folder):
         """Of a file that is replaced; a folder's is not compared, since times differ."""
@@ -133,17 +166,34 @@ class Trial:
         self.faults.append(f"{self.name}: {fault}: {what}; status {done.returncode}; {said[-1:] or ''}")
         print(self.faults[-1], flush=True)
 
-    def try_fault(self, fault):
+    def injected(self, fault):
+        """Runs the command; strace injects only into calls that it traces. Threads may not come as far as the place."""
         self.restore()
-        done, _ = self.traced("-e", "trace=none", "-e", "inject=" + fault)
+        call, how = fault.split(":")[:2]
+        done, log = self.traced("-e", "trace=" + call, "-e", "inject=" + fault)
+        if "(INJECTED)" in log or "killed by SIGKILL" in log:
+            self.tried[call, how] += 1
+        else:
+            self.not_reached += 1
+        return done, log
+
+    def try_fault(self, fault):
+        done, log = self.injected(fault)
         if done.returncode not in STATUSES:
             self.complain("not a documented status", done, fault)
-        if done.returncode != 0 and not done.stderr.strip():
+        is_silenced = re.search(r"write\(2,.*\(INJECTED\)", log)
+        if done.returncode != 0 and not done.stderr.strip() and not is_silenced:
             self.complain("no word of it", done, fault)
+        if done.returncode == self.success and self.text(self.folder) != self.new:
+            self.complain("not done, and the status says that it is", done, fault)
         self.look(done, fault)
-        beside = [e.name for e in self.folder.iterdir() if e.name.startswith(self.target + ".")]
-        if beside:
-            self.complain(f"left {beside}", done, fault)
+        if self.beside() and fault.startswith(REMOVALS):
+            self.plain(self.command)
+        if self.beside():
+            self.complain(f"left {self.beside()}", done, fault)
+
+    def beside(self):
+        return [e.name for e in self.folder.iterdir() if e.name.startswith(self.target + ".")]
 
     def look(self, done, fault):
         try:
@@ -153,44 +203,54 @@ class Trial:
             self.complain(f"what it leaves cannot be read: {error}", done, fault)
 
     def try_kill(self, fault):
-        self.restore()
-        done, _ = self.traced("-e", "trace=none", "-e", "inject=" + fault)
+        done, _ = self.injected(fault)
         self.look(done, fault)
         after = self.plain(self.command)
-        beside = [e.name for e in self.folder.iterdir() if e.name.startswith(self.target + ".")]
-        if after.returncode not in (0, 1, 3) or beside:
-            self.complain(f"the next run ends with {after.returncode} and leaves {beside}", done, fault)
+        if after.returncode not in (0, 1, 3) or self.beside():
+            self.complain(f"the next run ends with {after.returncode} and leaves {self.beside()}", done, fault)
 
 
-def places(first, last, every):
-    step = every if last - first > 60 else 1
-    return range(first + 1, last + 1, step)
+    def try_all(self, every, draw):
+        loading, all_calls = self.loading_and_all()
+        for call, errors in ERRORS.items():
+            for place in places(loading[call], all_calls[call], every, draw):
+                for error in errors:
+                    how = error if error == UNCHANGED else f"error={error}"
+                    self.try_fault(f"{call}:{how}:when={place}")
+                if call in ("rename", "renameat2", "mkdir", "unlink", "fsync"):
+                    self.try_kill(f"{call}:signal=KILL:when={place}")
+        if not self.tried:
+            sys.exit(f"{self.name}: strace injected nothing")
+
+
+def places(first, last, every, draw):
+    """Those after the first, up to the last; of many, one in so many."""
+    every_place = range(first + 1, last + 1)
+    if len(every_place) <= 60:
+        return every_place
+    return sorted(draw.sample(every_place, math.ceil(len(every_place) / every)))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=lambda p: str(pathlib.Path(p).resolve()))
     parser.add_argument("--every", type=int, default=1)
+    parser.add_argument("--seed", type=int, default=int(time.time()))
     parser.add_argument("--scenario", choices=SCENARIOS)
     options = parser.parse_args()
-    faults, table = [], collections.Counter()
+    print("seed", options.seed, flush=True)
+    draw, faults, table = random.Random(options.seed), [], collections.Counter()
     for name in [options.scenario] if options.scenario else SCENARIOS:
-        trial = Trial(options.program, name)
-        before, all_calls = trial.calls(["--version"]), trial.calls(trial.command)
-        for call, errors in ERRORS.items():
-            for place in places(before[call], all_calls[call], options.every):
-                for error in errors:
-                    trial.try_fault(f"{call}:error={error}:when={place}")
-                    table[call, error] += 1
-                if call in ("rename", "renameat2", "mkdir", "unlink", "fsync"):
-                    trial.try_kill(f"{call}:signal=KILL:when={place}")
-                    table[call, "killed"] += 1
+        trial = Trial([options.program], name)
+        trial.try_all(options.every, draw)
+        table += trial.tried
         faults += trial.faults
         shutil.rmtree(trial.folder, ignore_errors=True)
-        print(f"{name}: {len(trial.faults)} faults", flush=True)
-    for (call, error), count in sorted(table.items()):
-        print(f"| `{call}` | {error} | {count} |")
+        print(f"{name}: {len(trial.faults)} faults; {trial.not_reached} places were not reached", flush=True)
+    for (call, how), count in sorted(table.items()):
+        print(f"| `{call}` | {how} | {count} |")
     return 1 if faults else 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

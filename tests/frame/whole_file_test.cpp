@@ -1,6 +1,9 @@
 #include "frame/whole_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <array>
 #include <fstream>
@@ -48,6 +51,37 @@ TEST_F(WholeFiles, WhatIsGivenUpLeavesNothingBehind) {
     { WholeFile(file("a")).append("newer"); }
     EXPECT_EQ(contents("a"), "older");
     EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(WholeFiles, WhatAKilledProcessLeftIsRemoved) {
+    std::ofstream(file("a.1234.partial")) << "half of";
+    write_whole_file(file("a"), two_bytes);
+    EXPECT_EQ(contents("a"), "ok");
+    EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(WholeFiles, WhatAnotherProcessWritesStays) {
+    const int other = open(file("a.1234.partial").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    ASSERT_EQ(flock(other, LOCK_EX), 0);
+    write_whole_file(file("a"), two_bytes);
+    EXPECT_TRUE(exists(file("a.1234.partial")));
+    close(other);
+}
+
+TEST_F(WholeFiles, WhatIsBeingWrittenIsLocked) {
+    WholeFile whole(file("a"));
+    const int other =
+        open((file("a").string() + "." + std::to_string(getpid()) + ".partial").c_str(), O_WRONLY);
+    ASSERT_GE(other, 0);
+    EXPECT_NE(flock(other, LOCK_EX | LOCK_NB), 0);
+    close(other);
+}
+
+TEST_F(WholeFiles, FilesOfOtherNamesStay) {
+    for (const char* name : {"ab.1.partial", "a.b.partial", "a.1.partial.x", "a.partial", "b.1.partial"})
+        std::ofstream(file(name)) << "mine";
+    write_whole_file(file("a"), two_bytes);
+    EXPECT_EQ(file_count(), 6u);
 }
 
 TEST_F(WholeFiles, MissingFolderIsReported) {

@@ -189,6 +189,15 @@ TEST(OutputFolder, TidiesUpAfterRunsThatWereKilled) {
     EXPECT_EQ(names_in(home.path()), (Names{"out", "out.tmp-5", "out.tmp-mine"}));
 }
 
+TEST(OutputFolder, RemovesTheEmptyFolderOfADeadProcess) {
+    const TemporaryFolder home;
+    fs::create_directory(home.path() / "out.tmp-99999999");  // no process has such a number
+    fs::create_directory(home.path() / "out.old-99999999-2");
+    fs::create_directory(home.path() / "out.tmp-1");  // a living one's: it may be about to lock it
+    { const OutputFolder folder(home.path() / "out"); }
+    EXPECT_EQ(names_in(home.path()), Names{"out.tmp-1"});
+}
+
 TEST(OutputFolder, RetiresWhatAKilledRunHadReplaced) {
     const TemporaryFolder home;
     publish(home.path() / "out", "old");
