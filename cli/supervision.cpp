@@ -95,10 +95,10 @@ class Supervision {
         std::set<std::string> finished;
         for (const ViewResult& view : results_.views)
             finished.insert(fs::path(view.folder).filename().string());
-        std::error_code ignored;
-        for (const fs::directory_entry& entry :
-             fs::directory_iterator(config_.run_folder / "scenes", ignored))
-            if (!finished.contains(entry.path().filename().string())) fs::remove_all(entry.path(), ignored);
+        std::error_code ignored, failure;
+        for (auto i = fs::directory_iterator(config_.run_folder / "scenes", failure); !failure && i != end(i);
+             i.increment(failure))
+            if (!finished.contains(i->path().filename().string())) fs::remove_all(i->path(), ignored);
     }
 
     const std::vector<SceneSource>& sources_;

@@ -59,9 +59,11 @@ std::string about_out(std::string complaint, const fs::path& out) {
 /// What lies beside `out` under its name and a suffix.
 std::vector<fs::path> files_beside(const fs::path& out) {
     std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(out.parent_path()))
-        if (entry.path().filename().string().starts_with(out.filename().string() + "."))
-            files.push_back(entry.path());
+    std::error_code failure;
+    for (auto i = fs::directory_iterator(out.parent_path(), failure); !failure && i != end(i);
+         i.increment(failure))
+        if (i->path().filename().string().starts_with(out.filename().string() + "."))
+            files.push_back(i->path());
     std::ranges::sort(files);
     return files;
 }

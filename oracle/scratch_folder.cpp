@@ -22,9 +22,11 @@ std::string prefix_of(pid_t process) { return "zproof-" + std::to_string(process
 void remove_scratch_folders_of(pid_t process) {
     std::error_code ignored;
     const std::filesystem::path parent = std::filesystem::temp_directory_path(ignored);
-    for (const auto& entry : std::filesystem::directory_iterator(parent, ignored))
-        if (entry.path().filename().string().starts_with(prefix_of(process)))
-            std::filesystem::remove_all(entry.path(), ignored);
+    std::error_code failure;  // a range's loop would throw where the folder cannot be read on
+    for (auto i = std::filesystem::directory_iterator(parent, failure); !failure && i != end(i);
+         i.increment(failure))
+        if (i->path().filename().string().starts_with(prefix_of(process)))
+            std::filesystem::remove_all(i->path(), ignored);
 }
 
 ScratchFolder::ScratchFolder() {

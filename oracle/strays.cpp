@@ -50,9 +50,9 @@ bool is_number(const std::string& name) {
 /// Returns how many it found.
 int end_those_of_now(const std::string& mark) {
     int count = 0;
-    std::error_code ignored;
-    for (const fs::directory_entry& entry : fs::directory_iterator("/proc", ignored))
-        if (is_number(entry.path().filename().string())) count += ends(entry.path(), mark) ? 1 : 0;
+    std::error_code failure;  // a range's loop would throw where the folder cannot be read on
+    for (auto i = fs::directory_iterator("/proc", failure); !failure && i != end(i); i.increment(failure))
+        if (is_number(i->path().filename().string())) count += ends(i->path(), mark) ? 1 : 0;
     return count;
 }
 

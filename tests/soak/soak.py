@@ -9,6 +9,7 @@ or the last hundred scenes need over 5 % more memory than the first.
 """
 import argparse
 import base64
+import collections
 import json
 import pathlib
 import random
@@ -73,10 +74,16 @@ def workers(pid):
 
 
 def peak_kib(pid):
-    """The largest resident size since the last call."""
-    status = pathlib.Path(f"/proc/{pid}/status").read_text()
+    """The largest resident size since forget_peak(); 0 where the process has ended."""
+    try:
+        found = re.search(r"VmHWM:\s+(\d+)", pathlib.Path(f"/proc/{pid}/status").read_text())
+    except (FileNotFoundError, ProcessLookupError):
+        return 0
+    return int(found[1]) if found else 0
+
+
+def forget_peak(pid):
     pathlib.Path(f"/proc/{pid}/clear_refs").write_text("5")
-    return int(re.search(r"VmHWM:\s+(\d+)", status)[1])
 
 
 def judge(options, folder, scenes):
@@ -84,16 +91,18 @@ def judge(options, folder, scenes):
     renderer = f"python3 '{HERE / 'renderer.py'}' '{options.caster}' '{folder}' {{scene}} {{camera}} {{out}}"
     command = [options.program, "run", *scenes, "-o", folder / "out", "--oracle", "none", "--width", "48", "--height", "27",
                "--precision", "ray,arithmetic=float64", "--renderer", renderer, "--time-limit", "3", "--progress", "lines"]
-    peaks = []
+    peaks = collections.Counter()
     with subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True) as process:
         begun = 0
         for line in process.stderr:
             place = re.match(r"\[(\d+)/", line)
             if place and int(place[1]) > begun:
-                begun = int(place[1])
-                if begun % DISTINCT == 0:
-                    peaks += [peak_kib(worker) for worker in workers(process.pid)[:1]]
-    return process.returncode, peaks
+                hundred, begun = begun // DISTINCT, int(place[1])
+                for worker in workers(process.pid)[:1]:
+                    peaks[hundred] = max(peaks[hundred], peak_kib(worker))
+                    if begun // DISTINCT > hundred and begun < len(scenes):
+                        forget_peak(worker)
+    return process.returncode, [peaks[hundred] for hundred in sorted(peaks)]
 
 
 def faults_of(folder, status, peaks):
