@@ -21,7 +21,8 @@ ExitCode execute(const RunArguments& arguments) {
                   << " and no .view.json in what was named; export any other model as .glb\n";
         return ExitCode::nothing;
     }
-    const std::vector<SceneSource> selected = sources_for(arguments.size, named);
+    const std::vector<SceneSource> selected =
+        sources_for(arguments.size, arguments.settings.resolution, named);
     Selection selection = selection_of(selected, arguments.settings.resolution);
     selection.passed_over = passed_over;
     return judge_and_report({.sources = share_of(selected, arguments.shard),

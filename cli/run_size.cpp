@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "cli/settings.h"
+
 namespace zproof {
 namespace {
 
@@ -30,10 +32,13 @@ std::optional<std::vector<std::string>> oracles_for(RunSize size) {
     return std::nullopt;
 }
 
-std::vector<SceneSource> sources_for(RunSize size, const std::vector<SceneSource>& named) {
+std::vector<SceneSource> sources_for(RunSize size, Resolution resolution,
+                                     const std::vector<SceneSource>& named) {
     std::vector<SceneSource> sources;
     for (const SceneSource& source : named) {
         sources.push_back(source);
+        if (size == RunSize::usual && resolution == default_resolution)
+            sources.back().size = source.usual_size;
         if (size != RunSize::thorough || source.kind == SceneSource::Kind::view_file) continue;
         for (const Resolution& further : further_resolutions) sources.push_back(at(source, further));
     }

@@ -21,8 +21,10 @@ Resolution resolution_for(RunSize size, Resolution usual);
 /// The oracles of a run that names none; nothing: the usual ones.
 std::optional<std::vector<std::string>> oracles_for(RunSize size);
 
-/// The scenes, and for a thorough run each once more at further resolutions, as "room.641x359". View files
-/// state their own resolution and stand once. Places are counted anew.
-std::vector<SceneSource> sources_for(RunSize size, const std::vector<SceneSource>& named);
+/// The scenes; those that have a usual size have it, unless the run is thorough or has a resolution of its
+/// own. A thorough run has each once more at further resolutions, as "room.641x359". View files state their
+/// own resolution and stand once. Places are counted anew.
+std::vector<SceneSource> sources_for(RunSize size, Resolution resolution,
+                                     const std::vector<SceneSource>& named);
 
 }  // namespace zproof

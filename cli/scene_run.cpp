@@ -34,6 +34,11 @@ Resolution resolution_of(const SceneSource& source, const RunConfig& config) {
     return source.size.value_or(config.resolution);
 }
 
+/// Does the suite's manifest, which is written for the usual pictures, speak of these?
+bool has_expectations(const SceneSource& source, const RunConfig& config) {
+    return config.resolution == default_resolution && (!source.size || source.size == source.usual_size);
+}
+
 /// Candidate, reference and oracles of one scene.
 struct OpenedRenderers {
     Renderer candidate, reference;
@@ -327,7 +332,7 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
     };
     try {
         const Ending ending = run_views(source, config, clock, record);
-        if (ending == Ending::complete && resolution_of(source, config) == default_resolution &&
+        if (ending == Ending::complete && has_expectations(source, config) &&
             std::ranges::all_of(config.samples, is_centre) && are_the_usual(config.renderers))
             hold_to_expectations(source, config, results);
         return ending;

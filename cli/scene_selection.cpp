@@ -22,7 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 SceneSource of_suite(const SuiteEntry& entry) {
-    return {SceneSource::Kind::suite, entry.name, "suite", entry.reason, entry.expects, 0};
+    SceneSource source{SceneSource::Kind::suite, entry.name, "suite", entry.reason, entry.expects};
+    source.usual_size = entry.size;
+    return source;
 }
 
 bool is_view_file(const fs::path& file) { return ending_of(file) == ".json"; }

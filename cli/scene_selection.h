@@ -24,7 +24,8 @@ struct SceneSource {
     std::uint64_t place = 0;           ///< in the selection, from 0
     std::filesystem::path models{};    ///< where a view file's model may lie; empty: in its own folder only
     std::string suite_name{};          ///< where it goes by another name in the selection
-    std::optional<Resolution> size{};  ///< of its pictures; nothing: what the run has
+    std::optional<Resolution> usual_size{};  ///< of a suite scene's pictures where a run names no other
+    std::optional<Resolution> size{};        ///< of its pictures in this run; nothing: what the run has
 };
 
 /// The scenes that the words mean, in their order, each once: "suite" or no word at all is the whole suite; a

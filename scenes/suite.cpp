@@ -48,10 +48,13 @@ constexpr std::array suite_generators{
 std::vector<SuiteEntry> suite_manifest() {
     const nlohmann::json manifest = nlohmann::json::parse(suite::manifest_json());
     std::vector<SuiteEntry> entries;
-    for (const nlohmann::json& scene : manifest.at("scenes"))
+    for (const nlohmann::json& scene : manifest.at("scenes")) {
         entries.push_back({.name = scene.at("name"),
                            .reason = scene.at("reason"),
-                           .expects = scene.at("expects").get<std::vector<std::string>>()});
+                           .expects = scene.at("expects").get<std::vector<std::string>>(),
+                           .size = {}});
+        if (scene.contains("size")) entries.back().size = {scene.at("size").at(0), scene.at("size").at(1)};
+    }
     return entries;
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "frame/plane.h"
 #include "scenes/loaded.h"
 
 namespace zproof {
@@ -13,6 +15,7 @@ struct SuiteEntry {
     std::string name;                  ///< unique; also the scene's name
     std::string reason;                ///< one sentence: what this scene can catch
     std::vector<std::string> expects;  ///< pixel classes that must occur, e.g. "edge", "clip"
+    std::optional<Resolution> size;    ///< of its pictures in a run that names none; nothing: 1920 x 1080
 };
 
 /// The manifest (scenes/suite/manifest.json, compiled into the library), in order.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "cli/settings.h"
 #include "tests/cli/program.h"
 
 namespace zproof::test {
@@ -58,7 +59,7 @@ TEST(RunSize, ThoroughHasFurtherResolutionsAndOraclesAtEveryPixel) {
 
 TEST(RunSize, FurtherResolutionsHaveNamesAndPlacesOfTheirOwnAndMeanTheSameScene) {
     const auto named = select_scenes({"room", "slivers"});
-    const auto all = sources_for(RunSize::thorough, named);
+    const auto all = sources_for(RunSize::thorough, default_resolution, named);
     ASSERT_GT(all.size(), 4u);
     std::set<std::string> names;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -68,12 +69,23 @@ TEST(RunSize, FurtherResolutionsHaveNamesAndPlacesOfTheirOwnAndMeanTheSameScene)
     }
     EXPECT_EQ(names.size(), all.size());
     EXPECT_TRUE(names.contains("room") && names.contains("room.1x1"));
-    EXPECT_EQ(sources_for(RunSize::usual, named).size(), 2u);
+    EXPECT_EQ(sources_for(RunSize::usual, default_resolution, named).size(), 2u);
+}
+
+TEST(RunSize, ASceneThatMakesRaysSlowHasASizeOfItsOwnUnlessOneIsNamed) {
+    const auto size_of = [](RunSize size, Resolution resolution, const char* scene) {
+        return sources_for(size, resolution, select_scenes({scene})).at(0).size;
+    };
+    EXPECT_EQ(size_of(RunSize::usual, default_resolution, "slivers"), (Resolution{960, 540}));
+    EXPECT_EQ(size_of(RunSize::usual, {1280, 720}, "slivers"), std::nullopt);
+    EXPECT_EQ(size_of(RunSize::quick, {480, 270}, "slivers"), std::nullopt);
+    EXPECT_EQ(size_of(RunSize::thorough, default_resolution, "slivers"), std::nullopt);
+    EXPECT_EQ(size_of(RunSize::usual, default_resolution, "room"), std::nullopt);
 }
 
 TEST(RunSize, AViewFileStatesItsResolutionAndStandsOnce) {
     const std::vector<SceneSource> named{{SceneSource::Kind::view_file, "v", "v.view.json", "", {}}};
-    EXPECT_EQ(sources_for(RunSize::thorough, named).size(), 1u);
+    EXPECT_EQ(sources_for(RunSize::thorough, default_resolution, named).size(), 1u);
 }
 
 TEST(RunSize, TheTwoExcludeOneAnotherAndAResolutionOfOnesOwn) {
