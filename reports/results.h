@@ -82,8 +82,8 @@ struct OracleResult {
     BoundRecord depth{}, edges{};          ///< depth error / bound; displacement / eps
     std::vector<ReportedFinding> worst{};  ///< its defects, at most 20
     std::optional<PictureDifferences>
-        picture{};             ///< of its colours from the candidate's, where both were painted
-    std::string no_picture{};  ///< why it could not paint; empty: it could, or was not asked
+        picture{};                          ///< of its colours from the candidate's, where both were painted
+    std::string no_picture{};               ///< why it could not paint; empty: it could, or was not asked
     std::optional<SampledPixels> sample{};  ///< nothing: it was asked about all pixels
 };
 
