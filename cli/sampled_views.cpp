@@ -1,7 +1,6 @@
 #include "cli/sampled_views.h"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 #include "oracle/oracle_error.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "oracle/area/scrambled_points.h"
 #include "oracle/oracle_error.h"
 #include "oracle/povray/geometry.h"
 #include "oracle/povray/raster_box.h"
@@ -55,16 +56,8 @@ std::string in_words(const Work& work, const View& view) {
            " boxes of triangles";
 }
 
-/// splitmix64 (Steele, Lea and Flood, Fast splittable pseudorandom number generators, 2014).
-std::uint64_t mixed(std::uint64_t number) {
-    number += 0x9E37'79B9'7F4A'7C15;
-    number = (number ^ number >> 30) * 0xBF58'476D'1CE4'E5B9;
-    number = (number ^ number >> 27) * 0x94D0'49BB'1331'11EB;
-    return number ^ number >> 31;
-}
-
 PixelLattice lattice(int stride, const View& view, std::uint64_t seed) {
-    const std::uint64_t drawn = mixed(seed);
+    const std::uint64_t drawn = area::mixed(seed);
     const auto place = [&](std::uint64_t bits, int pixels) {
         return int(bits % std::uint64_t(std::min(stride, pixels)));
     };
