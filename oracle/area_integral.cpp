@@ -77,27 +77,6 @@ class Integral {
     Reconstruction reconstruction_;
 };
 
-/// The triangles whose span holds x, in ascending order, as x goes along a row.
-class Sweep {
-  public:
-    explicit Sweep(std::span<const Span> row) : waiting_(row) {}
-
-    std::span<const std::uint32_t> at(int x) {
-        std::erase_if(active_, [&](const Span& s) { return s.last < x; });
-        for (; !waiting_.empty() && waiting_.front().first <= x; waiting_ = waiting_.subspan(1))
-            active_.push_back(waiting_.front());
-        ids_.clear();
-        for (const Span& s : active_) ids_.push_back(s.triangle);
-        std::ranges::sort(ids_);
-        return ids_;
-    }
-
-  private:
-    std::span<const Span> waiting_;
-    std::vector<Span> active_;
-    std::vector<std::uint32_t> ids_;
-};
-
 AreaTruth empty_truth(const View& view) {
     const Resolution size{view.width, view.height};
     return {Plane<glm::dvec3>(size, glm::dvec3(0)), Plane<TruthKind>(size), Plane<double>(size)};
@@ -111,7 +90,7 @@ void for_each_row(const View& view, const Work& work) {
 }
 
 void integrate_row(const Integral& integral, std::span<const Span> spans, int y, AreaTruth& truth) {
-    Sweep sweep(spans);
+    RowSweep sweep(spans);
     for (int x = 0; x < truth.mean.size().width; ++x) {
         const auto exact = integral.at(sweep.at(x), x, y);
         truth.kind.at(x, y) = exact ? exact->kind : TruthKind::sampled;
@@ -152,7 +131,7 @@ Plane<TruthKind> surfaces_around(const Scene& scene, const View& view) {
     const RowSpans spans(surfaces, view, widest_reach_px);
     Plane<TruthKind> kinds({view.width, view.height});
     for_each_row(view, [&](int y) {
-        Sweep sweep(spans.row(y));
+        RowSweep sweep(spans.row(y));
         for (int x = 0; x < view.width; ++x) {
             const auto visible =
                 visible_pieces(surfaces, sweep.at(x), Point<double>{x + 0.5, y + 0.5}, widest_reach_px);

@@ -10,7 +10,7 @@
 #include "cli/usage_error.h"
 #include "cli/work_progress.h"
 #include "image_io/image_io.h"
-#include "rasterizer/rasterizer.h"
+#include "oracle/admissible_surfaces.h"
 
 namespace zproof {
 namespace {
@@ -135,7 +135,7 @@ ExitCode execute(const FiltersCheckArguments& arguments) {
             throw UsageError{"--picture: one view is expected; name it (--view)"};
         for (const View& view : views)
             on_threads(arguments.common.threads, [&] {
-                checker.judge({loaded.scene, view, rasterizer::render(loaded.scene, view)});
+                checker.judge({loaded.scene, view, oracle::exact_visibility(loaded.scene, view)});
             });
     }
     return checker.outcome();

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "oracle/admissible_surfaces.h"
 #include "texture/catalogue.h"
 
 namespace zproof::selftest {
@@ -39,8 +40,9 @@ ConformanceResult conformance_of(const Picture& picture, const FilterFixture& fi
     if (definition == nullptr) throw std::logic_error("no reference for the method '" + claim.method + "'");
     const oracle::FilterReference reference{fixture.scene, fixture.view, *definition,
                                             reference_settings(claim.options), step_rule(claim.derivatives)};
+    const oracle::AdmissibleSurfaces surfaces{fixture.scene, fixture.view, claim.precision};
     const PixelReference of_pixel = [&](int x, int y, const FilterPrecision& precision) {
-        return reference.at(x, y, fixture.frame.primitive.at(x, y), precision);
+        return reference.at(x, y, surfaces.at(x, y), precision);
     };
     ConformanceResult result{conformance(picture, of_pixel, claim.precision), {}};
     result.rules = rules_at_fault(picture, result.found, of_pixel, claim.precision);

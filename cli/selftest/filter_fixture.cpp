@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "rasterizer/rasterizer.h"
+#include "oracle/admissible_surfaces.h"
 
 namespace zproof::selftest {
 
@@ -73,7 +73,7 @@ View ground_view() {
 
 FilterFixture filter_fixture(Ground ground) {
     FilterFixture fixture{scene_of(ground), ground_view(), {}};
-    fixture.frame = rasterizer::render(fixture.scene, fixture.view);
+    fixture.frame = oracle::exact_visibility(fixture.scene, fixture.view);
     return fixture;
 }
 

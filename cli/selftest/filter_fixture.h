@@ -15,7 +15,7 @@ enum class Ground {
     turned,     ///< the noise, turned by 30 degrees by its texture transform
 };
 
-/// A scene, its view of 120 x 96 pixels, and the frame that the rasterizer makes of it.
+/// A scene, its view of 120 x 96 pixels, and what its pixels see.
 struct FilterFixture {
     Scene scene;
     View view;

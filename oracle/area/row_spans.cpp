@@ -56,4 +56,14 @@ RowSpans::RowSpans(const Surfaces& surfaces, const View& view, double reach_px)
     for (auto& row : rows_) std::ranges::stable_sort(row, {}, &Span::first);
 }
 
+std::span<const std::uint32_t> RowSweep::at(int x) {
+    std::erase_if(active_, [&](const Span& s) { return s.last < x; });
+    for (; !waiting_.empty() && waiting_.front().first <= x; waiting_ = waiting_.subspan(1))
+        active_.push_back(waiting_.front());
+    ids_.clear();
+    for (const Span& s : active_) ids_.push_back(s.triangle);
+    std::ranges::sort(ids_);
+    return ids_;
+}
+
 }  // namespace zproof::oracle::area

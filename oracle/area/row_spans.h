@@ -27,4 +27,17 @@ class RowSpans {
     std::vector<std::vector<Span>> rows_;
 };
 
+/// The triangles whose span holds x, in ascending order, as x goes along a row.
+class RowSweep {
+  public:
+    explicit RowSweep(std::span<const Span> row) : waiting_(row) {}
+
+    std::span<const std::uint32_t> at(int x);
+
+  private:
+    std::span<const Span> waiting_;
+    std::vector<Span> active_;
+    std::vector<std::uint32_t> ids_;
+};
+
 }  // namespace zproof::oracle::area

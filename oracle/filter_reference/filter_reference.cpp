@@ -67,7 +67,16 @@ FilterReference::FilterReference(const Scene& scene, const View& view, const Def
     }
 }
 
-PermittedColours FilterReference::at(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const {
+PermittedColours FilterReference::at(int x, int y, std::span<const PrimitiveId> seen,
+                                     const FilterPrecision& precision) const {
+    PermittedColours all;
+    for (const PrimitiveId surface : seen)
+        std::ranges::copy(of_surface(x, y, surface, precision), std::back_inserter(all));
+    return all;
+}
+
+PermittedColours FilterReference::of_surface(int x, int y, PrimitiveId seen,
+                                             const FilterPrecision& precision) const {
     if (seen == PrimitiveId::none) return {ColourRange{}};
     const Material& material = material_of(scene_, std::uint32_t(seen));
     const MethodReference& reference = by_material_[std::size_t(&material - scene_.materials.data())];

@@ -3,7 +3,7 @@
 /// from the methods, which it judges.
 ///
 /// Judged is the albedo: base colour factor x filtered texture, no light, no vertex colour, alpha ignored,
-/// black where nothing is seen. Which triangle is seen is taken as given.
+/// black where nothing is seen. Which surfaces may be seen is told by oracle/admissible_surfaces.h.
 #pragma once
 
 #include <map>
@@ -30,11 +30,14 @@ class FilterReference {
     FilterReference(const Scene& scene, const View& view, const filter_reference::Definition& definition,
                     const FilterSettings& settings, StepRule steps = StepRule::analytic);
 
-    /// What pixel (x, y) may show where it sees that triangle. Everything is permitted where even intervals
-    /// cannot tell (a pixel on the plane's horizon).
-    PermittedColours at(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const;
+    /// What pixel (x, y) may show where it sees one of these, triangles or background. Everything is
+    /// permitted where even intervals cannot tell (a pixel on the plane's horizon).
+    PermittedColours at(int x, int y, std::span<const PrimitiveId> seen,
+                        const FilterPrecision& precision) const;
 
   private:
+    PermittedColours of_surface(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const;
+
     const Scene& scene_;
     const View& view_;
     StepRule steps_;

@@ -3,55 +3,10 @@
 #include <algorithm>
 
 #include "math/rounding.h"
-#include "math/vector3.h"
 
 namespace zproof::oracle::filter_reference {
 
 namespace {
-
-/// docs/filter-conformance.md, "Coordinates", counts them.
-constexpr int coordinate_roundings = 54;
-
-template <class Number>
-struct AffineVector {
-    Vector3<Number> x, y, c;
-
-    Affine<Number> dot_with(const Vector3<Number>& a) const { return {dot(a, x), dot(a, y), dot(a, c)}; }
-};
-
-/// Raster position -> u right + v up (scenes/camera.h).
-template <class Number>
-AffineVector<Number> on_window(const View& view) {
-    const Window& window = view.camera.window;
-    const auto right = exactly<Number>(view.camera.right), up = exactly<Number>(view.camera.up);
-    const Number left{window.left}, top{window.top};
-    return {(Number(window.right) - left) / Number(view.width) * right,
-            (Number(window.bottom) - top) / Number(view.height) * up, left * right + top * up};
-}
-
-/// b_i = (p x q) . d for the two other corners p, q. Perspective: d = u right + v up - back. Parallel: the
-/// origin o = u right + v up moves instead, and ((p - o) x (q - o)) . d = (p x q) . d + o . ((p - q) x d).
-template <class Number>
-std::array<Affine<Number>, 3> barycentric_functionals(const View& view,
-                                                      const std::array<Vector3<Number>, 3>& corner) {
-    const Camera& camera = view.camera;
-    const AffineVector<Number> window = on_window<Number>(view);
-    const auto back = exactly<Number>(camera.back);
-    const auto sheared = Number(camera.shear.x) * exactly<Number>(camera.right) +
-                         Number(camera.shear.y) * exactly<Number>(camera.up) - back;
-    std::array<Affine<Number>, 3> b;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vector3<Number>&p = corner[(i + 1) % 3], &q = corner[(i + 2) % 3];
-        if (camera.projection == Projection::perspective) {
-            b[i] = window.dot_with(cross(p, q));
-            b[i].c = b[i].c - dot(cross(p, q), back);
-        } else {
-            b[i] = window.dot_with(cross(p - q, sheared));
-            b[i].c = b[i].c + dot(cross(p, q), sheared);
-        }
-    }
-    return b;
-}
 
 /// Texel coordinates of a corner: size (translation + linear uv).
 template <class Number>
@@ -68,11 +23,7 @@ std::array<Number, 2> texel_coordinates(const TexturedTriangle& triangle, std::s
 
 template <class Number>
 Homography<Number> homography(const View& view, const TexturedTriangle& triangle) {
-    std::array<Vector3<Number>, 3> from_eye;
-    for (std::size_t i = 0; i < 3; ++i)
-        from_eye[i] = exactly<Number>(glm::dvec3{triangle.corners_world[i]}) -
-                      exactly<Number>(glm::dvec3{view.camera.eye_world});
-    const auto b = barycentric_functionals(view, from_eye);
+    const auto b = barycentric_functionals(view, corners_from_eye<Number>(view, triangle.corners_world));
     const Affine<Number> zero{Number{0}, Number{0}, Number{0}};
     Homography<Number> map{zero, zero, zero};
     for (std::size_t i = 0; i < 3; ++i) {

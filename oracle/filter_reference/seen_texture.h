@@ -2,8 +2,7 @@
 /// the camera's facts in intervals, for perspective and parallel projections. Nothing is shared with the
 /// rasterizer.
 ///
-/// With corners v_i relative to the eye and the view ray d through (x, y), b_i = (v_j x v_k) . d are
-/// homogeneous barycentrics, affine in (x, y); texel coordinates are sum b_i t_i / sum b_i.
+/// Texel coordinates are sum b_i t_i / sum b_i, with b_i the homogeneous barycentrics.
 #pragma once
 
 #include <array>
@@ -11,22 +10,15 @@
 #include "frame/filter_precision.h"
 #include "math/homography.h"
 #include "math/interval_functions.h"
+#include "oracle/filter_reference/barycentrics.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
 
 namespace zproof::oracle::filter_reference {
 
-/// The value of an expression with every term in absolute value; rounding errors are relative to it.
-struct Magnitude {
-    double value = 0;
-    Magnitude(double of = 0) : value(std::abs(of)) {}
-
-    friend Magnitude operator+(Magnitude a, Magnitude b) { return {a.value + b.value}; }
-    friend Magnitude operator-(Magnitude a, Magnitude b) { return {a.value + b.value}; }
-    friend Magnitude operator-(Magnitude a) { return a; }
-    friend Magnitude operator*(Magnitude a, Magnitude b) { return {a.value * b.value}; }
-    friend Magnitude operator/(Magnitude a, Magnitude b) { return {a.value / b.value}; }  ///< b exact
-};
+/// Roundings from the scene to a functional, a place or a step: docs/filter-conformance.md, "Coordinates",
+/// counts them.
+inline constexpr int coordinate_roundings = 54;
 
 /// Texels of level 0; texel i covers [i, i + 1).
 struct TexelInterval {

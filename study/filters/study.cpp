@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "compare/metrics/picture_metric.h"
-#include "rasterizer/rasterizer.h"
+#include "oracle/admissible_surfaces.h"
 #include "study/filters/cost.h"
 #include "study/filters/scores.h"
 
@@ -67,7 +67,7 @@ class MeasuredView {
         Plane<oracle::TruthKind> truth_kinds;
         for (int step = 0; step <= plan.flicker_steps; ++step) {
             pan_.views.push_back(shifted(view, step * flicker_step_x_px, step * flicker_step_y_px));
-            pan_.frames.push_back(rasterizer::render(scene, pan_.views.back()));
+            pan_.frames.push_back(oracle::exact_visibility(scene, pan_.views.back()));
             const auto start = std::chrono::steady_clock::now();
             oracle::AreaTruth truth = oracle::area_truth(scene, pan_.views.back(), plan.truth);
             if (step == 0) truth_seconds_ = seconds_since(start);

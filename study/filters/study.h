@@ -10,10 +10,11 @@ namespace zproof::study {
 /// What stands before any view is studied: the cards of metrics, regions and methods.
 StudyResults begun(const Plan& plan);
 
-/// Renders the view with every configured method and scores it. The picture is the rasterizer's: visibility
-/// is its own, so silhouettes count against it (see the region "interior"). Ends early, with the methods done
-/// so far, where the progress sink wants to stop. On the threads of the surrounding tbb::task_arena; all but
-/// the times in Cost and truth_seconds is the same for any number of them. Throws OracleError.
+/// Draws the view with every configured method and scores it. Each pixel shows the surface that its centre
+/// sees in exact geometry; none is mixed with its neighbours, so silhouettes count against all methods (see
+/// the region "interior"). Ends early, with the methods done so far, where the progress sink wants to stop.
+/// On the threads of the surrounding tbb::task_arena; all but the times in Cost and truth_seconds is the same
+/// for any number of them. Throws OracleError.
 ViewStudy study_view(const Scene& scene, const View& view, const Plan& plan,
                      const ProgressSink& progress_sink);
 

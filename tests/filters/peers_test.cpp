@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "cli/selftest/filter_fault.h"
+#include "oracle/admissible_surfaces.h"
 #include "oracle/filter_peers.h"
 
 namespace zproof::selftest {
@@ -19,8 +20,9 @@ ConformanceResult held(const Picture& picture, const FilterFixture& fixture, con
     settings.kernel = oracle::filter_reference::ChainKernel::box;
     const oracle::FilterReference reference{fixture.scene, fixture.view,
                                             *oracle::find_filter_definition(method), settings, steps};
+    const oracle::AdmissibleSurfaces surfaces{fixture.scene, fixture.view, precision};
     const PixelReference of_pixel = [&](int x, int y, const FilterPrecision& p) {
-        return reference.at(x, y, fixture.frame.primitive.at(x, y), p);
+        return reference.at(x, y, surfaces.at(x, y), p);
     };
     ConformanceResult result{conformance(picture, of_pixel, precision), {}};
     result.rules = rules_at_fault(picture, result.found, of_pixel, precision);

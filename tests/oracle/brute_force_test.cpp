@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "oracle/admissible_surfaces.h"
 #include "oracle/embree.h"
 #include "oracle/povray.h"
 #include "scenes_at_random.h"
@@ -72,6 +73,11 @@ class AgreesWith : public testing::TestWithParam<ProjectionKind> {};
 TEST_P(AgreesWith, Embree) {
     const auto cast = [](const Scene& scene, const View& view) { return Embree(scene).trace(view); };
     expect_agreement({.cast = cast, .scenes = 40, .depth_error = nullptr}, GetParam());
+}
+
+TEST_P(AgreesWith, ExactVisibility) {
+    const auto one_rounding = [](const View&, double depth) { return std::abs(depth) * 0x1.01p-24; };
+    expect_agreement({.cast = exact_visibility, .scenes = 40, .depth_error = one_rounding}, GetParam());
 }
 
 /// Its depths are right to a rounding of float32 and half a step of their code.

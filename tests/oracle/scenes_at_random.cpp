@@ -35,6 +35,9 @@ Scene scene_of(const std::vector<glm::vec3>& corners) {
     scene.name = "soup";
     scene.vertices.position_world.assign(corners.begin(), corners.end());
     for (std::uint32_t i = 0; i + 2 < corners.size(); i += 3) scene.triangles.emplace_back(i, i + 1, i + 2);
+    scene.materials.resize(1);
+    scene.parts.resize(1);
+    scene.parts[0].triangle_count = std::uint32_t(scene.triangles.size());
     return scene;
 }
 
