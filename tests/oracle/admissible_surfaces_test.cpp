@@ -104,6 +104,11 @@ TEST(ExactVisibility, GivesASharedEdgeToTheFirstTriangle) {
     EXPECT_EQ(exact_visibility(square(0, -2), flat_view(4, 4)).camera_depth.at(1, 1), 2.0F);
 }
 
+TEST(ExactVisibility, GivesAnOutlineToTheNearerTriangle) {
+    const glm::vec3 p{-9, 0, -3}, q{9, 0, -3}, r{0, -18, -3}, a{1.5, 0, -2}, b{1.5, -4, -2}, c{4, -2, -2};
+    EXPECT_EQ(exact_visibility(scene_of({p, q, r, a, b, c}), flat_view(4, 4)).primitive.at(1, 1), second);
+}
+
 /// The shared edge passes the pixel's centre at 6e-19 px.
 TEST(ExactVisibility, TellsWhatDoublesCannot) {
     const auto seen = [](float corner_x) {
