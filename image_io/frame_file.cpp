@@ -120,6 +120,41 @@ class StoredPlanes {
     Resolution size_;
 };
 
+/// An open file with the channels of a picture.
+class PictureFile {
+  public:
+    explicit PictureFile(const fs::path& file) : file_(file, "an OpenEXR picture") {
+        for (const char* name : {"R", "G", "B"})
+            places_.push_back(require(file_, {name, is_real, "float or half"}));
+        size_ = file_.size_of(places_[0].part);
+        for (const ChannelPlace& place : places_)
+            if (file_.size_of(place.part) != size_)
+                throw FrameError(file_.name() + ": R, G and B have unlike sizes");
+    }
+
+    Resolution size() const { return size_; }
+
+    Picture picture() const {
+        constexpr float LinearRgb::*parts[] = {&LinearRgb::r, &LinearRgb::g, &LinearRgb::b};
+        Picture picture(size_);
+        std::vector<WantedChannel> wanted;
+        for (std::size_t c = 0; c < places_.size(); ++c)
+            wanted.push_back({places_[c], [&picture, part = parts[c]](const SampleRow& row) {
+                                  spread_reals(row, picture.row(row.y).subspan(std::size_t(row.x)),
+                                               [part](LinearRgb& to, const float& value) {
+                                                   std::memcpy(&(to.*part), &value, sizeof value);
+                                               });
+                              }});
+        file_.read(wanted);
+        return picture;
+    }
+
+  private:
+    ImageFile file_;
+    std::vector<ChannelPlace> places_;
+    Resolution size_;
+};
+
 void write_raster(const fs::path& file, const Raster& raster) {
     refuse_bad_size({raster.width, raster.height}, file.string());
     std::vector<unsigned char> bytes;
@@ -161,28 +196,9 @@ void write_frame(const fs::path& file, const Frame& frame) {
                         .pixels = samples.data()});
 }
 
-Picture read_picture(const fs::path& file) {
-    const ImageFile input(file, "an OpenEXR picture");
-    constexpr float LinearRgb::*parts[] = {&LinearRgb::r, &LinearRgb::g, &LinearRgb::b};
-    constexpr Layer layers[] = {
-        {"R", is_real, "float or half"}, {"G", is_real, "float or half"}, {"B", is_real, "float or half"}};
-    std::vector<WantedChannel> wanted;
-    Picture picture;
-    for (std::size_t c = 0; c < 3; ++c)
-        wanted.push_back({require(input, layers[c]), [&picture, part = parts[c]](const SampleRow& row) {
-                              spread_reals(row, picture.row(row.y).subspan(std::size_t(row.x)),
-                                           [part](LinearRgb& to, const float& value) {
-                                               std::memcpy(&(to.*part), &value, sizeof value);
-                                           });
-                          }});
-    const Resolution size = input.size_of(wanted[0].place.part);
-    for (const WantedChannel& channel : wanted)
-        if (input.size_of(channel.place.part) != size)
-            throw FrameError(input.name() + ": R, G and B have unlike sizes");
-    picture = Picture(size);
-    input.read(wanted);
-    return picture;
-}
+Picture read_picture(const fs::path& file) { return PictureFile(file).picture(); }
+
+Resolution picture_size(const fs::path& file) { return PictureFile(file).size(); }
 
 void write_picture(const fs::path& file, const Picture& picture) {
     static_assert(sizeof(LinearRgb) == 3 * sizeof(float));

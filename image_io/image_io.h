@@ -32,6 +32,8 @@ void write_frame(const std::filesystem::path& file, const Frame& frame);
 
 /// Linear light: the channels R, G and B as half or float32. Black where the file has no data.
 Picture read_picture(const std::filesystem::path& file);
+/// The size of that picture, from the headers alone.
+Resolution picture_size(const std::filesystem::path& file);
 /// OpenEXR with the channels R, G and B (float32), bit for bit.
 void write_picture(const std::filesystem::path& file, const Picture& picture);
 

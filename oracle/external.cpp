@@ -7,6 +7,7 @@
 
 #include "frame/frame_error.h"
 #include "oracle/convention/stored_frame.h"
+#include "oracle/convention/stored_picture.h"
 #include "oracle/oracle_error.h"
 #include "oracle/scratch_folder.h"
 #include "oracle/subprocess.h"
@@ -113,7 +114,8 @@ std::chrono::milliseconds External::time_left(std::chrono::steady_clock::time_po
     return std::chrono::ceil<std::chrono::milliseconds>(left);
 }
 
-Frame External::render(const View& view) const {
+template <class Read>
+auto External::answer(const View& view, const Read& read) const {
     const fs::path camera = folder_->path() / "camera.json", out = folder_->path() / "frame.exr";
     folder_->write("camera.json", camera_document(view));
     remove_answer(out);  // the last view's: a program that writes nothing must not pass with it
@@ -132,10 +134,22 @@ Frame External::render(const View& view) const {
         throw OracleError{"renderer '" + command_ + "': " + in_words(outcome, time_limit_) +
                           what_it_said(outcome)};
     try {
-        return read_stored_frame(answer_at(out), convention_, view, ids_, time_left(begun));
+        return read(answer_at(out), time_left(begun));
     } catch (const FrameError& e) {
         throw OracleError{"renderer '" + command_ + "': " + about_out(e.what(), out) + what_it_said(outcome)};
     }
+}
+
+Frame External::render(const View& view) const {
+    return answer(view, [&](const fs::path& file, std::chrono::milliseconds time_limit) {
+        return read_stored_frame(file, convention_, view, ids_, time_limit);
+    });
+}
+
+Picture External::render_picture(const View& view) const {
+    return answer(view, [&](const fs::path& file, std::chrono::milliseconds time_limit) {
+        return read_stored_picture(file, view, time_limit);
+    });
 }
 
 }  // namespace zproof::oracle

@@ -8,6 +8,7 @@
 
 #include "frame/convention.h"
 #include "frame/frame.h"
+#include "frame/picture.h"
 #include "image_io/image_io.h"
 #include "scenes/scene.h"
 #include "scenes/view.h"
@@ -34,8 +35,13 @@ class External {
     /// {out}, or {out}.SUFFIX, or two files, {out}.id.SUFFIX and {out}.depth.SUFFIX. The values themselves
     /// are not judged here.
     Frame render(const View& view) const;
+    /// The same of a program that writes a picture: R, G and B, in linear light.
+    Picture render_picture(const View& view) const;
 
   private:
+    /// Runs the command for the view; `read` makes of the file that it wrote what is wanted.
+    template <class Read>
+    auto answer(const View& view, const Read& read) const;
     /// The limit covers reading the answer.
     std::chrono::milliseconds time_left(std::chrono::steady_clock::time_point begun) const;
 

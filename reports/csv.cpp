@@ -14,10 +14,7 @@ std::string field(const std::string& text) {
     std::string plain = one_line(text);
     if (!plain.empty() && std::string_view{"=+-@"}.find(plain[0]) != std::string_view::npos)
         plain.insert(0, 1, '\'');
-    if (plain.find_first_of(",\"") == std::string::npos) return plain;
-    std::string quoted = "\"";
-    for (const char c : plain) quoted += c == '"' ? std::string{"\"\""} : std::string{c};
-    return quoted + "\"";
+    return csv_field(plain);
 }
 
 std::string row(std::initializer_list<std::string> fields) {

@@ -82,6 +82,13 @@ std::string escaped(std::string_view text) {
     return safe;
 }
 
+std::string csv_field(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string safe = "\"";
+    for (const char c : text) safe += c == '"' ? std::string{"\"\""} : std::string{c};
+    return safe + "\"";
+}
+
 std::string as_url(std::string_view path) {
     constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
     constexpr std::string_view hex = "0123456789ABCDEF";

@@ -29,6 +29,9 @@ std::string sample_words(std::uint64_t pixels, std::uint64_t of_pixels, std::uin
 /// printable(text), safe as content and in quoted attributes of HTML and XML.
 std::string escaped(std::string_view text);
 
+/// A field of a CSV file, in quotes where it needs them (RFC 4180).
+std::string csv_field(const std::string& text);
+
 /// A relative path as a URL: everything but letters, digits and "-._~/" is percent-encoded.
 std::string as_url(std::string_view path);
 

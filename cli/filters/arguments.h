@@ -9,9 +9,11 @@
 
 #include "cli/common_arguments.h"
 #include "cli/filter_choice.h"
+#include "cli/filters/pictures.h"
 #include "frame/filter_precision.h"
 #include "oracle/area_integral.h"
 #include "reports/filters/crops.h"
+#include "reports/filters/table_cells.h"
 
 namespace CLI {
 class App;
@@ -21,8 +23,9 @@ namespace zproof {
 
 struct FiltersRunArguments {
     CommonArguments common{.output = Output::folder, .out = "zproof-filters"};
-    std::vector<std::string> scenes;    ///< empty: every built-in filter scene
-    std::vector<FilterChoice> methods;  ///< at least one, no two typed alike
+    std::vector<std::string> scenes;      ///< empty: every built-in filter scene
+    std::vector<FilterChoice> methods;    ///< at least one, no two typed alike
+    std::vector<PictureChoice> pictures;  ///< of anybody's renderer, beside the methods
     oracle::Reconstruction truth = oracle::Reconstruction::nearest;
     std::vector<std::string> views;    ///< empty: all of every scene
     std::optional<int> width, height;  ///< pixels; none: the scene's own
@@ -45,8 +48,10 @@ enum class TableFormat { terminal, latex, csv };
 struct FiltersTableArguments {
     CommonArguments common;
     std::filesystem::path folder;
-    std::string region = "interior";
+    TableChoice choice;
     TableFormat format = TableFormat::terminal;
+    bool is_pooled = false;  ///< all textures together; choice.columns are metrics then
+    std::string baseline;    ///< of the pool; empty: the best method
 };
 
 struct FiltersFigureArguments {
@@ -74,6 +79,8 @@ struct FiltersCheckArguments {
 /// What is bound while a command line is read.
 struct FiltersWords {
     std::string methods = "all", truth = "N", views, crop, only;
+    std::vector<std::string> pictures;
+    std::string table_columns;
     FiltersRunArguments run;
     FiltersListArguments list;
     FiltersScenesArguments scenes;

@@ -9,8 +9,8 @@
 #include "cli/threads.h"
 #include "cli/usage_error.h"
 #include "cli/work_progress.h"
-#include "image_io/image_io.h"
 #include "oracle/admissible_surfaces.h"
+#include "oracle/convention/stored_picture.h"
 
 namespace zproof {
 namespace {
@@ -18,6 +18,8 @@ namespace {
 using selftest::ConformanceResult;
 using selftest::FilterClaim;
 using selftest::FilterFixture;
+
+constexpr std::chrono::minutes reading_limit{10};
 
 FilterClaim claim_of(const FilterChoice& choice, const FiltersCheckArguments& arguments) {
     const rasterizer::Texturing& texturing = choice.texturing;
@@ -50,14 +52,7 @@ Picture picture_of(const FilterFixture& fixture, const FilterChoice& choice,
                    const std::filesystem::path& own) {
     if (own.empty())
         return rasterizer::filtered(fixture.scene, fixture.view, fixture.frame, choice.texturing);
-    Picture picture = read_picture(own);
-    const Resolution expected{fixture.view.width, fixture.view.height};
-    if (picture.size() != expected)
-        throw UsageError{own.string() + ": " + std::to_string(picture.size().width) + " x " +
-                         std::to_string(picture.size().height) + " pixels; the view has " +
-                         std::to_string(expected.width) + " x " + std::to_string(expected.height) +
-                         " (--width, --height)"};
-    return picture;
+    return oracle::read_stored_picture(own, fixture.view, reading_limit);
 }
 
 /// Judges every method on one view; how many of them keep to their definition.

@@ -41,6 +41,12 @@ void add_run(CLI::App& app, FiltersWords& words) {
     app.add_option("--methods", words.methods,
                    "all of zproof's own, and names with settings, separated by commas")
         ->capture_default_str();
+    app.add_option(
+           "--picture", words.pictures,
+           "NAME=FILE or NAME='COMMAND {scene} {camera} {out}': a picture of another renderer beside the "
+           "methods; in FILE, {scene} and {view} stand for their names; repeatable")
+        ->take_all()
+        ->allow_extra_args(false);
     app.add_option("--truth", words.truth,
                    "N: of nearest texels; B: of bilinear; G: Gaussian pixel of bilinear")
         ->check(CLI::IsMember({"N", "B", "G"}))
@@ -63,8 +69,16 @@ void add_run(CLI::App& app, FiltersWords& words) {
 void add_table(CLI::App& app, FiltersWords& words) {
     app.add_option("DIR", words.table.folder, "what 'filters run' wrote")->required();
     add_common(app, words.table.common);
-    app.add_option("--region", words.table.region, "such as all, silhouette, magnified, 'anisotropy 8-16'")
+    app.add_option("--region", words.table.choice.region,
+                   "such as all, silhouette, magnified, 'anisotropy 8-16'")
         ->capture_default_str();
+    app.add_option("--columns", words.table_columns,
+                   "metrics, flicker and costs to show, separated by commas; default: all");
+    app.add_option("--sort", words.table.choice.sort, "a column, the best first; default: the study's order");
+    app.add_flag("--pooled", words.table.is_pooled,
+                 "all textures together: means and ranks with 95 % intervals; a table for each metric");
+    app.add_option("--baseline", words.table.baseline,
+                   "the method that --pooled compares the others with; default: the best");
     auto* latex = app.add_flag_callback(
         "--latex", [&words] { words.table.format = TableFormat::latex; }, "LaTeX with booktabs");
     app.add_flag_callback(
@@ -152,6 +166,15 @@ FiltersCheckArguments chosen_check(FiltersWords& words) {
     return check;
 }
 
+std::vector<PictureChoice> chosen_pictures(const FiltersWords& words) {
+    std::vector<PictureChoice> pictures;
+    for (const std::string& word : words.pictures) pictures.push_back(picture_choice(word));
+    std::vector<std::string> methods;
+    for (const FilterChoice& method : words.run.methods) methods.push_back(method.typed);
+    refuse_equal_names(pictures, methods);
+    return pictures;
+}
+
 }  // namespace
 
 void add_filters(CLI::App& app, FiltersWords& words) {
@@ -176,6 +199,7 @@ FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) 
     const auto typed = [&](const char* name) { return app.get_subcommand(name)->parsed(); };
     if (typed("run")) {
         words.run.methods = filter_choices(words.methods, study_choice);
+        words.run.pictures = chosen_pictures(words);
         words.run.truth = reconstruction(words.truth);
         words.run.views = words_of_list(words.views);
         return words.run;
@@ -183,7 +207,14 @@ FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) 
     if (typed("list")) return words.list;
     if (typed("scenes")) return words.scenes;
     if (typed("check")) return chosen_check(words);
-    if (typed("table")) return words.table;
+    if (typed("table")) {
+        words.table.choice.columns = words_of_list(words.table_columns);
+        if (!words.table.baseline.empty() && !words.table.is_pooled)
+            throw UsageError{"--baseline: expected together with --pooled"};
+        if (!words.table.choice.sort.empty() && words.table.is_pooled)
+            throw UsageError{"--sort: --pooled puts the best first by itself"};
+        return words.table;
+    }
     if (typed("crow")) return words.crow;
     if (!typed("figure"))
         throw UsageError{

@@ -42,6 +42,7 @@ study::Plan plan_of(const FiltersRunArguments& arguments) {
     study::Plan plan{.methods = {}, .truth = arguments.truth, .flicker_steps = arguments.flicker_steps};
     for (const FilterChoice& choice : arguments.methods)
         plan.methods.push_back({choice.typed, choice.texturing, painter_of(choice)});
+    for (const PictureChoice& picture : arguments.pictures) plan.methods.push_back(configured(picture));
     return plan;
 }
 
@@ -62,6 +63,7 @@ class FilterStudyRun {
         const Loaded loaded = load(
             source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
         const std::vector<View> views = chosen_views(loaded, arguments.views);
+        require_a_file_for_each(arguments.pictures, 1, views.size());
         const std::string name = unique_name(loaded.scene.name, source);
         progress_.expect_more(double(views.size() - 1) * study::units_of(plan_));
         views_ += views.size();
@@ -72,7 +74,7 @@ class FilterStudyRun {
             study::ViewStudy one = study_one(name, loaded.scene, view);
             one.scene = name;
             one.reason = source.reason;
-            scored_ += one.methods.size();
+            scored_ += one.methods.size() + one.missing.size();
             results_.views.push_back(std::move(one));
         }
     }
@@ -121,8 +123,21 @@ bool shows_a_texture(const study::ViewStudy& view) {
     return std::ranges::any_of(view.methods, [](const study::MethodScore& m) { return m.cost.pixels > 0; });
 }
 
+/// Was there any?
+bool say_missing(const study::StudyResults& results) {
+    bool is_missing = false;
+    for (const study::ViewStudy& view : results.views)
+        for (const study::MissingPicture& one : view.missing) {
+            const std::string where = view.scene + " / " + view.view + ": " + one.label;
+            std::cerr << "zproof: " << one_line(where + ": " + one.reason) << "\n";
+            is_missing = true;
+        }
+    return is_missing;
+}
+
 ExitCode conclusion(const study::StudyResults& results, Share share) {
     if (!results.is_complete) return say_interrupted(share, "picture", "scored and written");
+    if (say_missing(results)) return ExitCode::cannot_judge;
     if (std::ranges::any_of(results.views, shows_a_texture)) return ExitCode::proven;
     std::cerr << "zproof: nothing to study: no pixel of these scenes shows a texture\n";
     return ExitCode::nothing;
@@ -132,6 +147,7 @@ ExitCode conclusion(const study::StudyResults& results, Share share) {
 
 ExitCode execute(const FiltersRunArguments& arguments) {
     const std::vector<StudyScene> scenes = study_scenes(arguments.scenes);
+    require_a_file_for_each(arguments.pictures, scenes.size(), 1);
     const study::Plan plan = plan_of(arguments);
     study::StudyResults results = results_of(arguments, plan);
     OutputFolder out{arguments.common.out};
@@ -154,7 +170,7 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     write_filters_figures({.study = out.working(), .figures = out.working()}, results, {});
     const std::filesystem::path place =
         publish(out, arguments.common, results.is_complete ? Completeness::full : Completeness::partial);
-    if (!arguments.common.is_quiet()) std::cout << filters_table(results, "interior") << "\n";
+    if (!arguments.common.is_quiet()) std::cout << filters_table(results, {"interior"}) << "\n";
     std::cout << "study: " << one_line((place / "filters.html").string()) << "\n";
     return conclusion(results, share);
 }

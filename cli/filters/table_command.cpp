@@ -5,29 +5,78 @@
 #include "cli/nearest_word.h"
 #include "cli/usage_error.h"
 #include "reports/filters/folder.h"
+#include "reports/filters/pooled.h"
 #include "reports/filters/tables.h"
 
 namespace zproof {
 namespace {
 
-void require_region(const study::StudyResults& results, const std::string& region) {
-    std::vector<std::string> names;
-    for (const study::RegionCard& card : results.regions) names.push_back(card.name);
-    if (std::ranges::find(names, region) != names.end()) return;
+using study::StudyResults;
+
+void require_one_of(const std::vector<std::string>& names, const std::string& word, const std::string& what) {
+    if (std::ranges::find(names, word) != names.end()) return;
     std::string list;
     for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    throw UsageError{"--region '" + region + "': no such region" + did_you_mean(region, names) +
+    throw UsageError{"--" + what + " '" + word + "': no such " + what + did_you_mean(word, names) +
                      " (known: " + list + ")"};
+}
+
+template <class Card>
+std::vector<std::string> names_of(const std::vector<Card>& cards, std::string Card::*name) {
+    std::vector<std::string> names;
+    for (const Card& card : cards) names.push_back(card.*name);
+    return names;
+}
+
+void require_what_was_studied(const StudyResults& results, const FiltersTableArguments& arguments) {
+    const TableChoice& choice = arguments.choice;
+    require_one_of(names_of(results.regions, &study::RegionCard::name), choice.region, "region");
+    const std::vector<std::string> columns =
+        arguments.is_pooled ? names_of(results.metrics, &study::MetricCard::name) : column_names(results);
+    for (const std::string& column : choice.columns) require_one_of(columns, column, "columns");
+    if (!choice.sort.empty()) require_one_of(columns, choice.sort, "sort");
+}
+
+std::vector<study::PooledScores> pools_of(const StudyResults& results,
+                                          const FiltersTableArguments& arguments) {
+    std::vector<std::string> metrics = arguments.choice.columns;
+    if (metrics.empty()) metrics = {"psnr", "flip"};
+    std::vector<study::PooledScores> pools;
+    for (const std::string& metric : metrics)
+        pools.push_back(study::pooled(results, {.metric = metric, .region = arguments.choice.region}));
+    if (arguments.baseline.empty()) return pools;
+    for (study::PooledScores& pool : pools) {
+        require_one_of(names_of(pool.methods, &study::PooledMethod::label), arguments.baseline, "baseline");
+        pool.choice.baseline = arguments.baseline;
+        pool = study::pooled(results, pool.choice);
+    }
+    return pools;
+}
+
+ExitCode print_pooled(const StudyResults& results, const FiltersTableArguments& arguments) {
+    if (arguments.format == TableFormat::csv) {
+        std::cout << pooled_csv(results, arguments.choice.region);
+        return ExitCode::proven;
+    }
+    const char* gap = "";
+    for (const study::PooledScores& pool : pools_of(results, arguments)) {
+        const TableCells cells = pooled_cells(results, pool);
+        std::cout << gap
+                  << (arguments.format == TableFormat::latex ? latex_table(cells) : terminal_table(cells));
+        gap = "\n";
+    }
+    return ExitCode::proven;
 }
 
 }  // namespace
 
 ExitCode execute(const FiltersTableArguments& arguments) {
-    const study::StudyResults results = read_filters_results(arguments.folder);
-    require_region(results, arguments.region);
+    const StudyResults results = read_filters_results(arguments.folder);
+    require_what_was_studied(results, arguments);
+    if (arguments.is_pooled) return print_pooled(results, arguments);
     if (arguments.format == TableFormat::csv) std::cout << filters_csv(results);
-    if (arguments.format == TableFormat::latex) std::cout << filters_latex(results, arguments.region);
-    if (arguments.format == TableFormat::terminal) std::cout << filters_table(results, arguments.region);
+    if (arguments.format == TableFormat::latex) std::cout << filters_latex(results, arguments.choice);
+    if (arguments.format == TableFormat::terminal) std::cout << filters_table(results, arguments.choice);
     return ExitCode::proven;
 }
 

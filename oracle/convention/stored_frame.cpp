@@ -9,6 +9,7 @@
 #include "image_io/module.h"
 #include "image_io/raw_frame.h"
 #include "oracle/convention/camera_depth.h"
+#include "oracle/convention/expected_size.h"
 #include "oracle/convention/frame_bytes.h"
 #include "oracle/isolated.h"
 
@@ -16,13 +17,6 @@ namespace zproof::oracle {
 namespace {
 
 namespace fs = std::filesystem;
-
-void refuse_other_size(const fs::path& file, Resolution size, const View& view) {
-    if (size == Resolution{view.width, view.height}) return;
-    throw FrameError(file.string() + ": " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                     " pixels; the view '" + view.name + "' has " + std::to_string(view.width) + " x " +
-                     std::to_string(view.height));
-}
 
 Frame frame_of(const RawFrame& raw, const Convention& convention, const View& view, IdChannel ids) {
     const bool has_ids = ids == IdChannel::present;
@@ -46,8 +40,6 @@ Frame frame_of(const RawFrame& raw, const Convention& convention, const View& vi
     return frame;
 }
 
-/// Of headers and of the libraries that read them.
-constexpr std::size_t reader_memory_bytes = std::size_t{256} << 20;
 /// Of all that is made of a pixel on the way: ids, depths in double, attributes, and a copy of them.
 constexpr std::size_t most_bytes_per_pixel = 160;
 

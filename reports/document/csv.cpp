@@ -1,22 +1,16 @@
 #include "reports/document/csv.h"
 
 #include "reports/document/cell_text.h"
+#include "reports/wording.h"
 
 namespace zproof::document {
 
 namespace {
 
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string{"\"\""} : std::string{c};
-    return quoted + "\"";
-}
-
 template <class Values, class Text>
 std::string line_of(const Values& values, Text text) {
     std::string line;
-    for (const auto& value : values) line += (&value == &values.front() ? "" : ",") + field(text(value));
+    for (const auto& value : values) line += (&value == &values.front() ? "" : ",") + csv_field(text(value));
     return line + "\n";
 }
 

@@ -7,6 +7,7 @@
 #include "reports/filters/json.h"
 #include "reports/filters/page.h"
 #include "reports/filters/plots.h"
+#include "reports/filters/pooled.h"
 #include "reports/filters/tables.h"
 #include "reports/page_parts.h"
 #include "reports/pictures.h"
@@ -72,7 +73,8 @@ ViewFigures figures_of(const FigureFolders& folders, const StudyResults& results
 void write_filters_results(const fs::path& folder, const StudyResults& results) {
     write_text(folder / "filters.json", filters_json(results));
     write_text(folder / "filters.csv", filters_csv(results));
-    write_text(folder / "table.tex", filters_latex(results, "interior"));
+    if (texture_count(results) > 1) write_text(folder / "pooled.csv", pooled_csv(results, "interior"));
+    write_text(folder / "table.tex", filters_latex(results, {"interior"}));
 }
 
 void write_filters_figures(const FigureFolders& folders, const StudyResults& results,
@@ -81,8 +83,11 @@ void write_filters_figures(const FigureFolders& folders, const StudyResults& res
     for (const ViewStudy& view : results.views) figures.push_back(figures_of(folders, results, view, choice));
     std::vector<Plot> overview;
     if (results.views.size() > 1) overview = filters_plots(results, choice.labels);
+    const std::vector<PooledScores> pools =
+        texture_count(results) > 1 ? page_pools(results) : std::vector<PooledScores>{};
+    for (const PooledScores& pool : pools) overview.push_back(pooled_plot(results, pool));
     for (const Plot& plot : overview) write_text(folders.figures / "plots" / (plot.name + ".svg"), plot.svg);
-    write_text(folders.figures / "filters.html", filters_page(results, figures, overview));
+    write_text(folders.figures / "filters.html", filters_page(results, figures, {overview, pools}));
 }
 
 StudyResults read_filters_results(const fs::path& folder) {

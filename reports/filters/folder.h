@@ -21,7 +21,7 @@ struct FigureChoice {
 
 inline constexpr int crop_side = 48, crop_magnification = 6;
 
-/// Writes filters.json, filters.csv and table.tex.
+/// Writes filters.json, filters.csv and table.tex; of several textures pooled.csv, too.
 void write_filters_results(const std::filesystem::path& folder, const study::StudyResults& results);
 
 /// Where the study's pictures lie, and where figures of them go; they may be one.

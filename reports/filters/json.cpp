@@ -57,7 +57,9 @@ Json json_of(const MethodScore& method, const std::vector<MetricCard>& metrics) 
 }
 
 Json json_of(const ViewStudy& view, const std::vector<MetricCard>& metrics) {
-    Json methods = Json::array();
+    Json methods = Json::array(), missing = Json::array();
+    for (const MissingPicture& one : view.missing)
+        missing.push_back({{"method", one.label}, {"reason", one.reason}});
     for (const MethodScore& method : view.methods) methods.push_back(json_of(method, metrics));
     return {{"scene", view.scene},
             {"view", view.view},
@@ -68,6 +70,7 @@ Json json_of(const ViewStudy& view, const std::vector<MetricCard>& metrics) {
             {"textures", view.textures},
             {"truth_file", view.truth_file},
             {"truth_seconds", number(view.truth_seconds)},
+            {"missing_pictures", missing},
             {"methods", methods}};
 }
 
@@ -130,6 +133,8 @@ ViewStudy view_study(const Json& json, const std::vector<MetricCard>& metrics) {
                    .truth_file = json.at("truth_file"),
                    .truth_seconds = number(json.at("truth_seconds"))};
     for (const Json& one : json.at("methods")) view.methods.push_back(method_score(one, metrics));
+    for (const Json& one : json.value("missing_pictures", Json::array()))
+        view.missing.push_back({one.at("method"), one.at("reason")});
     return view;
 }
 

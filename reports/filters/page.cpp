@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reports/base64.h"
+#include "reports/filters/pooled.h"
 #include "reports/filters/table_cells.h"
 #include "reports/page_parts.h"
 #include "reports/wording.h"
@@ -92,13 +93,20 @@ std::string tables_of(const StudyResults& results, const ViewStudy& view) {
     std::string text;
     for (const RegionCard& region : results.regions) {
         if (!has_pixels(view, region.name)) continue;
-        const TableCells table = table_cells(results, view, region.name);
+        const TableCells table = table_cells(results, view, {region.name});
         const bool is_main = region.name == "interior";
         const std::string whole = "<summary>" + escaped(table.title.substr(table.title.find("region"))) +
                                   ": " + escaped(region.definition) + "</summary>" + table_of(table);
         text += "<details" + std::string{is_main ? " open" : ""} + ">" + whole + "</details>\n";
     }
     return text;
+}
+
+std::string left_out_of(const PooledScores& pool) {
+    if (pool.left_out.empty()) return "";
+    std::string names;
+    for (const std::string& label : pool.left_out) names += (names.empty() ? "" : ", ") + label;
+    return "<p>Left out, since some view has no value of them: " + escaped(names) + ".</p>\n";
 }
 
 std::string crops_of(const ViewFigures& figures) {
@@ -116,9 +124,28 @@ std::string section_of(const StudyResults& results, const ViewStudy& view, const
     text += "<p class=\"facts\">" + std::to_string(view.width) + " x " + std::to_string(view.height) +
             " pixels · texture " + escaped(view.textures) + " · truth in " + fixed(view.truth_seconds, 2) +
             " s</p>\n";
+    for (const MissingPicture& one : view.missing)
+        text += "<p class=\"reason\"><strong>" + escaped(one.label) +
+                "</strong> has no picture of this view: " + escaped(one.reason) + "</p>\n";
     return text + "<div class=\"truth\">" + page_figure(figures.truth.data, figures.truth.caption) +
            "</div>\n" + tables_of(results, view) + crops_of(figures) + plots_of(figures.plots) +
            "</section>\n";
+}
+
+std::string pools_of(const StudyResults& results, const std::vector<PooledScores>& pools) {
+    std::string text;
+    for (const PooledScores& pool : pools) {
+        const TableCells table = pooled_cells(results, pool);
+        text += "<details" + std::string{text.empty() ? " open" : ""} + "><summary>" + escaped(table.title) +
+                "</summary>" + table_of(table) + left_out_of(pool) + "</details>\n";
+    }
+    if (pools.empty()) return text;
+    return text + "<p>Intervals are 95 % by bootstrap over textures (" +
+           std::to_string(pools[0].choice.samples) + " samples, seed " +
+           std::to_string(pools[0].choice.seed) +
+           "). First: in how many of the samples the method is the best. The last two columns are paired, "
+           "texture by "
+           "texture.</p>\n";
 }
 
 std::string definition(const std::string& name, const std::string& words) {
@@ -153,11 +180,12 @@ std::string legend(const StudyResults& results) {
 }  // namespace
 
 std::string filters_page(const StudyResults& results, const std::vector<ViewFigures>& figures,
-                         const std::vector<Plot>& overview) {
+                         const StudyOverview& overview) {
     std::string page =
         page_head(filters_headline(results), filters_style) + "<body>\n" + opening(results) + "<main>\n";
-    if (!overview.empty())
-        page += "<section>\n<h2>All views together</h2>\n" + plots_of(overview) + "</section>\n";
+    if (!overview.plots.empty())
+        page += "<section>\n<h2>All views together</h2>\n" + pools_of(results, overview.pools) +
+                plots_of(overview.plots) + "</section>\n";
     for (std::size_t i = 0; i < results.views.size(); ++i)
         page += section_of(results, results.views[i], figures.at(i));
     return page + legend(results) + "</main>\n" + page_end();

@@ -6,7 +6,7 @@
 
 #include "reports/filters/crops.h"
 #include "reports/filters/plots.h"
-#include "study/filters/results.h"
+#include "study/filters/statistics.h"
 
 namespace zproof {
 
@@ -24,8 +24,14 @@ struct ViewFigures {
     std::vector<Plot> plots;
 };
 
-/// `figures`: one per view; `overview`: plots of all views together, none where there is one view.
+/// All views together: none of it where there is one view.
+struct StudyOverview {
+    std::vector<Plot> plots;
+    std::vector<study::PooledScores> pools;  ///< of several textures
+};
+
+/// `figures`: one per view.
 std::string filters_page(const study::StudyResults& results, const std::vector<ViewFigures>& figures,
-                         const std::vector<Plot>& overview);
+                         const StudyOverview& overview);
 
 }  // namespace zproof

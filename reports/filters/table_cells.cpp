@@ -1,6 +1,10 @@
 #include "reports/filters/table_cells.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
 
 #include "reports/wording.h"
 #include "study/filters/claims.h"
@@ -19,56 +23,119 @@ std::string cell(double value, int decimals) {
 /// RMSE and PSNR are claims about the truth; both stand or fall together.
 bool is_claim(const MetricCard& metric) { return metric.name == "rmse" || metric.name == "psnr"; }
 
-void add_metrics(const StudyResults& results, const RegionScore& score, std::vector<std::string>& row) {
-    for (std::size_t i = 0; i < results.metrics.size(); ++i) {
-        const MetricCard& metric = results.metrics[i];
+/// A column beside rank and method.
+struct ColumnRule {
+    std::string name;
+    bool higher_is_better = false;
+    std::function<double(const MethodScore&, const RegionScore&)> value;
+    std::function<std::string(const MethodScore&, const RegionScore&)> text;
+};
+
+ColumnRule metric_rule(const StudyResults& results, std::size_t i) {
+    const MetricCard& metric = results.metrics[i];
+    const auto value = [i](const MethodScore&, const RegionScore& score) { return score.values.at(i); };
+    const auto text = [&results, &metric, i](const MethodScore&, const RegionScore& score) {
         const bool is_open = is_claim(metric) && !is_resolved(results, score);
-        row.push_back(is_open ? std::string{not_resolved} : cell(score.values.at(i), metric.decimals));
-    }
+        return is_open ? std::string{not_resolved} : cell(score.values.at(i), metric.decimals);
+    };
+    return {metric.name, metric.higher_is_better, value, text};
 }
 
-void add_costs(const MethodScore& method, std::vector<std::string>& row) {
-    const bool has_flicker = method.flicker.steps > 0;
-    row.push_back(has_flicker ? cell(method.flicker.rms, 4) : "-");
-    row.push_back(has_flicker ? cell(method.flicker.ratio, 2) : "-");
-    row.push_back(cell(method.cost.texels, 1));
-    row.push_back(cell(method.cost.lines, 1));
-    row.push_back(bytes_in_words(method.cost.bytes_stored));
-    row.push_back(cell(method.cost.build_ms, 1));
-    row.push_back(cell(method.cost.ns_per_sample, 0));
+ColumnRule rule_of(const std::string& name, double Cost::*part, int decimals) {
+    const auto value = [part](const MethodScore& m, const RegionScore&) { return m.cost.*part; };
+    return {name, false, value,
+            [=](const MethodScore& m, const RegionScore& score) { return cell(value(m, score), decimals); }};
+}
+
+ColumnRule rule_of(const std::string& name, double Flicker::*part, int decimals) {
+    const auto value = [part](const MethodScore& m, const RegionScore&) {
+        return m.flicker.steps > 0 ? m.flicker.*part : std::numeric_limits<double>::quiet_NaN();
+    };
+    return {name, false, value,
+            [=](const MethodScore& m, const RegionScore& score) { return cell(value(m, score), decimals); }};
+}
+
+ColumnRule stored_rule() {
+    return {"stored", false,
+            [](const MethodScore& m, const RegionScore&) { return double(m.cost.bytes_stored); },
+            [](const MethodScore& m, const RegionScore&) { return bytes_in_words(m.cost.bytes_stored); }};
 }
 
 /// Cost and flicker are of the whole picture: they stand beside the regions that are quoted, and are no value
 /// of a smaller one.
 bool shows_costs(const std::string& region) { return region == "all" || region == "interior"; }
 
-std::vector<TableColumn> columns_of(const StudyResults& results, const std::string& region) {
-    std::vector<TableColumn> columns{{"rank"}, {"method", true}};
-    for (const MetricCard& metric : results.metrics) columns.push_back({metric.name});
-    if (!shows_costs(region)) return columns;
-    for (const char* name : {"flicker", "ratio", "texels", "lines", "stored", "build ms", "ns"})
-        columns.push_back({name});
-    return columns;
+std::vector<ColumnRule> all_columns(const StudyResults& results, const std::string& region) {
+    std::vector<ColumnRule> rules;
+    for (std::size_t i = 0; i < results.metrics.size(); ++i) rules.push_back(metric_rule(results, i));
+    if (!shows_costs(region)) return rules;
+    rules.insert(rules.end(),
+                 {rule_of("flicker", &Flicker::rms, 4), rule_of("ratio", &Flicker::ratio, 2),
+                  rule_of("texels", &Cost::texels, 1), rule_of("lines", &Cost::lines, 1), stored_rule(),
+                  rule_of("build ms", &Cost::build_ms, 1), rule_of("ns", &Cost::ns_per_sample, 0)});
+    return rules;
+}
+
+std::vector<ColumnRule> chosen_columns(const StudyResults& results, const TableChoice& choice) {
+    const std::vector<ColumnRule> all = all_columns(results, choice.region);
+    if (choice.columns.empty()) return all;
+    std::vector<ColumnRule> chosen;
+    for (const std::string& name : choice.columns)
+        std::ranges::copy_if(all, std::back_inserter(chosen),
+                             [&](const ColumnRule& r) { return r.name == name; });
+    return chosen;
+}
+
+/// A row in the making.
+struct ScoredMethod {
+    const MethodScore* method;
+    const RegionScore* score;
+    int rank;
+};
+
+/// What is no number comes last.
+void sort_by(const ColumnRule& rule, std::vector<ScoredMethod>& rows) {
+    std::ranges::stable_sort(rows, {}, [&](const ScoredMethod& row) {
+        const double value = rule.value(*row.method, *row.score);
+        if (std::isnan(value)) return std::numeric_limits<double>::infinity();
+        return rule.higher_is_better ? -value : value;
+    });
+}
+
+std::vector<ScoredMethod> scored_methods(const StudyResults& results, const ViewStudy& view,
+                                         const TableChoice& choice) {
+    const std::vector<int> places = ranks(results, view, choice.region);
+    std::vector<ScoredMethod> rows;
+    for (std::size_t i = 0; i < view.methods.size(); ++i)
+        if (const RegionScore* const score = find_score(view.methods[i], choice.region))
+            rows.push_back({&view.methods[i], score, places[i]});
+    for (const ColumnRule& rule : all_columns(results, choice.region))
+        if (rule.name == choice.sort) sort_by(rule, rows);
+    return rows;
 }
 
 }  // namespace
 
-TableCells table_cells(const StudyResults& results, const ViewStudy& view, const std::string& region) {
+std::vector<std::string> column_names(const StudyResults& results) {
+    std::vector<std::string> names;
+    for (const ColumnRule& rule : all_columns(results, "interior")) names.push_back(rule.name);
+    return names;
+}
+
+TableCells table_cells(const StudyResults& results, const ViewStudy& view, const TableChoice& choice) {
     TableCells table{
-        .title = view.scene + " / " + view.view, .columns = columns_of(results, region), .rows = {}};
-    const std::vector<int> places = ranks(results, view, region);
+        .title = view.scene + " / " + view.view, .columns = {{"rank"}, {"method", true}}, .rows = {}};
+    const std::vector<ColumnRule> rules = chosen_columns(results, choice);
+    for (const ColumnRule& rule : rules) table.columns.push_back({rule.name});
     std::uint64_t pixels = 0;
-    for (std::size_t i = 0; i < view.methods.size(); ++i) {
-        const RegionScore* const score = find_score(view.methods[i], region);
-        if (score == nullptr) continue;
+    for (const auto& [method, score, rank] : scored_methods(results, view, choice)) {
         pixels = score->pixels;
-        table.rows.push_back({places[i] == 0 ? "-" : std::to_string(places[i]), view.methods[i].label});
-        add_metrics(results, *score, table.rows.back());
-        if (shows_costs(region)) add_costs(view.methods[i], table.rows.back());
+        table.rows.push_back({rank == 0 ? "-" : std::to_string(rank), method->label});
+        for (const ColumnRule& rule : rules) table.rows.back().push_back(rule.text(*method, *score));
     }
     if (view.first_row > 0) table.title += ", rows from " + std::to_string(view.first_row);
     table.title += ", " + std::to_string(view.width) + " x " + std::to_string(view.height) + ", region '" +
-                   region + "' (" + counted(pixels, "pixel") + "), GT-" + results.truth;
+                   choice.region + "' (" + counted(pixels, "pixel") + "), GT-" + results.truth;
     return table;
 }
 

@@ -21,9 +21,19 @@ struct TableCells {
 
 inline constexpr std::string_view not_resolved = "not resolved";
 
-/// One view, one region: rank, method, metrics, flicker, costs.
+/// What a reader wants of a table.
+struct TableChoice {
+    std::string region = "interior";
+    std::vector<std::string> columns{};  ///< beside rank and method, in this order; empty: all
+    std::string sort{};                  ///< a column, the best first; empty: methods as the study has them
+};
+
+/// The names of all columns beside rank and method: metrics, flicker, costs.
+std::vector<std::string> column_names(const study::StudyResults& results);
+
+/// One view, one region: rank, method, metrics, flicker, costs. Names must be columns.
 TableCells table_cells(const study::StudyResults& results, const study::ViewStudy& view,
-                       const std::string& region);
+                       const TableChoice& choice);
 
 /// "GT-N: mean over the pixel's square of the nearest-reconstructed texture".
 std::string truth_in_words(const std::string& truth);

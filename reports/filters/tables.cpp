@@ -12,24 +12,6 @@ namespace {
 
 using namespace study;
 
-std::string set(const TableCells& table) {
-    std::vector<std::size_t> widths;
-    for (const TableColumn& column : table.columns) widths.push_back(column.name.size());
-    for (const auto& row : table.rows)
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-    const auto line = [&](auto text_at) {
-        std::string text;
-        for (std::size_t i = 0; i < widths.size(); ++i) {
-            const std::string word = text_at(i), gap(widths[i] - word.size(), ' ');
-            text += (i == 0 ? "" : "  ") + (table.columns[i].is_text ? word + gap : gap + word);
-        }
-        return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
-    };
-    std::string text = table.title + "\n" + line([&](std::size_t i) { return table.columns[i].name; });
-    for (const auto& row : table.rows) text += line([&](std::size_t i) { return one_line(row[i]); });
-    return text;
-}
-
 std::string latex_safe(const std::string& text) {
     std::string safe;
     for (const char c : text) {
@@ -52,27 +34,6 @@ std::string latex_row(const std::vector<std::string>& cells) {
     return text + " \\\\\n";
 }
 
-std::string latex(const TableCells& table) {
-    std::string shape;
-    std::vector<std::string> names;
-    for (const TableColumn& column : table.columns) {
-        shape += column.is_text ? 'l' : 'r';
-        names.push_back(column.name);
-    }
-    std::string text = "\\begin{table}\n\\caption{" + latex_safe(table.title) +
-                       "}\n\\centering\\footnotesize\n\\begin{tabular}{" + shape + "}\n\\toprule\n" +
-                       latex_row(names) + "\\midrule\n";
-    for (const auto& row : table.rows) text += latex_row(row);
-    return text + "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
-}
-
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string safe = "\"";
-    for (const char c : text) safe += c == '"' ? std::string{"\"\""} : std::string{c};
-    return safe + "\"";
-}
-
 /// The columns of one row but the metric and its value.
 struct CsvPlace {
     const StudyResults& results;
@@ -81,9 +42,9 @@ struct CsvPlace {
 
     std::string row(const std::string& region, std::uint64_t pixels,
                     const std::string& metric_and_value) const {
-        return quoted(view.scene) + "," + quoted(view.view) + "," + std::to_string(view.width) + "," +
-               std::to_string(view.height) + "," + quoted(method.label) + "," + results.truth + "," +
-               quoted(region) + "," + std::to_string(pixels) + "," + metric_and_value + "\n";
+        return csv_field(view.scene) + "," + csv_field(view.view) + "," + std::to_string(view.width) + "," +
+               std::to_string(view.height) + "," + csv_field(method.label) + "," + results.truth + "," +
+               csv_field(region) + "," + std::to_string(pixels) + "," + metric_and_value + "\n";
     }
     std::string measured(const std::string& region, const std::string& metric, double value) const {
         return row(region, method.cost.pixels, metric + "," + shortest(value) + ",,");
@@ -115,6 +76,39 @@ std::string cost_rows(const CsvPlace& place) {
 
 }  // namespace
 
+std::string terminal_table(const TableCells& table) {
+    std::vector<std::size_t> widths;
+    for (const TableColumn& column : table.columns) widths.push_back(column.name.size());
+    for (const auto& row : table.rows)
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    const auto line = [&](auto text_at) {
+        std::string text;
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            const std::string word = text_at(i), gap(widths[i] - word.size(), ' ');
+            text += (i == 0 ? "" : "  ") + (table.columns[i].is_text ? word + gap : gap + word);
+        }
+        return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+    };
+    std::string text = table.title + "\n" + line([&](std::size_t i) { return table.columns[i].name; });
+    for (const auto& row : table.rows) text += line([&](std::size_t i) { return one_line(row[i]); });
+    return text;
+}
+
+std::string latex_table(const TableCells& table) {
+    std::string shape;
+    std::vector<std::string> names;
+    for (const TableColumn& column : table.columns) {
+        shape += column.is_text ? 'l' : 'r';
+        names.push_back(column.name);
+    }
+    std::string text =
+        "\\begin{table}\n\\caption{" + latex_safe(table.title) +
+        "}\n\\centering\\footnotesize\n\\begin{tabular*}{\\textwidth}{@{\\extracolsep{\\fill}}" + shape +
+        "@{}}\n\\toprule\n" + latex_row(names) + "\\midrule\n";
+    for (const auto& row : table.rows) text += latex_row(row);
+    return text + "\\bottomrule\n\\end{tabular*}\n\\end{table}\n";
+}
+
 std::string filters_csv(const StudyResults& results) {
     std::string text =
         "scene,view,width,height,method,truth,region,pixels,metric,value,truth_half_width,resolved\n";
@@ -127,16 +121,16 @@ std::string filters_csv(const StudyResults& results) {
     return text;
 }
 
-std::string filters_table(const StudyResults& results, const std::string& region) {
+std::string filters_table(const StudyResults& results, const TableChoice& choice) {
     std::string text;
     for (const ViewStudy& view : results.views)
-        text += (text.empty() ? "" : "\n") + set(table_cells(results, view, region));
+        text += (text.empty() ? "" : "\n") + terminal_table(table_cells(results, view, choice));
     return text;
 }
 
-std::string filters_latex(const StudyResults& results, const std::string& region) {
+std::string filters_latex(const StudyResults& results, const TableChoice& choice) {
     std::string text = "% \\usepackage{booktabs}; " + truth_in_words(results.truth) + "\n";
-    for (const ViewStudy& view : results.views) text += latex(table_cells(results, view, region));
+    for (const ViewStudy& view : results.views) text += latex_table(table_cells(results, view, choice));
     return text;
 }
 

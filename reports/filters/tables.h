@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "study/filters/results.h"
+#include "reports/filters/table_cells.h"
 
 namespace zproof {
 
@@ -15,9 +15,13 @@ std::string filters_csv(const study::StudyResults& results);
 /// Text for a terminal, a table per view: metrics in one region, flicker and costs. "not resolved" stands
 /// where the truth is not known to a fifth of the method's distance from it; methods that cannot be told
 /// apart share a rank.
-std::string filters_table(const study::StudyResults& results, const std::string& region);
+std::string filters_table(const study::StudyResults& results, const TableChoice& choice);
 
-/// The tables as LaTeX with booktabs; a table environment per view.
-std::string filters_latex(const study::StudyResults& results, const std::string& region);
+/// The tables as LaTeX with booktabs, as wide as the text; a table environment per view.
+std::string filters_latex(const study::StudyResults& results, const TableChoice& choice);
+
+/// A table of cells in these forms.
+std::string terminal_table(const TableCells& table);
+std::string latex_table(const TableCells& table);
 
 }  // namespace zproof

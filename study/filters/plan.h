@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,20 @@
 
 namespace zproof::study {
 
+/// A picture that somebody else's renderer should have drawn and did not. The study goes on without it.
+struct RendererFailure : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 /// A method with its settings, as somebody asked for it.
 struct ConfiguredMethod {
     std::string label;  ///< unique within a plan
     rasterizer::Texturing texturing;
-    /// Draws the textures of a frame in place of rasterizer::filtered: a sampler of others. Empty: none does.
+    /// Draws the textures of a frame in place of rasterizer::filtered: a sampler or a renderer of others.
+    /// Empty: none does. May throw RendererFailure.
     std::function<Picture(const Scene&, const View&, const Frame&)> paint{};
+    /// A still has the view itself alone: its flicker is not measured.
+    enum class Views { panned, still } views = Views::panned;
 };
 
 struct Plan {

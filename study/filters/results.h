@@ -55,6 +55,11 @@ struct MethodScore {
     std::string file;  ///< its picture, relative to the study's folder
 };
 
+/// A picture that is missing, and why.
+struct MissingPicture {
+    std::string label, reason;
+};
+
 struct ViewStudy {
     std::string scene, view, reason;
     int width = 0, height = 0;
@@ -63,6 +68,7 @@ struct ViewStudy {
     std::vector<MethodScore> methods;
     std::string truth_file;
     double truth_seconds = 0;  ///< to compute the truth of one view
+    std::vector<MissingPicture> missing{};
 };
 
 /// A definition of a region, for the legend.

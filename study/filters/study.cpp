@@ -85,7 +85,8 @@ class MeasuredView {
 
     MethodScore score(const ConfiguredMethod& configured_method, const ProgressSink& progress_sink) const {
         std::vector<LinearPicture> pictures;
-        for (std::size_t k = 0; k < pan_.views.size(); ++k) {
+        const bool is_still = configured_method.views == ConfiguredMethod::Views::still;
+        for (std::size_t k = 0; k < (is_still ? 1 : pan_.views.size()); ++k) {
             const Picture picture = painted(configured_method, k);
             if (k == 0) progress_sink.is_shown(configured_method.label, picture);
             pictures.push_back(in_double(picture));
@@ -167,7 +168,11 @@ ViewStudy study_view(const Scene& scene, const View& view, const Plan& plan,
     for (const ConfiguredMethod& configured_method : plan.methods) {
         if (progress_sink.wants_to_stop()) break;
         progress_sink.begins(configured_method.label);
-        study.methods.push_back(measured_view.score(configured_method, progress_sink));
+        try {
+            study.methods.push_back(measured_view.score(configured_method, progress_sink));
+        } catch (const RendererFailure& e) {
+            study.missing.push_back({configured_method.label, e.what()});
+        }
     }
     return study;
 }

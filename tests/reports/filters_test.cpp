@@ -91,7 +91,7 @@ TEST(FiltersCsv, HasARowPerValueAndQuotesNames) {
 
 /// 0.01 is not five times 0.004; nor are 0.2 and 0.205 so far apart.
 TEST(FiltersTable, SaysWhatIsNotResolved) {
-    const std::string table = filters_table(sample_study(), "interior");
+    const std::string table = filters_table(sample_study(), {"interior"});
     EXPECT_EQ(table.find("scene / view, 64 x 32, region 'interior' (1,000 pixels), GT-B\n"), 0u);
     EXPECT_NE(table.find("\n   1  best, & \"only\"  not resolved  not resolved"), std::string::npos) << table;
     EXPECT_NE(table.find("\n   2  nearest "), std::string::npos) << table;
@@ -100,15 +100,15 @@ TEST(FiltersTable, SaysWhatIsNotResolved) {
 }
 
 TEST(FiltersTable, ShowsCostsOfTheWholePictureBesideTheRegionsThatAreQuoted) {
-    EXPECT_NE(filters_table(sample_study(), "interior").find("flicker"), std::string::npos);
-    const std::string part = filters_table(sample_study(), "anisotropy 1");
+    EXPECT_NE(filters_table(sample_study(), {"interior"}).find("flicker"), std::string::npos);
+    const std::string part = filters_table(sample_study(), {"anisotropy 1"});
     EXPECT_NE(part.find("rmse"), std::string::npos);
     EXPECT_EQ(part.find("flicker"), std::string::npos) << part;
     EXPECT_EQ(part.find("4.0 KiB"), std::string::npos) << part;
 }
 
 TEST(FiltersLatex, EscapesWhatLatexWouldTakeForItself) {
-    const std::string latex = filters_latex(sample_study(), "interior");
+    const std::string latex = filters_latex(sample_study(), {"interior"});
     EXPECT_NE(latex.find("best, \\& \"only\" & not resolved"), std::string::npos);
     EXPECT_NE(latex.find("dear\\_one"), std::string::npos);
     EXPECT_NE(latex.find("\\begin{tabular}{rlrrrrrrrrr}"), std::string::npos) << latex;

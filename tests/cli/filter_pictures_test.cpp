@@ -1,0 +1,126 @@
+// Pictures of other renderers in zproof filters, and what many textures say together.
+#include <gtest/gtest.h>
+
+#include "reports/filters/json.h"
+#include "study/filters/claims.h"
+#include "tests/cli/program.h"
+
+namespace zproof::test {
+namespace {
+
+const Words small{"filters",          "run",       "--width", "32", "--height", "32", "--methods",
+                  "nearest,bilinear", "--flicker", "1",       "-o", "study"};
+
+Words with(Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+double psnr(const study::StudyResults& results, std::size_t view, std::size_t method) {
+    return study::value_of(results, results.views.at(view).methods.at(method), "interior", "psnr");
+}
+
+/// A study of one view, whose pictures then come back as those of strangers.
+class FilterPictures : public testing::Test {
+  protected:
+    void SetUp() override {
+        ASSERT_EQ(run(folder_, with(small, {"worked", "--view", "phi-0"})).exit_code, 0);
+        std::filesystem::rename(folder_.path() / "study", folder_.path() / "ours");
+    }
+
+    const std::string theirs_ = "ours/pictures/worked-phi-0/bilinear.exr";
+    Folder folder_;
+};
+
+TEST_F(FilterPictures, StandInTheTableBesideTheMethods) {
+    const Ran ran = run(folder_, with(small, {"worked", "--view", "phi-0", "--picture", "theirs=" + theirs_,
+                                              "--picture", "program=cp " + theirs_ + " {out}"}));
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    const study::StudyResults results = filters_from_json(folder_.read("study/filters.json"));
+    ASSERT_EQ(results.views.at(0).methods.size(), 4u);
+    EXPECT_EQ(psnr(results, 0, 2), psnr(results, 0, 1));
+    EXPECT_EQ(psnr(results, 0, 3), psnr(results, 0, 1));
+    EXPECT_EQ(results.views[0].methods[2].flicker.steps, 0) << "a file has one view";
+    EXPECT_EQ(results.views[0].methods[3].flicker.steps, 1) << "a program draws further views";
+    EXPECT_NE(results.methods[2].source.find(theirs_), std::string::npos);
+    EXPECT_NE(ran.out.find("theirs"), std::string::npos) << ran.out;
+    EXPECT_EQ(folder_.read("study/pictures/worked-phi-0/theirs.exr"), folder_.read(theirs_));
+}
+
+/// The study goes on without it, and says so.
+TEST_F(FilterPictures, ThatAreMissingLeaveTheRest) {
+    for (const std::string& word : {std::string{"nowhere.exr"}, std::string{"ours/filters.json"},
+                                    std::string{"echo broken >&2; false {out}"}}) {
+        const Ran ran =
+            run(folder_, with(small, {"worked", "--view", "phi-0", "--picture", "theirs=" + word}));
+        EXPECT_EQ(ran.exit_code, 3) << word;
+        EXPECT_NE(ran.err.find("worked / phi-0: theirs: "), std::string::npos) << ran.err;
+        const study::StudyResults results = filters_from_json(folder_.read("study/filters.json"));
+        EXPECT_EQ(results.views.at(0).methods.size(), 2u);
+        ASSERT_EQ(results.views.at(0).missing.size(), 1u);
+        EXPECT_NE(folder_.read("study/filters.html").find("has no picture of this view"), std::string::npos);
+    }
+}
+
+TEST_F(FilterPictures, OfAnotherSizeAreRefusedWithBothSizes) {
+    const Ran ran =
+        run(folder_, {"filters", "run", "worked", "--view", "phi-0", "--width", "48", "--height", "32",
+                      "--methods", "nearest", "--picture", "theirs=" + theirs_, "-o", "study"});
+    EXPECT_EQ(ran.exit_code, 3);
+    EXPECT_NE(ran.err.find("32 x 32 pixels; the view 'phi-0' has 48 x 32"), std::string::npos) << ran.err;
+}
+
+TEST_F(FilterPictures, AreFoundByTheNamesOfSceneAndView) {
+    std::filesystem::copy_file(folder_.path() / theirs_, folder_.path() / "worked_phi-0.exr");
+    const Ran ran =
+        run(folder_, with(small, {"worked", "--view", "phi-0", "--picture", "theirs={scene}_{view}.exr"}));
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+}
+
+TEST_F(FilterPictures, HaveNamesOfTheirOwnAndAFileForEachView) {
+    const auto refused = [&](const Words& words, const std::string& why) {
+        const Ran ran = run(folder_, with(small, words));
+        EXPECT_EQ(ran.exit_code, 2) << ran.err;
+        EXPECT_NE(ran.err.find(why), std::string::npos) << ran.err;
+    };
+    refused({"worked", "--picture", "a.exr"}, "expected NAME=FILE");
+    refused({"worked", "--picture", "a b=a.exr"}, "a name has letters");
+    refused({"worked", "--picture", "nearest=a.exr"}, "is taken");
+    refused({"worked", "--picture", "a=a.exr", "--picture", "a=b.exr"}, "is taken");
+    refused({"worked", "--picture", "a=a.exr"}, "put {view} into its name");
+    refused({"worked", "tunnel", "--picture", "a={view}.exr"}, "put {scene} into its name");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "study"));
+}
+
+TEST(PooledTable, ComparesMethodsOverTextures) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, with(small, {"checker_plane", "tunnel"})).exit_code, 0);
+    EXPECT_NE(folder.read("study/filters.html").find("bootstrap over textures"), std::string::npos);
+    const Ran table =
+        run(folder, {"filters", "table", "study", "--pooled", "--columns", "rmse", "--baseline", "nearest"});
+    ASSERT_EQ(table.exit_code, 0) << table.err;
+    EXPECT_NE(table.out.find("rmse, mean over 2 textures"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("less nearest"), std::string::npos) << table.out;
+    const Ran csv = run(folder, {"filters", "table", "study", "--pooled", "--csv"});
+    EXPECT_EQ(csv.out, folder.read("study/pooled.csv"));
+    EXPECT_EQ(run(folder, {"filters", "table", "study", "--pooled", "--baseline", "nearst"}).exit_code, 2);
+    EXPECT_EQ(run(folder, {"filters", "table", "study", "--baseline", "nearest"}).exit_code, 2);
+}
+
+TEST(FilterTable, ShowsTheColumnsThatOneWantsTheBestFirst) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, with(small, {"worked", "--view", "phi-0"})).exit_code, 0);
+    const Ran table =
+        run(folder, {"filters", "table", "study", "--columns", "psnr,texels", "--sort", "psnr"});
+    ASSERT_EQ(table.exit_code, 0) << table.err;
+    EXPECT_NE(table.out.find("rank  method     psnr  texels\n"), std::string::npos) << table.out;
+    EXPECT_LT(table.out.find("bilinear"), table.out.find("nearest")) << table.out;
+    const Ran unknown = run(folder, {"filters", "table", "study", "--columns", "psnrr"});
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.err.find("did you mean 'psnr'?"), std::string::npos) << unknown.err;
+    const Ran latex = run(folder, {"filters", "table", "study", "--columns", "psnr", "--latex"});
+    EXPECT_NE(latex.out.find("\\begin{tabular*}{\\textwidth}"), std::string::npos) << latex.out;
+}
+
+}  // namespace
+}  // namespace zproof::test
