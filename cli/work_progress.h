@@ -37,7 +37,9 @@ class WorkProgress {
     WorkProgress(const WorkProgress&) = delete;
     WorkProgress& operator=(const WorkProgress&) = delete;
 
-    void expect_more(double work) { all_ += work; }            ///< a scene has more views than one
+    void expect_more(double work) { all_ += work; }  ///< a scene has more views than one
+    /// From here on what comes is like what was seen: a whole view.
+    void estimate_from_here() { estimate_ = Estimate::from_the_start; }
     void within(const std::string& whole) { whole_ = whole; }  ///< what the next pieces are parts of: a view
 
     /// Ends the piece in hand and begins the next.

@@ -38,13 +38,14 @@ ExitCode execute(const FiltersCrowArguments& arguments) {
     results.compiler = compiler_name();
     std::vector<CrowPicture> pictures;
     note_interrupts();
-    WorkProgress progress{std::cerr, progress_of(arguments.common), 1.0 + study::units_of(plan)};
-    const study::ProgressSink progress_sink{.begins = [&](const std::string& what) { progress.begin(what); },
-                                            .is_shown =
-                                                [&](const std::string& name, const Picture& picture) {
-                                                    pictures.push_back({name, picture});
-                                                },
-                                            .wants_to_stop = interrupted};
+    WorkProgress progress{std::cerr, progress_of(arguments.common), 1 + study::work_of(plan)};
+    const study::ProgressSink progress_sink{
+        .begins = [&](const std::string& what, double work) { progress.begin(what, work); },
+        .is_shown =
+            [&](const std::string& name, const Picture& picture) {
+                pictures.push_back({name, picture});
+            },
+        .wants_to_stop = interrupted};
     study::CrowAnswers answers;
     on_threads(arguments.common.threads, [&] {
         results.views.push_back(study::study_view(loaded.scene, loaded.views.at(0), plan, progress_sink));

@@ -65,7 +65,7 @@ class FilterStudyRun {
         const std::vector<View> views = chosen_views(loaded, arguments.views);
         require_a_file_for_each(arguments.pictures, 1, views.size());
         const std::string name = unique_name(loaded.scene.name, source);
-        progress_.expect_more(double(views.size() - 1) * study::units_of(plan_));
+        progress_.expect_more(double(views.size() - 1) * study::work_of(plan_));
         views_ += views.size();
         for (const View& view : views) {
             if (interrupted()) return;
@@ -76,6 +76,7 @@ class FilterStudyRun {
             one.reason = source.reason;
             scored_ += one.methods.size() + one.missing.size();
             results_.views.push_back(std::move(one));
+            progress_.estimate_from_here();
         }
     }
 
@@ -89,7 +90,7 @@ class FilterStudyRun {
         const std::string home = "pictures/" + names_.next(name, view.name) + "/";
         fs::create_directories(folder_ / home);
         const study::ProgressSink progress_sink{
-            .begins = [&](const std::string& what) { progress_.begin(what); },
+            .begins = [&](const std::string& what, double work) { progress_.begin(what, work); },
             .is_shown =
                 [&](const std::string& what, const Picture& picture) {
                     write_picture(folder_ / home / (file_stem(what) + ".exr"), picture);
@@ -156,7 +157,7 @@ ExitCode execute(const FiltersRunArguments& arguments) {
     Share share{};
     {
         WorkProgress progress{std::cerr, progress_of(arguments.common),
-                              double(scenes.size()) * study::units_of(plan)};
+                              double(scenes.size()) * study::work_of(plan), Estimate::from_half_of_the_work};
         FilterStudyRun study_run{plan, out.working(), progress, results};
         on_threads(arguments.common.threads, [&] {
             for (const StudyScene& scene : scenes)

@@ -42,12 +42,15 @@ inline constexpr double flicker_step_x_px = 0.37, flicker_step_y_px = 0.23;
 
 /// Follows a study.
 struct ProgressSink {
-    std::function<void(const std::string& what)> begins;  ///< "truth", "trilinear-gl"; then a unit is done
+    /// "truth", "trilinear-gl", with its part of work_of(); then the piece before it is done.
+    std::function<void(const std::string& what, double work)> begins;
     std::function<void(const std::string& name, const Picture&)> is_shown;  ///< "truth", or a label
     std::function<bool()> wants_to_stop;
 };
 
-/// Units of work of one view, each announced by ProgressSink::begins.
-inline int units_of(const Plan& plan) { return 1 + int(plan.methods.size()); }
+/// The work on one view's truths is about that on all its methods together.
+inline double work_of_truths(const Plan& plan) { return double(plan.methods.size()); }
+/// All work on one view, 1 for each method.
+inline double work_of(const Plan& plan) { return work_of_truths(plan) + double(plan.methods.size()); }
 
 }  // namespace zproof::study

@@ -58,7 +58,7 @@ Plane<T> from_row(Plane<T> plane, int first_row, T value) {
 /// One view under study.
 class MeasuredView {
   public:
-    MeasuredView(const Scene& scene, const View& view, const Plan& plan)
+    MeasuredView(const Scene& scene, const View& view, const Plan& plan, const ProgressSink& progress_sink)
         : scene_(scene), textures_(source_textures(scene)) {
         const auto counted_rows = [&](Plane<oracle::TruthKind> kinds) {
             return from_row(std::move(kinds), plan.first_row, oracle::TruthKind::background);
@@ -66,6 +66,8 @@ class MeasuredView {
         std::vector<Plane<oracle::TruthKind>> around;
         Plane<oracle::TruthKind> truth_kinds;
         for (int step = 0; step <= plan.flicker_steps; ++step) {
+            progress_sink.begins(step == 0 ? "truth" : "truth, moved by step " + std::to_string(step),
+                                 work_of_truths(plan) / (1 + plan.flicker_steps));
             pan_.views.push_back(shifted(view, step * flicker_step_x_px, step * flicker_step_y_px));
             pan_.frames.push_back(oracle::exact_visibility(scene, pan_.views.back()));
             const auto start = std::chrono::steady_clock::now();
@@ -152,8 +154,7 @@ StudyResults begun(const Plan& plan) {
 
 ViewStudy study_view(const Scene& scene, const View& view, const Plan& plan,
                      const ProgressSink& progress_sink) {
-    progress_sink.begins("truth");
-    const MeasuredView measured_view{scene, view, plan};
+    const MeasuredView measured_view{scene, view, plan, progress_sink};
     progress_sink.is_shown("truth", measured_view.truth());
     ViewStudy study{.scene = scene.name,
                     .view = view.name,
@@ -167,7 +168,7 @@ ViewStudy study_view(const Scene& scene, const View& view, const Plan& plan,
                     .truth_seconds = measured_view.truth_seconds()};
     for (const ConfiguredMethod& configured_method : plan.methods) {
         if (progress_sink.wants_to_stop()) break;
-        progress_sink.begins(configured_method.label);
+        progress_sink.begins(configured_method.label, 1);
         try {
             study.methods.push_back(measured_view.score(configured_method, progress_sink));
         } catch (const RendererFailure& e) {

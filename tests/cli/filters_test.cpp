@@ -51,7 +51,7 @@ TEST(Filters, RunWritesTheWholeStudy) {
     const Ran ran = run(folder, small);
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_NE(ran.out.find("worked / phi-0"), std::string::npos) << ran.out;
-    EXPECT_NE(ran.err.find("[ 66%] worked / phi-0: trilinear-gl:bias=1"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("[ 75%] worked / phi-0: trilinear-gl:bias=1"), std::string::npos) << ran.err;
     for (const char* file :
          {"filters.json", "filters.csv", "table.tex", "filters.html", "plots/worked-phi-0/pareto.svg",
           "plots/worked-phi-0/anisotropy.svg", "plots/worked-phi-0/angle.svg",

@@ -42,7 +42,7 @@ constexpr Row rows[] = {{"nearest", "nearest", 4, 1.0, 13.88},
                         {"ewa-pbrt", "ewa-pbrt", 4, 40.2, 28.28},
                         {"supersample-nearest:n=8", "supersample-nearest", 8, 64.0, 32.08}};
 
-const ProgressSink nobody{.begins = [](const std::string&) {},
+const ProgressSink nobody{.begins = [](const std::string&, double) {},
                           .is_shown = [](const std::string&, const Picture&) {},
                           .wants_to_stop = [] { return false; }};
 
@@ -105,7 +105,7 @@ TEST(WorkedSetup, ThreadsDoNotMatter) {
 TEST(WorkedSetup, AProgressSinkMayStopItBetweenMethods) {
     const Loaded loaded = generate_filter_scene("worked", 16, 16);
     int begun_units = 0;
-    const ProgressSink impatient{.begins = [&](const std::string&) { ++begun_units; },
+    const ProgressSink impatient{.begins = [&](const std::string&, double) { ++begun_units; },
                                  .is_shown = [](const std::string&, const Picture&) {},
                                  .wants_to_stop = [&] { return begun_units == 3; }};
     EXPECT_EQ(study_view(loaded.scene, loaded.views[0], worked_plan(), impatient).methods.size(), 2u);
