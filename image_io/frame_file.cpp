@@ -1,5 +1,7 @@
 // Frames and pictures as files of planes.
 #include <array>
+#include <cassert>
+#include <cstring>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -200,13 +202,40 @@ Picture read_picture(const fs::path& file) { return PictureFile(file).picture();
 
 Resolution picture_size(const fs::path& file) { return PictureFile(file).size(); }
 
-void write_picture(const fs::path& file, const Picture& picture) {
+void write_picture(const fs::path& file, const Picture& picture, const FileFacts& facts) {
     static_assert(sizeof(LinearRgb) == 3 * sizeof(float));
     write_raster(file, {.format = Format::exr,
                         .width = picture.size().width,
                         .height = picture.size().height,
                         .channels = {{"R", Sample::float32}, {"G", Sample::float32}, {"B", Sample::float32}},
-                        .pixels = picture.pixels().data()});
+                        .pixels = picture.pixels().data(),
+                        .facts = facts});
+}
+
+void write_planes(const fs::path& file, std::span<const NamedPlane> planes, const FileFacts& facts) {
+    const auto size_of = [](const NamedPlane& plane) {
+        return std::visit([](const auto* values) { return values->size(); }, plane.values);
+    };
+    const Resolution size = size_of(planes.front());
+    std::vector<std::uint32_t> samples(size.pixel_count() * planes.size());  // bit for bit
+    std::vector<Channel> channels;
+    for (std::size_t c = 0; c < planes.size(); ++c) {
+        assert(size_of(planes[c]) == size);
+        const bool is_real = std::holds_alternative<const Plane<float>*>(planes[c].values);
+        channels.push_back({planes[c].name, is_real ? Sample::float32 : Sample::uint32});
+        std::visit(
+            [&](const auto* values) {
+                for (std::size_t i = 0; i < size.pixel_count(); ++i)
+                    std::memcpy(&samples[i * planes.size() + c], &values->pixels()[i], sizeof(std::uint32_t));
+            },
+            planes[c].values);
+    }
+    write_raster(file, {.format = Format::exr,
+                        .width = size.width,
+                        .height = size.height,
+                        .channels = std::move(channels),
+                        .pixels = samples.data(),
+                        .facts = facts});
 }
 
 }  // namespace zproof

@@ -8,6 +8,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "frame/frame.h"
@@ -34,8 +37,19 @@ void write_frame(const std::filesystem::path& file, const Frame& frame);
 Picture read_picture(const std::filesystem::path& file);
 /// The size of that picture, from the headers alone.
 Resolution picture_size(const std::filesystem::path& file);
+/// What is said of a file within it: names and values, OpenEXR's string attributes.
+using FileFacts = std::vector<std::pair<std::string, std::string>>;
 /// OpenEXR with the channels R, G and B (float32), bit for bit.
-void write_picture(const std::filesystem::path& file, const Picture& picture);
+void write_picture(const std::filesystem::path& file, const Picture& picture, const FileFacts& facts = {});
+
+/// A channel of an OpenEXR file, float32 or uint32. The plane must outlive it.
+struct NamedPlane {
+    std::string name;
+    std::variant<const Plane<float>*, const Plane<std::uint32_t>*> values;
+};
+/// OpenEXR with these channels, bit for bit; at least one, all of one size.
+void write_planes(const std::filesystem::path& file, std::span<const NamedPlane> planes,
+                  const FileFacts& facts);
 
 /// An sRGB PNG. The same picture gives the same bytes.
 void write_png(const std::filesystem::path& file, const Plane<Rgb8>& picture);

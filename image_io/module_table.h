@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace zproof::image_io {
@@ -60,6 +61,8 @@ struct Raster {
     int width = 0, height = 0;
     std::vector<Channel> channels;
     const void* pixels = nullptr;
+    std::vector<std::pair<std::string, std::string>>
+        facts{};  ///< of OpenEXR files: attributes and their values
 };
 
 class OpenFile;  ///< the module's own
@@ -85,7 +88,7 @@ struct TextureLookup {
 class Textures;  ///< the module's own
 
 /// An interface of another number is not used.
-inline constexpr int interface_number = 2;
+inline constexpr int interface_number = 3;
 
 struct ModuleTable {
     int interface = interface_number;

@@ -311,16 +311,6 @@ class GlbModel {
 };
 
 /// The bytes of a GLB.
-std::string glb_bytes(const Scene& scene) {
-    std::ostringstream out;
-    tinygltf::TinyGLTF().WriteGltfSceneToStream(&GlbModel(scene).model(), out, false, true);
-    std::string bytes = std::move(out).str();
-    if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
-        throw SceneError("scene '" + scene.name + "': " + std::to_string(bytes.size()) +
-                         " bytes do not fit a GLB, which ends at 4 GiB; split the scene");
-    return bytes;
-}
-
 /// Writes the file under another name first, so that a reader sees the old file or the whole new one.
 void write_atomically(const std::filesystem::path& file, const std::string& content) {
     std::filesystem::path unfinished = file;
@@ -351,6 +341,16 @@ void require_file_name(const std::string& name) {
 }
 
 }  // namespace
+
+std::string glb_bytes(const Scene& scene) {
+    std::ostringstream out;
+    tinygltf::TinyGLTF().WriteGltfSceneToStream(&GlbModel(scene).model(), out, false, true);
+    std::string bytes = std::move(out).str();
+    if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
+        throw SceneError("scene '" + scene.name + "': " + std::to_string(bytes.size()) +
+                         " bytes do not fit a GLB, which ends at 4 GiB; split the scene");
+    return bytes;
+}
 
 void write_glb_file(const std::filesystem::path& file, const Scene& scene) {
     write_atomically(file, glb_bytes(scene));

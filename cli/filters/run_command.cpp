@@ -15,10 +15,13 @@
 #include "cli/work_progress.h"
 #include "frame/printable.h"
 #include "image_io/image_io.h"
+#include "math/sha256.h"
 #include "oracle/oracle_error.h"
 #include "reports/filters/folder.h"
+#include "reports/filters/provenance.h"
 #include "reports/filters/tables.h"
 #include "reports/output_folder.h"
+#include "scenes/glb_writer.h"
 #include "study/filters/claims.h"
 #include "study/filters/study.h"
 
@@ -64,15 +67,17 @@ class FilterStudyRun {
             source, {arguments.width.value_or(natural.width), arguments.height.value_or(natural.height)});
         const std::vector<View> views = chosen_views(loaded, arguments.views);
         require_a_file_for_each(arguments.pictures, 1, views.size());
-        const std::string name = unique_name(loaded.scene.name, source);
+        const std::string name = unique_name(loaded.scene.name, source),
+                          sha256 = sha256_of(glb_bytes(loaded.scene));
         progress_.expect_more(double(views.size() - 1) * study::work_of(plan_));
         views_ += views.size();
         for (const View& view : views) {
             if (interrupted()) return;
             plan_.first_row = arguments.first_row.value_or(natural_first_row(source, view.height));
             progress_.within(name + " / " + view.name + ": ");
-            study::ViewStudy one = study_one(name, loaded.scene, view);
+            study::ViewStudy one = study_one({name, sha256}, loaded.scene, view);
             one.scene = name;
+            one.scene_sha256 = sha256;
             one.reason = source.reason;
             scored_ += one.methods.size() + one.missing.size();
             results_.views.push_back(std::move(one));
@@ -86,14 +91,21 @@ class FilterStudyRun {
         return scenes_.insert(scene).second ? scene : source.word;
     }
 
-    study::ViewStudy study_one(const std::string& name, const Scene& scene, const View& view) {
-        const std::string home = "pictures/" + names_.next(name, view.name) + "/";
+    struct SceneFacts {
+        std::string name, sha256;  ///< of the .glb that zproof would write of it
+    };
+
+    study::ViewStudy study_one(const SceneFacts& facts, const Scene& scene, const View& view) {
+        const std::string home = "pictures/" + names_.next(facts.name, view.name) + "/";
+        study::ViewStudy place{};
+        place.scene = facts.name, place.view = view.name, place.scene_sha256 = facts.sha256;
+        const FileFacts provenance = provenance_of(results_, place);
         fs::create_directories(folder_ / home);
         const study::ProgressSink progress_sink{
             .begins = [&](const std::string& what, double work) { progress_.begin(what, work); },
             .is_shown =
                 [&](const std::string& what, const Picture& picture) {
-                    write_picture(folder_ / home / (file_stem(what) + ".exr"), picture);
+                    write_picture(folder_ / home / (file_stem(what) + ".exr"), picture, provenance);
                 },
             .wants_to_stop = interrupted};
         study::ViewStudy one = study::study_view(scene, view, plan_, progress_sink);
@@ -114,6 +126,9 @@ class FilterStudyRun {
 study::StudyResults results_of(const FiltersRunArguments& arguments, const study::Plan& plan) {
     study::StudyResults results = study::begun(plan);
     results.version = version_number();
+    results.commit = commit();
+    results.processor = processor_name();
+    results.date = utc_now();
     results.command = arguments.typed;
     results.compiler = compiler_name();
     results.threads = arguments.common.threads;

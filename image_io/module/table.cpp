@@ -144,6 +144,7 @@ OIIO::ImageSpec spec_of(const Raster& raster) {
     } else {
         spec.attribute("compression", "zip:1");
         spec.attribute("DateTime", "");  // else the time of day would be part of the file
+        for (const auto& [name, value] : raster.facts) spec.attribute(name, value);
     }
     return spec;
 }

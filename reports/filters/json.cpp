@@ -61,17 +61,12 @@ Json json_of(const ViewStudy& view, const std::vector<MetricCard>& metrics) {
     for (const MissingPicture& one : view.missing)
         missing.push_back({{"method", one.label}, {"reason", one.reason}});
     for (const MethodScore& method : view.methods) methods.push_back(json_of(method, metrics));
-    return {{"scene", view.scene},
-            {"view", view.view},
-            {"reason", view.reason},
-            {"width", view.width},
-            {"height", view.height},
-            {"first_row", view.first_row},
-            {"textures", view.textures},
-            {"truth_file", view.truth_file},
-            {"truth_seconds", number(view.truth_seconds)},
-            {"missing_pictures", missing},
-            {"methods", methods}};
+    return {{"scene", view.scene},           {"view", view.view},
+            {"reason", view.reason},         {"width", view.width},
+            {"height", view.height},         {"first_row", view.first_row},
+            {"textures", view.textures},     {"scene_sha256", view.scene_sha256},
+            {"truth_file", view.truth_file}, {"truth_seconds", number(view.truth_seconds)},
+            {"missing_pictures", missing},   {"methods", methods}};
 }
 
 Json cards_of(const StudyResults& results) {
@@ -130,6 +125,7 @@ ViewStudy view_study(const Json& json, const std::vector<MetricCard>& metrics) {
                    .first_row = json.at("first_row"),
                    .textures = json.at("textures"),
                    .methods = {},
+                   .scene_sha256 = json.value("scene_sha256", ""),
                    .truth_file = json.at("truth_file"),
                    .truth_seconds = number(json.at("truth_seconds"))};
     for (const Json& one : json.at("methods")) view.methods.push_back(method_score(one, metrics));
@@ -155,8 +151,11 @@ std::string filters_json(const StudyResults& results) {
     for (const ViewStudy& view : results.views) views.push_back(json_of(view, results.metrics));
     const Json whole{{"schema_version", StudyResults::schema_version},
                      {"version", results.version},
+                     {"commit", results.commit},
                      {"command", results.command},
                      {"compiler", results.compiler},
+                     {"processor", results.processor},
+                     {"date", results.date},
                      {"truth", results.truth},
                      {"threads", results.threads},
                      {"seconds", number(results.seconds)},
@@ -174,6 +173,8 @@ StudyResults filters_from_json(const std::string& text) try {
                           ", this zproof reads 1.x; use the zproof that wrote it"};
     StudyResults results;
     results.version = json.at("version"), results.command = json.at("command");
+    results.commit = json.value("commit", ""), results.processor = json.value("processor", "");
+    results.date = json.value("date", "");
     results.compiler = json.at("compiler"), results.truth = json.at("truth");
     results.threads = json.at("threads"), results.seconds = number(json.at("seconds"));
     results.is_complete = json.at("is_complete");

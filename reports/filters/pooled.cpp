@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/filters/provenance.h"
 #include "reports/wording.h"
 #include "study/filters/claims.h"
 
@@ -117,6 +118,7 @@ TableCells pooled_cells(const StudyResults& results, const PooledScores& pool) {
 
 std::string pooled_csv(const StudyResults& results, const std::string& region) {
     std::string text =
+        provenance_comment(results) +
         "metric,region,truth,textures,views,samples,seed,baseline,method,mean,low,high,rank,rank_low,rank_"
         "high,"
         "first_share,difference,difference_low,difference_high\n";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reports/filters/provenance.h"
 #include "reports/filters/table_cells.h"
 #include "reports/wording.h"
 #include "study/filters/claims.h"
@@ -111,6 +112,7 @@ std::string latex_table(const TableCells& table) {
 
 std::string filters_csv(const StudyResults& results) {
     std::string text =
+        provenance_comment(results) +
         "scene,view,width,height,method,truth,region,pixels,metric,value,truth_half_width,resolved\n";
     for (const ViewStudy& view : results.views)
         for (const MethodScore& method : view.methods) {

@@ -7,9 +7,9 @@
 
 namespace zproof {
 
-/// Long form, one value a row: scene, view, method, truth, region, pixels, metric, value, truth_half_width,
-/// resolved. Costs and flicker stand in the region "all" or "interior" under their own names. RFC 4180 with
-/// LF.
+/// Provenance in comments; then long form, one value a row: scene, view, method, truth, region, pixels,
+/// metric, value, truth_half_width, resolved. Costs and flicker stand in the region "all" or "interior" under
+/// their own names. RFC 4180 with LF.
 std::string filters_csv(const study::StudyResults& results);
 
 /// Text for a terminal, a table per view: metrics in one region, flicker and costs. "not resolved" stands

@@ -66,6 +66,7 @@ struct ViewStudy {
     int first_row = 0;     ///< rows above it count in "all" and "horizon" only
     std::string textures;  ///< "512 x 512"
     std::vector<MethodScore> methods;
+    std::string scene_sha256{};  ///< of the .glb that zproof writes of it
     std::string truth_file;
     double truth_seconds = 0;  ///< to compute the truth of one view
     std::vector<MissingPicture> missing{};
@@ -78,8 +79,9 @@ struct RegionCard {
 
 struct StudyResults {
     static constexpr const char* schema_version = "1.0";
-    std::string version, command, compiler;
-    std::string truth;  ///< "N", "B" or "G"
+    std::string version, commit, command, compiler;
+    std::string processor, date;  ///< "AMD EPYC", "2026-11-26T18:09:00Z"
+    std::string truth;            ///< "N", "B" or "G"
     int threads = 0;
     double seconds = 0;
     bool is_complete = true;  ///< false: interrupted

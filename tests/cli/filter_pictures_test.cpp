@@ -1,6 +1,10 @@
 // Pictures of other renderers in zproof filters, and what many textures say together.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "image_io/image_io.h"
+#include "math/sha256.h"
 #include "reports/filters/json.h"
 #include "study/filters/claims.h"
 #include "tests/cli/program.h"
@@ -44,7 +48,9 @@ TEST_F(FilterPictures, StandInTheTableBesideTheMethods) {
     EXPECT_EQ(results.views[0].methods[3].flicker.steps, 1) << "a program draws further views";
     EXPECT_NE(results.methods[2].source.find(theirs_), std::string::npos);
     EXPECT_NE(ran.out.find("theirs"), std::string::npos) << ran.out;
-    EXPECT_EQ(folder_.read("study/pictures/worked-phi-0/theirs.exr"), folder_.read(theirs_));
+    EXPECT_TRUE(
+        std::ranges::equal(read_picture(folder_.path() / "study/pictures/worked-phi-0/theirs.exr").pixels(),
+                           read_picture(folder_.path() / theirs_).pixels()));
 }
 
 /// The study goes on without it, and says so.
@@ -90,6 +96,16 @@ TEST_F(FilterPictures, HaveNamesOfTheirOwnAndAFileForEachView) {
     refused({"worked", "--picture", "a=a.exr"}, "put {view} into its name");
     refused({"worked", "tunnel", "--picture", "a={view}.exr"}, "put {scene} into its name");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "study"));
+}
+
+/// The input's hash is that of the .glb that anybody can write and hash.
+TEST_F(FilterPictures, SayInTheirHeadersWhereTheyComeFrom) {
+    const std::string truth = folder_.read("ours/pictures/worked-phi-0/truth.exr");
+    ASSERT_EQ(run(folder_, {"filters", "scenes", "worked", "-o", "scenes"}).exit_code, 0);
+    for (const std::string& words :
+         {std::string{"zproof:command"}, std::string{"zproof filters run"}, std::string{"zproof:commit"},
+          sha256_of(folder_.read("scenes/worked.glb"))})
+        EXPECT_NE(truth.find(words), std::string::npos) << words;
 }
 
 TEST(PooledTable, ComparesMethodsOverTextures) {

@@ -77,16 +77,27 @@ TEST(FiltersJson, RefusesWhatItDidNotWrite) {
 
 TEST(FiltersCsv, HasARowPerValueAndQuotesNames) {
     const std::string csv = filters_csv(sample_study());
-    EXPECT_EQ(
-        csv.find(
-            "scene,view,width,height,method,truth,region,pixels,metric,value,truth_half_width,resolved\n"),
-        0u);
+    const std::size_t head = csv.find(
+        "\nscene,view,width,height,method,truth,region,pixels,metric,value,truth_half_width,resolved\n");
+    ASSERT_NE(head, std::string::npos);
     EXPECT_NE(csv.find("scene,view,64,32,nearest,B,interior,1000,rmse,0.2,0.004,yes\n"), std::string::npos);
     EXPECT_NE(csv.find("scene,view,64,32,\"best, & \"\"only\"\"\",B,interior,1000,rmse,0.01,0.004,no\n"),
               std::string::npos);
     EXPECT_NE(csv.find("nearest,B,all,1000,bytes_stored,4096,,\n"), std::string::npos);
     EXPECT_EQ(csv.find("horizon"), std::string::npos);
-    EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 3 * (4 * 2 + 5 + 2));
+    EXPECT_EQ(std::ranges::count(csv.substr(head + 1), '\n'), 1 + 3 * (4 * 2 + 5 + 2));
+}
+
+/// A line break in a command would end the comment.
+TEST(FiltersCsv, BeginsWithItsProvenanceInComments) {
+    StudyResults results = sample_study();
+    results.command = "zproof filters\nrun";
+    results.views[0].scene_sha256 = "c0ffee";
+    const std::string csv = filters_csv(results), head = csv.substr(0, csv.find("\nscene,view"));
+    for (const char* words : {"# zproof:commit", "# zproof:command zproof filters run\n",
+                              "# zproof:processor", "# zproof:date", "# zproof:scene_sha256 c0ffee scene"})
+        EXPECT_NE(head.find(words), std::string::npos) << words << "\n" << head;
+    EXPECT_EQ(std::ranges::count(head, '\n') + 1, std::ranges::count(head, '#'));
 }
 
 /// 0.01 is not five times 0.004; nor are 0.2 and 0.205 so far apart.
@@ -111,7 +122,9 @@ TEST(FiltersLatex, EscapesWhatLatexWouldTakeForItself) {
     const std::string latex = filters_latex(sample_study(), {"interior"});
     EXPECT_NE(latex.find("best, \\& \"only\" & not resolved"), std::string::npos);
     EXPECT_NE(latex.find("dear\\_one"), std::string::npos);
-    EXPECT_NE(latex.find("\\begin{tabular}{rlrrrrrrrrr}"), std::string::npos) << latex;
+    EXPECT_NE(latex.find("\\begin{tabular*}{\\textwidth}{@{\\extracolsep{\\fill}}rlrrrrrrrrr@{}}"),
+              std::string::npos)
+        << latex;
 }
 
 TEST(FiltersPage, HoldsWhatPeopleTypedAndNothingFromTheNetwork) {
