@@ -243,7 +243,10 @@ std::vector<FilterFault> faults_of_weights() {
 
 std::vector<FilterFault> faults_of_taps() {
     return {{"taps_to_the_letter", "taps stand at i / (N + 1) instead of in the middles of N parts",
-             "aniso-midpoint", by("aniso-ext")},
+             "aniso-midpoint", by("aniso-ext-linear")},
+            {"linear_taps", "taps are linear in the texture where the picture's own places are promised",
+             "aniso-ext", by("aniso-ext-linear")},
+            {"ratio_rounded_up", "the ratio is rounded up in the LOD, too", "aniso-vulkan", by("aniso-ext")},
             {"anisotropy_not_limited", "more taps than the limit allows", "aniso-midpoint",
              set([](FilterOptions& o) { o.max_anisotropy = 64; })},
             {"one_tap", "one tap, wherever it should be several", "aniso-d3d11",

@@ -8,7 +8,8 @@ namespace {
 struct Line {
     TexelInterval whole;  ///< texels, from one end to the other
     int taps = 1;
-    Interval width;  ///< its log2 is the LOD
+    Interval width;             ///< its log2 is the LOD
+    glm::dvec2 whole_raster{};  ///< the same on the picture, pixels; of the pixel's steps alone
 };
 
 /// The place of tap i = 1 .. n, in lengths of the line.
@@ -17,9 +18,13 @@ using Placement = double (*)(int i, int n);
 double to_the_letter(int i, int n) { return double(i) / (n + 1) - 0.5; }
 double midpoints(int i, int n) { return (i - 0.5) / n - 0.5; }
 
-ColourRange read_line(const Levels& levels, const FilterQuery& q, const Line& line, Placement placement) {
+Interval level_of_line(const Levels& levels, const FilterQuery& q, const Line& line) {
+    return level_of(log2(line.width), levels.settings(), levels.count(), q.precision);
+}
+
+ColourRange read_linear(const Levels& levels, const FilterQuery& q, const Line& line, Placement placement) {
     const TexelInterval centre = q.footprint().centre;
-    const Interval level = level_of(log2(line.width), levels.settings(), levels.count(), q.precision);
+    const Interval level = level_of_line(levels, q, line);
     const double error = std::exp2(-q.precision.tap_bits);
     std::vector<LineTap> taps;
     for (int i = 1; i <= line.taps; ++i) {
@@ -31,17 +36,46 @@ ColourRange read_line(const Levels& levels, const FilterQuery& q, const Line& li
     });
 }
 
+/// Each tap at its own place of the picture.
+ColourRange read_projective(const Levels& levels, const FilterQuery& q, const Line& line,
+                            Placement placement) {
+    const Interval level = level_of_line(levels, q, line);
+    const double error = std::exp2(-q.precision.tap_bits);
+    std::vector<ColourRange> colours;
+    for (int i = 1; i <= line.taps; ++i) {
+        const auto seen_at = [&](double along) {
+            return glm::dvec2{q.x + 0.5, q.y + 0.5} + along * line.whole_raster;
+        };
+        const double at = placement(i, line.taps);
+        const TexelInterval place = q.seen.between(seen_at(at - error), seen_at(at + error));
+        colours.push_back(levels.trilinear(level, place, q.precision));
+    }
+    return weighted_mean(std::vector<Interval>(colours.size(), Interval{1}), colours);
+}
+
 /// EXT_texture_filter_anisotropic: N = min(ceil(P_max / P_min), most), LOD = log2(P_max / N). Where it is
 /// unclear which step is longer, or what the ceiling is, every case is a candidate.
 std::vector<Line> along_longer_step(const PixelFootprint& f, int most) {
     const Interval x = length(f.per_x.u, f.per_x.v), y = length(f.per_y.u, f.per_y.v);
     std::vector<Line> lines;
-    const auto add = [&](const TexelInterval& step, const Interval& longer, const Interval& shorter) {
+    const auto add = [&](const TexelInterval& step, const Interval& longer, const Interval& shorter,
+                         const glm::dvec2& axis) {
         const Interval ratio = larger(longer / shorter, Interval{1});
-        for (const int n : ceilings(ratio, most)) lines.push_back({step, n, longer / Interval{double(n)}});
+        for (const int n : ceilings(ratio, most))
+            lines.push_back({step, n, longer / Interval{double(n)}, axis});
     };
-    if (x.high() >= y.low()) add(f.per_x, x, y);
-    if (y.high() >= x.low()) add(f.per_y, y, x);
+    if (x.high() >= y.low()) add(f.per_x, x, y, {1, 0});
+    if (y.high() >= x.low()) add(f.per_y, y, x, {0, 1});
+    return lines;
+}
+
+/// Vulkan, "Scale Factor Operation" and "LOD Operation": LOD = log2(rho_max / eta), eta = min(rho_max /
+/// rho_min, most), so rho_max / eta is the larger of rho_min and rho_max / most.
+std::vector<Line> by_vulkan(const PixelFootprint& f, int most) {
+    const Interval x = length(f.per_x.u, f.per_x.v), y = length(f.per_y.u, f.per_y.v);
+    const Interval width = larger(smaller(x, y), larger(x, y) / Interval{double(most)});
+    std::vector<Line> lines = along_longer_step(f, most);
+    for (Line& line : lines) line.width = width;
     return lines;
 }
 
@@ -61,12 +95,14 @@ std::vector<Line> along_ellipse(const PixelFootprint& f, int most) {
 }
 
 using Lines = std::vector<Line> (*)(const PixelFootprint&, int);
+using ReadLine = ColourRange (*)(const Levels&, const FilterQuery&, const Line&, Placement);
 
-Definition anisotropic_definition(const std::string& name, Lines lines, Placement placement) {
+Definition anisotropic_definition(const std::string& name, Lines lines, Placement placement,
+                                  ReadLine read = read_linear) {
     return {"aniso-" + name, over_levels([=](const Levels& levels, const FilterQuery& q) {
                 PermittedColours all;
                 for (const Line& line : lines(q.footprint(), levels.settings().max_anisotropy))
-                    all.push_back(read_line(levels, q, line, placement));
+                    all.push_back(read(levels, q, line, placement));
                 return all;
             })};
 }
@@ -111,7 +147,10 @@ PermittedColours feline(const Levels& levels, const FilterQuery& q) {
 }  // namespace
 
 std::vector<Definition> anisotropic_definitions() {
-    return {anisotropic_definition("ext", along_longer_step, to_the_letter),
+    return {anisotropic_definition("ext", along_longer_step, to_the_letter, read_projective),
+            anisotropic_definition("ext-linear", along_longer_step, to_the_letter),
+            anisotropic_definition("vulkan", by_vulkan, to_the_letter, read_projective),
+            anisotropic_definition("vulkan-linear", by_vulkan, to_the_letter),
             anisotropic_definition("midpoint", along_longer_step, midpoints),
             anisotropic_definition("d3d11", along_ellipse, midpoints),
             {"aniso-feline", over_levels(feline)}};

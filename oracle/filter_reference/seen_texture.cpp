@@ -109,6 +109,15 @@ TexelInterval SeenTexture::at(double x, double y) const {
     return {still.u + (across.u + down.u) * around, still.v + (across.v + down.v) * around};
 }
 
+/// U / W is monotone along a line on which W keeps its sign: the ends hold the extremes.
+TexelInterval SeenTexture::between(const glm::dvec2& from, const glm::dvec2& to) const {
+    const TexelInterval first = at(from.x, from.y);
+    if (from == to) return first;
+    if (!((value(w_, from.x, from.y) * value(w_, to.x, to.y)).low() > 0)) throw UndecidedSign{};
+    const TexelInterval last = at(to.x, to.y);
+    return {hull(first.u, last.u), hull(first.v, last.v)};
+}
+
 Interval SeenTexture::before_horizon(int x, int y) const {
     const Interval w = magnitude(value(w_, x + 0.5, y + 0.5)), half{0.5};
     return w - half * (magnitude(w_.exact.a) + magnitude(w_.exact.b));

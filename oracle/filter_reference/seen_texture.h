@@ -50,6 +50,9 @@ class SeenTexture {
 
     /// Throws UndecidedSign where the plane's horizon comes too close to tell.
     TexelInterval at(double x_raster, double y_raster) const;
+    /// All that is seen from one place of the raster to another. Throws UndecidedSign where the plane's
+    /// horizon may lie between them.
+    TexelInterval between(const glm::dvec2& from_raster, const glm::dvec2& to_raster) const;
     PixelFootprint footprint(int x, int y, StepRule rule) const;
     /// How far 1 / depth at the pixel's centre exceeds its fall to the farthest corner, in units of its own:
     /// positive where the whole pixel lies before the plane's horizon.

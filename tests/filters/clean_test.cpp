@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "cli/selftest/filter_fault.h"
+#include "cli/selftest/filter_variants.h"
 #include "texture/catalogue.h"
 
 namespace zproof::selftest {
@@ -46,6 +47,25 @@ TEST_P(Clean, EveryMethodWithAReferenceConformsToIt) {
                           << ", width " << found.mean_width << ", undecided " << found.anything << "\n";
         }
     }
+}
+
+/// Taps a 300th of the pixel beside their places on the picture: more than 9 bits, less than 8.
+TEST(TapPlacement, OnThePictureIsHeldToItsBits) {
+    const FilterFixture fixture = filter_fixture(Ground::noise);
+    const texture::Method shifted =
+        distorted(*texture::find_method("aniso-ext"), [](Footprint f, const glm::dvec2&) {
+            const bool is_across = glm::length(f.per_x) > glm::length(f.per_y);
+            f.centre_raster += (is_across ? glm::dvec2{1, 0} : glm::dvec2{0, 1}) / 300.0;
+            return f;
+        });
+    const Picture picture =
+        rasterizer::filtered(fixture.scene, fixture.view, fixture.frame, {.method = shifted});
+    const auto outside = [&](double tap_bits) {
+        return conformance_of(picture, fixture, {.method = "aniso-ext", .precision = {.tap_bits = tap_bits}})
+            .found.outside;
+    };
+    EXPECT_EQ(outside(8), 0u);
+    EXPECT_GT(outside(9), 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Filters, Clean,

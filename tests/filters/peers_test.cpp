@@ -61,7 +61,8 @@ TEST(OpenGlFilter, IsComparedWithItsOwnReference) {
         held(drawn(PeerFilter::trilinear, quad), fixture, "trilinear-mesa", precision, quad).is_caught());
     // No filter reference of ours describes its anisotropic filter wholly (docs/filter-peers.md); lines of
     // taps do not at all.
-    EXPECT_TRUE(held(drawn(PeerFilter::anisotropic, exact), fixture, "aniso-ext", precision).is_caught());
+    EXPECT_TRUE(
+        held(drawn(PeerFilter::anisotropic, exact), fixture, "aniso-ext-linear", precision).is_caught());
 }
 
 }  // namespace

@@ -245,7 +245,8 @@ TEST(Anisotropic, OfOneTapIsTrilinear) {
     for (std::uint32_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
         const Footprint f = random_footprint(seed);
-        EXPECT_EQ(differ("aniso-ext", "trilinear-gl", f), 0);
+        for (const char* name : {"aniso-ext", "aniso-ext-linear", "aniso-vulkan", "aniso-vulkan-linear"})
+            EXPECT_EQ(differ(name, "trilinear-gl", f), 0) << name;
         EXPECT_EQ(differ("aniso-midpoint", "trilinear-gl", f), 0);
         EXPECT_LE(differ("aniso-d3d11", "trilinear-ellipse", f), roundings(8));
         EXPECT_LE(differ("aniso-feline", "trilinear-ellipse", f), roundings(8));
@@ -291,11 +292,57 @@ TEST(Anisotropic, TapsStandWhereTheirCardsSay) {
             EXPECT_NEAR(found[i].place.y, 100.5, 1e-12) << name;
         }
     };
-    expect("aniso-ext", {-1.2, -0.4, 0.4, 1.2});
+    for (const char* name : {"aniso-ext", "aniso-ext-linear", "aniso-vulkan", "aniso-vulkan-linear"})
+        expect(name, {-1.2, -0.4, 0.4, 1.2});
     expect("aniso-midpoint", {-1.5, -0.5, 0.5, 1.5});
     expect("aniso-d3d11", {-1.5, -0.5, 0.5, 1.5});
     expect("aniso-oiio", {-18 / 7.0, -12 / 7.0, -6 / 7.0, 0, 6 / 7.0, 12 / 7.0, 18 / 7.0});
     expect("aniso-feline", {-3, -2, -1, 0, 1, 2, 3});
+}
+
+/// In perspective, seen o pixels beside the centre: u = (40.5 + 3 o) / (1 + o / 64) and v = 20.5 / (1 + o /
+/// 64). The steps are 2.39 and 1 texels: three taps, at o = -1/4, 0 and 1/4.
+TEST(Anisotropic, TapsToTheLetterAreSeenThroughThePicture) {
+    const double turn = 1 / 64.0, w_at_0 = 1 - turn / 2;
+    const auto footprint_of = [&](bool is_across) {
+        const Affine<double> slow{is_across ? 0.0 : 1.0, is_across ? 1.0 : 0.0, 20};
+        const Affine<double> quick{is_across ? 3.0 : 0.0, is_across ? 0.0 : 3.0, 39},
+            w{is_across ? turn : 0.0, is_across ? 0.0 : turn, w_at_0};
+        return footprint({quick, slow, w}, 0, 0, Derivatives::analytic);
+    };
+    for (const char* name : {"aniso-ext", "aniso-vulkan"})
+        for (const bool is_across : {true, false}) {
+            const std::vector<Probe> found = probes_of_level_0(name, footprint_of(is_across));
+            ASSERT_EQ(found.size(), 3u) << name;
+            const double u[] = {39.75 * 256 / 255, 40.5, 41.25 * 256 / 257},
+                         v[] = {20.5 * 256 / 255, 20.5, 20.5 * 256 / 257};
+            for (std::size_t i = 0; i < 3; ++i) {
+                EXPECT_NEAR(found[i].place.x, u[i], 1e-12) << name;
+                EXPECT_NEAR(found[i].place.y, v[i], 1e-12) << name;
+            }
+        }
+    const std::vector<Probe> linear = probes_of_level_0("aniso-ext-linear", footprint_of(true));
+    EXPECT_NEAR(linear[0].place.x, 40.5 - (3 - 40.5 / 64) / 4, 1e-12);
+}
+
+/// Steps of 10 and 4 texels: three taps. The ratio 2.5 leaves 4 texels a tap, level 2; rounded up it leaves
+/// 10 / 3. A ratio beyond the limit is the limit for both.
+TEST(Anisotropic, VulkanDoesNotRoundTheRatioInItsLod) {
+    const LinearImage image = constant_image(256, 256, glm::vec4{1});
+    const auto mean_level = [&](const char* name, const Footprint& f) {
+        double level = 0;
+        for (const Tap& tap : prepared(name, image).taps(f)) level += tap.image * tap.weight;
+        return level;
+    };
+    const Footprint f = flat_footprint({100.5, 100.5}, {10, 0}, {0, 4}),
+                    narrow = flat_footprint({100.5, 100.5}, {64, 0}, {0, 1});
+    for (const char* name : {"aniso-vulkan", "aniso-vulkan-linear"}) {
+        EXPECT_EQ(prepared(name, image).taps(f).size(), 3u * 4) << name;
+        EXPECT_NEAR(mean_level(name, f), 2, 1e-14) << name;
+        EXPECT_NEAR(mean_level(name, narrow), 2, 1e-14) << name;
+    }
+    EXPECT_NEAR(mean_level("aniso-ext", f), std::log2(10 / 3.0), 1e-14);
+    EXPECT_NEAR(mean_level("aniso-ext", narrow), 2, 1e-14);
 }
 
 TEST(Anisotropic, GaussianProbesWeighWhatTheirCardsSay) {
@@ -366,7 +413,8 @@ TEST(Anisotropic, TakesAtMostTheAllowedTaps) {
         for (std::uint32_t seed = 0; seed < 50; ++seed) {
             const Footprint f = random_footprint(seed);
             const FilterOptions options{.max_anisotropy = most};
-            for (const char* name : {"aniso-ext", "aniso-midpoint", "aniso-d3d11"})
+            for (const char* name : {"aniso-ext", "aniso-ext-linear", "aniso-midpoint", "aniso-vulkan",
+                                     "aniso-vulkan-linear", "aniso-d3d11"})
                 EXPECT_LE(prepared(name, image, options).taps(f).size(), 8u * unsigned(most)) << name << seed;
             for (const char* name : {"aniso-oiio", "aniso-feline"})
                 EXPECT_LE(prepared(name, image, options).taps(f).size(), 8u * unsigned(2 * most - 1))

@@ -11,20 +11,28 @@ namespace {
 struct Line {
     glm::dvec2 whole{0};  ///< texels, from one end to the other
     int taps = 1;
-    double width = 0;  ///< texels that each tap covers: its LOD is the log2
+    double width = 0;           ///< texels that each tap covers: its LOD is the log2
+    glm::dvec2 whole_raster{};  ///< the same line on the picture, pixels; of the pixel's steps alone
 };
 
 constexpr reads::TapSpacing literal_places{.first = 1, .more = 1}, midpoints{.first = 0.5, .more = 0};
 
-int whole_taps(double ratio, double most) {
-    return std::isfinite(ratio) ? std::max(1, int(std::ceil(std::min(ratio, most)))) : int(most);
-}
+/// What is no number is the most that is allowed.
+double limited(double ratio, double most) { return std::isfinite(ratio) ? std::min(ratio, most) : most; }
 
+int whole_taps(double ratio, double most) { return std::max(1, int(std::ceil(limited(ratio, most)))); }
+
+enum class RatioInLod { rounded_up, as_it_is };
+
+template <RatioInLod ratio_in_lod>
 Line longer_step(const Footprint& f, int max_anisotropy) {
     const double x = glm::length(f.per_x), y = glm::length(f.per_y);
     const double longer = std::max(x, y), shorter = std::min(x, y);
-    const int taps = longer > 0 ? whole_taps(longer / shorter, max_anisotropy) : 1;
-    return {x > y ? f.per_x : f.per_y, taps, longer / taps};
+    const double ratio = longer > 0 ? limited(longer / shorter, max_anisotropy) : 1;
+    const int taps = whole_taps(ratio, max_anisotropy);
+    const double divisor = ratio_in_lod == RatioInLod::rounded_up ? taps : ratio;
+    return x > y ? Line{f.per_x, taps, longer / divisor, {1, 0}}
+                 : Line{f.per_y, taps, longer / divisor, {0, 1}};
 }
 
 Line ellipse_axis(const Footprint& f, int max_anisotropy) {
@@ -39,7 +47,7 @@ Line ellipse_axis(const Footprint& f, int max_anisotropy) {
 }
 
 template <Line (*line_of)(const Footprint&, int), const reads::TapSpacing& on_line>
-struct Taps {
+struct LinearTaps {
     static constexpr reads::TapSpacing spacing = on_line;
 
     LineOfTaps line(const MipReads& mips, const Footprint& footprint) const {
@@ -48,31 +56,79 @@ struct Taps {
     }
 };
 
-constexpr const char* longer_step_footprint =
+/// Each tap is seen through its own place of the picture.
+template <Line (*line_of)(const Footprint&, int)>
+struct ProjectiveTaps {
+    void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
+        const Line line = line_of(footprint, mips.options.max_anisotropy);
+        const double lod = mips.in_chain(std::log2(line.width));
+        for (int i = 0; i < line.taps; ++i) {
+            const double along = (i + literal_places.first) / (line.taps + literal_places.more) - 0.5;
+            mips.trilinear(lod, footprint.at(footprint.centre_raster + along * line.whole_raster),
+                           1.0 / line.taps, read);
+        }
+    }
+};
+
+constexpr auto extension_line = longer_step<RatioInLod::rounded_up>;
+constexpr auto vulkan_line = longer_step<RatioInLod::as_it_is>;
+
+constexpr const char* extension_footprint =
     "The longer of the pixel's two steps, P_max (the one in y where they are equal), by the shorter, P_min; "
     "N = "
     "min(ceil(P_max / P_min), maximum anisotropy), 1 where P_max is 0.";
-constexpr const char* longer_step_lod = "log2(P_max / N).";
+constexpr const char* extension_lod = "log2(P_max / N).";
+constexpr const char* vulkan_footprint =
+    "The longer of the pixel's two steps, rho_max (the one in y where they are equal), by the shorter, "
+    "rho_min; eta = min(rho_max / rho_min, maximum anisotropy), 1 where rho_max is 0; N = ceil(eta).";
+constexpr const char* vulkan_lod = "log2(rho_max / eta): the ratio is not rounded up.";
+constexpr const char* projective_taps =
+    "N trilinear taps, each seen through its own place of the picture; mean. They stand at (x - 1/2 + i / (N "
+    "+ "
+    "1), y), i = 1 to N, where the longer step is that in x, else at (x, y - 1/2 + i / (N + 1)).";
+constexpr const char* linear_taps =
+    "N trilinear taps along the longer step, linear about the centre, at i / (N + 1) - 1/2 of it, i = 1 to "
+    "N; mean.";
 
 }  // namespace
 
 std::vector<Method> anisotropic_methods() {
     return {
         {.name = "aniso-ext",
-         .card = {.footprint = longer_step_footprint,
-                  .lod = longer_step_lod,
-                  .taps = "N trilinear taps along the longer step, linear about the centre, at i / (N + 1) - "
-                          "1/2 of it, i = 1 to N; mean.",
+         .card = {.footprint = extension_footprint,
+                  .lod = extension_lod,
+                  .taps = projective_taps,
                   .source = "EXT_texture_filter_anisotropic, to the letter"},
-         .prepare = prepare_bilinear<Taps<longer_step, literal_places>>},
+         .prepare = prepare_bilinear<ProjectiveTaps<extension_line>>},
+        {.name = "aniso-ext-linear",
+         .card = {.footprint = extension_footprint,
+                  .lod = extension_lod,
+                  .taps = linear_taps,
+                  .source =
+                      "EXT_texture_filter_anisotropic, taps linear in the texture instead of the picture"},
+         .prepare = prepare_bilinear<LinearTaps<extension_line, literal_places>>},
         {.name = "aniso-midpoint",
-         .card = {.footprint = longer_step_footprint,
-                  .lod = longer_step_lod,
+         .card = {.footprint = extension_footprint,
+                  .lod = extension_lod,
                   .taps =
                       "N trilinear taps along the longer step, linear about the centre, at (i - 1/2) / N - "
                       "1/2 of it, i = 1 to N; mean.",
                   .source = "EXT_texture_filter_anisotropic, taps at the middles of N equal parts"},
-         .prepare = prepare_bilinear<Taps<longer_step, midpoints>>},
+         .prepare = prepare_bilinear<LinearTaps<extension_line, midpoints>>},
+        {.name = "aniso-vulkan",
+         .card = {.footprint = vulkan_footprint,
+                  .lod = vulkan_lod,
+                  .taps = projective_taps,
+                  .source =
+                      "Vulkan specification, Scale Factor Operation, LOD Operation and Texel Anisotropic "
+                      "Filtering, to the letter; its taps are of one level, ours of two"},
+         .prepare = prepare_bilinear<ProjectiveTaps<vulkan_line>>},
+        {.name = "aniso-vulkan-linear",
+         .card = {.footprint = vulkan_footprint,
+                  .lod = vulkan_lod,
+                  .taps = linear_taps,
+                  .source = "Vulkan specification, taps linear in the texture instead of the picture"},
+         .prepare = prepare_bilinear<LinearTaps<vulkan_line, literal_places>>},
         {.name = "aniso-d3d11",
          .card = {.footprint =
                       "The ellipse of the Jacobian's singular values s1 >= s2. Ratio s1 / s2; where that "
@@ -83,7 +139,7 @@ std::vector<Method> anisotropic_methods() {
                           "centre, at (i - 1/2) / N - 1/2 of s1, i = 1 to N; mean. The specification leaves "
                           "number and places to the implementation: these are ours.",
                   .source = "Direct3D 11.3 functional specification, 7.18.11"},
-         .prepare = prepare_bilinear<Taps<ellipse_axis, midpoints>>}};
+         .prepare = prepare_bilinear<LinearTaps<ellipse_axis, midpoints>>}};
 }
 
 }  // namespace zproof::texture
