@@ -72,7 +72,7 @@ std::string group_in(const std::string& groups) {
 
 std::string in_gib(std::uint64_t bytes) { return fixed(double(bytes) / double(1 << 30), 2) + " GiB"; }
 
-std::string in_words(Resolution size) {
+std::string size_in_words(Resolution size) {
     return std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels";
 }
 
@@ -99,7 +99,7 @@ std::uint64_t least_memory_bytes(Resolution size) {
 std::string lacking_memory(Resolution size) {
     const std::uint64_t needed = least_memory_bytes(size), there = available_memory_bytes();
     if (needed <= there) return "";
-    return in_words(size) + " need at least " + in_gib(needed) + " of memory, of which " + in_gib(there) +
+    return size_in_words(size) + " need at least " + in_gib(needed) + " of memory, of which " + in_gib(there) +
            " is there" + remedy;
 }
 
@@ -108,7 +108,7 @@ void require_memory(Resolution size) {
 }
 
 std::string out_of_memory(Resolution size, std::uint64_t triangles) {
-    return "out of memory: " + in_words(size) + " and " + counted(triangles, "triangle") +
+    return "out of memory: " + size_in_words(size) + " and " + counted(triangles, "triangle") +
            " need more than " + in_gib(available_memory_bytes()) + ", which is left" + remedy;
 }
 
