@@ -1,0 +1,20 @@
+/// A picture held against its promise as a whole (docs/joint-conformance.md).
+#pragma once
+
+#include <string>
+
+#include "cli/selftest/filter_fault.h"
+#include "compare/joint_conformance.h"
+
+namespace zproof {
+
+/// Offsets of LOD, of the place on the texture in u and in v, and gain. The method must have a filter
+/// reference.
+JointConformance joint_conformance_of(const Picture& picture, const selftest::FilterFixture& fixture,
+                                      const selftest::FilterClaim& claim);
+
+/// "LOD +0.0100 +- 0.0002 levels, promised within 0.0078: leaves the promise (chance below 2^-63)", a line
+/// each.
+std::vector<std::string> in_words(const JointConformance& found);
+
+}  // namespace zproof

@@ -1,0 +1,37 @@
+/// Samplers of limited precision, as hardware has them, for tests: honest ones, and ones with a small error.
+#pragma once
+
+#include "texture/method.h"
+
+namespace zproof {
+
+enum class Rounding { nearest, down };
+
+/// A number of so many bits behind the binary point, and something added; all of it where bits is infinite.
+struct Lattice {
+    double bits = std::numeric_limits<double>::infinity();
+    Rounding rounding = Rounding::nearest;
+    double offset = 0;
+
+    double operator()(double x) const;
+};
+
+/// Trilinear by the longer step (trilinear-gl) of limited precision.
+struct LimitedTrilinear {
+    Lattice lod{}, weights{}, blend{};  ///< LOD; fraction within a level; fraction between levels
+    glm::dvec2 place_error{0};          ///< added to every place, texels of level 0
+    double gain = 1;                    ///< of what is shown
+    int texel_bits = 24;                ///< significant bits of texels of the smaller levels
+    bool is_float32 = true;             ///< texture coordinates are held in float32
+};
+texture::Method limited_trilinear(const LimitedTrilinear& parts);
+
+/// Elliptical weighted averages (ewa-pbrt, ewa-pbrt-table) of limited precision.
+struct LimitedEllipse {
+    Lattice weights{};       ///< each weight
+    int table_entries = 0;   ///< 0: the exponential itself
+    bool is_clamped = true;  ///< the ratio of the axes, by the options' limit
+};
+texture::Method limited_ellipse(const LimitedEllipse& parts);
+
+}  // namespace zproof
