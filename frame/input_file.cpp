@@ -43,6 +43,7 @@ class Input {
             fault_ = in_words(errno);
         else
             fault_ = kind_fault(facts);  // it may be another one than a moment ago
+        piece_ = std::size_t(std::clamp<off_t>(facts.st_size, 4095, (1 << 20) - 1)) + 1;
     }
     ~Input() {
         if (descriptor_ >= 0) close(descriptor_);
@@ -54,11 +55,10 @@ class Input {
 
     /// The bytes from here on, at most so many.
     std::string read(std::uint64_t most) {
-        constexpr std::size_t piece = std::size_t{1} << 20;
         std::string bytes;
         for (ssize_t got = 1; got != 0 && bytes.size() < most;) {
             const std::size_t before = bytes.size();
-            bytes.resize(before + std::size_t(std::min<std::uint64_t>(piece, most - before)));
+            bytes.resize(before + std::size_t(std::min<std::uint64_t>(piece_, most - before)));
             do got = ::read(descriptor_, bytes.data() + before, bytes.size() - before);
             while (got < 0 && errno == EINTR);
             if (got < 0) fault_ = in_words(errno);
@@ -70,6 +70,7 @@ class Input {
 
   private:
     int descriptor_ = -1;
+    std::size_t piece_ = 0;  ///< bytes to ask for at once: the whole file, where that is not too many
     std::string fault_;
 };
 

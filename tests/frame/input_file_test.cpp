@@ -34,6 +34,20 @@ TEST_F(InputFile, IsReadWhole) {
     EXPECT_EQ(read_input(file("link"), {.words = "text"}).size(), 100u);
 }
 
+TEST_F(InputFile, IsReadWholeWhateverItsSize) {
+    for (const std::size_t size : {0u, 1u, 4095u, 4096u, 4097u, (1u << 20) - 1, 1u << 20, (3u << 20) + 1}) {
+        std::string bytes(size, ' ');
+        for (std::size_t i = 0; i < size; ++i) bytes[i] = char(i * 2654435761u >> 24);
+        std::ofstream{file("file"), std::ios::binary} << bytes;
+        EXPECT_TRUE(read_input(file("file"), {.words = "text"}) == bytes) << size;
+    }
+}
+
+TEST_F(InputFile, WhoseSizeTheSystemDoesNotTellIsReadWhole) {
+    ASSERT_EQ(fs::file_size("/proc/self/maps"), 0u);
+    EXPECT_NE(read_input("/proc/self/maps", {.words = "text"}).find("[stack]"), std::string::npos);
+}
+
 TEST_F(InputFile, OfMoreBytesThanExpectedIsRefused) {
     std::ofstream{file("file")} << std::string(101, 'x');
     EXPECT_EQ(refusal(file("file")), file("file").string() + ": more than 100 bytes; expected a JSON file");
