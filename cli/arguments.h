@@ -137,8 +137,8 @@ using Command =
                  ReportAgainArguments, DiffResultsArguments, WaiveListArguments, WaiveCheckArguments,
                  WaivePruneArguments, WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments,
                  ViewsArguments, FiltersRunArguments, FiltersListArguments, FiltersScenesArguments,
-                 FiltersTableArguments, FiltersFigureArguments, FiltersCrowArguments, FiltersCheckArguments,
-                 StudyArguments, Answered>;
+                 FiltersTableArguments, FiltersReproduceArguments, FiltersFigureArguments,
+                 FiltersCrowArguments, FiltersCheckArguments, StudyArguments, Answered>;
 
 /// What the command shares with every other.
 const CommonArguments& common_of(const Command& command);

@@ -87,6 +87,9 @@ ExitCode execute(const FiltersScenesArguments& arguments);
 /// Prints a study's table.
 ExitCode execute(const FiltersTableArguments& arguments);
 
+/// Prints published figures beside those that zproof computes.
+ExitCode execute(const FiltersReproduceArguments& arguments);
+
 /// Makes a study's figures and page again, as chosen.
 ExitCode execute(const FiltersFigureArguments& arguments);
 

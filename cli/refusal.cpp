@@ -27,6 +27,7 @@ struct Refusal {
     std::string_view operator()(const FiltersRunArguments&) const { return "cannot study the filters"; }
     std::string_view operator()(const FiltersListArguments&) const { return "cannot list the filters"; }
     std::string_view operator()(const FiltersScenesArguments&) const { return "cannot write the scenes"; }
+    std::string_view operator()(const FiltersReproduceArguments&) const { return "cannot reproduce"; }
     std::string_view operator()(const FiltersTableArguments&) const { return "cannot show the table"; }
     std::string_view operator()(const FiltersFigureArguments&) const { return "cannot draw the figures"; }
     std::string_view operator()(const FiltersCrowArguments&) const { return "cannot make the page"; }

@@ -43,6 +43,11 @@ struct FiltersScenesArguments {
     std::vector<std::string> names;  ///< empty: all
 };
 
+struct FiltersReproduceArguments {
+    CommonArguments common;
+    std::vector<std::string> names;  ///< of study::published_results(); empty: all
+};
+
 enum class TableFormat { terminal, latex, csv };
 
 struct FiltersTableArguments {
@@ -84,6 +89,7 @@ struct FiltersWords {
     FiltersRunArguments run;
     FiltersListArguments list;
     FiltersScenesArguments scenes;
+    FiltersReproduceArguments reproduce;
     FiltersTableArguments table;
     FiltersFigureArguments figure;
     FiltersCrowArguments crow;

@@ -184,6 +184,10 @@ void add_filters(CLI::App& app, FiltersWords& words) {
     CLI::App& scenes = *app.add_subcommand("scenes", "write filter scenes as .glb and .view.json files");
     scenes.add_option("NAME", words.scenes.names, "of filter scenes; none: all");
     add_common(scenes, words.scenes.common, "folder for the files");
+    CLI::App& reproduce =
+        *app.add_subcommand("reproduce", "published results, computed again beside the published figures");
+    reproduce.add_option("NAME", words.reproduce.names, "crow-1984, hensley-2005, worked; none: all");
+    add_common(reproduce, words.reproduce.common);
     add_table(*app.add_subcommand("table", "print a study's table"), words);
     add_figure(*app.add_subcommand("figure", "make a study's plots, crops and page again"), words);
     add_check(*app.add_subcommand("check", "does a filter compute its own definition? pixel by pixel"),
@@ -206,6 +210,7 @@ FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) 
     }
     if (typed("list")) return words.list;
     if (typed("scenes")) return words.scenes;
+    if (typed("reproduce")) return words.reproduce;
     if (typed("check")) return chosen_check(words);
     if (typed("table")) {
         words.table.choice.columns = words_of_list(words.table_columns);
@@ -218,7 +223,8 @@ FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) 
     if (typed("crow")) return words.crow;
     if (!typed("figure"))
         throw UsageError{
-            "filters: 'run', 'list', 'scenes', 'table', 'figure', 'check' or 'crow' expected (see: zproof "
+            "filters: 'run', 'list', 'scenes', 'reproduce', 'table', 'figure', 'check' or 'crow' expected "
+            "(see: zproof "
             "filters "
             "--help)"};
     words.figure.labels = words_of_list(words.only);

@@ -11,7 +11,7 @@ namespace zproof {
 void add_filters(CLI::App& app, FiltersWords& words);
 
 using FiltersCommand =
-    std::variant<FiltersRunArguments, FiltersListArguments, FiltersScenesArguments, FiltersTableArguments,
+    std::variant<FiltersRunArguments, FiltersListArguments, FiltersScenesArguments, FiltersTableArguments, FiltersReproduceArguments,
                  FiltersFigureArguments, FiltersCrowArguments, FiltersCheckArguments>;
 
 /// The one that was typed, its words understood. Throws UsageError where none was, or a word means nothing.

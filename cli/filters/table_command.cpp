@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/nearest_word.h"
 #include "cli/usage_error.h"
+#include "frame/printable.h"
 #include "reports/filters/folder.h"
 #include "reports/filters/pooled.h"
 #include "reports/filters/tables.h"
@@ -63,6 +64,8 @@ ExitCode print_pooled(const StudyResults& results, const FiltersTableArguments& 
         const TableCells cells = pooled_cells(results, pool);
         std::cout << gap
                   << (arguments.format == TableFormat::latex ? latex_table(cells) : terminal_table(cells));
+        for (const std::string& line : left_out_in_words(pool))
+            if (arguments.format == TableFormat::terminal) std::cout << one_line(line) << "\n";
         gap = "\n";
     }
     return ExitCode::proven;

@@ -103,10 +103,9 @@ std::string tables_of(const StudyResults& results, const ViewStudy& view) {
 }
 
 std::string left_out_of(const PooledScores& pool) {
-    if (pool.left_out.empty()) return "";
-    std::string names;
-    for (const std::string& label : pool.left_out) names += (names.empty() ? "" : ", ") + label;
-    return "<p>Left out, since some view has no value of them: " + escaped(names) + ".</p>\n";
+    std::string text;
+    for (const std::string& line : left_out_in_words(pool)) text += "<p>" + escaped(line) + "</p>\n";
+    return text;
 }
 
 std::string crops_of(const ViewFigures& figures) {

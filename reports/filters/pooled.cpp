@@ -116,6 +116,21 @@ TableCells pooled_cells(const StudyResults& results, const PooledScores& pool) {
     return table;
 }
 
+std::vector<std::string> left_out_in_words(const PooledScores& pool) {
+    const auto listed = [](const std::vector<std::string>& names) {
+        std::string list;
+        for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+        return list;
+    };
+    std::vector<std::string> lines;
+    if (!pool.left_out.empty())
+        lines.push_back("Left out, since some view has no value of them: " + listed(pool.left_out) + ".");
+    if (!pool.textures_left_out.empty())
+        lines.push_back(
+            "Left out, since a method is without error on them: " + listed(pool.textures_left_out) + ".");
+    return lines;
+}
+
 std::string pooled_csv(const StudyResults& results, const std::string& region) {
     std::string text =
         provenance_comment(results) +

@@ -11,6 +11,9 @@ namespace zproof {
 /// has more than the baseline.
 TableCells pooled_cells(const study::StudyResults& results, const study::PooledScores& pool);
 
+/// A sentence for what is left out of the pool, methods and textures; none where nothing is.
+std::vector<std::string> left_out_in_words(const study::PooledScores& pool);
+
 /// Every metric of a region, a row for each method, as the numbers are: pooled.csv. RFC 4180 with LF.
 std::string pooled_csv(const study::StudyResults& results, const std::string& region);
 

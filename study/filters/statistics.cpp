@@ -76,10 +76,8 @@ std::vector<int> ranks_of(const std::vector<double>& values, bool higher_is_bett
     return ranks;
 }
 
-/// The 2.5th and the 97.5th percentile; NaN where a difference of infinities is among them.
+/// The 2.5th and the 97.5th percentile.
 Spread spread_of(std::vector<double> values) {
-    if (std::ranges::any_of(values, [](double v) { return std::isnan(v); }))
-        return {std::nan(""), std::nan("")};
     std::ranges::sort(values);
     const auto at = [&](double share) {
         return values[std::size_t(std::lround(share * double(values.size() - 1)))];
@@ -142,23 +140,48 @@ std::size_t texture_count(const StudyResults& results) {
     return names.size();
 }
 
-PooledScores pooled(const StudyResults& results, const PoolChoice& choice) {
-    const ViewsOfTextures views = views_of_textures(results, choice.region);
-    PooledScores pool{.choice = choice,
-                      .textures = views.by_texture.size(),
-                      .views = views.views,
-                      .methods = {},
-                      .left_out = {}};
+namespace {
+
+/// Whole columns of values, one for each method that has them all.
+struct Values {
     std::vector<std::string> labels;
-    Table table(views.by_texture.size());
+    Table table;
+};
+
+Values values_of(const StudyResults& results, const ViewsOfTextures& views, const PoolChoice& choice,
+                 std::vector<std::string>& left_out) {
+    Values values{{}, Table(views.by_texture.size())};
     for (const MethodCard& card : results.methods) {
         std::vector<double> column;
         for (const auto& of_texture : views.by_texture)
             column.push_back(mean_over(results, of_texture, card.label, choice));
         const bool is_whole = std::ranges::none_of(column, [](double v) { return std::isnan(v); });
-        (is_whole ? labels : pool.left_out).push_back(card.label);
-        for (std::size_t t = 0; is_whole && t < column.size(); ++t) table[t].push_back(column[t]);
+        (is_whole ? values.labels : left_out).push_back(card.label);
+        for (std::size_t t = 0; is_whole && t < column.size(); ++t) values.table[t].push_back(column[t]);
     }
+    return values;
+}
+
+/// No mean is taken over infinities.
+void drop_infinite(Table& table, ViewsOfTextures& views, std::vector<std::string>& left_out) {
+    for (std::size_t t = table.size(); t-- > 0;) {
+        if (std::ranges::all_of(table[t], [](double v) { return std::isfinite(v); })) continue;
+        left_out.insert(left_out.begin(), views.by_texture[t].front()->scene);
+        views.views -= views.by_texture[t].size();
+        views.by_texture.erase(views.by_texture.begin() + std::ptrdiff_t(t));
+        table.erase(table.begin() + std::ptrdiff_t(t));
+    }
+}
+
+}  // namespace
+
+PooledScores pooled(const StudyResults& results, const PoolChoice& choice) {
+    ViewsOfTextures views = views_of_textures(results, choice.region);
+    PooledScores pool{.choice = choice, .methods = {}, .left_out = {}, .textures_left_out = {}};
+    auto [labels, table] = values_of(results, views, choice, pool.left_out);
+    drop_infinite(table, views, pool.textures_left_out);
+    pool.textures = views.by_texture.size();
+    pool.views = views.views;
     if (table.empty() || labels.empty()) return pool;
     const bool higher_is_better = results.metrics.at(metric_index(results, choice.metric)).higher_is_better;
     std::vector<std::size_t> all(table.size());

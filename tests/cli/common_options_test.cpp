@@ -54,6 +54,7 @@ const std::map<std::string, Call> calls{
     {"filters run", {{"worked", "--view", "phi-0", "--methods", "nearest"}, Call::Told::with_times}},
     {"filters list", {{}}},
     {"filters scenes", {{"worked"}}},
+    {"filters reproduce", {{"crow-1984"}}},
     {"filters table", {{"filters"}}},
     {"filters figure", {{"filters"}}},
     {"filters check", {{"nearest", "worked", "--view", "phi-0"}}},

@@ -121,12 +121,14 @@ TEST(PooledScores, OfOneTextureArePoints) {
     EXPECT_EQ(method.mean_spread.high, 5);
 }
 
-TEST(PooledScores, SayNothingOfInfiniteDifferences) {
+TEST(PooledScores, LeaveOutTexturesOnWhichAMethodIsWithoutError) {
     const double inf = std::numeric_limits<double>::infinity();
-    const PooledScores pool = pool_of(study_of({{{inf, 2}}, {{inf, 4}}}, {"exact", "other"}));
-    EXPECT_EQ(pool.methods[0].mean, inf);
-    EXPECT_TRUE(std::isnan(pool.methods[0].difference_spread.low));
-    EXPECT_EQ(pool.methods[1].mean_spread.low, 2);
+    const PooledScores pool = pool_of(study_of({{{9, 2}}, {{inf, 4}}, {{7, 4}}}, {"exact", "other"}));
+    EXPECT_EQ(pool.textures, 2u);
+    EXPECT_EQ(pool.views, 2u);
+    EXPECT_EQ(pool.textures_left_out, std::vector<std::string>{"texture 1"});
+    EXPECT_EQ(pool.methods[0].mean, 8);
+    EXPECT_EQ(pool.methods[1].mean, 3);
 }
 
 TEST(PooledScores, KnowTheirMethods) {

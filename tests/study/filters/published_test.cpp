@@ -1,0 +1,40 @@
+#include "study/filters/published.h"
+
+#include <gtest/gtest.h>
+
+namespace zproof::study {
+namespace {
+
+std::vector<PublishedFigure> figures_of(std::string_view name) {
+    for (const PublishedResult& result : published_results())
+        if (result.name == name) return result.figures();
+    ADD_FAILURE() << name;
+    return {};
+}
+
+TEST(PublishedResults, CrowsTableIsTheMeanItself) {
+    const auto figures = figures_of("crow-1984");
+    ASSERT_EQ(figures.size(), 3u);
+    for (const PublishedFigure& figure : figures)
+        EXPECT_NEAR(figure.ours, figure.published, 1e-4) << figure.what;
+}
+
+/// Sums of 256 x 256 texels grow to 2^15 or so; without their mean they stay near 2^9.
+TEST(PublishedResults, AnOffsetGainsBitsOfASummedAreaTable) {
+    const auto figures = figures_of("hensley-2005");
+    ASSERT_EQ(figures.size(), 2u);
+    for (const PublishedFigure& figure : figures) {
+        EXPECT_GT(figure.ours, 25) << figure.what;
+        EXPECT_LT(figure.ours, 45) << figure.what;
+    }
+}
+
+TEST(PublishedResults, TheWorkedSetUpIsFoundToATenthOfADecibel) {
+    const auto figures = figures_of("worked");
+    ASSERT_EQ(figures.size(), 14u);
+    for (const PublishedFigure& figure : figures)
+        EXPECT_NEAR(figure.ours, figure.published, 0.1) << figure.what;
+}
+
+}  // namespace
+}  // namespace zproof::study
