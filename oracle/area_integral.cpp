@@ -64,13 +64,14 @@ class Integral {
     }
 
   private:
-    bool is_gaussian() const { return reconstruction_ == Reconstruction::gaussian; }
+    bool is_gaussian() const { return oracle::is_gaussian(reconstruction_); }
 
     glm::dvec3 integral(const SurfaceColour& colour, const Polygon<double>& piece,
                         const Homography<double>& texels) const {
-        if (is_gaussian()) return gaussian_integral(colour, piece, texels);
-        return reconstruction_ == Reconstruction::nearest ? nearest_integral(colour, piece, texels)
-                                                          : bilinear_integral(colour, piece, texels);
+        if (reconstruction_ == Reconstruction::nearest) return nearest_integral(colour, piece, texels);
+        if (reconstruction_ == Reconstruction::bilinear) return bilinear_integral(colour, piece, texels);
+        return is_of_nearest(reconstruction_) ? gaussian_integral_of_nearest(colour, piece, texels)
+                                              : gaussian_integral(colour, piece, texels);
     }
 
     const Surfaces& surfaces_;

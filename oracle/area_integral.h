@@ -19,9 +19,19 @@ enum class Reconstruction {
     nearest,   ///< GT-N: piecewise constant texels, the pixel's square
     bilinear,  ///< GT-B: texels interpolated bilinearly, the pixel's square
     gaussian,  ///< GT-G: bilinear; exp(-2 r^2) - exp(-2) for r < 1 px round the pixel's centre, normalized
+    gaussian_of_nearest,  ///< GT-GN: piecewise constant texels under the weight of GT-G
 };
 
-/// What the pixel's own square sees (of radius 1 px round the centre for Reconstruction::gaussian).
+constexpr bool is_gaussian(Reconstruction reconstruction) {
+    return reconstruction == Reconstruction::gaussian ||
+           reconstruction == Reconstruction::gaussian_of_nearest;
+}
+/// Are texels squares of one colour?
+constexpr bool is_of_nearest(Reconstruction reconstruction) {
+    return reconstruction == Reconstruction::nearest || reconstruction == Reconstruction::gaussian_of_nearest;
+}
+
+/// What the pixel's own square sees (of radius 1 px round the centre under a Gaussian).
 enum class TruthKind : std::uint8_t {
     background,  ///< no surface
     interior,    ///< one continuous surface of one material, all over it

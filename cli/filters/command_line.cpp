@@ -47,9 +47,10 @@ void add_run(CLI::App& app, FiltersWords& words) {
            "methods; in FILE, {scene} and {view} stand for their names; repeatable")
         ->take_all()
         ->allow_extra_args(false);
-    app.add_option("--truth", words.truth,
-                   "N: of nearest texels; B: of bilinear; G: Gaussian pixel of bilinear")
-        ->check(CLI::IsMember({"N", "B", "G"}))
+    app.add_option(
+           "--truth", words.truth,
+           "N: of nearest texels; B: of bilinear; G: Gaussian pixel of bilinear; GN: the same of nearest")
+        ->check(CLI::IsMember({"N", "B", "G", "GN"}))
         ->capture_default_str();
     app.add_option("--flicker", words.run.flicker_steps,
                    "further views, each a fraction of a pixel on; 0: none")
@@ -131,7 +132,8 @@ CropBox crop_box(const std::string& text) {
 
 oracle::Reconstruction reconstruction(const std::string& letter) {
     if (letter == "N") return oracle::Reconstruction::nearest;
-    return letter == "B" ? oracle::Reconstruction::bilinear : oracle::Reconstruction::gaussian;
+    if (letter == "B") return oracle::Reconstruction::bilinear;
+    return letter == "G" ? oracle::Reconstruction::gaussian : oracle::Reconstruction::gaussian_of_nearest;
 }
 
 }  // namespace

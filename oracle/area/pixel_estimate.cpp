@@ -58,7 +58,7 @@ double gaussian_radius_squared(double share) {
 }
 
 glm::dvec2 PixelEstimator::offset(const glm::dvec2& unit) const {
-    if (reconstruction_ != Reconstruction::gaussian) return unit - 0.5;
+    if (!is_gaussian(reconstruction_)) return unit - 0.5;
     const double radius = std::sqrt(gaussian_radius_squared(unit.x)), angle = 2 * std::numbers::pi * unit.y;
     return {radius * std::cos(angle), radius * std::sin(angle)};
 }
@@ -69,8 +69,8 @@ glm::dvec3 PixelEstimator::colour(std::uint32_t triangle, const glm::dvec2& p_ra
     if (colour.image == nullptr || !seen) return colour.factor;
     const auto [u, v] = seen->texels.at(p_raster.x, p_raster.y);
     if (!(std::abs(u) < 0x1p52 && std::abs(v) < 0x1p52)) return glm::dvec3(0);
-    return colour.factor * (reconstruction_ == Reconstruction::nearest ? nearest_at(colour, u, v)
-                                                                       : bilinear_at(colour, u, v));
+    return colour.factor *
+           (is_of_nearest(reconstruction_) ? nearest_at(colour, u, v) : bilinear_at(colour, u, v));
 }
 
 void PixelEstimator::add(Sums& sums, glm::ivec2 pixel, int first, int last) const {

@@ -11,17 +11,28 @@ namespace zproof::oracle::area {
 
 namespace {
 
-/// Sums texels times areas.
+enum class Weight { uniform, gaussian };
+
+/// The weight of the disk alone, as a surface without a texture.
+double weight_within(const Polygon<double>& piece) {
+    const Affine<double> one{0, 0, 1};
+    return gaussian_moments(piece, {one, one, one}).one;
+}
+
+/// Sums texels times areas, or times the weight there.
 struct NearestSum {
     const SurfaceColour& colour;
     Cell base;
+    Weight weight = Weight::uniform;
     glm::dvec3 sum{0};
 
     void part(const Cell& cell, const Polygon<double>& polygon) {
-        sum += area_of(polygon) *
+        sum += (weight == Weight::uniform ? area_of(polygon) : weight_within(polygon)) *
                colour.texel(colour.column(base.column + cell.column), colour.row(base.row + cell.row));
     }
-    static bool takes(const TexelLattice<double>&, std::int64_t, std::int64_t, std::int64_t) { return true; }
+    bool takes(const TexelLattice<double>&, std::int64_t, std::int64_t, std::int64_t) const {
+        return weight == Weight::uniform;
+    }
     void whole(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first, std::int64_t last) {
         const int in_row = colour.row(base.row + row);
         lattice.visit_run(row, first, last, [&](const Cell& cell, double area) {
@@ -29,8 +40,6 @@ struct NearestSum {
         });
     }
 };
-
-enum class Weight { uniform, gaussian };
 
 /// Sums bilinear patches; cell (k, l) lies between the centres of texels (k, l) and (k + 1, l + 1).
 struct BilinearSum {
@@ -109,12 +118,6 @@ Polygon<double> common(Polygon<double> polygon, const Polygon<double>& by) {
     return polygon;
 }
 
-/// The weight of the disk alone, as a surface without a texture.
-double weight_within(const Polygon<double>& piece) {
-    const Affine<double> one{0, 0, 1};
-    return gaussian_moments(piece, {one, one, one}).one;
-}
-
 }  // namespace
 
 glm::dvec3 bilinear_integral(const SurfaceColour& colour, const Polygon<double>& piece,
@@ -123,16 +126,43 @@ glm::dvec3 bilinear_integral(const SurfaceColour& colour, const Polygon<double>&
     return patches(colour, piece, texels, Weight::uniform);
 }
 
-glm::dvec3 gaussian_integral(const SurfaceColour& colour, const Polygon<double>& piece,
-                             const Homography<double>& texels) {
+namespace {
+
+/// The sum over the disk's blocks of what a part of the piece gives.
+template <class OfPart>
+glm::dvec3 over_the_disk(const SurfaceColour& colour, const Polygon<double>& piece, const OfPart& of_part) {
     glm::dvec3 sum{0};
     for (const Polygon<double>& block : blocks()) {
         const Polygon<double> part = common(piece, block);
         if (part.size() < 3) continue;
-        sum += colour.image == nullptr ? weight_within(part) * colour.factor
-                                       : patches(colour, part, texels, Weight::gaussian);
+        sum += colour.image == nullptr ? weight_within(part) * colour.factor : of_part(part);
     }
     return sum;
+}
+
+/// Sums over the texels of a piece, under a weight.
+glm::dvec3 texels_of(const SurfaceColour& colour, const Polygon<double>& piece,
+                     const Homography<double>& texels, Weight weight) {
+    const auto [map, base] = rebased(texels, piece[0]);
+    NearestSum sum{colour, base, weight};
+    TexelWalk<double, NearestSum>(map, sum).rows(piece);
+    return sum.sum * colour.factor;
+}
+
+}  // namespace
+
+glm::dvec3 gaussian_integral(const SurfaceColour& colour, const Polygon<double>& piece,
+                             const Homography<double>& texels) {
+    return over_the_disk(colour, piece, [&](const Polygon<double>& part) {
+        return patches(colour, part, texels, Weight::gaussian);
+    });
+}
+
+glm::dvec3 gaussian_integral_of_nearest(const SurfaceColour& colour, const Polygon<double>& piece,
+                                        const Homography<double>& texels) {
+    return over_the_disk(colour, piece, [&](const Polygon<double>& part) {
+        return texels_of(colour, part, texels, Weight::gaussian);
+    });
 }
 
 double gaussian_total() {
@@ -147,10 +177,7 @@ double gaussian_total() {
 glm::dvec3 nearest_integral(const SurfaceColour& colour, const Polygon<double>& piece,
                             const Homography<double>& texels) {
     if (colour.image == nullptr) return area_of(piece) * colour.factor;
-    const auto [map, base] = rebased(texels, piece[0]);
-    NearestSum sum{colour, base};
-    TexelWalk<double, NearestSum>(map, sum).rows(piece);
-    return sum.sum * colour.factor;
+    return texels_of(colour, piece, texels, Weight::uniform);
 }
 
 double texel_cost(const Polygon<double>& piece, const Homography<double>& texels) {

@@ -19,6 +19,10 @@ glm::dvec3 bilinear_integral(const SurfaceColour& colour, const Polygon<double>&
 glm::dvec3 gaussian_integral(const SurfaceColour& colour, const Polygon<double>& piece,
                              const Homography<double>& texels);
 
+/// Piecewise constant texels, under the same weight (GT-GN), within gaussian_error as well.
+glm::dvec3 gaussian_integral_of_nearest(const SurfaceColour& colour, const Polygon<double>& piece,
+                                        const Homography<double>& texels);
+
 /// The weight of all of the disk: its mean's denominator.
 double gaussian_total();
 

@@ -148,6 +148,10 @@ std::string truth_in_words(const std::string& truth) {
         return "GT-B: the exact mean, over the pixel's square in screen space, of the bilinearly "
                "interpolated "
                "texture";
+    if (truth == "GN")
+        return "GT-GN: the mean under a Gaussian of radius 1 pixel, in screen space, of the texture as "
+               "squares of "
+               "one colour";
     return "GT-G: the mean under a Gaussian of radius 1 pixel, in screen space, of the bilinearly "
            "interpolated "
            "texture";

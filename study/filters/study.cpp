@@ -132,8 +132,9 @@ class MeasuredView {
 };
 
 std::string letter_of(oracle::Reconstruction reconstruction) {
-    if (reconstruction == oracle::Reconstruction::nearest) return "N";
-    return reconstruction == oracle::Reconstruction::bilinear ? "B" : "G";
+    const std::string texels = oracle::is_of_nearest(reconstruction) ? "N" : "B";
+    if (!oracle::is_gaussian(reconstruction)) return texels;
+    return texels == "N" ? "GN" : "G";
 }
 
 }  // namespace

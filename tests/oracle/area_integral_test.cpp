@@ -113,7 +113,7 @@ Agreement agreement(const AreaTruth& exact, const AreaTruth& samples) {
 class EveryReconstruction : public testing::TestWithParam<Reconstruction> {};
 INSTANTIATE_TEST_SUITE_P(AreaIntegral, EveryReconstruction,
                          testing::Values(Reconstruction::nearest, Reconstruction::bilinear,
-                                         Reconstruction::gaussian));
+                                         Reconstruction::gaussian, Reconstruction::gaussian_of_nearest));
 
 TEST_P(EveryReconstruction, LiesWithinTheIntervalOfItsSamples) {
     const Scene scene = noisy_ground();
