@@ -115,7 +115,7 @@ Loaded photograph_scene(const std::filesystem::path& file, int width, int height
     try {
         Image image = decode_image(bytes);
         const std::string name = image.name = file.filename().string();
-        return filters::ground(name, std::move(image), {.width = width, .height = height}, 45);
+        return filters::ground(name, std::move(image), {.width = width, .height = height}, 7.5);
     } catch (const std::runtime_error& error) {
         throw SceneError(file.string() + ": " + error.what());
     }

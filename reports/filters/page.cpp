@@ -30,6 +30,7 @@ constexpr std::string_view filters_style = R"css(
 .scores td, .scores th { padding-right: 0.65rem; white-space: nowrap; }
 .best { font-weight: 600; color: var(--proven); }
 .open { color: var(--doubt); }
+.wide + p { margin-top: 0.6rem; }
 details { margin: 0.8rem 0; }
 summary { cursor: pointer; color: var(--link); }
 dt { font-weight: 600; }

@@ -67,11 +67,21 @@ std::string row_of(const PooledMethod& method, const Ruler& ruler, double y) {
            "\" r=\"3.5\" fill=\"#0072b2\"/>\n";
 }
 
+/// Multiples of 1, 2 or 5 times a power of ten: about five of them.
+std::vector<double> round_values(const Ruler& ruler) {
+    const double part = (ruler.high - ruler.low) / 5;
+    if (!(part > 0)) return {ruler.low};
+    const double power = std::pow(10, std::floor(std::log10(part))), in_powers = part / power;
+    const double step = power * (in_powers < 1.5 ? 1 : in_powers < 3.5 ? 2 : in_powers < 7.5 ? 5 : 10);
+    std::vector<double> values;
+    for (double k = std::ceil(ruler.low / step); k * step <= ruler.high; ++k) values.push_back(k * step);
+    return values;
+}
+
 std::string ruled(const Ruler& ruler, int decimals, double bottom) {
-    constexpr int parts = 4;
     std::string text;
-    for (int i = 0; i <= parts; ++i) {
-        const double value = ruler.low + (ruler.high - ruler.low) * i / parts, x = ruler.across(value);
+    for (const double value : round_values(ruler)) {
+        const double x = ruler.across(value);
         text += line_from(x, top - 6, x, bottom, "#dddddd") +
                 text_at(x, top - 10, "middle", fixed(value, decimals));
     }

@@ -95,7 +95,7 @@ TEST(Filters, RegionsHaveTheSamePixelsWhateverTheTruth) {
     for (const char* truth : {"N", "B", "G"}) {
         Words words = small;
         words[2] = "tunnel";
-        words.erase(words.begin() + 3, words.begin() + 5);  // --view
+        words[4] = "phi-0,phi-82.5";
         words.insert(words.end(), {"--truth", truth});
         ASSERT_EQ(run(folder, words).exit_code, 0);
         for (const study::ViewStudy& view : filters_from_json(folder.read("study/filters.json")).views)
