@@ -134,7 +134,7 @@ std::vector<std::string> left_out_in_words(const PooledScores& pool) {
     };
     std::vector<std::string> lines;
     if (!pool.left_out.empty())
-        lines.push_back("Left out, since some view has no value of them: " + listed(pool.left_out) + ".");
+        lines.push_back("Left out, since they have no number in some view: " + listed(pool.left_out) + ".");
     if (!pool.textures_left_out.empty())
         lines.push_back(
             "Left out, since a method is without error on them: " + listed(pool.textures_left_out) + ".");

@@ -55,10 +55,14 @@ ColumnRule rule_of(const std::string& name, double Flicker::*part, int decimals)
             [=](const MethodScore& m, const RegionScore& score) { return cell(value(m, score), decimals); }};
 }
 
+/// Of pictures of others it is as unknown as what they read.
 ColumnRule stored_rule() {
-    return {"stored", false,
-            [](const MethodScore& m, const RegionScore&) { return double(m.cost.bytes_stored); },
-            [](const MethodScore& m, const RegionScore&) { return bytes_in_words(m.cost.bytes_stored); }};
+    const auto value = [](const MethodScore& m, const RegionScore&) {
+        return std::isnan(m.cost.texels) ? m.cost.texels : double(m.cost.bytes_stored);
+    };
+    return {"stored", false, value, [=](const MethodScore& m, const RegionScore& score) {
+                return std::isnan(value(m, score)) ? "-" : bytes_in_words(m.cost.bytes_stored);
+            }};
 }
 
 /// Cost and flicker are of the whole picture: they stand beside the regions that are quoted, and are no value

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -142,20 +143,29 @@ std::size_t texture_count(const StudyResults& results) {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool is_higher_better(const StudyResults& results, const PoolChoice& choice) {
+    return results.metrics.at(metric_index(results, choice.metric)).higher_is_better;
+}
+
 /// Whole columns of values, one for each method that has them all.
 struct Values {
     std::vector<std::string> labels;
     Table table;
 };
 
+/// What is infinitely wrong has pixels that are no numbers.
 Values values_of(const StudyResults& results, const ViewsOfTextures& views, const PoolChoice& choice,
                  std::vector<std::string>& left_out) {
+    const double worst = is_higher_better(results, choice) ? -infinity : infinity;
     Values values{{}, Table(views.by_texture.size())};
     for (const MethodCard& card : results.methods) {
         std::vector<double> column;
         for (const auto& of_texture : views.by_texture)
             column.push_back(mean_over(results, of_texture, card.label, choice));
-        const bool is_whole = std::ranges::none_of(column, [](double v) { return std::isnan(v); });
+        const bool is_whole =
+            std::ranges::none_of(column, [&](double v) { return std::isnan(v) || v == worst; });
         (is_whole ? values.labels : left_out).push_back(card.label);
         for (std::size_t t = 0; is_whole && t < column.size(); ++t) values.table[t].push_back(column[t]);
     }
@@ -183,7 +193,7 @@ PooledScores pooled(const StudyResults& results, const PoolChoice& choice) {
     pool.textures = views.by_texture.size();
     pool.views = views.views;
     if (table.empty() || labels.empty()) return pool;
-    const bool higher_is_better = results.metrics.at(metric_index(results, choice.metric)).higher_is_better;
+    const bool higher_is_better = is_higher_better(results, choice);
     std::vector<std::size_t> all(table.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     const std::vector<double> mean = means(table, all);

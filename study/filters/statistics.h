@@ -37,7 +37,7 @@ struct PooledScores {
     PoolChoice choice;  ///< with the baseline that was taken
     std::size_t textures = 0, views = 0;
     std::vector<PooledMethod> methods;  ///< the best first
-    std::vector<std::string> left_out;  ///< methods that lack a value in a view in which others have one
+    std::vector<std::string> left_out;  ///< methods that lack a number in a view in which others have one
     std::vector<std::string>
         textures_left_out;  ///< on which a method is without error, and its PSNR infinite
 };

@@ -115,6 +115,13 @@ TEST(PooledScores, LeaveOutWhatLacksAView) {
     EXPECT_EQ(pool.left_out, std::vector<std::string>{"partly"});
 }
 
+TEST(PooledScores, LeaveOutMethodsWhosePicturesHoldNoNumbers) {
+    const double inf = std::numeric_limits<double>::infinity();
+    const PooledScores pool = pool_of(study_of({{{1, 2}}, {{3, -inf}}}, {"whole", "broken"}));
+    EXPECT_EQ(pool.left_out, std::vector<std::string>{"broken"});
+    EXPECT_EQ(pool.textures, 2u);
+}
+
 TEST(PooledScores, OfOneTextureArePoints) {
     const PooledMethod method = pool_of(study_of({{{5}}}, {"one"})).methods.at(0);
     EXPECT_EQ(method.mean_spread.low, 5);
