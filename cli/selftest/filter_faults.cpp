@@ -272,6 +272,22 @@ std::vector<FilterFault> faults_of_tables() {
              "sat-affine", by("sat-quad")}};
 }
 
+std::vector<FilterFault> faults_of_draws() {
+    return {{"filtered_instead_of_drawn", "the four texels' mean instead of one that is drawn",
+             "stochastic-bilinear", by("bilinear")},
+            {"nearest_instead_of_drawn", "the nearest texel instead of one that is drawn",
+             "stochastic-bilinear", by("nearest")},
+            {"one_number_for_u_and_v", "column and row are decided by the same number", "stochastic-bilinear",
+             by(drawn_by_one_number())},
+            {"one_number_for_all_samples",
+             "all samples of a pixel have the same number",
+             "stochastic-bilinear",
+             set([](FilterOptions& o) { o.samples = 1; }),
+             {.samples = 4}},
+            {"drawn_lod_half_too_large", "every LOD is a half too large", "stochastic-trilinear",
+             set([](FilterOptions& o) { o.lod_bias = 0.5; })}};
+}
+
 std::vector<FilterFault> faults_of_textures() {
     return {{"averaged_as_stored", "levels are means of sRGB codes instead of light", "trilinear-gl",
              by(trilinear({.chain = averaged_as_stored}))},
@@ -305,7 +321,7 @@ std::vector<FilterFault> faults_of_textures() {
 std::vector<FilterFault> filter_faults() {
     std::vector<FilterFault> all;
     for (const auto& some : {faults_of_places, faults_of_steps, faults_of_levels, faults_of_weights,
-                             faults_of_taps, faults_of_tables, faults_of_textures})
+                             faults_of_taps, faults_of_tables, faults_of_draws, faults_of_textures})
         for (FilterFault& fault : some()) all.push_back(std::move(fault));
     return all;
 }

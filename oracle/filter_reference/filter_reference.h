@@ -8,6 +8,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -34,11 +35,17 @@ class FilterReference {
     /// cannot tell (a pixel on the plane's horizon).
     PermittedColours at(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const;
 
+    /// Likewise what a sample of a stochastic definition may be. None where no texture is seen, or where
+    /// intervals cannot tell.
+    std::optional<ColourDraws> draws_at(int x, int y, PrimitiveId seen,
+                                        const FilterPrecision& precision) const;
+
   private:
     const Scene& scene_;
     const View& view_;
     StepRule steps_;
     std::vector<filter_reference::MethodReference> by_material_;  ///< empty where a material has no texture
+    std::vector<filter_reference::DrawReference> draws_;          ///< the same of a stochastic definition
 };
 
 }  // namespace zproof::oracle

@@ -14,5 +14,6 @@ std::vector<Method> openimageio_methods();  ///< the same by OpenImageIO's own d
 std::vector<Method> feline_methods();       ///< the same, probes weighted as an ellipse's Gaussian
 std::vector<Method> ewa_methods();          ///< all texels of an ellipse, in two levels
 std::vector<Method> supersample_methods();  ///< level 0 at many places of the pixel
+std::vector<Method> stochastic_methods();   ///< one texel a sample, drawn with the probability of its weight
 
 }  // namespace zproof::texture
