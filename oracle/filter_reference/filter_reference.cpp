@@ -40,9 +40,10 @@ PermittedColours anything() {
 std::span<const Definition> filter_definitions() {
     static const std::vector<Definition> all = [] {
         std::vector<Definition> list;
-        for (const auto& family : {point_definitions, mip_definitions, ripmap_definitions,
-                                   anisotropic_definitions, openimageio_definitions, ewa_definitions,
-                                   sat_definitions, supersample_definitions, stochastic_definitions})
+        for (const auto& family :
+             {point_definitions, separable_definitions, mip_definitions, ripmap_definitions,
+              anisotropic_definitions, openimageio_definitions, ewa_definitions, sat_definitions,
+              supersample_definitions, stochastic_definitions})
             for (Definition& definition : family()) list.push_back(std::move(definition));
         return list;
     }();

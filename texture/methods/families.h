@@ -5,7 +5,8 @@
 
 namespace zproof::texture {
 
-std::vector<Method> point_methods();        ///< level 0 at one place: nearest, bilinear, bicubic
+std::vector<Method> point_methods();        ///< level 0 at one place: nearest, bilinear
+std::vector<Method> separable_methods();    ///< level 0 at one place, four texels along either axis
 std::vector<Method> mip_methods();          ///< one place in a mip chain
 std::vector<Method> ripmap_methods();       ///< one place in a chain halved along either axis by itself
 std::vector<Method> sat_methods();          ///< boxes of a summed-area table
