@@ -4,6 +4,7 @@
 /// The draws of all pixels are independent of each other: white noise.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>

@@ -1,6 +1,7 @@
 // Methods of four texels along either axis, by weights worked by hand.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "math/rounding.h"
