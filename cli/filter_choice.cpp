@@ -71,6 +71,12 @@ const std::vector<MethodSetting>& method_settings() {
          [](Texturing& t, const std::string& s) { return set_number(t.options.max_anisotropy, s, 1, 64); }},
         {"n", "a whole number from 1 to 64", "sub-quads, strips or samples along one side (4)",
          [](Texturing& t, const std::string& s) { return set_number(t.options.subdivisions, s, 1, 64); }},
+        {"spp", "a whole number from 1 to 1024", "samples a pixel, of stochastic methods (1)",
+         [](Texturing& t, const std::string& s) { return set_number(t.options.samples, s, 1, 1024); }},
+        {"seed", "a whole number from 0 to 4294967295", "of the noise of stochastic methods (0)",
+         [](Texturing& t, const std::string& s) {
+             return set_number(t.options.seed, s, std::uint32_t{0}, std::uint32_t{0xFFFF'FFFF});
+         }},
         {"mip", "box, polyphase or lanczos3", "how smaller levels are made (polyphase)",
          [](Texturing& t, const std::string& s) { return set_word(t.options.mip_kernel, s, mip_words); }},
         {"sat", "integer, float64, float32 or float32-less-mean", "how summed-area tables are kept (float64)",

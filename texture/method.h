@@ -1,9 +1,10 @@
 /// What a texture filter is: a footprint rule, a LOD rule and a tap rule, told in its definition card and
 /// carried out by its sampler. Every method here is linear in the texels: its result is a weighted sum of
-/// stored values.
+/// stored values. The weights of a stochastic method depend on the pixel and a seed, too.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
 #include <span>
@@ -74,6 +75,8 @@ struct FilterOptions {
     double lod_min = 0, lod_max = 1000;  ///< clamp of the biased LOD
     int max_anisotropy = 16;             ///< 1 to 64
     int subdivisions = 4;                ///< n of n x n sub-quads, strips or supersamples
+    int samples = 1;                     ///< a pixel's, of stochastic methods; 1 to 1024
+    std::uint32_t seed = 0;              ///< of their noise
 };
 
 /// The definition as a reader needs it; docs/texture-filters.md is made of these.

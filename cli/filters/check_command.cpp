@@ -37,6 +37,7 @@ std::string found_in_words(const ConformanceResult& result) {
     text << "no pixel of " << result.found.judged << " outside, slack " << std::setprecision(3)
          << result.found.worst_slack;
     if (result.found.anything > 0) text << "; " << result.found.anything << " undecided";
+    if (result.chance) text << "; " << selftest::in_words(*result.chance);
     return text.str();
 }
 

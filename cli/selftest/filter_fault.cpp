@@ -21,7 +21,8 @@ oracle::FilterSettings reference_settings(const texture::FilterOptions& o) {
             .lod_min = o.lod_min,
             .lod_max = o.lod_max,
             .max_anisotropy = o.max_anisotropy,
-            .subdivisions = o.subdivisions};
+            .subdivisions = o.subdivisions,
+            .samples = o.samples};
 }
 
 FilterPrecision filter_precision(const texture::FilterOptions& o) {
@@ -46,6 +47,11 @@ ConformanceResult conformance_of(const Picture& picture, const FilterFixture& fi
     };
     ConformanceResult result{conformance(picture, of_pixel, claim.precision), {}};
     result.rules = rules_at_fault(picture, result.found, of_pixel, claim.precision);
+    if (definition->draws)
+        result.chance = stochastic_conformance(picture, [&](int x, int y) {
+            const auto seen = surfaces.at(x, y);
+            return seen.size() == 1 ? reference.draws_at(x, y, seen[0], claim.precision) : std::nullopt;
+        });
     return result;
 }
 
@@ -62,8 +68,18 @@ ConformanceResult try_filter_fault(const FilterFault& fault, const FilterFixture
     return conformance_of(picture, fixture, fault.method, fault.options);
 }
 
+std::string in_words(const StochasticConformance& chance) {
+    if (chance.pixels == 0) return "no pixel to test by chance";
+    const StochasticTest& worst = chance.worst();
+    std::ostringstream text;
+    text << worst.name << ": " << std::setprecision(2) << worst.z << " standard deviations off over "
+         << chance.pixels << " pixels, at most " << worst.limit << " by chance";
+    return text.str();
+}
+
 std::string in_words(const ConformanceResult& result) {
-    if (!result.is_caught()) return "no pixel outside";
+    const std::string chance = result.chance ? in_words(*result.chance) : "";
+    if (result.found.outside == 0) return "no pixel outside" + (chance.empty() ? chance : "; " + chance);
     std::ostringstream text;
     text << result.found.outside << " of " << result.found.judged << " pixels outside, slack "
          << std::setprecision(2) << result.found.worst_slack;

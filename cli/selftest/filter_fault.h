@@ -4,6 +4,7 @@
 #include "cli/selftest/filter_fixture.h"
 #include "cli/selftest/score.h"
 #include "compare/conformance.h"
+#include "compare/stochastic_conformance.h"
 #include "oracle/filter_reference/filter_reference.h"
 #include "rasterizer/texturing.h"
 
@@ -23,14 +24,15 @@ struct FilterFault {
     Ground ground = Ground::noise;
 };
 
-/// Every filter fault, in the order in which they are told: places, levels, weights, taps, textures.
+/// Every filter fault, in the order in which they are told: places, levels, weights, taps, draws, textures.
 std::vector<FilterFault> filter_faults();
 
 struct ConformanceResult {
     Conformance found;
-    std::vector<RuleRelaxation> rules;  ///< the likeliest first
+    std::vector<RuleRelaxation> rules;              ///< the likeliest first
+    std::optional<StochasticConformance> chance{};  ///< of a stochastic method
 
-    bool is_caught() const { return found.outside > 0; }
+    bool is_caught() const { return found.outside > 0 || (chance && chance->is_outside()); }
 };
 
 /// What a picture claims to be.
@@ -56,6 +58,9 @@ ConformanceResult try_filter_fault(const FilterFault& fault, const FilterFixture
 
 /// "7310 of 11520 pixels outside, slack 1.2e+06; likeliest: LOD, to 0 bits"
 std::string in_words(const ConformanceResult& result);
+
+/// "mean, red: 2.1 standard deviations off over 9240 pixels, at most 7.8 by chance"
+std::string in_words(const StochasticConformance& chance);
 
 /// Tries each method of the catalogue as a control, and every filter fault, and tells a line of each.
 Score try_filters(const ProgressSink& progress_sink);

@@ -224,21 +224,24 @@ std::vector<FilterFault> faults_of_levels() {
 }
 
 std::vector<FilterFault> faults_of_weights() {
-    return {{"blend_exchanged", "the two levels are given each other's weight", "trilinear-gl",
-             by(trilinear({.share = [](double f) { return 1 - f; }}))},
-            {"blend_smoothed", "the blend of levels is eased in and out", "trilinear-gl",
-             by(trilinear({.share = [](double f) { return f * f * (3 - 2 * f); }}))},
-            {"blend_by_width", "the blend is linear in the footprint's width instead of its logarithm",
-             "trilinear-gl", by(trilinear({.share = [](double f) { return std::exp2(f) - 1; }}))},
-            {"blend_of_8_bits", "the blend of levels has 8 bits", "trilinear-gl",
-             by(trilinear({.share = [](double f) { return std::round(f * 256) / 256; }}))},
-            {"ellipse_without_plus_one", "the ellipse is not widened by a texel", "ewa-pbrt-table",
-             by(elliptical({.widening = 0.25}))},
-            {"weights_not_normalised", "the ellipse's weights are not divided by their sum", "ewa-pbrt-table",
-             by(elliptical({.weights = Ellipse::Weights::as_they_are}))},
-            {"gaussian_too_flat", "the ellipse's weights fall off by exp(-r^2)", "ewa-pbrt-table",
-             by(elliptical({.steepness = 1}))},
-            {"catmull_rom_for_bilinear", "bicubic where bilinear is promised", "bilinear", by("bicubic")}};
+    return {
+        {"blend_exchanged", "the two levels are given each other's weight", "trilinear-gl",
+         by(trilinear({.share = [](double f) { return 1 - f; }}))},
+        {"blend_smoothed", "the blend of levels is eased in and out", "trilinear-gl",
+         by(trilinear({.share = [](double f) { return f * f * (3 - 2 * f); }}))},
+        {"blend_by_width", "the blend is linear in the footprint's width instead of its logarithm",
+         "trilinear-gl", by(trilinear({.share = [](double f) { return std::exp2(f) - 1; }}))},
+        {"blend_of_8_bits", "the blend of levels has 8 bits", "trilinear-gl",
+         by(trilinear({.share = [](double f) { return std::round(f * 256) / 256; }}))},
+        {"ellipse_without_plus_one", "the ellipse is not widened by a texel", "ewa-pbrt-table",
+         by(elliptical({.widening = 0.25}))},
+        {"weights_not_normalised", "the ellipse's weights are not divided by their sum", "ewa-pbrt-table",
+         by(elliptical({.weights = Ellipse::Weights::as_they_are}))},
+        {"gaussian_too_flat", "the ellipse's weights fall off by exp(-r^2)", "ewa-pbrt-table",
+         by(elliptical({.steepness = 1}))},
+        {"catmull_rom_for_bilinear", "bicubic where bilinear is promised", "bilinear", by("bicubic")},
+        {"b_spline_for_catmull_rom", "the B-spline where Catmull-Rom is promised", "bicubic", by("bspline")},
+        {"bilinear_for_smart_bicubic", "level 0 is read bilinearly", "smart-bicubic", by("trilinear-gl")}};
 }
 
 std::vector<FilterFault> faults_of_taps() {
@@ -270,6 +273,22 @@ std::vector<FilterFault> faults_of_tables() {
              set([](FilterOptions& o) { o.sat_storage = texture::SatStorage::float32; })},
             {"sat_quad_for_affine", "the box of the true quadrilateral, where the affine one is promised",
              "sat-affine", by("sat-quad")}};
+}
+
+std::vector<FilterFault> faults_of_draws() {
+    return {{"filtered_instead_of_drawn", "the four texels' mean instead of one that is drawn",
+             "stochastic-bilinear", by("bilinear")},
+            {"nearest_instead_of_drawn", "the nearest texel instead of one that is drawn",
+             "stochastic-bilinear", by("nearest")},
+            {"one_number_for_u_and_v", "column and row are decided by the same number", "stochastic-bilinear",
+             by(drawn_by_one_number())},
+            {"one_number_for_all_samples",
+             "all samples of a pixel have the same number",
+             "stochastic-bilinear",
+             set([](FilterOptions& o) { o.samples = 1; }),
+             {.samples = 4}},
+            {"drawn_lod_half_too_large", "every LOD is a half too large", "stochastic-trilinear",
+             set([](FilterOptions& o) { o.lod_bias = 0.5; })}};
 }
 
 std::vector<FilterFault> faults_of_textures() {
@@ -305,7 +324,7 @@ std::vector<FilterFault> faults_of_textures() {
 std::vector<FilterFault> filter_faults() {
     std::vector<FilterFault> all;
     for (const auto& some : {faults_of_places, faults_of_steps, faults_of_levels, faults_of_weights,
-                             faults_of_taps, faults_of_tables, faults_of_textures})
+                             faults_of_taps, faults_of_tables, faults_of_draws, faults_of_textures})
         for (FilterFault& fault : some()) all.push_back(std::move(fault));
     return all;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "math/mixed.h"
 #include "texture/methods/tap_rule.h"
 #include "texture/summed_area.h"
 
@@ -172,6 +173,21 @@ texture::Method summed_box(const SummedBox& parts) {
                 table->mean(texture::covered({low.x, high.x}, o.addressing.u, table->width()),
                             texture::covered({low.y, low.y + kept}, o.addressing.v, table->height()));
             return mean * (kept / (side.y + parts.rows_counted));
+        };
+    });
+}
+
+texture::Method drawn_by_one_number() {
+    return made_of([](const LinearImage& image, const FilterOptions& o) -> Colour {
+        return [image, wrap = o.addressing](const Footprint& f) {
+            const auto pixel = std::uint64_t(f.centre_raster.x) << 32 | std::uint64_t(f.centre_raster.y);
+            const double number = double(mixed(pixel) >> 11) * 0x1p-53;
+            const glm::dvec2 low = glm::floor(f.centre - 0.5), share = f.centre - 0.5 - low;
+            const auto index = [&](double before, double part) {
+                return std::int64_t(before) + (number < part ? 1 : 0);
+            };
+            return glm::dvec4{image.at(texture::wrapped(wrap.u, index(low.x, share.x), image.width),
+                                       texture::wrapped(wrap.v, index(low.y, share.y), image.height))};
         };
     });
 }

@@ -51,4 +51,7 @@ struct SummedBox {
 };
 texture::Method summed_box(const SummedBox& parts);
 
+/// Stochastic bilinear, one sample; column and row are decided by the same number.
+texture::Method drawn_by_one_number();
+
 }  // namespace zproof::selftest

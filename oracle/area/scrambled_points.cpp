@@ -2,13 +2,6 @@
 
 namespace zproof::oracle::area {
 
-std::uint64_t mixed(std::uint64_t key) {
-    key += 0x9E3779B97F4A7C15u;
-    key = (key ^ (key >> 30)) * 0xBF58476D1CE4E5B9u;
-    key = (key ^ (key >> 27)) * 0x94D049BB133111EBu;
-    return key ^ (key >> 31);
-}
-
 /// Direction numbers: the identity for component 0, Pascal's triangle modulo 2 for component 1.
 std::uint32_t sobol(int component, std::uint32_t index) {
     std::uint32_t fraction = 0;

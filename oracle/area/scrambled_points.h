@@ -7,10 +7,9 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-namespace zproof::oracle::area {
+#include "math/mixed.h"
 
-/// A hash of 64 bits: the finalizer of splitmix64 (Steele, Lea and Flood 2014).
-std::uint64_t mixed(std::uint64_t key);
+namespace zproof::oracle::area {
 
 /// Component 0 or 1 of point `index` of Sobol's sequence, as a fraction of 2^32.
 std::uint32_t sobol(int component, std::uint32_t index);

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "frame/colour_draw.h"
 #include "oracle/filter_reference/interval_image.h"
 
 namespace zproof::oracle::filter_reference {
@@ -18,6 +19,7 @@ struct Settings {
     double lod_min = 0, lod_max = 1000;  ///< clamp of the biased LOD
     int max_anisotropy = 16;
     int subdivisions = 4;
+    int samples = 1;  ///< a pixel's, of stochastic methods
     double texel_error =
         0;  ///< stored texels of level 0 are rounded by at most this much (a table of integers)
 };
@@ -35,12 +37,18 @@ struct FilterQuery {
 /// A texture made ready for one definition. Throws UndecidedSign where intervals cannot tell.
 using MethodReference = std::function<PermittedColours(const FilterQuery&)>;
 
+/// The same for what a stochastic definition may draw.
+using DrawReference = std::function<ColourDraws(const FilterQuery&)>;
+
 struct Definition {
     std::string name;
     std::function<MethodReference(const texture::LinearImage&, const Settings&)> prepare;
+    std::function<DrawReference(const texture::LinearImage&, const Settings&)>
+        draws{};  ///< of a stochastic one
 };
 
 std::vector<Definition> point_definitions();
+std::vector<Definition> separable_definitions();
 std::vector<Definition> mip_definitions();
 std::vector<Definition> ripmap_definitions();
 std::vector<Definition> anisotropic_definitions();
@@ -48,5 +56,6 @@ std::vector<Definition> openimageio_definitions();
 std::vector<Definition> ewa_definitions();
 std::vector<Definition> sat_definitions();
 std::vector<Definition> supersample_definitions();
+std::vector<Definition> stochastic_definitions();
 
 }  // namespace zproof::oracle::filter_reference

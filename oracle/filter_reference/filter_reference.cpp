@@ -41,8 +41,9 @@ std::span<const Definition> filter_definitions() {
     static const std::vector<Definition> all = [] {
         std::vector<Definition> list;
         for (const auto& family :
-             {point_definitions, mip_definitions, ripmap_definitions, anisotropic_definitions,
-              openimageio_definitions, ewa_definitions, sat_definitions, supersample_definitions})
+             {point_definitions, separable_definitions, mip_definitions, ripmap_definitions,
+              anisotropic_definitions, openimageio_definitions, ewa_definitions, sat_definitions,
+              supersample_definitions, stochastic_definitions})
             for (Definition& definition : family()) list.push_back(std::move(definition));
         return list;
     }();
@@ -61,9 +62,12 @@ FilterReference::FilterReference(const Scene& scene, const View& view, const Def
         const Texture& texture = material.base_color;
         FilterSettings own = settings;
         own.wrap = {texture.sampler.wrap_u, texture.sampler.wrap_v};
-        by_material_.push_back(is_textured(scene, material)
-                                   ? definition.prepare(linear(scene.images[std::size_t(texture.image)]), own)
-                                   : MethodReference{});
+        by_material_.emplace_back();
+        draws_.emplace_back();
+        if (!is_textured(scene, material)) continue;
+        const texture::LinearImage image = linear(scene.images[std::size_t(texture.image)]);
+        by_material_.back() = definition.prepare(image, own);
+        if (definition.draws) draws_.back() = definition.draws(image, own);
     }
 }
 
@@ -89,6 +93,23 @@ PermittedColours FilterReference::of_surface(int x, int y, PrimitiveId seen,
         return permitted;
     } catch (const UndecidedSign&) {
         return anything();
+    }
+}
+
+std::optional<ColourDraws> FilterReference::draws_at(int x, int y, PrimitiveId seen,
+                                                     const FilterPrecision& precision) const {
+    if (seen == PrimitiveId::none) return std::nullopt;
+    const Material& material = material_of(scene_, std::uint32_t(seen));
+    const DrawReference& reference = draws_[std::size_t(&material - scene_.materials.data())];
+    if (!reference) return std::nullopt;
+    const glm::dvec3 factor{glm::vec3{material.base_color_factor}};
+    try {
+        const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
+        ColourDraws all = reference({texture, x, y, steps_, precision});
+        for (ColourDraw& draw : all.draws) draw.colour = as_shown(draw.colour, factor, precision);
+        return all;
+    } catch (const UndecidedSign&) {
+        return std::nullopt;
     }
 }
 

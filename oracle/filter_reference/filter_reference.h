@@ -8,6 +8,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -35,6 +36,11 @@ class FilterReference {
     PermittedColours at(int x, int y, std::span<const PrimitiveId> seen,
                         const FilterPrecision& precision) const;
 
+    /// Likewise what a sample of a stochastic definition may be. None where no texture is seen, or where
+    /// intervals cannot tell.
+    std::optional<ColourDraws> draws_at(int x, int y, PrimitiveId seen,
+                                        const FilterPrecision& precision) const;
+
   private:
     PermittedColours of_surface(int x, int y, PrimitiveId seen, const FilterPrecision& precision) const;
 
@@ -42,6 +48,7 @@ class FilterReference {
     const View& view_;
     StepRule steps_;
     std::vector<filter_reference::MethodReference> by_material_;  ///< empty where a material has no texture
+    std::vector<filter_reference::DrawReference> draws_;          ///< the same of a stochastic definition
 };
 
 }  // namespace zproof::oracle

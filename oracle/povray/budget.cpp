@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "oracle/area/scrambled_points.h"
+#include "math/mixed.h"
 #include "oracle/oracle_error.h"
 #include "oracle/povray/geometry.h"
 #include "oracle/povray/raster_box.h"
@@ -57,7 +57,7 @@ std::string in_words(const Work& work, const View& view) {
 }
 
 PixelLattice lattice(int stride, const View& view, std::uint64_t seed) {
-    const std::uint64_t drawn = area::mixed(seed);
+    const std::uint64_t drawn = mixed(seed);
     const auto place = [&](std::uint64_t bits, int pixels) {
         return int(bits % std::uint64_t(std::min(stride, pixels)));
     };

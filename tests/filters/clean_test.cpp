@@ -6,6 +6,7 @@
 
 #include "cli/selftest/filter_fault.h"
 #include "cli/selftest/filter_variants.h"
+#include "math/interval_functions.h"
 #include "texture/catalogue.h"
 
 namespace zproof::selftest {
@@ -35,8 +36,11 @@ TEST_P(Clean, EveryMethodWithAReferenceConformsToIt) {
             const Picture picture = rasterizer::filtered(
                 fixture.scene, fixture.view, fixture.frame,
                 {.method = method, .options = setting.options, .derivatives = setting.derivatives});
-            const Conformance found =
-                conformance_of(picture, fixture, method.name, setting.options, setting.derivatives).found;
+            const ConformanceResult result =
+                conformance_of(picture, fixture, method.name, setting.options, setting.derivatives);
+            const Conformance& found = result.found;
+            EXPECT_FALSE(result.chance && result.chance->is_outside())
+                << method.name << ", " << setting.name << ": " << in_words(*result.chance);
             EXPECT_EQ(found.outside, 0u)
                 << method.name << ", " << setting.name << ": slack " << found.worst_slack << " at ("
                 << found.worst.x << ", " << found.worst.y << ")";
@@ -47,6 +51,51 @@ TEST_P(Clean, EveryMethodWithAReferenceConformsToIt) {
                           << ", width " << found.mean_width << ", undecided " << found.anything << "\n";
         }
     }
+}
+
+/// The mean of the draws lies within what the deterministic definition permits, but for the picture's
+/// rounding.
+TEST(StochasticDraws, HaveTheExpectationOfTheDeterministicMethod) {
+    const FilterFixture fixture = filter_fixture(Ground::odd_sizes);
+    for (const auto& [stochastic, deterministic] :
+         {std::pair{"stochastic-bilinear", "bilinear"}, std::pair{"stochastic-trilinear", "trilinear-gl"}}) {
+        const auto reference = [&](const char* name) {
+            return oracle::FilterReference{fixture.scene, fixture.view, *oracle::find_filter_definition(name),
+                                           reference_settings({})};
+        };
+        const oracle::FilterReference draws = reference(stochastic), filtered = reference(deterministic);
+        int pixels = 0;
+        for (int y = 0; y < fixture.view.height; ++y)
+            for (int x = 0; x < fixture.view.width; ++x) {
+                const PrimitiveId id = fixture.frame.primitive.at(x, y);
+                const auto drawn = draws.draws_at(x, y, id, {});
+                if (!drawn) continue;
+                glm::dvec3 mean{0};
+                for (const ColourDraw& draw : drawn->draws)
+                    mean += middle(draw.probability) * (draw.colour.low + draw.colour.high) / 2.0;
+                const ColourRange expected = filtered.at(x, y, id, {}).front();
+                EXPECT_TRUE(glm::all(glm::greaterThan(mean, expected.low - 0x1p-24)) &&
+                            glm::all(glm::lessThan(mean, expected.high + 0x1p-24)))
+                    << stochastic << " at (" << x << ", " << y << ")";
+                ++pixels;
+            }
+        EXPECT_GT(pixels, 9000);
+    }
+}
+
+/// Of several samples the range is wide, so that the tests by chance alone can tell.
+TEST(StochasticDraws, OfSeveralSamplesConformForAnySeed) {
+    const FilterFixture fixture = filter_fixture(Ground::noise);
+    for (const char* name : {"stochastic-bilinear", "stochastic-trilinear"})
+        for (const int samples : {4, 16})
+            for (std::uint32_t seed = 0; seed < 4; ++seed) {
+                const texture::FilterOptions options{.samples = samples, .seed = seed};
+                const Picture picture =
+                    rasterizer::filtered(fixture.scene, fixture.view, fixture.frame,
+                                         {.method = *texture::find_method(name), .options = options});
+                const ConformanceResult result = conformance_of(picture, fixture, name, options);
+                EXPECT_FALSE(result.is_caught()) << name << ": " << in_words(result);
+            }
 }
 
 /// Taps a 300th of the pixel beside their places on the picture: more than 9 bits, less than 8.
