@@ -188,7 +188,9 @@ void add_filters(CLI::App& app, FiltersWords& words) {
     add_common(scenes, words.scenes.common, "folder for the files");
     CLI::App& reproduce =
         *app.add_subcommand("reproduce", "published results, computed again beside the published figures");
-    reproduce.add_option("NAME", words.reproduce.names, "crow-1984, hensley-2005, worked; none: all");
+    reproduce.add_option(
+        "NAME", words.reproduce.names,
+        "crow-1984, hensley-2005, sigg-hadwiger-2005, stochastic-variance, worked; none: all");
     add_common(reproduce, words.reproduce.common);
     add_table(*app.add_subcommand("table", "print a study's table"), words);
     add_figure(*app.add_subcommand("figure", "make a study's plots, crops and page again"), words);

@@ -1,12 +1,16 @@
 #include "study/filters/published.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "oracle/admissible_surfaces.h"
+#include "rasterizer/texturing.h"
 #include "scenes/filter_scenes.h"
 #include "scenes/filters/textures.h"
 #include "study/filters/claims.h"
 #include "study/filters/crow.h"
+#include "study/filters/scores.h"
 #include "study/filters/study.h"
 #include "texture/catalogue.h"
 
@@ -80,6 +84,59 @@ std::vector<PublishedFigure> hensley_2005() {
     return figures;
 }
 
+/// What methods draw of a scene's first view.
+class Drawing {
+  public:
+    Drawing(const std::string& scene, int side)
+        : loaded_(generate_filter_scene(scene, side, side)),
+          frame_(oracle::exact_visibility(loaded_.scene, loaded_.views[0])) {}
+
+    LinearPicture by(const std::string& method, const texture::FilterOptions& options = {}) const {
+        return in_double(rasterizer::filtered(loaded_.scene, loaded_.views[0], frame_,
+                                              {.method = *texture::find_method(method), .options = options}));
+    }
+
+  private:
+    Loaded loaded_;
+    Frame frame_;
+};
+
+struct Apart {
+    double mean_square = 0, most = 0;
+};
+
+Apart apart(const LinearPicture& a, const LinearPicture& b) {
+    Apart found;
+    for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+        const glm::dvec3 d = glm::abs(a.pixels()[i] - b.pixels()[i]);
+        found.mean_square += glm::dot(d, d) / (3 * double(a.pixels().size()));
+        found.most = std::max({found.most, d.r, d.g, d.b});
+    }
+    return found;
+}
+
+/// 16 taps, and four bilinear reads at places of their own.
+std::vector<PublishedFigure> sigg_hadwiger_2005() {
+    const Drawing drawing{"magnification", 128};
+    return {{"greatest difference of 16 taps and 4 bilinear reads", "", 0,
+             apart(drawing.by("bspline"), drawing.by("bspline-bilinear")).most, 7}};
+}
+
+/// The mean square distance from the filter that is expected falls as one over the number of samples.
+std::vector<PublishedFigure> stochastic_variance() {
+    const Drawing drawing{"worked", 256};
+    const LinearPicture expected = drawing.by("trilinear-gl");
+    const auto variance = [&](int samples) {
+        return apart(drawing.by("stochastic-trilinear", {.samples = samples}), expected).mean_square;
+    };
+    const double of_one = variance(1);
+    std::vector<PublishedFigure> figures;
+    for (const int samples : {4, 16, 64})
+        figures.push_back({"variance of 1 sample over that of " + std::to_string(samples), "",
+                           double(samples), of_one / variance(samples), 2});
+    return figures;
+}
+
 struct WorkedRow {
     const char* label;
     const char* method;
@@ -130,6 +187,12 @@ std::span<const PublishedResult> published_results() {
          "Crow 1984, Summed-Area Tables for Texture Mapping", crow_1984},
         {"hensley-2005", "Taking the image's mean away before summing gains up to 31 dB, on their images.",
          "Hensley et al. 2005, Fast Summed-Area Table Generation and its Applications", hensley_2005},
+        {"sigg-hadwiger-2005", "A cubic B-spline of 16 taps is four bilinear reads.",
+         "Sigg and Hadwiger 2005, Fast Third-Order Texture Filtering, GPU Gems 2, chapter 20",
+         sigg_hadwiger_2005},
+        {"stochastic-variance", "One random tap has the filter's mean; its variance falls as 1 / samples.",
+         "Fajardo et al. 2023, Stochastic Texture Filtering; Pharr et al. 2024, Filtering After Shading",
+         stochastic_variance},
         {"worked", "PSNR of fourteen methods on checks of 32 texels to the horizon, against GT-N.",
          "docs/filters.md, The worked set-up", worked},
     };

@@ -29,6 +29,15 @@ TEST(PublishedResults, AnOffsetGainsBitsOfASummedAreaTable) {
     }
 }
 
+TEST(PublishedResults, FourBilinearReadsAreABSplineOf16Taps) {
+    EXPECT_LT(figures_of("sigg-hadwiger-2005").at(0).ours, 1e-6);
+}
+
+TEST(PublishedResults, MoreSamplesHaveLessVariance) {
+    for (const PublishedFigure& figure : figures_of("stochastic-variance"))
+        EXPECT_NEAR(figure.ours / figure.published, 1, 0.05) << figure.what;
+}
+
 TEST(PublishedResults, TheWorkedSetUpIsFoundToATenthOfADecibel) {
     const auto figures = figures_of("worked");
     ASSERT_EQ(figures.size(), 14u);
