@@ -54,7 +54,7 @@ ConformanceResult conformance_of(const Picture& picture, const FilterFixture& fi
 /// Injects the fault into the fixture and asks the filter reference.
 ConformanceResult try_filter_fault(const FilterFault& fault, const FilterFixture& fixture);
 
-/// "7310 of 11520 pixels outside, slack 1.2e+06; likeliest: LOD, to 0 bits"
+/// "7310 of 11520 pixels outside, slack 1.2e+06; at fault: LOD, to 0 bits", "...; rule at fault: not told"
 std::string in_words(const ConformanceResult& result);
 
 /// Tries each method of the catalogue as a control, and every filter fault, and tells a line of each.
