@@ -148,9 +148,11 @@ std::vector<AlternativeReference> coarser_weights(const ChangedDefinitions& chan
 
 JointReferences references_of(const ChangedDefinitions& changed, const FilterClaim& claim) {
     std::vector<AlternativeReference> alternatives = coarser_weights(changed, claim.precision);
-    // Another setting of the method.
     alternatives.push_back({"four times the limit of anisotropy",
                             changed.with([](FilterSettings& s) { s.max_anisotropy *= 4; })});
+    if (claim.options.max_anisotropy > 1)
+        alternatives.push_back(
+            {"half the limit of anisotropy", changed.with([](FilterSettings& s) { s.max_anisotropy /= 2; })});
     return {changed.as_it_is(), offsets_of(changed, claim), std::move(alternatives)};
 }
 
