@@ -12,7 +12,7 @@ namespace zproof {
 namespace {
 
 /// The share of the wrong pixels that an explanation must reach.
-constexpr double nearly_all = 0.99;
+constexpr double all_of_them = 1;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 double slack_in(const LinearRgb& colour, const ColourRange& range) {
@@ -107,17 +107,22 @@ RuleRelaxation ask(const RelaxationQuery& q, FilterRule rule, double bits) {
     return relaxation;
 }
 
-/// The most bits that explain at least 99 in 100 of the pixels, or the fewest tried.
+/// How far a rule gives way: errors of four texels or levels. Weights of one bit are any mean of what is
+/// read.
+int fewest_bits(FilterRule rule) { return rule == FilterRule::weights ? 1 : -2; }
+
+/// The most bits that explain all of the pixels, or the fewest tried.
 RuleRelaxation least_relaxation(const RelaxationQuery& q, FilterRule rule) {
-    constexpr int fewest = -2, most = 24;
+    constexpr int most = 24;
+    const int fewest = fewest_bits(rule);
     RuleRelaxation best = ask(q, rule, fewest);
-    if (best.explained < nearly_all) return best;
+    if (best.explained < all_of_them) return best;
     int enough = fewest, too_many = most;
     while (too_many - enough > 1) {
         const int bits = (enough + too_many) / 2;
         const RuleRelaxation relaxation = ask(q, rule, bits);
-        (relaxation.explained >= nearly_all ? enough : too_many) = bits;
-        if (relaxation.explained >= nearly_all) best = relaxation;
+        (relaxation.explained >= all_of_them ? enough : too_many) = bits;
+        if (relaxation.explained >= all_of_them) best = relaxation;
     }
     return best;
 }
@@ -196,7 +201,7 @@ std::vector<RuleRelaxation> rules_at_fault(const Picture& picture, const Conform
         if (relaxation.explained > 0) relaxations.push_back(relaxation);
     }
     const auto rank = [](const RuleRelaxation& relaxation) {
-        if (relaxation.explained < nearly_all) return 2;
+        if (relaxation.explained < all_of_them) return 2;
         return relaxation.rule == FilterRule::sums ? 1 : 0;
     };
     std::ranges::stable_sort(relaxations, [&](const RuleRelaxation& a, const RuleRelaxation& b) {
@@ -204,6 +209,17 @@ std::vector<RuleRelaxation> rules_at_fault(const Picture& picture, const Conform
         return rank(a) < 2 ? a.permissive < b.permissive : a.explained > b.explained;
     });
     return relaxations;
+}
+
+std::optional<RuleRelaxation> rule_told(const std::vector<RuleRelaxation>& rules) {
+    std::optional<RuleRelaxation> told, any_error;
+    for (const RuleRelaxation& rule : rules) {
+        if (rule.explained < all_of_them) continue;
+        std::optional<RuleRelaxation>& place = rule.rule == FilterRule::sums ? any_error : told;
+        if (place) return {};
+        place = rule;
+    }
+    return told ? told : any_error;
 }
 
 }  // namespace zproof

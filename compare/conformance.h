@@ -1,6 +1,6 @@
 /// Does a filtered picture keep to its definition? Each pixel is held against the colours that the filter
 /// reference permits there; what fails is put to the filter reference again with one declared precision
-/// relaxed at a time, and the rule that has to give way least is named (docs/filter-conformance.md).
+/// relaxed at a time, and a rule that alone explains it is named (docs/filter-conformance.md).
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ enum class FilterRule {
 /// "coordinates", "LOD", ...
 std::string name_of(FilterRule rule);
 
-/// The least relaxation of one rule that explains nearly all wrong pixels asked about.
+/// The least relaxation of one rule that explains all wrong pixels asked about, or the widest tried.
 struct RuleRelaxation {
     FilterRule rule = FilterRule::other;
     double bits = 0;        ///< to which the rule would have to hold; below 0: errors of several units
@@ -73,5 +73,9 @@ Conformance conformance(const Picture& picture, const PixelReference& reference,
 /// taken.
 std::vector<RuleRelaxation> rules_at_fault(const Picture& picture, const Conformance& found,
                                            const PixelReference& reference, const FilterPrecision& precision);
+
+/// The rule that explains every wrong pixel asked about, where no other one does however far it gives way;
+/// nothing where several do. Texels and sums, which bound any error, count only where no other rule does.
+std::optional<RuleRelaxation> rule_told(const std::vector<RuleRelaxation>& rules);
 
 }  // namespace zproof

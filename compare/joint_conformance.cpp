@@ -17,6 +17,9 @@ namespace {
 /// One value per channel of every pixel told apart.
 using Values = std::vector<double>;
 
+/// The least share of a square that rounding did not make: at least half of a double's digits are left of it.
+constexpr double least_unique = 0x1p-26;
+
 /// How a picture answers to one offset.
 struct Response {
     Values change;            ///< of the value per unit of the offset
@@ -24,8 +27,7 @@ struct Response {
     Values unique;            ///< the change that no other offset can imitate: orthogonal to theirs
     double unique_share = 0;  ///< of the change's square
 
-    /// At least half of a double's digits are left of it.
-    bool is_told() const { return unique_share > 0x1p-26; }
+    bool is_told() const { return unique_share > least_unique; }
 };
 
 /// What is asked of the references, pixel after pixel.
@@ -34,12 +36,14 @@ struct Samples {
     Values residual;  ///< shown less what the exact definition shows
     Values weight;    ///< 1 / (half-width of what the promise permits)^2
     std::vector<Response> responses;
+    std::vector<Values> alternatives;  ///< what each shows less what the definition shows; 0 where undecided
 };
 
 /// One pixel's share of the samples; nothing where a decision is undecided.
 struct PixelAnswer {
     ColourRange exact, promised;
     std::vector<ColourRange> below, above, own;
+    std::vector<std::optional<ColourRange>> alternatives;
 };
 
 std::optional<ColourRange> only_range(const PixelReference& reference, const FilterPixel& p,
@@ -67,23 +71,25 @@ std::vector<FilterPixel> some_pixels(const Resolution& size) {
 
 struct Question {
     const Picture& picture;
-    const PixelReference& definition;
-    const std::vector<OffsetReference>& offsets;
+    const JointReferences& references;
     const FilterPrecision& promise;
 };
 
 std::optional<PixelAnswer> answer(const Question& q, const FilterPixel& p) {
     const LinearRgb& shown = q.picture.at(p.x, p.y);
     if (!std::isfinite(shown.r + shown.g + shown.b)) return {};
-    const auto exact = only_range(q.definition, p, {}), promised = only_range(q.definition, p, q.promise);
+    const auto exact = only_range(q.references.definition, p, {}),
+               promised = only_range(q.references.definition, p, q.promise);
     if (!exact || !promised) return {};
-    PixelAnswer found{*exact, *promised, {}, {}, {}};
-    for (const OffsetReference& offset : q.offsets) {
+    PixelAnswer found{*exact, *promised, {}, {}, {}, {}};
+    for (const OffsetReference& offset : q.references.offsets) {
         const auto below = only_range(offset.below, p, {}), above = only_range(offset.above, p, {}),
-                   own = only_range(q.definition, p, offset.own);
+                   own = only_range(q.references.definition, p, offset.own);
         if (!below || !above || !own) return {};
         found.below.push_back(*below), found.above.push_back(*above), found.own.push_back(*own);
     }
+    for (const AlternativeReference& alternative : q.references.alternatives)
+        found.alternatives.push_back(only_range(alternative.reference, p, {}));
     return found;
 }
 
@@ -96,14 +102,18 @@ void add(Samples& samples, const Question& q, const FilterPixel& p, const PixelA
         const double half = (found.promised.high[c] - found.promised.low[c]) / 2;
         samples.residual.push_back(value[std::size_t(c)] - exact[c]);
         samples.weight.push_back(half > 0 ? 1 / (half * half) : 0);
-        for (std::size_t k = 0; k < q.offsets.size(); ++k) {
+        for (std::size_t k = 0; k < q.references.offsets.size(); ++k) {
             Response& response = samples.responses[k];
             const double change = (middle_of(found.above[k])[c] - middle_of(found.below[k])[c]) / 2;
-            response.change.push_back(change / q.offsets[k].step);
+            response.change.push_back(change / q.references.offsets[k].step);
             // To either side: next to a bend (a texel's centre, a whole level) one side alone says too
             // little.
             response.admitted.push_back(
                 std::max(found.own[k].high[c] - exact[c], exact[c] - found.own[k].low[c]));
+        }
+        for (std::size_t a = 0; a < found.alternatives.size(); ++a) {
+            const auto& shown_by_it = found.alternatives[a];
+            samples.alternatives[a].push_back(shown_by_it ? middle_of(*shown_by_it)[c] - exact[c] : 0);
         }
     }
 }
@@ -114,7 +124,8 @@ Samples samples_of(const Question& q) {
     tbb::parallel_for(std::size_t{0}, pixels.size(),
                       [&](std::size_t i) { answers[i] = answer(q, pixels[i]); });
     Samples samples;
-    samples.responses.resize(q.offsets.size());
+    samples.responses.resize(q.references.offsets.size());
+    samples.alternatives.resize(q.references.alternatives.size());
     for (std::size_t i = 0; i < pixels.size(); ++i)
         if (answers[i]) add(samples, q, pixels[i], *answers[i]);
     return samples;
@@ -134,19 +145,23 @@ void remove(const Values& weight, Values& a, const Values& b) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] -= share * b[i];
 }
 
-/// What is left of change k when all others were removed (Gram and Schmidt; Frisch, Waugh and Lovell: its
-/// regression coefficient is that of the joint fit).
-void find_unique(Samples& samples, std::size_t k) {
+/// What is left of values when the changes of all offsets but `except` were removed (Gram and Schmidt;
+/// Frisch, Waugh and Lovell: what it tells of a picture is what the joint fit tells).
+Values without_offsets(const Samples& samples, Values values, std::optional<std::size_t> except) {
     std::vector<Values> others;
     for (std::size_t j = 0; j < samples.responses.size(); ++j) {
-        if (j == k) continue;
+        if (j == except) continue;
         Values other = samples.responses[j].change;
         for (const Values& earlier : others) remove(samples.weight, other, earlier);
         others.push_back(std::move(other));
     }
+    for (const Values& other : others) remove(samples.weight, values, other);
+    return values;
+}
+
+void find_unique(Samples& samples, std::size_t k) {
     Response& response = samples.responses[k];
-    response.unique = response.change;
-    for (const Values& other : others) remove(samples.weight, response.unique, other);
+    response.unique = without_offsets(samples, response.change, k);
     const double all = weighted_dot(samples.weight, response.change, response.change),
                  rest = weighted_dot(samples.weight, response.unique, response.unique);
     response.unique_share = all > 0 ? rest / all : 0;
@@ -245,18 +260,50 @@ OffsetEstimate estimate(const Samples& samples, const std::vector<double>& offse
     return found;
 }
 
+/// The picture's difference from the definition, less what offsets explain.
+Values unexplained(const Samples& samples, const std::vector<double>& offsets) {
+    Values residual = samples.residual;
+    for (std::size_t k = 0; k < offsets.size(); ++k)
+        for (std::size_t i = 0; i < residual.size(); ++i)
+            residual[i] -= offsets[k] * samples.responses[k].change[i];
+    return residual;
+}
+
+/// A row counts for the alternative where the picture is nearer to it there than to the definition:
+///     sum w d (r - d / 2) > 0    with d the alternative's difference and r the picture's
+AlternativeFit fit(const Samples& samples, const std::vector<double>& offsets, std::size_t a,
+                   const Resolution& size) {
+    AlternativeFit found{.name = {}};
+    const Values difference = without_offsets(samples, samples.alternatives[a], {}),
+                 residual = unexplained(samples, offsets);
+    const double all = weighted_dot(samples.weight, samples.alternatives[a], samples.alternatives[a]),
+                 length2 = weighted_dot(samples.weight, difference, difference);
+    if (!(length2 > least_unique * all)) return found;
+    found.is_told = true;
+    found.share = weighted_dot(samples.weight, difference, residual) / length2;
+    Blocks nearer{size}, errors{size};
+    for (std::size_t i = 0; i < residual.size(); ++i) {
+        const double counts = samples.weight[i] * difference[i];
+        nearer.add(samples.pixels[i / 3], counts * (residual[i] - difference[i] / 2));
+        errors.add(samples.pixels[i / 3], counts * (residual[i] - found.share * difference[i]) / length2);
+    }
+    found.standard_error = standard_error(errors);
+    found.log2_chance = std::max(log2_chance(nearer.rows), log2_chance(nearer.columns));
+    return found;
+}
+
 }  // namespace
 
 bool JointConformance::leaves_promise() const {
-    return std::ranges::any_of(offsets, &OffsetEstimate::leaves_promise);
+    return std::ranges::any_of(offsets, &OffsetEstimate::leaves_promise) ||
+           std::ranges::any_of(alternatives, &AlternativeFit::is_nearer);
 }
 
-JointConformance joint_conformance(const Picture& picture, const PixelReference& definition,
-                                   const std::vector<OffsetReference>& offsets,
+JointConformance joint_conformance(const Picture& picture, const JointReferences& references,
                                    const FilterPrecision& promise) {
-    Samples samples = samples_of({picture, definition, offsets, promise});
+    Samples samples = samples_of({picture, references, promise});
     std::vector<double> values;
-    for (std::size_t k = 0; k < offsets.size(); ++k) {
+    for (std::size_t k = 0; k < samples.responses.size(); ++k) {
         find_unique(samples, k);
         const Response& response = samples.responses[k];
         const double length2 = weighted_dot(samples.weight, response.unique, response.unique);
@@ -264,15 +311,23 @@ JointConformance joint_conformance(const Picture& picture, const PixelReference&
                              ? weighted_dot(samples.weight, response.unique, samples.residual) / length2
                              : 0);
     }
-    JointConformance found{.offsets = {}, .pixels = samples.pixels.size()};
-    // Either sign of every offset has so many tests; the rate is shared among them (Bonferroni).
-    const double tests = 2.0 * tests_of_a_sign * double(std::max<std::size_t>(offsets.size(), 1));
-    const double least = log2_false_alarm - std::log2(tests);
-    for (std::size_t k = 0; k < offsets.size(); ++k) {
+    // Either sign of every offset has so many tests, every alternative one; the rate is shared among them
+    // (Bonferroni).
+    const double tests =
+        2.0 * tests_of_a_sign * double(references.offsets.size()) + double(references.alternatives.size());
+    const double least = log2_false_alarm - std::log2(std::max(tests, 1.0));
+    JointConformance found{.offsets = {}, .alternatives = {}, .pixels = samples.pixels.size()};
+    for (std::size_t k = 0; k < references.offsets.size(); ++k) {
         OffsetEstimate offset = estimate(samples, values, k, picture.size());
-        offset.name = offsets[k].name, offset.unit = offsets[k].unit;
+        offset.name = references.offsets[k].name, offset.unit = references.offsets[k].unit;
         offset.leaves_promise = offset.log2_chance <= least;
         found.offsets.push_back(std::move(offset));
+    }
+    for (std::size_t a = 0; a < references.alternatives.size(); ++a) {
+        AlternativeFit other = fit(samples, values, a, picture.size());
+        other.name = references.alternatives[a].name;
+        other.is_nearer = other.log2_chance <= least;
+        found.alternatives.push_back(std::move(other));
     }
     return found;
 }

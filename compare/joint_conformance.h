@@ -30,19 +30,41 @@ struct OffsetEstimate {
     bool leaves_promise = false;
 };
 
+/// Another arithmetic or another rule, that the promise rules out.
+struct AlternativeReference {
+    std::string name;  ///< "weights of 6 bits, rounded down"
+    PixelReference reference;
+};
+
+/// How much of the way from the definition to the alternative the picture lies, offsets aside.
+struct AlternativeFit {
+    std::string name;
+    double share = 0, standard_error = 0;  ///< 0: at the definition; 1: at the alternative
+    double log2_chance = 0;  ///< of a picture of the definition being so much nearer to it; a bound
+    bool is_told = false;    ///< the two differ, and not only as offsets do
+    bool is_nearer = false;  ///< the picture is the alternative's
+};
+
+/// What a picture is held against.
+struct JointReferences {
+    PixelReference definition;
+    std::vector<OffsetReference> offsets;
+    std::vector<AlternativeReference> alternatives;
+};
+
 /// The false-alarm rate of a picture that keeps its promise, all tests together: 2^-40.
 constexpr double log2_false_alarm = -40;
 
 struct JointConformance {
-    std::vector<OffsetEstimate> offsets;  ///< in the order of the references
-    std::uint64_t pixels = 0;             ///< that were told apart, of those asked about
+    std::vector<OffsetEstimate> offsets;       ///< in the order of the references
+    std::vector<AlternativeFit> alternatives;  ///< in the order of the references
+    std::uint64_t pixels = 0;                  ///< that were told apart, of those asked about
 
     bool leaves_promise() const;
 };
 
 /// Asks about at most 16384 pixels, evenly taken, on the threads of the surrounding tbb::task_arena.
-JointConformance joint_conformance(const Picture& picture, const PixelReference& definition,
-                                   const std::vector<OffsetReference>& offsets,
+JointConformance joint_conformance(const Picture& picture, const JointReferences& references,
                                    const FilterPrecision& promise);
 
 }  // namespace zproof

@@ -15,6 +15,13 @@ enum class StepRule {
     quad_differences,  ///< between the pixel's centre and its neighbour in the aligned 2 x 2 pixels
 };
 
+/// Weights that are multiples of 2^-bits: of a 2 x 2 read along each axis, and of a blend of two levels.
+struct WeightLattice {
+    enum class Rounding { nearest, down };
+    double bits = std::numeric_limits<double>::infinity();
+    Rounding rounding = Rounding::nearest;
+};
+
 struct FilterPrecision {
     static constexpr double exact = std::numeric_limits<double>::infinity();
 
@@ -32,6 +39,7 @@ struct FilterPrecision {
     int sum_roundings = 4096;     ///< chained in such a sum, weights included
     double texel_bits = 24;       ///< unit roundoff of stored texels of every level above 0
     double colour_bits = 24;      ///< unit roundoff of the picture's numbers
+    WeightLattice weights_on{};   ///< no promise but a hypothesis: weights are rounded to these alone
 };
 
 }  // namespace zproof

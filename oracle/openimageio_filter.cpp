@@ -1,5 +1,6 @@
 #include <tbb/parallel_for.h>
 
+#include "frame/filter_precision_presets.h"
 #include "frame/frame_error.h"
 #include "image_io/texture_system.h"
 #include "oracle/filter_peers.h"
@@ -102,15 +103,6 @@ Picture openimageio_filtered(const Scene& scene, const View& view, const Frame& 
     }
 }
 
-/// A place is rounded once, then scaled and split into whole and fraction; weights, sums and texels are
-/// float32.
-FilterPrecision openimageio_filter_precision() {
-    return {.coordinate_bits = 24,
-            .weight_bits = 22,
-            .tap_bits = 22,
-            .sum_bits = 24,
-            .sum_roundings = 80,
-            .colour_bits = 22};
-}
+FilterPrecision openimageio_filter_precision() { return *preset_filter_precision("oiio"); }
 
 }  // namespace zproof::oracle

@@ -70,10 +70,9 @@ Texture texture_of(const GltfModel& model, const tinygltf::TextureInfo& use,
     return texture;
 }
 
-glm::vec4 factor_of(const std::vector<double>& factor) {
-    glm::vec4 color(1.0f);
-    for (std::size_t c = 0; c < factor.size() && c < 4; ++c)
-        color[static_cast<int>(c)] = static_cast<float>(factor[c]);
+glm::dvec4 factor_of(const std::vector<double>& factor) {
+    glm::dvec4 color(1.0);
+    for (std::size_t c = 0; c < factor.size() && c < 4; ++c) color[static_cast<int>(c)] = factor[c];
     return color;
 }
 
@@ -90,8 +89,9 @@ void bake_materials(GltfModel& model, Scene& scene) {
         const tinygltf::TextureInfo& use = material.pbrMetallicRoughness.baseColorTexture;
         const Texture texture = texture_of(model, use, baked_image);
         without_source += use.index >= 0 && texture.image == Texture::none;
-        scene.materials.push_back(
-            {material.name, factor_of(material.pbrMetallicRoughness.baseColorFactor), texture});
+        const glm::dvec4 factor = factor_of(material.pbrMetallicRoughness.baseColorFactor);
+        const glm::vec4 rounded{factor};
+        scene.materials.push_back({material.name, rounded, texture, factor - glm::dvec4{rounded}});
     }
     scene.materials.push_back({"default", glm::vec4(1.0f), {}});
     if (without_source > 0)

@@ -58,6 +58,7 @@ struct Material {
     std::string name;
     glm::vec4 base_color_factor{1.0f};  ///< linear
     Texture base_color;
+    glm::dvec4 base_color_factor_rounding{0.0};  ///< the file's number less base_color_factor
 };
 
 /// Readable for 16 bytes at the last vertex, so that a renderer may share it without a copy.

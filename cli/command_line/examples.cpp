@@ -110,7 +110,7 @@ constexpr auto all = std::to_array<Example>({
      "one method on one view"},
     {"filters check", "zproof filters check all", "every method on every filter scene"},
     {"filters check",
-     "zproof filters check trilinear-gl worked --view phi-0 --picture mine.exr --precision weight_bits=8",
+     "zproof filters check trilinear-gl worked --view phi-0 --picture mine.exr --precision gpu",
      "your own picture (R, G, B, linear light) of that view"},
     {"filters crow", "zproof filters crow -o crow", "the lecture's figure and its questions, answered"},
     {"study", "zproof study projection model.glb -o study", "every route from world to pixel"},

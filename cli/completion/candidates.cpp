@@ -8,6 +8,7 @@
 #include "cli/report_files.h"
 #include "compare/pixel_class.h"
 #include "frame/convention_text.h"
+#include "frame/filter_precision_presets.h"
 #include "math/processor.h"
 #include "scenes/filter_scenes.h"
 #include "scenes/suite.h"
@@ -35,6 +36,12 @@ Words filter_scene_names() {
 Words method_names() {
     Words names;
     for (const texture::Method& method : texture::methods()) names.push_back(method.name);
+    return names;
+}
+
+Words filter_preset_names() {
+    Words names;
+    for (const FilterPrecisionPreset& preset : filter_precision_presets()) names.emplace_back(preset.name);
     return names;
 }
 
@@ -78,7 +85,7 @@ Candidates scenes(const OutlineCommand& command) {
 }
 
 Candidates promises(const OutlineCommand& command) {
-    if (command.path.starts_with("filters")) return {};  // key=value,key=value
+    if (command.path.starts_with("filters")) return {filter_preset_names()};
     return {{"raster", "ray", "plane_ray"}, Paths::files, Listing::single};
 }
 

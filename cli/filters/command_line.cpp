@@ -18,7 +18,8 @@ namespace {
 constexpr const char* check_remark = R"(
 What may be promised, each by default as exactly as zproof's own filters: arithmetic_bits, coordinate_bits,
 displacement_px, step_bits, place_bits, weight_bits, lod_bits, tap_bits, sum_bits, texel_bits, colour_bits
-(docs/filter-conformance.md).
+(docs/filter-conformance.md). A preset may come first: gpu, d3d11, vulkan-min, float32, float64, oiio. So
+--precision gpu,lod_bits=6 is a GPU with 6 bits of LOD (docs/joint-conformance.md).
 
 Exit status: 0 every picture keeps to its definition, 1 one does not.)";
 
@@ -102,7 +103,7 @@ void add_check(CLI::App& app, FiltersWords& words) {
     app.add_option("--view", words.check_views,
                    "names of views, separated by commas; default: all of every scene");
     app.add_option("--picture", words.check.picture, "judge this picture (.exr) of one method and one view");
-    app.add_option("--precision", words.precision, "what the filter promises, as key=value,key=value");
+    app.add_option("--precision", words.precision, "what the filter promises, as PRESET,key=value,key=value");
     add_size(app, words.check.width, words.check.height);
     add_common(app, words.check.common);
     add_isa(app);

@@ -13,8 +13,7 @@ namespace zproof {
 JointConformance joint_conformance_of(const Picture& picture, const selftest::FilterFixture& fixture,
                                       const selftest::FilterClaim& claim);
 
-/// "LOD +0.0100 +- 0.0002 levels, promised within 0.0078: leaves the promise (chance below 2^-63)", a line
-/// each.
+/// A line for each offset, and for each alternative that is nearer than the definition.
 std::vector<std::string> in_words(const JointConformance& found);
 
 }  // namespace zproof

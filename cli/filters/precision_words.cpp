@@ -5,6 +5,7 @@
 
 #include "cli/nearest_word.h"
 #include "cli/usage_error.h"
+#include "frame/filter_precision_presets.h"
 
 namespace zproof {
 namespace {
@@ -38,6 +39,15 @@ double number(const std::string& word, const std::string& text) {
     return value;
 }
 
+/// A word that is neither a key nor a preset.
+[[noreturn]] void refuse(const std::string& word, const std::string& name) {
+    std::vector<std::string> names;
+    for (const Key& known : keys()) names.push_back(known.name);
+    for (const FilterPrecisionPreset& preset : filter_precision_presets()) names.emplace_back(preset.name);
+    throw UsageError{"--precision: '" + word + "': no such preset or promise" + did_you_mean(name, names) +
+                     " (see: zproof filters check --help)"};
+}
+
 }  // namespace
 
 FilterPrecision filter_precision_from_words(const std::vector<std::string>& words) {
@@ -46,12 +56,14 @@ FilterPrecision filter_precision_from_words(const std::vector<std::string>& word
         const std::size_t equals = std::min(word.find('='), word.size());
         const std::string name = word.substr(0, equals);
         const auto key = std::ranges::find(keys(), name, &Key::name);
-        if (key == keys().end()) {
-            std::vector<std::string> names;
-            for (const Key& known : keys()) names.push_back(known.name);
-            throw UsageError{"--precision: '" + word + "': no such promise" + did_you_mean(name, names) +
-                             " (see: zproof filters check --help)"};
+        if (const auto preset = preset_filter_precision(word)) {
+            if (&word != &words.front())
+                throw UsageError{"--precision: '" + word + "': a preset comes first, then keys: " + word +
+                                 ",lod_bits=6"};
+            precision = *preset;
+            continue;
         }
+        if (key == keys().end()) refuse(word, name);
         precision.*(key->value) = number(word, word.substr(std::min(equals + 1, word.size())));
     }
     return precision;

@@ -83,11 +83,11 @@ std::string in_words(const ConformanceResult& result) {
     std::ostringstream text;
     text << result.found.outside << " of " << result.found.judged << " pixels outside, slack "
          << std::setprecision(2) << result.found.worst_slack;
-    if (!result.rules.empty() && result.rules.front().explained >= 0.99)
-        text << "; likeliest: " << name_of(result.rules.front().rule) << ", to " << std::setprecision(3)
-             << result.rules.front().bits << " bits";
+    if (const auto rule = rule_told(result.rules))
+        text << "; at fault: " << name_of(rule->rule) << ", to " << std::setprecision(3) << rule->bits
+             << " bits";
     else
-        text << "; no rule alone explains it";
+        text << "; rule at fault: not told";
     return text.str();
 }
 

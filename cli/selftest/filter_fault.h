@@ -56,7 +56,7 @@ ConformanceResult conformance_of(const Picture& picture, const FilterFixture& fi
 /// Injects the fault into the fixture and asks the filter reference.
 ConformanceResult try_filter_fault(const FilterFault& fault, const FilterFixture& fixture);
 
-/// "7310 of 11520 pixels outside, slack 1.2e+06; likeliest: LOD, to 0 bits"
+/// "7310 of 11520 pixels outside, slack 1.2e+06; at fault: LOD, to 0 bits", "...; rule at fault: not told"
 std::string in_words(const ConformanceResult& result);
 
 /// "mean, red: 2.1 standard deviations off over 9240 pixels, at most 7.8 by chance"

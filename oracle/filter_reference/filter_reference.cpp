@@ -19,12 +19,27 @@ texture::LinearImage linear(const Image& image) {
 /// of absolute weights exceeds 2 (bicubic: 1.5625) where texels lie in [0, 1].
 constexpr int most_terms = 4096;
 
+/// The factor may be read as the file's number or as the float32 nearest to it, or be anything between.
+ColourRange factor_of(const Material& material) {
+    const glm::dvec3 rounded{glm::vec3{material.base_color_factor}},
+        exact = rounded + glm::dvec3{material.base_color_factor_rounding};
+    return {glm::min(rounded, exact), glm::max(rounded, exact)};
+}
+
+/// Every product of a factor and a colour.
+ColourRange product(const ColourRange& factor, const ColourRange& colour) {
+    return hull(hull({factor.low * colour.low, factor.low * colour.low},
+                     {factor.low * colour.high, factor.low * colour.high}),
+                hull({factor.high * colour.low, factor.high * colour.low},
+                     {factor.high * colour.high, factor.high * colour.high}));
+}
+
 /// Factor, sum and the picture's format.
-ColourRange as_shown(const ColourRange& filtered, const glm::dvec3& factor,
+ColourRange as_shown(const ColourRange& filtered, const ColourRange& factor,
                      const FilterPrecision& precision) {
     const double sums =
         2 * (gamma(precision.sum_roundings, std::exp2(-precision.sum_bits)) + gamma(most_terms, 0x1p-53));
-    const glm::dvec3 low = factor * (filtered.low - sums), high = factor * (filtered.high + sums);
+    const auto [low, high] = product(factor, {filtered.low - sums, filtered.high + sums});
     // The factor's product in double, and one rounding to the picture's numbers.
     const double rounding = std::exp2(-precision.colour_bits) * (1 + 0x1p-50);
     return {low - rounding * glm::abs(low) - 0x1p-149, high + rounding * glm::abs(high) + 0x1p-149};
@@ -84,7 +99,7 @@ PermittedColours FilterReference::of_surface(int x, int y, PrimitiveId seen,
     if (seen == PrimitiveId::none) return {ColourRange{}};
     const Material& material = material_of(scene_, std::uint32_t(seen));
     const MethodReference& reference = by_material_[std::size_t(&material - scene_.materials.data())];
-    const glm::dvec3 factor{glm::vec3{material.base_color_factor}};
+    const ColourRange factor = factor_of(material);
     if (!reference) return {as_shown({glm::dvec3{1}, glm::dvec3{1}}, factor, precision)};
     try {
         const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};

@@ -85,6 +85,13 @@ TexelInterval place_in(const IntervalImage& level, const IntervalImage& finest, 
     return {scaled(place.u, level.width, finest.width), scaled(place.v, level.height, finest.height)};
 }
 
+double on_lattice(double weight, const FilterPrecision& precision) {
+    const auto& [bits, rounding] = precision.weights_on;
+    if (std::isinf(bits)) return weight;
+    const double steps = std::exp2(bits), up = rounding == WeightLattice::Rounding::nearest ? 0.5 : 0;
+    return std::floor(weight * steps + up) / steps;
+}
+
 std::vector<ColourRange> nearest(const IntervalImage& image, const WrapRules& wrap,
                                  const TexelInterval& place) {
     if (is_too_wide(place)) return {image.range};
@@ -113,7 +120,7 @@ ColourRange bilinear(const IntervalImage& image, const WrapRules& wrap, const Te
             const glm::dvec3 weights = 2 * std::exp2(-precision.weight_bits) * cell.spread();
             for (const double x : {across[i] - left, across[i + 1] - left}) {
                 for (const double y : {down[j] - top, down[j + 1] - top}) {
-                    ColourRange at = cell.at(x, y);
+                    ColourRange at = cell.at(on_lattice(x, precision), on_lattice(y, precision));
                     at = {at.low - weights, at.high + weights};
                     range = range ? hull(*range, at) : at;
                 }

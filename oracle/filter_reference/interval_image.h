@@ -44,6 +44,9 @@ IntervalImage exact_image(const texture::LinearImage& image);
 TexelInterval place_in(const IntervalImage& level, const IntervalImage& finest, const TexelInterval& place,
                        const FilterPrecision& precision);
 
+/// A weight rounded as FilterPrecision::weights_on says.
+double on_lattice(double weight, const FilterPrecision& precision);
+
 /// The texels that may hold the place, in reading order; more than one on a border.
 std::vector<ColourRange> nearest(const IntervalImage& image, const WrapRules& wrap,
                                  const TexelInterval& place);

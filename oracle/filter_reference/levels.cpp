@@ -28,7 +28,9 @@ ColourRange Levels::trilinear(const Interval& level, const TexelInterval& place,
     std::optional<ColourRange> range;
     for (int k = first; k < coarsest && double(k) <= level.high(); ++k) {
         const ColourRange coarser = bilinear_in(k + 1, place, precision);
-        const Interval share = clamped(widen(clamped(level, k, k + 1.0) - Interval{double(k)}, error), 0, 1);
+        const Interval fraction = clamped(level, k, k + 1.0) - Interval{double(k)};
+        const Interval rounded{on_lattice(fraction.low(), precision), on_lattice(fraction.high(), precision)};
+        const Interval share = clamped(widen(rounded, error), 0, 1);
         const ColourRange piece = blended(finer, coarser, share);
         range = range ? hull(*range, piece) : piece;
         finer = coarser;

@@ -181,6 +181,9 @@ TEST(Filters, WhatIsMistypedIsNamedWithWhatIsNear) {
     refused({"filters", "check", "nearst", "worked"}, "did you mean 'nearest'?");
     refused({"filters", "check", "nearest", "worked", "--precision", "lod_bit=8"},
             "did you mean 'lod_bits'?");
+    refused({"filters", "check", "nearest", "worked", "--precision", "gpo"}, "did you mean 'gpu'?");
+    refused({"filters", "check", "nearest", "worked", "--precision", "lod_bits=6,gpu"},
+            "a preset comes first, then keys: gpu,lod_bits=6");
     refused({"filters", "check", "nearest", "worked", "--precision", "lod_bits=x"}, "from 0 to 1000");
     refused({"filters", "check", "nearest,bilinear", "worked", "--picture", "a.exr"},
             "one method is expected");
@@ -214,6 +217,9 @@ TEST(Filters, CheckComparesAnyPictureWithItsReference) {
     EXPECT_NE(other.out.find("FAILED  worked / phi-0: bilinear: "), std::string::npos) << other.out;
     EXPECT_NE(other.out.find("; worst at ("), std::string::npos) << other.out;
     EXPECT_EQ(judged("bilinear", "place_bits=0").exit_code, 0);
+    EXPECT_EQ(judged("bilinear", "gpu").exit_code, 1);
+    EXPECT_EQ(judged("bilinear", "gpu,place_bits=0").exit_code, 0);
+    EXPECT_NE(judged("nearest", "gpu").out.find("LOD not told"), std::string::npos);
     EXPECT_EQ(run(folder, {"filters", "check", "nearest", "worked", "--picture",
                            "study/pictures/worked-phi-0/nearest.exr", "--width", "32", "--height", "32"})
                   .exit_code,

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
-#include <numbers>
 #include <random>
 
 #include "cli/filters/joint_check.h"
-#include "rasterizer/rasterizer.h"
+#include "frame/filter_precision_presets.h"
 #include "tests/filters/limited_sampler.h"
+#include "tests/filters/near_ground.h"
 
 namespace zproof {
 namespace {
@@ -17,35 +17,7 @@ using selftest::FilterClaim;
 using selftest::FilterFixture;
 using selftest::Ground;
 
-/// What graphics hardware promises: 8 bits of weights and of the LOD, coordinates of 22 bits, float32.
-constexpr FilterPrecision hardware{.arithmetic_bits = 24,
-                                   .coordinate_bits = 22,
-                                   .weight_bits = 8,
-                                   .lod_bits = 8,
-                                   .sum_bits = 24,
-                                   .sum_roundings = 80,
-                                   .colour_bits = 22};
-
-/// The ground of noise, small enough that its coordinates' float32 does not hide a hundredth of a texel:
-/// magnified in the lower half, minified in the upper one.
-FilterFixture near_ground() {
-    FilterFixture fixture = selftest::filter_fixture(Ground::noise);
-    Vertices& v = fixture.scene.vertices;
-    constexpr float half_width = 2, far = 8, texels_per_unit = 60;
-    const std::array<glm::vec2, 4> corners{
-        {{-half_width, 0}, {half_width, 0}, {half_width, far}, {-half_width, far}}};
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        v.position_world[i] = {corners[i].x, 0, -corners[i].y};
-        v.uv[0][i] = glm::vec2{0.0263f, 0.0134f} + corners[i] * (texels_per_unit / 128);
-    }
-    fixture.view.width = 256, fixture.view.height = 256;
-    const double pitch = 17 * std::numbers::pi / 180;
-    fixture.view.camera = look_at({0, 1, 0}, {0, 1 - std::sin(pitch), -std::cos(pitch)}, {0, 1, 0});
-    fixture.view.camera.window = symmetric_window(std::numbers::pi / 6, 1);
-    fixture.view.camera.near_depth = 0.05;
-    fixture.frame = rasterizer::render(fixture.scene, fixture.view);
-    return fixture;
-}
+const FilterPrecision hardware = *preset_filter_precision("gpu");
 
 const FilterFixture& noise() {
     static const FilterFixture fixture = near_ground();
@@ -57,11 +29,12 @@ Picture drawn(const FilterFixture& fixture, const texture::Method& method) {
                                 {.method = method, .options = {}});
 }
 
-JointConformance joint(const texture::Method& method, const std::string& name) {
+JointConformance joint(const texture::Method& method, const std::string& name,
+                       const FilterFixture& fixture = noise()) {
     const FilterClaim claim{.method = name, .precision = hardware};
-    const Picture picture = drawn(noise(), method);
-    std::cout << "    " << selftest::in_words(selftest::conformance_of(picture, noise(), claim)) << "\n";
-    const JointConformance found = joint_conformance_of(picture, noise(), claim);
+    const Picture picture = drawn(fixture, method);
+    std::cout << "    " << selftest::in_words(selftest::conformance_of(picture, fixture, claim)) << "\n";
+    const JointConformance found = joint_conformance_of(picture, fixture, claim);
     for (const std::string& line : in_words(found)) std::cout << "    " << line << "\n";
     return found;
 }
@@ -99,7 +72,7 @@ Lattice within_promise(std::mt19937& random) {
 
 TEST(Joint, WhateverKeepsThePromisePasses) {
     std::mt19937 random{2026};
-    for (int round = 0; round < 12; ++round) {
+    for (int round = 0; round < 8; ++round) {
         LimitedTrilinear parts;
         parts.lod = within_promise(random);
         parts.weights = within_promise(random);
@@ -108,6 +81,19 @@ TEST(Joint, WhateverKeepsThePromisePasses) {
         EXPECT_FALSE(joint(limited_trilinear(parts), "trilinear-gl").leaves_promise())
             << parts.lod.bits << " " << parts.lod.offset << ", " << parts.weights.bits << " "
             << parts.weights.offset << ", " << parts.blend.bits << " " << parts.blend.offset;
+    }
+}
+
+/// Head-on at three pixels a texel every third pixel has the same fractions: rows and columns repeat their
+/// roundings.
+TEST(Joint, RoundingsThatRepeatKeepThePromise) {
+    for (const double texels_per_pixel : {1.0 / 3, 1.0}) {
+        const FilterFixture wall = head_on_wall(texels_per_pixel);
+        for (const Lattice& lattice : {eight, eight_down})
+            EXPECT_FALSE(joint(limited_trilinear({.lod = lattice, .weights = lattice, .blend = lattice}),
+                               "trilinear-gl", wall)
+                             .leaves_promise())
+                << texels_per_pixel;
     }
 }
 
@@ -145,6 +131,21 @@ TEST(Joint, GainIsSeen) {
     const auto found = joint(
         limited_trilinear({.lod = eight, .weights = eight, .blend = eight, .gain = 1.02}), "trilinear-gl");
     EXPECT_TRUE(found.offsets[3].leaves_promise);
+}
+
+bool is_nearer(const JointConformance& found, const std::string& name) {
+    const auto other = std::ranges::find(found.alternatives, name, &AlternativeFit::name);
+    return other != found.alternatives.end() && other->is_nearer;
+}
+
+TEST(Joint, WeightsOfFewerBitsAreSeen) {
+    EXPECT_TRUE(
+        is_nearer(joint(limited_trilinear({.weights = {.bits = 6}, .blend = {.bits = 6}}), "trilinear-gl"),
+                  "weights of 6 bits, rounded to the nearest"));
+    EXPECT_TRUE(
+        is_nearer(joint(limited_trilinear({.weights = {7, Rounding::down}, .blend = {7, Rounding::down}}),
+                        "trilinear-gl"),
+                  "weights of 7 bits, rounded down"));
 }
 
 TEST(Joint, AnEllipseOfEightBitsKeepsThePromise) {

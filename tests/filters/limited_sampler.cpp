@@ -15,18 +15,8 @@ using texture::LinearImage;
 
 glm::dvec2 size_of(const LinearImage& image) { return {image.width, image.height}; }
 
-float with_bits(float x, int bits) {
-    int exponent = 0;
-    const float mantissa = std::frexp(x, &exponent);
-    return std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits);
-}
-
-std::vector<LinearImage> chain(const LinearImage& image, const FilterOptions& o, int texel_bits) {
-    std::vector<LinearImage> levels = texture::mip_chain(image, o.mip_kernel, o.addressing);
-    for (std::size_t k = 1; k < levels.size(); ++k)
-        for (glm::vec4& texel : levels[k].texels)
-            for (int c = 0; c < 4; ++c) texel[c] = with_bits(texel[c], texel_bits);
-    return levels;
+std::vector<LinearImage> chain(const LinearImage& image, const FilterOptions& o) {
+    return texture::mip_chain(image, o.mip_kernel, o.addressing);
 }
 
 /// One axis alone: g++ 12.2 vectorises a pair of double -> float -> double into nothing at all.
@@ -58,7 +48,7 @@ double Lattice::operator()(double x) const {
 
 texture::Method limited_trilinear(const LimitedTrilinear& parts) {
     return selftest::made_of([parts](const LinearImage& image, const FilterOptions& o) -> selftest::Colour {
-        return [levels = chain(image, o, parts.texel_bits), parts, o](const Footprint& f) {
+        return [levels = chain(image, o), parts, o](const Footprint& f) {
             const glm::dvec2 size = size_of(levels[0]);
             glm::dvec2 place = f.centre + parts.place_error;
             if (parts.is_float32) {
@@ -114,7 +104,7 @@ glm::dvec4 read_ellipse(const LinearImage& level, const FilterOptions& o, const 
 
 texture::Method limited_ellipse(const LimitedEllipse& parts) {
     return selftest::made_of([parts](const LinearImage& image, const FilterOptions& o) -> selftest::Colour {
-        return [levels = chain(image, o, 24), parts, o](const Footprint& f) {
+        return [levels = chain(image, o), parts, o](const Footprint& f) {
             glm::dvec2 longer = f.per_x, shorter = f.per_y;
             if (glm::length(longer) < glm::length(shorter)) std::swap(longer, shorter);
             const double ratio = glm::length(longer) / (glm::length(shorter) * o.max_anisotropy);

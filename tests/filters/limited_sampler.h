@@ -21,7 +21,6 @@ struct LimitedTrilinear {
     Lattice lod{}, weights{}, blend{};  ///< LOD; fraction within a level; fraction between levels
     glm::dvec2 place_error{0};          ///< added to every place, texels of level 0
     double gain = 1;                    ///< of what is shown
-    int texel_bits = 24;                ///< significant bits of texels of the smaller levels
     bool is_float32 = true;             ///< texture coordinates are held in float32
 };
 texture::Method limited_trilinear(const LimitedTrilinear& parts);

@@ -307,6 +307,19 @@ TEST(Gltf, RotatesTextureCoordinatesAsTheSampleModelAsks) {
     EXPECT_NEAR(tip.y, 0.5 + 0.2778174593052023, 1e-9);
 }
 
+TEST(Gltf, KeepsWhatRoundingAFactorToFloatCost) {
+    const TestFolder folder;
+    WrittenGltf gltf;
+    gltf.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    gltf.json["materials"].push_back({{"pbrMetallicRoughness", {{"baseColorFactor", {0.1, 0.5, 0.7, 1}}}}});
+    const Material material = load_gltf(gltf.write(folder)).scene.materials.at(0);
+    const glm::dvec4 read = glm::dvec4{material.base_color_factor} + material.base_color_factor_rounding;
+    EXPECT_EQ(read, (glm::dvec4{0.1, 0.5, 0.7, 1}));
+    EXPECT_EQ(material.base_color_factor.r, 0.1f);
+    EXPECT_NE(material.base_color_factor_rounding.r, 0);
+    EXPECT_EQ(material.base_color_factor_rounding.g, 0);
+}
+
 /// A triangle whose file uses images of these names, one material each.
 WrittenGltf with_images(const std::vector<std::string>& names) {
     WrittenGltf gltf;
