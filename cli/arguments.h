@@ -138,7 +138,7 @@ using Command =
                  WaivePruneArguments, WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments,
                  ViewsArguments, FiltersRunArguments, FiltersListArguments, FiltersScenesArguments,
                  FiltersTableArguments, FiltersFigureArguments, FiltersCrowArguments, FiltersCheckArguments,
-                 StudyArguments, Answered>;
+                 FiltersExplainArguments, StudyArguments, Answered>;
 
 /// What the command shares with every other.
 const CommonArguments& common_of(const Command& command);

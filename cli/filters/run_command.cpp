@@ -3,7 +3,9 @@
 #include <set>
 
 #include "cli/commands.h"
+#include "cli/filters/configured.h"
 #include "cli/filters/scenes.h"
+#include "cli/filters/view_evidence.h"
 #include "cli/folder_names.h"
 #include "cli/interrupt.h"
 #include "cli/published.h"
@@ -15,7 +17,6 @@
 #include "cli/work_progress.h"
 #include "frame/printable.h"
 #include "image_io/image_io.h"
-#include "oracle/oracle_error.h"
 #include "reports/filters/folder.h"
 #include "reports/filters/tables.h"
 #include "reports/output_folder.h"
@@ -27,21 +28,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Empty for zproof's own methods. Throws OracleError where a sampler of others is not on this machine.
-std::function<Picture(const Scene&, const View&, const Frame&)> painter_of(const FilterChoice& choice) {
-    if (choice.other == nullptr) return {};
-    if (const std::string absence = choice.other->absence(); !absence.empty())
-        throw OracleError{choice.typed + ": " + absence};
-    return [paint = choice.other->paint, most = choice.texturing.options.max_anisotropy](
-               const Scene& scene, const View& view, const Frame& frame) {
-        return paint(scene, view, frame, most);
-    };
-}
-
 study::Plan plan_of(const FiltersRunArguments& arguments) {
     study::Plan plan{.methods = {}, .truth = arguments.truth, .flicker_steps = arguments.flicker_steps};
-    for (const FilterChoice& choice : arguments.methods)
-        plan.methods.push_back({choice.typed, choice.texturing, painter_of(choice)});
+    for (const FilterChoice& choice : arguments.methods) plan.methods.push_back(configured(choice));
     return plan;
 }
 
@@ -69,7 +58,7 @@ class FilterStudyRun {
             if (interrupted()) return;
             plan_.first_row = arguments.first_row.value_or(natural_first_row(source, view.height));
             progress_.within(name + " / " + view.name + ": ");
-            study::ViewStudy one = study_one(name, loaded.scene, view);
+            study::ViewStudy one = study_one(name, source, loaded.scene, view);
             one.scene = name;
             one.reason = source.reason;
             scored_ += one.methods.size();
@@ -83,17 +72,24 @@ class FilterStudyRun {
         return scenes_.insert(scene).second ? scene : source.word;
     }
 
-    study::ViewStudy study_one(const std::string& name, const Scene& scene, const View& view) {
+    study::ViewStudy study_one(const std::string& name, const StudyScene& source, const Scene& scene,
+                               const View& view) {
         const std::string home = "pictures/" + names_.next(name, view.name) + "/";
         fs::create_directories(folder_ / home);
+        ViewEvidenceWriter evidence;
         const study::ProgressSink progress_sink{
             .begins = [&](const std::string& what) { progress_.begin(what); },
             .is_shown =
                 [&](const std::string& what, const Picture& picture) {
                     write_picture(folder_ / home / (file_stem(what) + ".exr"), picture);
+                    evidence.show(what, picture);
                 },
-            .wants_to_stop = interrupted};
+            .wants_to_stop = interrupted,
+            .is_known = [&](const study::ViewEvidence& known) { evidence.begin(known); },
+            .is_mapped = [&](const std::string& label, const PictureMetric& metric,
+                             const Plane<double>& map) { evidence.map(label, metric, map); }};
         study::ViewStudy one = study::study_view(scene, view, plan_, progress_sink);
+        std::move(evidence).write(folder_ / home, {source.word, name, scene, view, plan_});
         one.truth_file = home + "truth.exr";
         for (study::MethodScore& method : one.methods) method.file = home + file_stem(method.label) + ".exr";
         return one;

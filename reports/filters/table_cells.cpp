@@ -44,7 +44,8 @@ bool shows_costs(const std::string& region) { return region == "all" || region =
 
 std::vector<TableColumn> columns_of(const StudyResults& results, const std::string& region) {
     std::vector<TableColumn> columns{{"rank"}, {"method", true}};
-    for (const MetricCard& metric : results.metrics) columns.push_back({metric.name});
+    for (const MetricCard& metric : results.metrics)
+        columns.push_back({metric.name, false, metric.higher_is_better});
     if (!shows_costs(region)) return columns;
     for (const char* name : {"flicker", "ratio", "texels", "lines", "stored", "build ms", "ns"})
         columns.push_back({name});
