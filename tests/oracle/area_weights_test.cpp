@@ -52,7 +52,8 @@ TEST_P(WeightsOfEveryReconstruction, WeightsOfTexelsAddUpToTheMean) {
 }
 
 TEST(AreaWeights, OfAPixelWithinATexelAreThatTexelAlone) {
-    const Scene scene = textured_plane(64, {.image = noise(columns, rows, 5), .per_unit = 0.0001});
+    const Scene scene =
+        textured_plane(64, {.image = noise(columns, rows, 5), .per_unit = 0.0001, .offset = {0.5, 0.5}});
     const AreaWeights weights(scene, ground_view(9, 9, 60), Reconstruction::nearest);
     const auto found = weights.at(4, 4);
     ASSERT_TRUE(found);
