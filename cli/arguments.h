@@ -131,14 +131,13 @@ struct Answered {
     std::string text;
 };
 
-using Command =
-    std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
-                 FitArguments, ContractCheckArguments, SelftestArguments, MergeArguments,
-                 ReportAgainArguments, DiffResultsArguments, WaiveListArguments, WaiveCheckArguments,
-                 WaivePruneArguments, WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments,
-                 ViewsArguments, FiltersRunArguments, FiltersListArguments, FiltersScenesArguments,
-                 FiltersTableArguments, FiltersReproduceArguments, FiltersFigureArguments,
-                 FiltersCrowArguments, FiltersCheckArguments, StudyArguments, Answered>;
+using Command = std::variant<
+    RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments, FitArguments,
+    ContractCheckArguments, SelftestArguments, MergeArguments, ReportAgainArguments, DiffResultsArguments,
+    WaiveListArguments, WaiveCheckArguments, WaivePruneArguments, WaiveAddArguments, DoctorArguments,
+    ListArguments, GenerateArguments, ViewsArguments, FiltersRunArguments, FiltersListArguments,
+    FiltersScenesArguments, FiltersTableArguments, FiltersReproduceArguments, FiltersFigureArguments,
+    FiltersCrowArguments, FiltersCheckArguments, FiltersExplainArguments, StudyArguments, Answered>;
 
 /// What the command shares with every other.
 const CommonArguments& common_of(const Command& command);

@@ -98,6 +98,10 @@ ExitCode execute(const FiltersFigureArguments& arguments);
 /// reference.
 ExitCode execute(const FiltersCheckArguments& arguments);
 
+/// Prints what methods read at one pixel of a view, beside what the pixel covers. UsageError for a pixel
+/// outside the view.
+ExitCode execute(const FiltersExplainArguments& arguments);
+
 /// Writes the page that answers the lecture's questions about Crow 1984.
 ExitCode execute(const FiltersCrowArguments& arguments);
 

@@ -32,6 +32,7 @@ struct Refusal {
     std::string_view operator()(const FiltersFigureArguments&) const { return "cannot draw the figures"; }
     std::string_view operator()(const FiltersCrowArguments&) const { return "cannot make the page"; }
     std::string_view operator()(const FiltersCheckArguments&) const { return "cannot judge"; }
+    std::string_view operator()(const FiltersExplainArguments&) const { return "cannot explain"; }
     std::string_view operator()(const StudyArguments&) const { return "cannot study"; }
     std::string_view operator()(const Answered&) const { return "cannot answer"; }
 };

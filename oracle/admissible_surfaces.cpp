@@ -120,10 +120,11 @@ void add_admissible(Candidates all, const SampleBox& box, std::vector<PrimitiveI
 /// A triangle at one place, in rationals.
 struct ExactHit {
     PrimitiveId id = PrimitiveId::none;
-    Rational nearness = 0;
+    Rational inverse_depth = 0;
 };
 
-std::optional<Rational> exact_nearness(const Scene& scene, const View& view, PrimitiveId id, int x, int y) {
+std::optional<Rational> exact_inverse_depth(const Scene& scene, const View& view, PrimitiveId id, int x,
+                                            int y) {
     const glm::uvec3 corners = scene.triangles[std::uint32_t(id)];
     const auto seen =
         area::seen(area::RasterRays<Rational>{view}, area::corners_world<Rational>(scene, corners),
@@ -135,11 +136,12 @@ std::optional<Rational> exact_nearness(const Scene& scene, const View& view, Pri
     return seen->inverse_depth.at(px, py);
 }
 
-bool is_between_near_and_far(const Camera& camera, const Rational& nearness) {
+bool is_between_near_and_far(const Camera& camera, const Rational& inverse_depth) {
     if (camera.projection == Projection::parallel)
-        return -nearness >= Rational{camera.near_depth} && -nearness <= Rational{camera.far_depth};
-    return nearness * Rational{camera.near_depth} <= 1 &&
-           (std::isinf(camera.far_depth) ? sign(nearness) > 0 : nearness * Rational{camera.far_depth} >= 1);
+        return -inverse_depth >= Rational{camera.near_depth} && -inverse_depth <= Rational{camera.far_depth};
+    return inverse_depth * Rational{camera.near_depth} <= 1 &&
+           (std::isinf(camera.far_depth) ? sign(inverse_depth) > 0
+                                         : inverse_depth * Rational{camera.far_depth} >= 1);
 }
 
 PrimitiveId exactly_seen(const Scene& scene, const View& view, std::span<const PrimitiveId> admissible, int x,
@@ -147,16 +149,17 @@ PrimitiveId exactly_seen(const Scene& scene, const View& view, std::span<const P
     ExactHit nearest;
     for (const PrimitiveId id : admissible) {
         if (id == PrimitiveId::none) continue;
-        const auto nearness = exact_nearness(scene, view, id, x, y);
-        if (!nearness || !is_between_near_and_far(view.camera, *nearness)) continue;
-        if (nearest.id == PrimitiveId::none || *nearness > nearest.nearness) nearest = {id, *nearness};
+        const auto inverse_depth = exact_inverse_depth(scene, view, id, x, y);
+        if (!inverse_depth || !is_between_near_and_far(view.camera, *inverse_depth)) continue;
+        if (nearest.id == PrimitiveId::none || *inverse_depth > nearest.inverse_depth)
+            nearest = {id, *inverse_depth};
     }
     return nearest.id;
 }
 
 float depth_of(const area::Surfaces& surfaces, const View& view, PrimitiveId id, int x, int y) {
-    const double nearness = surfaces.seen(std::uint32_t(id))->inverse_depth.at(x + 0.5, y + 0.5);
-    return float(view.camera.projection == Projection::parallel ? -nearness : 1 / nearness);
+    const double inverse_depth = surfaces.seen(std::uint32_t(id))->inverse_depth.at(x + 0.5, y + 0.5);
+    return float(view.camera.projection == Projection::parallel ? -inverse_depth : 1 / inverse_depth);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oracle/area/pixel_estimate.h"
+#include "oracle/area/pixel_pieces.h"
 #include "oracle/area/row_spans.h"
 #include "oracle/area/texture_integral.h"
 #include "oracle/area/visible.h"
@@ -18,10 +19,7 @@ namespace {
 
 using namespace area;
 
-/// The limit beyond which samples are cheaper (docs/area-integral.md, "Cost").
-constexpr double most_texels = 0x1p17;
-constexpr double gaussian_cost = 4;  ///< beside a mean without weights
-constexpr double half_px = 0.5, widest_reach_px = 1;
+constexpr double widest_reach_px = 1;
 
 struct PixelTruth {
     glm::dvec3 mean{0};
@@ -40,25 +38,19 @@ class Integral {
     Integral(const Surfaces& surfaces, Reconstruction reconstruction)
         : surfaces_(surfaces), reconstruction_(reconstruction) {}
 
-    /// Half the side of the square that a pixel looks at.
-    double reach() const { return is_gaussian() ? widest_reach_px : half_px; }
+    double reach() const { return reach_px(reconstruction_); }
     /// The bound of the mean's error, where rounding does not count.
     double bound() const { return is_gaussian() ? gaussian_error : 0; }
 
     /// The mean over a pixel; nothing where it would take too long.
     std::optional<PixelTruth> at(std::span<const std::uint32_t> candidates, int x, int y) const {
         const Point<double> centre{x + 0.5, y + 0.5};
-        const std::optional<Visible> visible = visible_pieces(surfaces_, candidates, centre, reach());
+        const std::optional<Visible> visible = pixel_pieces(surfaces_, candidates, centre, reconstruction_);
         if (!visible) return std::nullopt;
         PixelTruth truth{.kind = kind_of(surfaces_, *visible)};
-        double cost = 0;
-        for (const Piece& piece : visible->pieces) {
-            const Homography<double> texels =
-                from(*surfaces_.seen(piece.triangle), centre.x, centre.y).texels;
-            cost += (is_gaussian() ? gaussian_cost : 1) * texel_cost(piece.polygon, texels);
-            if (!(cost <= most_texels)) return std::nullopt;
-            truth.mean += integral(surfaces_.colour(piece.triangle), piece.polygon, texels);
-        }
+        for (const Piece& piece : visible->pieces)
+            truth.mean += integral(surfaces_.colour(piece.triangle), piece.polygon,
+                                   texels_around(surfaces_, piece.triangle, centre));
         truth.mean /= is_gaussian() ? gaussian_total() : 1;
         return truth;
     }

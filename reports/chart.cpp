@@ -12,6 +12,8 @@ namespace zproof {
 namespace {
 
 constexpr double left = 62, right = 560, top = 34, width = 760, name_height = 13.5;
+constexpr double usual_height = names_beside * name_height + 6;
+constexpr double note_height = 12;
 
 /// Okabe and Ito 2008, yellow left out: it does not stand out from white.
 constexpr std::array palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"};
@@ -66,7 +68,7 @@ Frame2D framed(const Chart& chart) {
             x.reach(scaled(chart.x, p.first));
             y.reach(scaled(chart.y, p.second));
         }
-    return {chart, widen(x), widen(y), top + std::max(330.0, name_height * double(named))};
+    return {chart, widen(x), widen(y), top + std::max(usual_height, name_height * double(named))};
 }
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& colour) {
@@ -105,7 +107,8 @@ std::vector<double> ticks(const ChartAxis& axis, const AxisRange& range) {
 }
 
 std::string tick_name(double value) {
-    return std::abs(value) >= 1e-4 && std::abs(value) < 1e6 ? rounded(value) : shortest(value);
+    if (value >= 1000 && value < 1e9 && value == std::floor(value)) return grouped(std::uint64_t(value));
+    return std::abs(value) >= 1e-4 && std::abs(value) < 1000 ? rounded(value) : shortest(value);
 }
 
 /// "0.01", not "0.0100".
@@ -117,13 +120,16 @@ std::string without_idle_zeros(std::string number) {
 }
 
 /// Only every n-th name is written, so that none runs into the next: n.
-std::size_t name_step(const std::vector<std::string>& names) {
+std::size_t name_step(const ChartAxis& axis) {
     constexpr double letter_width = 6.5, gap = 8;
     std::size_t longest = 0;
-    for (const std::string& name : names) longest = std::max(longest, name.size());
+    for (const auto* words : {&axis.names, &axis.notes})
+        for (const std::string& word : *words) longest = std::max(longest, word.size());
     return std::size_t(
-        std::ceil(double(names.size()) * (double(longest) * letter_width + gap) / (right - left)));
+        std::ceil(double(axis.names.size()) * (double(longest) * letter_width + gap) / (right - left)));
 }
+
+double note_room(const Chart& chart) { return chart.x.notes.empty() ? 0 : note_height; }
 
 std::string x_axis(const Frame2D& frame) {
     std::string svg;
@@ -132,13 +138,17 @@ std::string x_axis(const Frame2D& frame) {
                text(frame.across(value), frame.bottom + 15, at_middle, name);
     };
     const ChartAxis& axis = frame.chart.x;
-    const std::size_t step = axis.names.empty() ? 1 : name_step(axis.names);
-    for (std::size_t i = 0; i < axis.names.size(); ++i)
-        if (double(i) >= frame.x.low && double(i) <= frame.x.high)
-            add(double(i), i % step == 0 ? axis.names[i] : "");
+    const std::size_t step = axis.names.empty() ? 1 : name_step(axis);
+    for (std::size_t i = 0; i < axis.names.size(); ++i) {
+        if (double(i) < frame.x.low || double(i) > frame.x.high) continue;
+        add(double(i), i % step == 0 ? axis.names[i] : "");
+        if (i % step == 0 && !axis.notes.empty())
+            svg += text(frame.across(double(i)), frame.bottom + 15 + note_height,
+                        std::string{at_middle} + " fill=\"#8a8a8a\"", axis.notes[i]);
+    }
     if (axis.names.empty())
         for (const double value : ticks(axis, frame.x)) add(value, without_idle_zeros(tick_name(value)));
-    return svg + text((left + right) / 2, frame.bottom + 33, at_middle, axis.title);
+    return svg + text((left + right) / 2, frame.bottom + 33 + note_room(frame.chart), at_middle, axis.title);
 }
 
 std::string y_axis(const Frame2D& frame) {
@@ -170,19 +180,60 @@ struct Ink {
     std::string colour, dashes;
 };
 
+/// How strongly the marks at a value are drawn.
+double strength_at(const ChartAxis& axis, double value) {
+    const auto i = std::size_t(std::max(0.0, std::round(value)));
+    return i < axis.strengths.size() ? axis.strengths[i] : 1;
+}
+
+std::string faded(const char* attribute, double strength) {
+    return strength < 1 ? " " + std::string{attribute} + "=\"" + place(strength) + "\"" : "";
+}
+
+/// One path; where the places differ in strength, a path for each step, as weak as its weaker end.
+std::string joined(const Series& series, const Frame2D& frame, const std::string& stroke) {
+    const auto path = [&](const Series& part, double strength) {
+        return "<path d=\"" + path_of(part, frame) + "\" fill=\"none\"" + stroke +
+               faded("stroke-opacity", strength) + "/>";
+    };
+    const ChartAxis& axis = frame.chart.x;
+    if (axis.strengths.empty()) return path(series, 1);
+    std::string svg;
+    const std::pair<double, double>* last = nullptr;
+    for (const auto& p : series.points) {
+        if (!frame.shows(p)) continue;
+        if (last != nullptr) {
+            Series step = series;
+            step.points = {*last, p};
+            svg += path(step, std::min(strength_at(axis, last->first), strength_at(axis, p.first)));
+        }
+        last = &p;
+    }
+    return svg;
+}
+
 std::string drawn(const Series& series, const Frame2D& frame, const Ink& ink) {
     const auto& [colour, dashes] = ink;
     std::string svg;
     if (series.joining != Joining::points)
-        svg += "<path d=\"" + path_of(series, frame) + "\" fill=\"none\" stroke=\"" + colour +
-               "\" stroke-width=\"" + (series.style == SeriesStyle::marked ? "1.6" : "1") + "\"" + dashes +
-               "/>";
+        svg += joined(series, frame,
+                      " stroke=\"" + colour + "\" stroke-width=\"" +
+                          (series.style == SeriesStyle::marked ? "1.6" : "1") + "\"" + dashes);
     for (const auto& p : series.points)
         if (frame.shows(p))
             svg += "<circle cx=\"" + place(frame.across(p.first)) + "\" cy=\"" + place(frame.down(p.second)) +
-                   "\" r=\"2.8\" fill=\"" + colour + "\"><title>" + escaped(series.name) + ": " +
-                   rounded(p.first) + ", " + rounded(p.second) + "</title></circle>";
+                   "\" r=\"2.8\" fill=\"" + colour + "\"" +
+                   faded("fill-opacity", strength_at(frame.chart.x, p.first)) + "><title>" +
+                   escaped(series.name) + ": " + tick_name(p.first) + ", " + tick_name(p.second) +
+                   "</title></circle>";
     return svg;
+}
+
+/// What belongs to a series, as one thing to those who look at the picture's elements.
+std::string grouped_as(const std::string& name, const std::string& svg) {
+    return name.empty() || svg.empty()
+               ? svg
+               : "<g class=\"series\" data-series=\"" + escaped(name) + "\">" + svg + "</g>";
 }
 
 /// A name at the margin, tied to the last point of its series.
@@ -211,10 +262,11 @@ std::string set(std::vector<Label> labels, double bottom) {
     spread(labels, bottom);
     std::string svg;
     for (const Label& label : labels)
-        svg += "<path d=\"M" + place(label.x + 4) + " " + place(label.y) + "L" + place(right + 8) + " " +
-               place(label.y_name) + "\" fill=\"none\" stroke=\"" + label.colour +
-               "\" stroke-width=\"0.5\" stroke-dasharray=\"2 2\"/>" +
-               text(right + 11, label.y_name + 4, " fill=\"" + label.colour + "\"", label.name);
+        svg += grouped_as(
+            label.name, "<path d=\"M" + place(label.x + 4) + " " + place(label.y) + "L" + place(right + 8) +
+                            " " + place(label.y_name) + "\" fill=\"none\" stroke=\"" + label.colour +
+                            "\" stroke-width=\"0.5\" stroke-dasharray=\"2 2\"/>" +
+                            text(right + 11, label.y_name + 4, " fill=\"" + label.colour + "\"", label.name));
     return svg;
 }
 
@@ -233,7 +285,7 @@ std::string all_series(const Frame2D& frame) {
         const bool is_marked = series.style == SeriesStyle::marked;
         const Ink ink = ink_of(series.style, marked);
         marked += is_marked ? 1 : 0;
-        (is_marked ? above : below) += drawn(series, frame, ink);
+        (is_marked ? above : below) += grouped_as(series.name, drawn(series, frame, ink));
         const auto last = std::ranges::find_if(series.points.rbegin(), series.points.rend(),
                                                [&](const auto& p) { return frame.shows(p); });
         if (series.style != SeriesStyle::quiet && last != series.points.rend())
@@ -246,9 +298,9 @@ std::string all_series(const Frame2D& frame) {
 
 std::string chart_svg(const Chart& chart) {
     const Frame2D frame = framed(chart);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + place(width) + " " +
-           place(frame.bottom + 44) + "\" width=\"" + place(width) + "\" height=\"" +
-           place(frame.bottom + 44) +
+    const double height = frame.bottom + 44 + note_room(chart);
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + place(width) + " " + place(height) +
+           "\" width=\"" + place(width) + "\" height=\"" + place(height) +
            "\" font-family=\"DejaVu Sans, Helvetica, Arial, sans-serif\" font-size=\"11\" fill=\"#222\">"
            "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
            text(left, 20, " font-size=\"13\" font-weight=\"bold\"", chart.title) + x_axis(frame) +

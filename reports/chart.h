@@ -35,6 +35,9 @@ struct ChartAxis {
     Scale scale = Scale::linear;
     /// Named places instead of round numbers: names[i] stands at x = i.
     std::vector<std::string> names;
+    std::vector<std::string> notes{};  ///< a second row below the names; empty: none
+    /// How strongly the marks at each named place are drawn, 0 to 1; empty: all fully.
+    std::vector<double> strengths{};
     bool operator==(const ChartAxis&) const = default;
 };
 
@@ -45,7 +48,12 @@ struct Chart {
     bool operator==(const Chart&) const = default;
 };
 
-/// 760 units wide; as high as the names at the margin need.
+/// So many names fit beside a chart of usual height.
+inline constexpr std::size_t names_beside = 24;
+
+/// 760 units wide; as high as the names at the margin need. Each series with its name at the margin is a
+/// group, <g class="series" data-series="NAME">, for pages whose reader chooses
+/// (reports/viewer/src/charts.ts).
 std::string chart_svg(const Chart& chart);
 
 }  // namespace zproof

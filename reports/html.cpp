@@ -160,16 +160,6 @@ std::string head(const Results& results) {
            std::string(document::page_style()) + std::string(viewer_style()) + "</style>\n</head>\n";
 }
 
-/// What a reader must know of what the page does not hold.
-std::string omissions(const PagePlanes& planes) {
-    if (planes.blocks_left_out == 0) return "";
-    return "<p class=\"facts\">To keep this page small, " + counted(planes.blocks_left_out, "plane") + " (" +
-           fixed(double(planes.bytes_left_out) / 1e6, 1) +
-           " MB) of the views are left out of it. They are in each view&#39;s planes.zvp; the viewer opens "
-           "such a "
-           "file when it is dropped on it.</p>\n";
-}
-
 std::string anchor_of_study(std::size_t i) { return "study-" + std::to_string(i + 1); }
 
 std::string links_to(std::span<const document::Document> studies) {
@@ -204,9 +194,8 @@ Page html_page(const Results& results, const std::filesystem::path& run_folder, 
     const std::size_t spent =
         begin.size() + end.size() + script.size() + (1 + pages.size()) * reserve_per_view;
     PagePlanes planes = page_planes(pages, run_folder, budget > spent ? budget - spent : 0);
-    std::string omitted = omissions(planes);
     Page page;
-    for (std::string* text : {&begin, &omitted, &end}) page.emplace_back(std::move(*text));
+    for (std::string* text : {&begin, &planes.omissions, &end}) page.emplace_back(std::move(*text));
     std::ranges::move(planes.elements, std::back_inserter(page));
     page.emplace_back(script + "</body>\n</html>\n");
     return page;

@@ -38,7 +38,7 @@ std::vector<PageView> page_views(const Results& results, const std::filesystem::
 /// budget (bytes of the page) allows.
 struct PagePlanes {
     Page elements;
-    std::size_t blocks_left_out = 0, bytes_left_out = 0;
+    std::string omissions;  ///< a paragraph about what the page does not hold; empty where it holds all
 };
 PagePlanes page_planes(const std::vector<PageView>& pages, const std::filesystem::path& run_folder,
                        std::size_t budget);

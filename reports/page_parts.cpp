@@ -3,15 +3,14 @@
 #include "image_io/image_io.h"
 #include "reports/base64.h"
 #include "reports/html_parts.h"
-#include "reports/page_scripts.h"
 #include "reports/wording.h"
 
 namespace zproof {
 
-std::string page_head(const std::string& title, std::string_view own_style) {
+std::string page_head(const std::string& title, std::string_view own_style, const PageScript& script) {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
-           content_policy(table_script()) +
+           content_policy(script) +
            "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
            "<meta name=\"color-scheme\" content=\"light dark\">\n<title>zproof: " +
            escaped(title) + "</title>\n<style>\n" + std::string{html_style()} + std::string{own_style} +
@@ -30,7 +29,7 @@ std::string png_uri(const Plane<Rgb8>& picture) {
     return "data:image/png;base64," + base64({reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
-std::string page_end() { return script_element(table_script()) + "</body>\n</html>\n"; }
+std::string page_end(const PageScript& script) { return script_element(script) + "</body>\n</html>\n"; }
 
 std::string page_figure(const std::string& uri, const std::string& caption, const std::string& group) {
     const std::string link = group.empty() ? "" : " data-linked=\"" + escaped(group) + "\"";

@@ -6,15 +6,16 @@
 
 #include "frame/plane.h"
 #include "frame/rgb8.h"
+#include "reports/page_scripts.h"
 
 namespace zproof {
 
-/// The page from <!DOCTYPE> to </head>; `title` is plain text.
-std::string page_head(const std::string& title, std::string_view own_style);
+/// The page from <!DOCTYPE> to </head>; `title` is plain text. It admits that script and no other.
+std::string page_head(const std::string& title, std::string_view own_style,
+                      const PageScript& script = table_script());
 
-/// The page from the end of the content on: the script that sorts tables and links crops, and nothing after
-/// it.
-std::string page_end();
+/// The page from the end of the content on: the script, and nothing after it.
+std::string page_end(const PageScript& script = table_script());
 
 /// "#0072b2"
 std::string css_colour(Rgb8 colour);

@@ -14,7 +14,8 @@ class Canvas {
     Canvas(int width, int height)
         : width_(width), height_(height), steps_(std::size_t(width + 1) * std::size_t(height + 1)) {}
 
-    void add(const Share& share, double weight) {
+    void add(const Share& share, double tap_weight) {
+        const double weight = tap_weight * share.weight;
         const int right = share.column + share.columns, below = share.row + share.rows;
         at(share.column, share.row) += weight;
         at(right, share.row) -= weight;
@@ -82,15 +83,9 @@ std::vector<Weight> weights_of(Canvas& canvas, const BaseLevel& base_level, cons
     return weights;
 }
 
-}  // namespace
-
-Kernel record(const Sampler& sampler, const Footprint& footprint, const BaseLevel& base_level) {
-    Canvas canvas(base_level.width, base_level.height);
-    for (const Tap& tap : sampler.taps(footprint))
-        for (const Share& share : sampler.stored[std::size_t(tap.image)].made_of(tap.column, tap.row))
-            canvas.add(share, tap.weight * share.weight);
+Kernel placed(Canvas& canvas, const BaseLevel& base_level, const glm::dvec2& centre) {
     canvas.add_up();
-    const std::vector<Weight> weights = weights_of(canvas, base_level, footprint.centre);
+    const std::vector<Weight> weights = weights_of(canvas, base_level, centre);
     TexelRange columns, rows;
     for (const Weight& weight : weights) columns.include(weight.column), rows.include(weight.row);
     Kernel kernel{columns.first, rows.first, columns.size(), rows.size(), {}};
@@ -99,6 +94,22 @@ Kernel record(const Sampler& sampler, const Footprint& footprint, const BaseLeve
         kernel.weights[std::size_t(row - rows.first) * std::size_t(kernel.width) +
                        std::size_t(column - columns.first)] = weight;
     return kernel;
+}
+
+}  // namespace
+
+Kernel record(const Sampler& sampler, const Footprint& footprint, const BaseLevel& base_level) {
+    Canvas canvas(base_level.width, base_level.height);
+    for (const Tap& tap : sampler.taps(footprint))
+        for (const Share& share : sampler.stored[std::size_t(tap.image)].made_of(tap.column, tap.row))
+            canvas.add(share, tap.weight);
+    return placed(canvas, base_level, footprint.centre);
+}
+
+Kernel kernel_of(std::span<const Share> shares, const BaseLevel& base_level, const glm::dvec2& centre) {
+    Canvas canvas(base_level.width, base_level.height);
+    for (const Share& share : shares) canvas.add(share, 1);
+    return placed(canvas, base_level, centre);
 }
 
 namespace {

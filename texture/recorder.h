@@ -30,6 +30,10 @@ struct Kernel {
 /// largest are 0: sums of a summed-area table cancel up to some 2^-50 of it.
 Kernel record(const Sampler& sampler, const Footprint& footprint, const BaseLevel& base_level);
 
+/// The kernel of these shares of level 0, whose rectangles lie within it, as record() places it round a
+/// footprint's centre.
+Kernel kernel_of(std::span<const Share> shares, const BaseLevel& base_level, const glm::dvec2& centre);
+
 /// A kernel as a distribution of weight over texels' centres.
 struct KernelShape {
     double sum = 0;             ///< 1 for a method that keeps constants

@@ -112,6 +112,8 @@ constexpr auto all = std::to_array<Example>({
     {"filters check",
      "zproof filters check trilinear-gl worked --view phi-0 --picture mine.exr --precision gpu",
      "your own picture (R, G, B, linear light) of that view"},
+    {"filters explain", "zproof filters explain worked --view phi-45 --pixel 120,60 --method trilinear-gl",
+     "the texels that it reads there, their weights, and the pixel's own"},
     {"filters crow", "zproof filters crow -o crow", "the lecture's figure and its questions, answered"},
     {"study", "zproof study projection model.glb -o study", "every route from world to pixel"},
     {"study", "zproof study depth -o depth", "what each depth format can tell apart"},

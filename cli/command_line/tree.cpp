@@ -21,7 +21,8 @@ Exit status: 0 proven, 1 a defect, 2 usage, 3 unreadable input, 4 nothing judged
 
 Branch add_filters(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand(
-        "filters", "texture filters held to the exact area integral: run, list, table, figure, check, crow");
+        "filters",
+        "texture filters held to the exact area integral: run, list, table, figure, check, explain, crow");
     add_filters(app, words.filters);
     return {&app, [&words, &app] {
                 return std::visit([](auto chosen) { return Command{std::move(chosen)}; },

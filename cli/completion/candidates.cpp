@@ -155,6 +155,7 @@ constexpr std::array meanings{
                 return Candidates{{}, Paths::folders};
             }},
     Meaning{"--view", [](const OutlineCommand&) { return Candidates{}; }},
+    Meaning{"--pixel", [](const OutlineCommand&) { return Candidates{}; }},
     Meaning{"--crop", [](const OutlineCommand&) { return Candidates{}; }},
 };
 

@@ -10,6 +10,7 @@
 #include "cli/common_arguments.h"
 #include "cli/filter_choice.h"
 #include "cli/filters/pictures.h"
+#include "compare/bounds/pixel_coord.h"
 #include "frame/filter_precision.h"
 #include "oracle/area_integral.h"
 #include "reports/filters/crops.h"
@@ -81,6 +82,15 @@ struct FiltersCheckArguments {
     std::optional<FilterPrecision> precision;  ///< none: what zproof's own filters promise
 };
 
+struct FiltersExplainArguments {
+    CommonArguments common;
+    std::string scene, view;
+    PixelCoord pixel;
+    std::vector<FilterChoice> methods;  ///< at least one
+    oracle::Reconstruction truth = oracle::Reconstruction::nearest;
+    std::optional<int> width, height;  ///< pixels; none: the scene's own
+};
+
 /// What is bound while a command line is read.
 struct FiltersWords {
     std::string methods = "all", truth = "N", views, crop, only;
@@ -95,6 +105,8 @@ struct FiltersWords {
     FiltersCrowArguments crow;
     FiltersCheckArguments check;
     std::string check_methods, check_views, precision;
+    FiltersExplainArguments explain;
+    std::string explained_methods, explained_pixel, explained_truth = "N";
 };
 
 /// "all" and methods with settings, separated by commas, each as `choice` understands it. Throws UsageError.

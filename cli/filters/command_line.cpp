@@ -34,6 +34,14 @@ void add_size(CLI::App& app, Size& width, Size& height) {
         ->capture_default_str();
 }
 
+void add_truth(CLI::App& app, std::string& letter) {
+    app.add_option(
+           "--truth", letter,
+           "N: of nearest texels; B: of bilinear; G: Gaussian pixel of bilinear; GN: the same of nearest")
+        ->check(CLI::IsMember({"N", "B", "G", "GN"}))
+        ->capture_default_str();
+}
+
 void add_run(CLI::App& app, FiltersWords& words) {
     app.add_option("SCENE", words.run.scenes,
                    "filter scene (zproof filters list), suite scene, model (.gltf, .glb, .obj, .ply) or view "
@@ -48,11 +56,7 @@ void add_run(CLI::App& app, FiltersWords& words) {
            "methods; in FILE, {scene} and {view} stand for their names; repeatable")
         ->take_all()
         ->allow_extra_args(false);
-    app.add_option(
-           "--truth", words.truth,
-           "N: of nearest texels; B: of bilinear; G: Gaussian pixel of bilinear; GN: the same of nearest")
-        ->check(CLI::IsMember({"N", "B", "G", "GN"}))
-        ->capture_default_str();
+    add_truth(app, words.truth);
     app.add_option("--flicker", words.run.flicker_steps,
                    "further views, each a fraction of a pixel on; 0: none")
         ->check(CLI::Range(0, 32))
@@ -117,24 +121,50 @@ std::vector<std::string> words_of_list(const std::string& text) {
     return parts;
 }
 
-CropBox crop_box(const std::string& text) {
-    std::array<int, 4> numbers{};
+/// So many whole numbers, separated by commas, from `least` to 32768; none where the text is something else.
+template <std::size_t count>
+std::optional<std::array<int, count>> whole_numbers(const std::string& text,
+                                                    const std::array<int, count>& least) {
+    std::array<int, count> numbers{};
     const std::vector<std::string> parts = words_of_list(text);
-    bool is_right = parts.size() == numbers.size();
-    for (std::size_t i = 0; is_right && i < numbers.size(); ++i) {
+    bool is_right = parts.size() == count;
+    for (std::size_t i = 0; is_right && i < count; ++i) {
         const char* const end = parts[i].data() + parts[i].size();
         const auto [stop, error] = std::from_chars(parts[i].data(), end, numbers[i]);
-        is_right =
-            error == std::errc{} && stop == end && numbers[i] >= (i < 2 ? 0 : 1) && numbers[i] <= 32768;
+        is_right = error == std::errc{} && stop == end && numbers[i] >= least[i] && numbers[i] <= 32768;
     }
-    if (!is_right) throw UsageError{"--crop: expected X,Y,WIDTH,HEIGHT in pixels, found '" + text + "'"};
-    return {numbers[0], numbers[1], numbers[2], numbers[3]};
+    return is_right ? std::optional{numbers} : std::nullopt;
+}
+
+CropBox crop_box(const std::string& text) {
+    const auto numbers = whole_numbers<4>(text, {0, 0, 1, 1});
+    if (!numbers) throw UsageError{"--crop: expected X,Y,WIDTH,HEIGHT in pixels, found '" + text + "'"};
+    const auto [x, y, width, height] = *numbers;
+    return {x, y, width, height};
+}
+
+PixelCoord pixel_coord(const std::string& text) {
+    const auto numbers = whole_numbers<2>(text, {0, 0});
+    if (!numbers) throw UsageError{"--pixel: expected X,Y, found '" + text + "'"};
+    return {(*numbers)[0], (*numbers)[1]};
 }
 
 oracle::Reconstruction reconstruction(const std::string& letter) {
     if (letter == "N") return oracle::Reconstruction::nearest;
     if (letter == "B") return oracle::Reconstruction::bilinear;
     return letter == "G" ? oracle::Reconstruction::gaussian : oracle::Reconstruction::gaussian_of_nearest;
+}
+
+void add_explain(CLI::App& app, FiltersWords& words) {
+    FiltersExplainArguments& explain = words.explain;
+    app.add_option("SCENE", explain.scene, "as of 'filters run'")->required();
+    app.add_option("--view", explain.view, "name of a view")->required();
+    app.add_option("--pixel", words.explained_pixel, "X,Y from the upper left corner")->required();
+    app.add_option("--methods,--method", words.explained_methods, "names with settings, separated by commas")
+        ->required();
+    add_truth(app, words.explained_truth);
+    add_size(app, explain.width, explain.height);
+    add_common(app, explain.common);
 }
 
 }  // namespace
@@ -157,6 +187,23 @@ std::vector<FilterChoice> filter_choices(const std::string& words,
 }
 
 namespace {
+
+FiltersExplainArguments chosen_explain(FiltersWords& words) {
+    FiltersExplainArguments& explain = words.explain;
+    explain.pixel = pixel_coord(words.explained_pixel);
+    explain.methods = filter_choices(words.explained_methods, study_choice);
+    explain.truth = reconstruction(words.explained_truth);
+    return explain;
+}
+
+FiltersTableArguments chosen_table(FiltersWords& words) {
+    words.table.choice.columns = words_of_list(words.table_columns);
+    if (!words.table.baseline.empty() && !words.table.is_pooled)
+        throw UsageError{"--baseline: expected together with --pooled"};
+    if (!words.table.choice.sort.empty() && words.table.is_pooled)
+        throw UsageError{"--sort: --pooled puts the best first by itself"};
+    return words.table;
+}
 
 FiltersCheckArguments chosen_check(FiltersWords& words) {
     FiltersCheckArguments& check = words.check;
@@ -197,6 +244,8 @@ void add_filters(CLI::App& app, FiltersWords& words) {
     add_figure(*app.add_subcommand("figure", "make a study's plots, crops and page again"), words);
     add_check(*app.add_subcommand("check", "does a filter compute its own definition? pixel by pixel"),
               words);
+    add_explain(*app.add_subcommand("explain", "what methods read at one pixel, and why they are off"),
+                words);
     CLI::App& crow =
         *app.add_subcommand("crow", "Crow 1984: the lecture's figure and its questions, answered");
     add_common(crow, words.crow.common, "folder for the page");
@@ -217,21 +266,14 @@ FiltersCommand chosen_filters_command(const CLI::App& app, FiltersWords& words) 
     if (typed("scenes")) return words.scenes;
     if (typed("reproduce")) return words.reproduce;
     if (typed("check")) return chosen_check(words);
-    if (typed("table")) {
-        words.table.choice.columns = words_of_list(words.table_columns);
-        if (!words.table.baseline.empty() && !words.table.is_pooled)
-            throw UsageError{"--baseline: expected together with --pooled"};
-        if (!words.table.choice.sort.empty() && words.table.is_pooled)
-            throw UsageError{"--sort: --pooled puts the best first by itself"};
-        return words.table;
-    }
+    if (typed("explain")) return chosen_explain(words);
+    if (typed("table")) return chosen_table(words);
     if (typed("crow")) return words.crow;
     if (!typed("figure"))
         throw UsageError{
-            "filters: 'run', 'list', 'scenes', 'reproduce', 'table', 'figure', 'check' or 'crow' expected "
-            "(see: zproof "
-            "filters "
-            "--help)"};
+            "filters: 'run', 'list', 'scenes', 'reproduce', 'table', 'figure', 'check', 'explain' or 'crow' "
+            "expected "
+            "(see: zproof filters --help)"};
     words.figure.labels = words_of_list(words.only);
     if (!words.crop.empty()) words.figure.crop = crop_box(words.crop);
     return words.figure;

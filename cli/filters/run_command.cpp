@@ -3,7 +3,9 @@
 #include <set>
 
 #include "cli/commands.h"
+#include "cli/filters/configured.h"
 #include "cli/filters/scenes.h"
+#include "cli/filters/view_evidence.h"
 #include "cli/folder_names.h"
 #include "cli/interrupt.h"
 #include "cli/published.h"
@@ -16,7 +18,6 @@
 #include "frame/printable.h"
 #include "image_io/image_io.h"
 #include "math/sha256.h"
-#include "oracle/oracle_error.h"
 #include "reports/filters/folder.h"
 #include "reports/filters/provenance.h"
 #include "reports/filters/tables.h"
@@ -30,21 +31,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Empty for zproof's own methods. Throws OracleError where a sampler of others is not on this machine.
-std::function<Picture(const Scene&, const View&, const Frame&)> painter_of(const FilterChoice& choice) {
-    if (choice.other == nullptr) return {};
-    if (const std::string absence = choice.other->absence(); !absence.empty())
-        throw OracleError{choice.typed + ": " + absence};
-    return [paint = choice.other->paint, most = choice.texturing.options.max_anisotropy](
-               const Scene& scene, const View& view, const Frame& frame) {
-        return paint(scene, view, frame, most);
-    };
-}
-
 study::Plan plan_of(const FiltersRunArguments& arguments) {
     study::Plan plan{.methods = {}, .truth = arguments.truth, .flicker_steps = arguments.flicker_steps};
-    for (const FilterChoice& choice : arguments.methods)
-        plan.methods.push_back({choice.typed, choice.texturing, painter_of(choice)});
+    for (const FilterChoice& choice : arguments.methods) plan.methods.push_back(configured(choice));
     for (const PictureChoice& picture : arguments.pictures) plan.methods.push_back(configured(picture));
     return plan;
 }
@@ -75,7 +64,7 @@ class FilterStudyRun {
             if (interrupted()) return;
             plan_.first_row = arguments.first_row.value_or(natural_first_row(source, view.height));
             progress_.within(name + " / " + view.name + ": ");
-            study::ViewStudy one = study_one({name, sha256}, loaded.scene, view);
+            study::ViewStudy one = study_one({source.word, name, sha256}, loaded.scene, view);
             one.scene = name;
             one.scene_sha256 = sha256;
             one.reason = source.reason;
@@ -92,7 +81,8 @@ class FilterStudyRun {
     }
 
     struct SceneFacts {
-        std::string name, sha256;  ///< of the .glb that zproof would write of it
+        std::string word, name;
+        std::string sha256;  ///< of the .glb that zproof would write of it
     };
 
     study::ViewStudy study_one(const SceneFacts& facts, const Scene& scene, const View& view) {
@@ -101,14 +91,20 @@ class FilterStudyRun {
         place.scene = facts.name, place.view = view.name, place.scene_sha256 = facts.sha256;
         const FileFacts provenance = provenance_of(results_, place);
         fs::create_directories(folder_ / home);
+        ViewEvidenceWriter evidence;
         const study::ProgressSink progress_sink{
             .begins = [&](const std::string& what, double work) { progress_.begin(what, work); },
             .is_shown =
                 [&](const std::string& what, const Picture& picture) {
                     write_picture(folder_ / home / (file_stem(what) + ".exr"), picture, provenance);
+                    evidence.show(what, picture);
                 },
-            .wants_to_stop = interrupted};
+            .wants_to_stop = interrupted,
+            .is_known = [&](const study::ViewEvidence& known) { evidence.begin(known); },
+            .is_mapped = [&](const std::string& label, const PictureMetric& metric,
+                             const Plane<double>& map) { evidence.map(label, metric, map); }};
         study::ViewStudy one = study::study_view(scene, view, plan_, progress_sink);
+        std::move(evidence).write(folder_ / home, {facts.word, facts.name, scene, view, plan_});
         one.truth_file = home + "truth.exr";
         for (study::MethodScore& method : one.methods) method.file = home + file_stem(method.label) + ".exr";
         return one;

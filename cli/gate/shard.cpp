@@ -48,16 +48,16 @@ std::vector<SceneSource> share_of(std::vector<SceneSource> sources, Shard shard)
 
 namespace {
 
-std::string in_words(const Resolution& size) {
+std::string size_in_words(const Resolution& size) {
     return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
 
 }  // namespace
 
 Selection selection_of(const std::vector<SceneSource>& sources, Resolution resolution) {
-    std::string words = in_words(resolution) + "\n";
+    std::string words = size_in_words(resolution) + "\n";
     for (const SceneSource& source : sources)
-        words += word_for(source) + (source.size ? " " + in_words(*source.size) : "") + "\n";
+        words += word_for(source) + (source.size ? " " + size_in_words(*source.size) : "") + "\n";
     return {sources.size(), sha256_of(words), {}};
 }
 

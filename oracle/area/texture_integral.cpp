@@ -41,21 +41,73 @@ struct NearestSum {
     }
 };
 
-/// Sums bilinear patches; cell (k, l) lies between the centres of texels (k, l) and (k + 1, l + 1).
-struct BilinearSum {
+/// Tells areas instead.
+struct NearestWeights {
+    Cell base;
+    const CellVisit& visit;
+    Weight weight = Weight::uniform;
+
+    void tell(const Cell& cell, double area) const {
+        visit({base.column + cell.column, base.row + cell.row}, area);
+    }
+    void part(const Cell& cell, const Polygon<double>& polygon) const {
+        tell(cell, weight == Weight::uniform ? area_of(polygon) : weight_within(polygon));
+    }
+    bool takes(const TexelLattice<double>&, std::int64_t, std::int64_t, std::int64_t) const {
+        return weight == Weight::uniform;
+    }
+    void whole(const TexelLattice<double>& lattice, std::int64_t row, std::int64_t first,
+               std::int64_t last) const {
+        lattice.visit_run(row, first, last, [&](const Cell& cell, double area) { tell(cell, area); });
+    }
+};
+
+/// The weights of the four texels around a cell.
+struct PatchWeights {
+    double low_left, low_right, high_left, high_right;
+
+    explicit PatchWeights(const BilinearMoments& m)
+        : low_left(m.one - m.s - m.t + m.st),
+          low_right(m.s - m.st),
+          high_left(m.t - m.st),
+          high_right(m.st) {}
+};
+
+/// Sums texels times weights.
+struct ColourSum {
     const SurfaceColour& colour;
+    glm::dvec3 sum{0};
+
+    void add(const Cell& cell, const PatchWeights& w) {
+        const int left = colour.column(cell.column), low = colour.row(cell.row),
+                  right = colour.column(cell.column + 1), high = colour.row(cell.row + 1);
+        sum += w.low_left * colour.texel(left, low) + w.low_right * colour.texel(right, low) +
+               w.high_left * colour.texel(left, high) + w.high_right * colour.texel(right, high);
+    }
+};
+
+/// Tells the weights instead.
+struct PatchVisit {
+    const CellVisit& visit;
+
+    void add(const Cell& cell, const PatchWeights& w) const {
+        visit(cell, w.low_left);
+        visit({cell.column + 1, cell.row}, w.low_right);
+        visit({cell.column, cell.row + 1}, w.high_left);
+        visit({cell.column + 1, cell.row + 1}, w.high_right);
+    }
+};
+
+/// Walks bilinear patches; cell (k, l) lies between the centres of texels (k, l) and (k + 1, l + 1).
+template <class Sink>
+struct BilinearPatches {
+    Sink& sink;
     Homography<double> map;
     Cell base;
     Weight weight;
-    glm::dvec3 sum{0};
 
     void add(const Cell& cell, const BilinearMoments& m) {
-        const int left = colour.column(base.column + cell.column), low = colour.row(base.row + cell.row),
-                  right = colour.column(base.column + cell.column + 1),
-                  high = colour.row(base.row + cell.row + 1);
-        sum += (m.one - m.s - m.t + m.st) * colour.texel(left, low) +
-               (m.s - m.st) * colour.texel(right, low) + (m.t - m.st) * colour.texel(left, high) +
-               m.st * colour.texel(right, high);
+        sink.add({base.column + cell.column, base.row + cell.row}, PatchWeights(m));
     }
     void part(const Cell& cell, const Polygon<double>& polygon) {
         const Homography<double> within{from_line(map.u, cell.column, map.w),
@@ -73,12 +125,18 @@ struct BilinearSum {
     }
 };
 
-glm::dvec3 patches(const SurfaceColour& colour, const Polygon<double>& piece,
-                   const Homography<double>& texels, Weight weight) {
+template <class Sink>
+void walk_patches(Sink& sink, const Polygon<double>& piece, const Homography<double>& texels, Weight weight) {
     const Affine<double> half = 0.5 * texels.w;
     const auto [map, base] = rebased<double>({texels.u - half, texels.v - half, texels.w}, piece[0]);
-    BilinearSum sum{colour, map, base, weight};
-    TexelWalk<double, BilinearSum>(map, sum).rows(piece);
+    BilinearPatches<Sink> patches{sink, map, base, weight};
+    TexelWalk<double, BilinearPatches<Sink>>(map, patches).rows(piece);
+}
+
+glm::dvec3 patches(const SurfaceColour& colour, const Polygon<double>& piece,
+                   const Homography<double>& texels, Weight weight) {
+    ColourSum sum{colour};
+    walk_patches(sum, piece, texels, weight);
     return sum.sum * colour.factor;
 }
 
@@ -178,6 +236,39 @@ glm::dvec3 nearest_integral(const SurfaceColour& colour, const Polygon<double>& 
                             const Homography<double>& texels) {
     if (colour.image == nullptr) return area_of(piece) * colour.factor;
     return texels_of(colour, piece, texels, Weight::uniform);
+}
+
+void visit_nearest_weights(const Polygon<double>& piece, const Homography<double>& texels,
+                           const CellVisit& visit) {
+    const auto [map, base] = rebased(texels, piece[0]);
+    NearestWeights weights{base, visit};
+    TexelWalk<double, NearestWeights>(map, weights).rows(piece);
+}
+
+void visit_bilinear_weights(const Polygon<double>& piece, const Homography<double>& texels,
+                            const CellVisit& visit) {
+    PatchVisit sink{visit};
+    walk_patches(sink, piece, texels, Weight::uniform);
+}
+
+void visit_gaussian_weights(const Polygon<double>& piece, const Homography<double>& texels,
+                            const CellVisit& visit) {
+    PatchVisit sink{visit};
+    for (const Polygon<double>& block : blocks()) {
+        const Polygon<double> part = common(piece, block);
+        if (part.size() > 2) walk_patches(sink, part, texels, Weight::gaussian);
+    }
+}
+
+void visit_gaussian_weights_of_nearest(const Polygon<double>& piece, const Homography<double>& texels,
+                                       const CellVisit& visit) {
+    for (const Polygon<double>& block : blocks()) {
+        const Polygon<double> part = common(piece, block);
+        if (part.size() < 3) continue;
+        const auto [map, base] = rebased(texels, part[0]);
+        NearestWeights weights{base, visit, Weight::gaussian};
+        TexelWalk<double, NearestWeights>(map, weights).rows(part);
+    }
 }
 
 double texel_cost(const Polygon<double>& piece, const Homography<double>& texels) {

@@ -1,8 +1,11 @@
 /// The integral of a surface's albedo over a convex piece of the image.
 #pragma once
 
+#include <functional>
+
 #include "oracle/area/polygon.h"
 #include "oracle/area/surfaces.h"
+#include "oracle/area/texel_walk.h"
 
 namespace zproof::oracle::area {
 
@@ -22,6 +25,17 @@ glm::dvec3 gaussian_integral(const SurfaceColour& colour, const Polygon<double>&
 /// Piecewise constant texels, under the same weight (GT-GN), within gaussian_error as well.
 glm::dvec3 gaussian_integral_of_nearest(const SurfaceColour& colour, const Polygon<double>& piece,
                                         const Homography<double>& texels);
+
+/// The weight of each texel in those integrals, px^2: visit(cell, weight), some cells more than once.
+using CellVisit = std::function<void(const Cell&, double)>;
+void visit_nearest_weights(const Polygon<double>& piece, const Homography<double>& texels,
+                           const CellVisit& visit);
+void visit_bilinear_weights(const Polygon<double>& piece, const Homography<double>& texels,
+                            const CellVisit& visit);
+void visit_gaussian_weights(const Polygon<double>& piece, const Homography<double>& texels,
+                            const CellVisit& visit);
+void visit_gaussian_weights_of_nearest(const Polygon<double>& piece, const Homography<double>& texels,
+                                       const CellVisit& visit);
 
 /// The weight of all of the disk: its mean's denominator.
 double gaussian_total();

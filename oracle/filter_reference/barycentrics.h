@@ -97,8 +97,8 @@ Number facing(const View& view, const Corners<Number>& corner) {
 
 /// Greater is nearer, once divided by facing(): 1 / depth, or -depth of parallel projections.
 template <class Number>
-Affine<Number> nearness_functional(const View& view, const Corners<Number>& corner,
-                                   const std::array<Affine<Number>, 3>& b) {
+Affine<Number> inverse_depth_functional(const View& view, const Corners<Number>& corner,
+                                        const std::array<Affine<Number>, 3>& b) {
     if (view.camera.projection == Projection::perspective) return b[0] + b[1] + b[2];
     const auto back = exactly<Number>(view.camera.back);
     return dot(corner[0], back) * b[0] + dot(corner[1], back) * b[1] + dot(corner[2], back) * b[2];

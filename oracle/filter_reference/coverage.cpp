@@ -7,11 +7,11 @@ namespace zproof::oracle::filter_reference {
 
 namespace {
 
-struct NearnessRange {
+struct InverseDepthRange {
     Interval farthest, nearest;
 };
 
-NearnessRange nearness_range(const Camera& camera) {
+InverseDepthRange inverse_depth_range(const Camera& camera) {
     if (camera.projection == Projection::parallel) return {-camera.far_depth, -camera.near_depth};
     const Interval farthest = std::isinf(camera.far_depth) ? Interval{0} : Interval{1} / camera.far_depth;
     return {farthest, Interval{1} / camera.near_depth};
@@ -52,15 +52,15 @@ CoveringTriangle::CoveringTriangle(const View& view, const std::array<glm::vec3,
         edges_[i] = side < 0 ? Edge{q, p} : Edge{p, q};
     }
     if (side < 0) facing_ = -facing_;
-    nearness_ = {times(side, nearness_functional(view, corners, b)),
-                 nearness_functional(view, sizes, b_size)};
-    const auto [farthest, nearest] = nearness_range(view.camera);
-    const auto plane = [&](const Interval& nearness) {
-        return Bound{{Interval{0}, Interval{0}, nearness * facing_},
-                     {Magnitude{0}, Magnitude{0}, larger_end(nearness) * facing_size_}};
+    inverse_depth_ = {times(side, inverse_depth_functional(view, corners, b)),
+                      inverse_depth_functional(view, sizes, b_size)};
+    const auto [farthest, nearest] = inverse_depth_range(view.camera);
+    const auto plane = [&](const Interval& inverse_depth) {
+        return Bound{{Interval{0}, Interval{0}, inverse_depth * facing_},
+                     {Magnitude{0}, Magnitude{0}, larger_end(inverse_depth) * facing_size_}};
     };
-    bounds_[3] = {nearness_.exact - plane(farthest).exact, nearness_.size + plane(farthest).size};
-    bounds_[4] = {plane(nearest).exact - nearness_.exact, plane(nearest).size + nearness_.size};
+    bounds_[3] = {inverse_depth_.exact - plane(farthest).exact, inverse_depth_.size + plane(farthest).size};
+    bounds_[4] = {plane(nearest).exact - inverse_depth_.exact, plane(nearest).size + inverse_depth_.size};
 }
 
 Interval CoveringTriangle::over(const Bound& bound, const SampleBox& box) const {
@@ -83,11 +83,12 @@ Coverage CoveringTriangle::coverage(const SampleBox& box) const {
     return found;
 }
 
-/// nearness / facing, compared without the quotients. The displaced sample is the same for both.
+/// Compared without the quotients. The displaced sample is the same for both.
 bool CoveringTriangle::is_certainly_nearer_than(const CoveringTriangle& other, const SampleBox& box) const {
     if (is_edge_on_ || other.is_edge_on_) return false;
-    const Bound difference{other.facing_ * nearness_.exact - facing_ * other.nearness_.exact,
-                           other.facing_size_ * nearness_.size + facing_size_ * other.nearness_.size};
+    const Bound difference{
+        other.facing_ * inverse_depth_.exact - facing_ * other.inverse_depth_.exact,
+        other.facing_size_ * inverse_depth_.size + facing_size_ * other.inverse_depth_.size};
     const double size = difference.size.at(larger_end(box.x), larger_end(box.y)).value;
     const double error = rounding_ * (2 + rounding_);  // of a product of two rounded factors
     return widen(difference.exact.at(box.x, box.y), error * size).low() > 0;

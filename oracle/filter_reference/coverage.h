@@ -50,7 +50,7 @@ class CoveringTriangle {
     bool is_edge_on_ = false;
     std::array<Bound, bound_count> bounds_;
     std::array<Edge, edge_count> edges_;
-    Bound nearness_;  ///< times |facing()|
+    Bound inverse_depth_;  ///< times |facing()|
     Interval facing_;
     Magnitude facing_size_;
 };

@@ -117,7 +117,7 @@ std::optional<ColourDraws> FilterReference::draws_at(int x, int y, PrimitiveId s
     const Material& material = material_of(scene_, std::uint32_t(seen));
     const DrawReference& reference = draws_[std::size_t(&material - scene_.materials.data())];
     if (!reference) return std::nullopt;
-    const glm::dvec3 factor{glm::vec3{material.base_color_factor}};
+    const ColourRange factor = factor_of(material);
     try {
         const SeenTexture texture{view_, textured_triangle(scene_, std::uint32_t(seen)), precision};
         ColourDraws all = reference({texture, x, y, steps_, precision});

@@ -65,12 +65,15 @@ Table table_of(const Json& json) {
 Json json_of(const ChartAxis& axis) {
     return {{"title", axis.title},
             {"scale", axis.scale == Scale::linear ? "linear" : "logarithmic"},
-            {"names", axis.names}};
+            {"names", axis.names},
+            {"notes", axis.notes},
+            {"strengths", axis.strengths}};
 }
 
 ChartAxis axis_of(const Json& json) {
     return {json.at("title"), json.at("scale") == "linear" ? Scale::linear : Scale::logarithmic,
-            json.at("names")};
+            json.at("names"), json.value("notes", std::vector<std::string>{}),
+            json.value("strengths", std::vector<double>{})};
 }
 
 /// Words of enumerations, in their order.

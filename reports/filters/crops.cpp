@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "reports/pictures.h"
+#include "reports/studies/error_colours.h"
+#include "study/filters/worst_pixels.h"
 
 namespace zproof {
 
@@ -63,6 +65,16 @@ Plane<Rgb8> crop(const Picture& picture, const CropBox& box, int factor) {
         for (int x = 0; x < piece.size().width; ++x)
             piece.at(x, y) = picture.at(box.x + x / factor, box.y + y / factor);
     return picture_of_light(piece);
+}
+
+Plane<Rgb8> error_crop(const Picture& picture, const Picture& truth, const CropBox& box, int factor) {
+    Plane<float> errors({box.width * factor, box.height * factor});
+    for (int y = 0; y < errors.size().height; ++y)
+        for (int x = 0; x < errors.size().width; ++x) {
+            const int column = box.x + x / factor, row = box.y + y / factor;
+            errors.at(x, y) = float(study::pixel_error(picture.at(column, row), truth.at(column, row)));
+        }
+    return error_colours(errors, {.low = 1.0 / 1024, .high = 1});
 }
 
 }  // namespace zproof

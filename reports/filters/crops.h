@@ -38,4 +38,7 @@ class ErrorTally {
 /// The box as sRGB, each pixel a square of factor x factor.
 Plane<Rgb8> crop(const Picture& picture, const CropBox& box, int factor);
 
+/// The error of its worst channel in the box, from 1/1024 and less (dark) to 1 (light), by its logarithm.
+Plane<Rgb8> error_crop(const Picture& picture, const Picture& truth, const CropBox& box, int factor);
+
 }  // namespace zproof

@@ -37,15 +37,22 @@ CropBox crop_of(const fs::path& folder, const ViewStudy& view, const Picture& tr
     return tally.worst(crop_side);
 }
 
-std::string study_view_name(const ViewStudy& view) {
-    return fs::path{view.truth_file}.parent_path().filename().string();
-}
+std::string study_view_name(const ViewStudy& view) { return view_folder(view).filename().string(); }
 
 /// Writes the piece magnified, and gives it to the page as it is.
 PageImage write_crop(const fs::path& file, const Picture& picture, const CropBox& box,
                      const std::string& caption) {
     write_png(file, crop(picture, box, crop_magnification));
     return {caption, png_uri(crop(picture, box, 1))};
+}
+
+/// A method's piece and its error.
+PageImage write_method_crop(const fs::path& crops, const Picture& picture, const Picture& truth,
+                            const CropBox& box, const std::string& label) {
+    PageImage image = write_crop(crops / (file_stem(label) + ".png"), picture, box, label);
+    write_png(crops / (file_stem(label) + "-error.png"), error_crop(picture, truth, box, crop_magnification));
+    image.error = png_uri(error_crop(picture, truth, box, 1));
+    return image;
 }
 
 ViewFigures figures_of(const FigureFolders& folders, const StudyResults& results, const ViewStudy& view,
@@ -62,8 +69,8 @@ ViewFigures figures_of(const FigureFolders& folders, const StudyResults& results
                         .plots = filters_plots(results, view, choice.labels)};
     figures.crops.push_back(write_crop(crops / "truth.png", truth, figures.crop, "truth"));
     for (const MethodScore& method : view.methods)
-        figures.crops.push_back(write_crop(crops / (file_stem(method.label) + ".png"),
-                                           read_picture(folder / method.file), figures.crop, method.label));
+        figures.crops.push_back(
+            write_method_crop(crops, read_picture(folder / method.file), truth, figures.crop, method.label));
     for (const Plot& plot : figures.plots) write_text(plots / (plot.name + ".svg"), plot.svg);
     return figures;
 }
@@ -79,15 +86,15 @@ void write_filters_results(const fs::path& folder, const StudyResults& results) 
 
 void write_filters_figures(const FigureFolders& folders, const StudyResults& results,
                            const FigureChoice& choice) {
-    std::vector<ViewFigures> figures;
-    for (const ViewStudy& view : results.views) figures.push_back(figures_of(folders, results, view, choice));
-    std::vector<Plot> overview;
-    if (results.views.size() > 1) overview = filters_plots(results, choice.labels);
-    const std::vector<PooledScores> pools =
-        texture_count(results) > 1 ? page_pools(results) : std::vector<PooledScores>{};
-    for (const PooledScores& pool : pools) overview.push_back(pooled_plot(results, pool));
-    for (const Plot& plot : overview) write_text(folders.figures / "plots" / (plot.name + ".svg"), plot.svg);
-    write_text(folders.figures / "filters.html", filters_page(results, figures, {overview, pools}));
+    StudyFigures figures;
+    for (const ViewStudy& view : results.views)
+        figures.views.push_back(figures_of(folders, results, view, choice));
+    if (results.views.size() > 1) figures.overview = filters_plots(results, choice.labels);
+    if (texture_count(results) > 1) figures.pools = page_pools(results);
+    for (const PooledScores& pool : figures.pools) figures.overview.push_back(pooled_plot(results, pool));
+    for (const Plot& plot : figures.overview)
+        write_text(folders.figures / "plots" / (plot.name + ".svg"), plot.svg);
+    write_page(folders.figures / "filters.html", filters_page(results, figures, folders.study));
 }
 
 StudyResults read_filters_results(const fs::path& folder) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "reports/chart.h"
+#include "reports/wording.h"
 #include "study/filters/claims.h"
 
 namespace zproof {
@@ -30,6 +31,17 @@ class Pool {
             pixels += double(score->pixels);
         }
         return pixels == 0 ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(squares / pixels);
+    }
+
+    /// Pixels of the region in all views; of a method, as all have the same.
+    std::uint64_t pixels(const std::string& region) const {
+        std::uint64_t sum = 0;
+        for (const ViewStudy* view : views_) {
+            const RegionScore* const score =
+                view->methods.empty() ? nullptr : find_score(view->methods.front(), region);
+            sum += score == nullptr ? 0 : score->pixels;
+        }
+        return sum;
     }
 
     double texels(const std::string& label) const {
@@ -111,19 +123,30 @@ Plot pareto(const Pool& pool, const std::string& where) {
                 .x = {"texels read per pixel", Scale::logarithmic, {}},
                 .y = {"RMSE against GT-" + pool.results().truth + ", interior", Scale::logarithmic, {}},
                 .series = {front}};
+    const SeriesStyle others = all.size() <= names_beside ? SeriesStyle::muted : SeriesStyle::quiet;
     for (const MethodPoint& s : all)
         chart.series.push_back({s.label,
                                 {{s.cost, s.error}},
-                                is_among(unbeaten, s.label) ? SeriesStyle::marked : SeriesStyle::muted,
+                                is_among(unbeaten, s.label) ? SeriesStyle::marked : others,
                                 Joining::points});
     return {"pareto",
             "What a method reads, and how far it is off. The line joins those that no other beats in both.",
             chart_svg(chart)};
 }
 
+/// Few pixels are drawn weakly: by the logarithm of their number, from 0.15 for none to 1 for the most.
+std::vector<double> strengths_of(const std::vector<std::uint64_t>& pixels) {
+    const double most = std::log1p(double(std::ranges::max(pixels)));
+    std::vector<double> strengths;
+    for (const std::uint64_t n : pixels)
+        strengths.push_back(most > 0 ? 0.15 + 0.85 * std::log1p(double(n)) / most : 1);
+    return strengths;
+}
+
 /// RMSE over the regions whose name begins so, in their order.
 Chart by_region(const Pool& pool, const std::string& prefix, const std::vector<std::string>& stars) {
     std::vector<std::string> regions;
+    std::vector<std::uint64_t> pixels;
     Chart chart{.title = {},
                 .x = {},
                 .y = {"RMSE against GT-" + pool.results().truth, Scale::logarithmic, {}},
@@ -132,7 +155,10 @@ Chart by_region(const Pool& pool, const std::string& prefix, const std::vector<s
         if (!card.name.starts_with(prefix)) continue;
         regions.push_back(card.name);
         chart.x.names.push_back(card.name.substr(prefix.size()));
+        pixels.push_back(pool.pixels(card.name));
+        chart.x.notes.push_back("n " + grouped(pixels.back()));
     }
+    if (!pixels.empty()) chart.x.strengths = strengths_of(pixels);
     for (const MethodCard& card : pool.results().methods) {
         Series series{card.label,
                       {},
@@ -152,10 +178,12 @@ std::vector<Plot> plots(const Pool& pool, const std::string& where, const std::v
     anisotropy.x.title = "major / minor axis of the pixel's ellipse on the texture";
     angle.title = titled("Error by angle", where);
     angle.x.title = "degrees between major axis and texture axis u, anisotropy 2 and more";
-    return {
-        pareto(pool, where),
-        {"anisotropy", "Where a method fails: by how long the pixel's footprint is.", chart_svg(anisotropy)},
-        {"angle", "Whether a method minds how the texture is turned.", chart_svg(angle)}};
+    return {pareto(pool, where),
+            {"anisotropy",
+             "Where a method fails: by how long the pixel's footprint is. n: pixels; few are drawn weakly.",
+             chart_svg(anisotropy)},
+            {"angle", "Whether a method minds how the texture is turned. n: pixels; few are drawn weakly.",
+             chart_svg(angle)}};
 }
 
 }  // namespace

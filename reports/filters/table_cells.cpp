@@ -130,7 +130,7 @@ TableCells table_cells(const StudyResults& results, const ViewStudy& view, const
     TableCells table{
         .title = view.scene + " / " + view.view, .columns = {{"rank"}, {"method", true}}, .rows = {}};
     const std::vector<ColumnRule> rules = chosen_columns(results, choice);
-    for (const ColumnRule& rule : rules) table.columns.push_back({rule.name});
+    for (const ColumnRule& rule : rules) table.columns.push_back({rule.name, false, rule.higher_is_better});
     std::uint64_t pixels = 0;
     for (const auto& [method, score, rank] : scored_methods(results, view, choice)) {
         pixels = score->pixels;

@@ -10,7 +10,8 @@ namespace zproof {
 
 struct TableColumn {
     std::string name;
-    bool is_text = false;  ///< set to the left
+    bool is_text = false;           ///< set to the left
+    bool higher_is_better = false;  ///< of a number
 };
 
 struct TableCells {

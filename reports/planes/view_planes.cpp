@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "reports/pictures.h"
+#include "reports/planes/blocks.h"
 #include "reports/planes/coding.h"
 #include "reports/planes/deflate.h"
 #include "reports/planes/error_code.h"
@@ -16,30 +17,6 @@ namespace zproof::planes {
 
 namespace {
 
-nlohmann::json plane_facts(std::string_view coding, std::string_view decoded) {
-    return {{"coding", coding}, {"crc32", crc32_of(decoded)}};
-}
-
-Block predicted(const std::string& name, Words values, std::size_t width, Prediction prediction) {
-    const bool planar = prediction == Prediction::planar;
-    return {name, plane_facts(planar ? "planar" : "left", values.bytes()), encode(values, width, prediction)};
-}
-
-/// The block is guessed from the candidate's plane; the reader needs that as well.
-Block beside(const std::string& name, Words values, Words candidate, const std::string& guess) {
-    const std::size_t missed = missed_by(values, candidate);
-    const bool sparse = missed < values.size() / 16;
-    Block block{name, plane_facts(sparse ? "sparse" : "beside", values.bytes()),
-                sparse ? encode_sparse(values, candidate) : encode(values, candidate)};
-    if (sparse) block.facts["count"] = missed;
-    block.facts["beside"] = guess;
-    return block;
-}
-
-Block bytes_block(const std::string& name, std::string_view bytes) {
-    return {name, plane_facts("bytes", bytes), deflated_side_by_side(bytes)};
-}
-
 Block class_block(const Plane<PixelClass>& classes) {
     static_assert(sizeof(PixelClass) == 1);
     return bytes_block("class",
@@ -48,11 +25,6 @@ Block class_block(const Plane<PixelClass>& classes) {
 
 Block error_block(const std::string& name, const Plane<float>& errors) {
     return bytes_block(name, error_codes(errors.pixels()));
-}
-
-Block json_block(const std::string& name, const nlohmann::json& content) {
-    const std::string text = content.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    return {name, {{"coding", "json"}, {"length", text.size()}}, deflated(text)};
 }
 
 /// The three channels one after another, each number less its left neighbour, modulo 256.
@@ -120,13 +92,13 @@ using Recipe = std::function<Block()>;
 void add_ids(std::vector<Recipe>& recipes, const std::string& name, const Renderer& other,
              const Renderer& candidate) {
     const Words values = other.frame.primitive.pixels(), guess = candidate.frame.primitive.pixels();
-    recipes.push_back([=] { return beside(name + ".id", values, guess, "candidate.id"); });
+    recipes.push_back([=] { return beside(name + ".id", values, {"candidate.id", guess}); });
 }
 
 void add_depths(std::vector<Recipe>& recipes, const std::string& name, const Renderer& other,
                 const Renderer& candidate) {
     const Words values = other.frame.camera_depth.pixels(), guess = candidate.frame.camera_depth.pixels();
-    recipes.push_back([=] { return beside(name + ".depth", values, guess, "candidate.depth"); });
+    recipes.push_back([=] { return beside(name + ".depth", values, {"candidate.depth", guess}); });
 }
 
 void add_colours(std::vector<Recipe>& recipes, const std::string& name, const Picture& colours) {

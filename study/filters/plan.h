@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "compare/metrics/picture_metric.h"
 #include "frame/picture.h"
 #include "oracle/area_integral.h"
 #include "rasterizer/texturing.h"
+#include "study/filters/evidence.h"
 
 namespace zproof::study {
 
@@ -46,6 +48,10 @@ struct ProgressSink {
     std::function<void(const std::string& what, double work)> begins;
     std::function<void(const std::string& name, const Picture&)> is_shown;  ///< "truth", or a label
     std::function<bool()> wants_to_stop;
+    /// Before the first method; empty: not asked for.
+    std::function<void(const ViewEvidence&)> is_known{};
+    /// A metric's value at every pixel, of a method that was shown; empty: not asked for.
+    std::function<void(const std::string& label, const PictureMetric&, const Plane<double>& map)> is_mapped{};
 };
 
 /// The work on one view's truths is about that on all its methods together.

@@ -104,4 +104,13 @@ std::vector<Region> regions(const Plane<Patch>& patches, const Plane<TruthKind>&
     return all;
 }
 
+Plane<std::uint32_t> region_bits(std::span<const Region> regions) {
+    assert(!regions.empty() && regions.size() <= 32);
+    Plane<std::uint32_t> bits(regions.front().mask.size());
+    for (std::size_t r = 0; r < regions.size(); ++r)
+        for (std::size_t i = 0; i < bits.pixels().size(); ++i)
+            bits.pixels()[i] |= std::uint32_t{regions[r].mask.pixels()[i]} << r;
+    return bits;
+}
+
 }  // namespace zproof::study

@@ -1,6 +1,7 @@
 /// The parts of an image on which a filter is held to the truth apart from the rest.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,8 @@ std::vector<RegionCard> region_cards();
 /// and by whether its truth is exact. But for `sampled`, no region depends on the truth. Planes of one size.
 std::vector<Region> regions(const Plane<Patch>& patches, const Plane<oracle::TruthKind>& around,
                             const Plane<oracle::TruthKind>& truth);
+
+/// A word per pixel: bit i is set where the pixel belongs to region i. At most 32 regions.
+Plane<std::uint32_t> region_bits(std::span<const Region> regions);
 
 }  // namespace zproof::study

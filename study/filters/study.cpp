@@ -78,7 +78,8 @@ class MeasuredView {
             around.push_back(counted_rows(oracle::surfaces_around(scene, pan_.views.back())));
             pan_.truths.push_back(std::move(truth.mean));
         }
-        regions_ = regions(surface_map(scene, view, pan_.frames[0]), around[0], truth_kinds);
+        patches_ = surface_map(scene, view, pan_.frames[0]);
+        regions_ = regions(patches_, around[0], truth_kinds);
         steady_ = steady_mask(scene, pan_, around);
         Frame counted = pan_.frames[0];
         counted.primitive = from_row(std::move(counted.primitive), plan.first_row, PrimitiveId::none);
@@ -93,14 +94,18 @@ class MeasuredView {
             if (k == 0) progress_sink.is_shown(configured_method.label, picture);
             pictures.push_back(in_double(picture));
         }
+        const MapVisit visit = [&](const PictureMetric& metric, const Plane<double>& map) {
+            if (progress_sink.is_mapped) progress_sink.is_mapped(configured_method.label, metric, map);
+        };
         return {.label = configured_method.label,
-                .regions = scores(pictures[0], pan_.truths[0], half_width_, regions_),
+                .regions = scores(pictures[0], pan_.truths[0], half_width_, regions_, visit),
                 .cost = cost(configured_method),
                 .flicker = flicker(pictures, pan_.truths, steady_),
                 .file = {}};
     }
 
     Picture truth() const { return in_float(pan_.truths[0]); }
+    ViewEvidence evidence() const { return {truth(), half_width_, patches_, regions_}; }
     double truth_seconds() const { return truth_seconds_; }
     std::string texture_sizes() const { return sizes_of(textures_); }
 
@@ -125,19 +130,20 @@ class MeasuredView {
     SourceTextures textures_;
     Pan pan_;
     Plane<double> half_width_;
+    Plane<Patch> patches_;
     std::vector<Region> regions_;
     Plane<std::uint8_t> steady_;
     std::vector<Lookup> lookups_;
     double truth_seconds_ = 0;
 };
 
-std::string letter_of(oracle::Reconstruction reconstruction) {
-    const std::string texels = oracle::is_of_nearest(reconstruction) ? "N" : "B";
-    if (!oracle::is_gaussian(reconstruction)) return texels;
+}  // namespace
+
+std::string letter_of(oracle::Reconstruction truth) {
+    const std::string texels = oracle::is_of_nearest(truth) ? "N" : "B";
+    if (!oracle::is_gaussian(truth)) return texels;
     return texels == "N" ? "GN" : "G";
 }
-
-}  // namespace
 
 StudyResults begun(const Plan& plan) {
     StudyResults results;
@@ -157,6 +163,7 @@ ViewStudy study_view(const Scene& scene, const View& view, const Plan& plan,
                      const ProgressSink& progress_sink) {
     const MeasuredView measured_view{scene, view, plan, progress_sink};
     progress_sink.is_shown("truth", measured_view.truth());
+    if (progress_sink.is_known) progress_sink.is_known(measured_view.evidence());
     ViewStudy study{.scene = scene.name,
                     .view = view.name,
                     .reason = {},

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "rasterizer/texel_map.h"
+#include "texture/lod.h"
 
 namespace zproof::study {
 
@@ -35,8 +36,14 @@ class MapOfRun {
 Patch patch_of(const texture::Footprint& footprint, const Image& image) {
     const texture::Ellipse ellipse = texture::ellipse(footprint);
     const glm::dvec2 along = glm::abs(ellipse.major_direction);
-    return {ellipse.major, ellipse.minor, std::atan2(along.y, along.x) * 180 / std::numbers::pi,
-            std::max(image.width, image.height)};
+    return {.major = ellipse.major,
+            .minor = ellipse.minor,
+            .angle_degrees = std::atan2(along.y, along.x) * 180 / std::numbers::pi,
+            .longest_side = std::max(image.width, image.height),
+            .lod = texture::lod_gl_maximum(footprint),
+            .centre = footprint.centre,
+            .per_x = footprint.per_x,
+            .per_y = footprint.per_y};
 }
 
 const Image& image_of(const Scene& scene, PrimitiveId id) {

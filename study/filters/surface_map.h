@@ -10,11 +10,14 @@
 
 namespace zproof::study {
 
-/// The footprint's ellipse; all 0 where there is no texture.
+/// The footprint and its ellipse; all 0 where there is no texture.
 struct Patch {
-    double major = 0, minor = 0;  ///< semi-axes, texels of level 0 per pixel
-    double angle_degrees = 0;     ///< of the major axis to the nearer of +u and -u, 0 to 90
-    int longest_side = 0;         ///< of the texture, texels
+    double major = 0, minor = 0;    ///< semi-axes, texels of level 0 per pixel
+    double angle_degrees = 0;       ///< of the major axis to the nearer of +u and -u, 0 to 90
+    int longest_side = 0;           ///< of the texture, texels
+    double lod = 0;                 ///< of OpenGL (texture/lod.h), neither biased nor clamped
+    glm::dvec2 centre{0};           ///< texels
+    glm::dvec2 per_x{0}, per_y{0};  ///< texels per pixel: the Jacobian's columns
 
     bool is_textured() const { return longest_side > 0; }
 };

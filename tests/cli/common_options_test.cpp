@@ -58,6 +58,7 @@ const std::map<std::string, Call> calls{
     {"filters table", {{"filters"}}},
     {"filters figure", {{"filters"}}},
     {"filters check", {{"nearest", "worked", "--view", "phi-0"}}},
+    {"filters explain", {{"worked", "--view", "phi-0", "--pixel", "9,99", "--method", "ewa-true"}}},
     {"filters crow", {{}}},
     {"study projection", {{"two.gltf", "--without-povray"}, Call::Told::with_times}},
     {"study depth", {{"two.gltf"}, Call::Told::with_times, Call::Work::of_seconds}},

@@ -2,16 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 #include "reports/chart.h"
 #include "reports/filters/crops.h"
+#include "reports/filters/evidence_planes.h"
+#include "reports/filters/inspection_words.h"
 #include "reports/filters/json.h"
 #include "reports/filters/page.h"
 #include "reports/filters/plots.h"
 #include "reports/filters/tables.h"
 #include "reports/page_scripts.h"
+#include "reports/planes/coding.h"
 
 namespace zproof {
 namespace {
@@ -133,13 +137,13 @@ TEST(FiltersPage, HoldsWhatPeopleTypedAndNothingFromTheNetwork) {
                               .crop = {1, 2, 3, 4},
                               .crops = {{"truth", "data:,"}},
                               .plots = filters_plots(results, results.views[0], {})};
-    const std::string page = filters_page(results, {figures}, {});
+    const std::string page = text_of(filters_page(results, {{figures}, {}}, "no folder"));
     EXPECT_NE(page.find("zproof filters run &lt;x&gt;"), std::string::npos);
     EXPECT_NE(page.find("best, &amp; &quot;only&quot;"), std::string::npos);
     EXPECT_NE(page.find("not resolved"), std::string::npos);
     EXPECT_NE(page.find("Pixels 1,2,3,4"), std::string::npos);
-    EXPECT_EQ(page.find("<script"), page.find(script_element(table_script()))) << "no script but ours";
-    EXPECT_EQ(page.find("<script"), page.rfind("<script"));
+    EXPECT_NE(page.find(script_element(viewer_script())), std::string::npos);
+    EXPECT_EQ(page.find("<script>"), page.rfind("<script>")) << "no script but ours";
     EXPECT_NE(page.find("<figure data-linked=\"1,2,3,4\">"), std::string::npos);
     EXPECT_EQ(page.find("http://"), std::string::npos);
     EXPECT_EQ(page.find("https://"), std::string::npos);
@@ -154,6 +158,154 @@ TEST(FiltersPlots, TheFrontIsWhatNobodyBeatsInBoth) {
     // Steps from nearest (1, 0.2) by its height to the best (4, 0.01): M, L, L, and never to dear_one.
     const std::string front = plots[0].svg.substr(plots[0].svg.find("<path d=\"M"));
     EXPECT_EQ(std::ranges::count(front.substr(0, front.find(" fill")), 'L'), 2);
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+TEST(FiltersPlots, SayHowManyPixelsAPlaceStandsForAndDrawFewWeakly) {
+    StudyResults results = sample_study();
+    for (MethodScore& method : results.views[0].methods) method.regions[2].pixels = 20'000;
+    const std::string svg = filters_plots(results, {})[1].svg;
+    EXPECT_NE(svg.find(">n 20,000</text>"), std::string::npos);
+    EXPECT_NE(svg.find(">n 10</text>"), std::string::npos);
+    EXPECT_EQ(count_of(svg, "fill-opacity=\"0.36\""), 3u) << "one place, three methods: " << svg;
+}
+
+TEST(FiltersPlots, NameTheOthersOnlyWhereNamesFit) {
+    StudyResults results = sample_study();
+    const auto names = [&] { return count_of(filters_plots(results, {})[0].svg, ">dear_one</text>"); };
+    EXPECT_EQ(names(), 1u);
+    for (int i = 0; i < 44; ++i) {
+        const std::string label = "more-" + std::to_string(i);
+        results.methods.push_back({label, "f", "l", "t", "s"});
+        results.views[0].methods.push_back(method(label, 0.3, 2));
+    }
+    EXPECT_EQ(names(), 0u);
+}
+
+TEST(Chart, ThousandsAreWrittenOut) {
+    Chart chart{
+        .title = "t", .x = {"x", Scale::logarithmic, {}}, .y = {"y", Scale::linear, {}}, .series = {}};
+    chart.series.push_back({"a", {{10, 1}, {20'000, 2}}, SeriesStyle::marked, Joining::line});
+    const std::string svg = chart_svg(chart);
+    EXPECT_NE(svg.find(">1,000</text>"), std::string::npos) << svg;
+    EXPECT_NE(svg.find(">10,000</text>"), std::string::npos);
+    EXPECT_EQ(svg.find("e+0"), std::string::npos);
+}
+
+TEST(Chart, ASeriesIsOneThingToAPage) {
+    Chart chart;
+    chart.series.push_back({"a<b", {{1, 1}, {2, 2}}, SeriesStyle::marked, Joining::line});
+    EXPECT_EQ(count_of(chart_svg(chart), "<g class=\"series\" data-series=\"a&lt;b\">"), 2u)
+        << "marks and name";
+}
+
+TEST(FiltersPage, TheFirstClickOnAMetricPutsTheBestFirst) {
+    const StudyResults results = sample_study();
+    const std::string page = text_of(filters_page(results, {{ViewFigures{}}, {}}, "no folder"));
+    EXPECT_NE(page.find("data-first=\"ascending\">rmse</th>"), std::string::npos);
+    EXPECT_NE(page.find("data-first=\"descending\">psnr</th>"), std::string::npos);
+}
+
+/// A picture of three pixels: exact, off in red, off in all.
+study::ViewEvidence small_evidence() {
+    Picture truth({3, 1}, {0.25f, 0.5f, 0.75f});
+    study::ViewEvidence known{truth, Plane<double>({3, 1}, 0.125), Plane<Patch>({3, 1}), {}};
+    known.patches.at(1, 0) = {
+        .major = 4, .minor = 2, .lod = 2, .centre = {7, 9}, .per_x = {4, 0}, .per_y = {0, 2}};
+    known.regions.push_back({"all", Plane<std::uint8_t>({3, 1}, 1), 3});
+    known.regions.push_back({"interior", Plane<std::uint8_t>({3, 1}), 1});
+    known.regions[1].mask.at(2, 0) = 1;
+    return known;
+}
+
+std::string content_of(const planes::Container& container, const std::string& name) {
+    for (const planes::Block& block : container.blocks)
+        if (block.name == name) return block.content;
+    ADD_FAILURE() << "no block " << name;
+    return {};
+}
+
+float as_float(std::uint32_t bits) { return std::bit_cast<float>(bits); }
+
+TEST(EvidencePlanes, HoldFloatsBitByBit) {
+    const study::ViewEvidence known = small_evidence();
+    EvidencePlanes writer(known);
+    Picture picture = known.truth;
+    picture.at(1, 0) = {0.3f, 0.5f, 0.75f};
+    picture.at(2, 0) = {-1e-30f, 1e30f, 2};
+    writer.add_picture("m", picture);
+    Plane<double> flip({3, 1});
+    flip.at(1, 0) = 0.5, flip.at(2, 0) = 7;
+    writer.add_flip("m", flip);
+    const planes::Container made =
+        std::move(writer).container({"s", "v", "N", "zproof filters explain s"}, {});
+    const auto red = planes::decode(content_of(made, "truth.r"), 3, 3, planes::Prediction::planar);
+    EXPECT_EQ(as_float(red[2]), 0.25f);
+    const auto off = planes::decode(content_of(made, "method.m.r"), red);
+    EXPECT_EQ(as_float(off[0]), 0.25f);
+    EXPECT_EQ(as_float(off[1]), 0.3f);
+    EXPECT_EQ(as_float(off[2]), -1e-30f);
+    const auto bits = planes::decode(content_of(made, "region"), 3, 3, planes::Prediction::left);
+    EXPECT_EQ(bits, (std::vector<std::uint32_t>{1, 1, 3}));
+    const auto lod = planes::decode(content_of(made, "lod"), 3, 3, planes::Prediction::planar);
+    EXPECT_EQ(as_float(lod[1]), 2);
+    const std::string bytes = planes::inflated(content_of(made, "method.m.flip"), 3);
+    EXPECT_EQ(bytes, (std::string{'\0', '\x80', '\xff'}));
+    EXPECT_EQ(made.header.at("methods"), nlohmann::json({"m"}));
+    EXPECT_EQ(made.header.at("regions").at(1).at("pixels"), 1);
+}
+
+PixelInspection told(std::vector<WeightFinding> findings) {
+    PixelInspection one;
+    one.x = 9, one.y = 99, one.label = "ewa", one.texture_width = 8, one.texture_height = 8;
+    one.ellipse = {.major = 8.5, .minor = 2.1, .major_direction = {1, 0}};
+    one.reading.emplace();
+    one.reading->images = {
+        {.image = 3, .width = 1, .height = 1, .taps = 4, .weight = 0.75, .level = {{3, 3}}},
+        {.image = 4, .width = 1, .height = 1, .taps = 4, .weight = 0.25, .level = {{4, 4}}}};
+    one.exact.emplace();
+    one.findings = std::move(findings);
+    return one;
+}
+
+TEST(InspectionWords, TellTheLevelAndTheNumbersBehindTheWord) {
+    EXPECT_EQ(
+        why(told({{WeightFault::blur, false, 3.25, 0.9}})),
+        "reads level 3.25 for a minor axis of 2.1 texels: blur along the minor axis (the weights spread "
+        "over 3.25 texels, the pixel's over 0.9)");
+    EXPECT_NE(why(told({{WeightFault::alias, true, 1, 4}})).find("alias along the major axis"),
+              std::string::npos);
+    EXPECT_NE(why(told({{WeightFault::shift, true, 0.5, 0}})).find("centroid lies 0.5 texels beside"),
+              std::string::npos);
+    EXPECT_NE(why(told({})).find("none of blur, alias and shift"), std::string::npos);
+}
+
+TEST(InspectionWords, GuessNothingWhereANumberIsMissing) {
+    PixelInspection one = told({});
+    one.exact->wraps = true;
+    EXPECT_NE(why(one).find("not told, since the pixel covers more than the texture"), std::string::npos);
+    one.exact.reset();
+    EXPECT_NE(why(one).find("not told, since the truth is sampled"), std::string::npos);
+    one.reading.reset();
+    EXPECT_EQ(why(one), "not told: nobody records what this sampler reads");
+    EXPECT_EQ(in_a_line(one), "pixel 9,99, ewa: not told: nobody records what this sampler reads\n");
+}
+
+TEST(Crops, ErrorsAreShownByTheirLogarithm) {
+    const Picture truth({3, 1});
+    Picture picture = truth;
+    picture.at(1, 0) = {0, 1.0f / 32, 0};
+    picture.at(2, 0) = {1, 0, 0};
+    const Plane<Rgb8> errors = error_crop(picture, truth, {0, 0, 3, 1}, 2);
+    EXPECT_EQ(errors.size(), (Resolution{6, 2}));
+    EXPECT_EQ(errors.at(1, 1), (Rgb8{68, 1, 84}));
+    EXPECT_EQ(errors.at(3, 0), (Rgb8{33, 145, 140}));
+    EXPECT_EQ(errors.at(5, 1), (Rgb8{253, 231, 37}));
 }
 
 /// Logarithmic from 1 to 100 with a twentieth of room at either end: 10 stands in the middle, whatever the

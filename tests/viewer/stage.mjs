@@ -32,7 +32,7 @@ export async function openBrowser() {
 }
 
 /// A page of a report from disk. Whatever the page complains of or asks the network for is in `page.trouble`.
-export async function openReport(browser, folder, hash = '', options = {}) {
+export async function openReport(browser, folder, hash = '', options = {}, name = 'report.html') {
     const page = await browser.newPage({viewport: {width: 1600, height: 1000}, ...options});
     page.setDefaultTimeout(120_000);
     page.trouble = [];
@@ -40,9 +40,9 @@ export async function openReport(browser, folder, hash = '', options = {}) {
     page.on('pageerror', (error) => page.trouble.push('error: ' + error.message));
     page.on('request', (request) => {
         const url = request.url();
-        if (!url.startsWith('file://' + folder + '/report.html') && !/^(data|blob):/.test(url)) page.trouble.push('request: ' + url);
+        if (!url.startsWith(`file://${folder}/${name}`) && !/^(data|blob):/.test(url)) page.trouble.push('request: ' + url);
     });
-    await page.goto(`file://${folder}/report.html${hash}`);
+    await page.goto(`file://${folder}/${name}${hash}`);
     if (hash) await viewerShows(page);
     return page;
 }

@@ -8,7 +8,7 @@ export class Address {
     private timer = 0;
 
     constructor(private readonly current: OpenView, private readonly panes: Panes,
-                private readonly isOpen: () => boolean) {}
+                private readonly isOpen: () => boolean, private readonly own: () => Partial<LinkTarget>) {}
 
     /// Lets the address bar follow, a little later: browsers refuse too many changes of it.
     remember(): void {
@@ -25,7 +25,7 @@ export class Address {
     }
 
     private place(): LinkTarget {
-        const {entry, look} = this.current, view = entry?.link ?? '';
-        return look.hasCross ? {view, x: look.crossX, y: look.crossY} : {view};
+        const {entry, look} = this.current, view = {view: entry?.link ?? '', ...this.own()};
+        return look.hasCross ? {...view, x: look.crossX, y: look.crossY} : view;
     }
 }

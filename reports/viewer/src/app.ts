@@ -3,60 +3,57 @@ import {Address} from './address';
 import {checkPlanes} from './check';
 import type {Container} from './container';
 import {Crosshair} from './crosshair';
-import {Drawer} from './drawer';
 import {element, replaceChildren} from './element';
 import {FileIntake} from './files';
 import {Help} from './help';
-import {Inspector} from './inspector';
-import {layersOf} from './layers';
 import {Library} from './library';
 import {readLinkTarget} from './link';
 import type {LinkTarget} from './link';
 import {Look} from './look';
 import {Notice} from './notice';
-import {counted} from './numbers';
 import {OpenView} from './open_view';
 import {Panes} from './panes';
 import type {Planes} from './planes';
-import type {Run, ViewEntry} from './run';
+import type {ViewEntry} from './run';
 import {SceneList} from './scenes';
+import type {Stage, Subject} from './subject';
 import {toggleTheme} from './theme';
-import {Walk} from './walk';
-
-const shownAtOnce = ['candidate.id', 'reference.id', 'candidate.error'];
 
 export class App {
     readonly root = element('div', {id: 'viewer', hidden: true});
     readonly title = element('h1');
-    readonly help = new Help();
+    readonly help: Help;
     readonly notice = new Notice();
-    readonly panes = new Panes(() => this.crosshair.moved());
-    readonly inspector: Inspector;
+    readonly panes: Panes;
+    readonly subject: Subject;
     readonly list: SceneList;
-    readonly drawer: Drawer;
     readonly crosshair: Crosshair;
-    readonly walk: Walk;
     readonly files: FileIntake;
     private readonly current: OpenView;
     private readonly address: Address;
     private readonly library = new Library();
     private opening = 0;
+    private completing = 0;
 
-    constructor(private readonly run: Run) {
-        const current = this.current = new OpenView(run);
-        this.address = new Address(current, this.panes, () => this.isOpen);
-        this.inspector = new Inspector(run.classes, (text, what) => void this.notice.copy(text, what),
-            () => this.address.link(), () => this.walk.toStory());
-        this.crosshair = new Crosshair(current, this.panes, this.inspector, (x, y) => {
+    /// `firstLayers`: what the panes show before somebody chooses.
+    constructor(private readonly views: ViewEntry[], firstLayers: string[], subjectOf: (stage: Stage) => Subject) {
+        const current = this.current = new OpenView(views);
+        this.panes = new Panes(firstLayers, () => this.crosshair.moved());
+        this.subject = subjectOf({
+            current, notice: this.notice, go: (pixel) => this.crosshair.go(pixel), link: () => this.address.link(),
+            select: (selection) => {
+                current.selection = selection;
+                this.panes.select(selection);
+            },
+            relayer: () => void this.relayer(),
+        });
+        this.help = new Help(this.subject.keys.map(([name, meaning]) => [name, meaning]));
+        this.address = new Address(current, this.panes, () => this.isOpen, () => this.subject.place());
+        this.crosshair = new Crosshair(current, this.panes, this.subject.inspector, (x, y) => {
             this.root.dataset.pixel = `${x},${y}`;
             this.address.remember();
         });
-        this.walk = new Walk(current, run.classes, this.crosshair, this.notice);
-        this.drawer = new Drawer(current, run.classes, (pixel) => this.crosshair.go(pixel), (selection) => {
-            current.selection = selection;
-            this.panes.select(selection);
-        });
-        this.list = new SceneList(run, (index) => void this.open(index));
+        this.list = new SceneList(views, this.subject.entries, (index) => void this.open(index));
         this.files = new FileIntake((container, name) => this.take(container, name), (text) => this.notice.tell(text));
     }
 
@@ -69,14 +66,14 @@ export class App {
             if (this.isOpen && location.hash) this.close();
             return;
         }
-        const index = this.run.views.findIndex((view) => view.link === place.view);
-        if (index < 0) return this.notice.tell(`This report has no view "${place.view}".`);
+        const index = this.views.findIndex((view) => view.link === place.view);
+        if (index < 0) return this.notice.tell(`This page has no view "${place.view}".`);
         await this.open(index, place);
     }
 
     /// Shows the viewer, and in it a view; of several calls the last one wins.
     private async open(index: number, place: LinkTarget | null = null): Promise<void> {
-        const view = this.run.views[index];
+        const view = this.views[index];
         if (!view) return;
         this.root.hidden = false;
         document.body.classList.add('viewing');
@@ -113,29 +110,46 @@ export class App {
         delete this.root.dataset.view;
         this.list.setCurrent(index);
         replaceChildren(this.title, view.scene + ' ', element('span', {class: 'quiet'}, view.view), ' ',
-            element('span', {class: 'fine'}, `${view.candidate} against ${view.reference}, ${view.width} × ${view.height}, ${counted(view.triangles, 'triangle')}`));
+            element('span', {class: 'fine'}, this.subject.facts(view)));
         this.root.classList.toggle('empty', !planes);
-        this.inspector.show(null, -1, -1);
-        this.drawer.show();
+        this.subject.inspector.show(null, -1, -1);
+        if (planes) await this.subject.open(planes);
+        this.subject.drawer.show();
         if (!planes) return this.notice.tell(view.message || 'This page holds no planes of this view.');
         current.look.fit(this.panes.size);
-        const offered = new Set([...planes.names(), ...view.leftOut]);
         await Promise.all([
-            this.panes.open(planes, layersOf(this.run.classes, offered, planes.header.oracles), current.look),
-            ...shownAtOnce.filter((name) => planes.has(name)).map((name) => planes.plane(name)),
+            this.panes.open(planes, this.subject.layers(planes, view), current.look),
+            ...this.subject.atOnce(planes).filter((name) => planes.has(name)).map((name) => planes.plane(name)),
         ]);
-        setTimeout(() => void this.showRest(planes, view), 30);
+        const ticket = ++this.completing;
+        setTimeout(() => { if (ticket === this.completing) void this.showRest(planes, view); }, 30);
     }
 
-    /// What takes longer: histograms, and the depths that the inspector shows.
+    /// What takes longer: histograms, and what else the inspector shows.
     private async showRest(planes: Planes, view: ViewEntry): Promise<void> {
-        const stale = () => this.current.planes !== planes;
-        await this.drawer.showHistograms(planes);
+        const ticket = ++this.completing, stale = () => ticket !== this.completing || this.current.planes !== planes;
+        await this.subject.drawer.showHistograms(planes);
         if (stale()) return;
-        for (const name of planes.names().filter((name) => /^oracle\..*\.(id|depth)$|^reference\.error$/.test(name))) await planes.plane(name);
+        for (const name of this.subject.later(planes)) await planes.plane(name);
         if (stale()) return;
         if (this.current.look.hasCross) this.crosshair.inspect();
         this.root.dataset.complete = view.link;
+    }
+
+    /// The subject's choice has changed.
+    private async relayer(): Promise<void> {
+        const {planes, entry, look} = this.current;
+        if (!planes || !entry) return;
+        const ticket = ++this.completing;
+        delete this.root.dataset.complete;
+        await this.subject.open(planes);
+        await this.panes.setLayers(this.subject.layers(planes, entry));
+        if (ticket !== this.completing) return;
+        this.subject.drawer.show();
+        this.subject.drawer.clearFilter();
+        if (look.hasCross) this.crosshair.moved();
+        this.address.remember();
+        await this.showRest(planes, entry);
     }
 
     close(): void {
@@ -161,16 +175,16 @@ export class App {
     }
 
     /// Opens the viewer first where it is not open.
-    async nextDefect(direction: 1 | -1): Promise<void> {
+    async next(direction: 1 | -1): Promise<void> {
         if (!this.isOpen || !this.current.planes) await this.openAgain();
-        this.walk.toDefect(direction);
+        this.subject.walk.toNext(direction);
     }
 
     private take(container: Container, name: string): void {
         const {scene, view, width, height} = container.header;
-        const index = this.run.views.findIndex((v) => v.scene === scene && v.view === view && v.width === width && v.height === height);
-        if (index < 0) return this.notice.tell(`${name} is of ${scene}/${view}, ${width} × ${height}, which this report does not have.`);
-        this.library.put(this.run.views[index], container);
+        const index = this.views.findIndex((v) => v.scene === scene && v.view === view && v.width === width && v.height === height);
+        if (index < 0) return this.notice.tell(`${name} is of ${scene}/${view}, ${width} × ${height}, which this page does not have.`);
+        this.library.put(this.views[index], container);
         this.current.planes = null;
         void this.open(index);
         this.notice.tell(`${name}: all planes of ${scene}/${view}.`);
@@ -179,6 +193,7 @@ export class App {
     private goTo(place: LinkTarget): void {
         const {planes, look} = this.current;
         if (!planes) return;
+        this.subject.follow(place);
         if (place.layers) place.layers.slice(0, 4).forEach((id, i) => void this.panes.setLayer(i, id));
         if (place.x === undefined || place.y === undefined) return;
         if (place.x >= planes.width || place.y >= planes.height)
@@ -190,7 +205,7 @@ export class App {
     switchTheme(): void {
         toggleTheme();
         this.panes.redraw();
-        this.drawer.redraw();
+        this.subject.drawer.redraw();
     }
 
     async check(): Promise<void> {

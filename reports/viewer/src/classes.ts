@@ -1,18 +1,20 @@
-// The classes of a view with their counts; one of them may be looked at alone.
+// Classes or regions of a view with their counts; one of them may be looked at alone.
 import {element, replaceChildren} from './element';
 import {badge} from './inspector';
-import {grouped, rounded} from './numbers';
+import {grouped} from './numbers';
 import type {ClassStyle} from './run';
+
+export type ListedStyle = Pick<ClassStyle, 'name' | 'glyph' | 'colour' | 'meaning'>;
 
 export class ClassList {
     readonly root = element('div', {class: 'classes'});
 
-    constructor(private readonly styles: ClassStyle[], private readonly onChoice: (kind: number) => void) {}
+    constructor(private readonly title: string, private readonly styles: ListedStyle[],
+                private readonly onChoice: (kind: number) => void) {}
 
-    show(counts: number[]): void {
-        const all = counts.reduce((a, b) => a + b, 0);
-        replaceChildren(this.root, element('h3', {}, 'Classes'), ...counts.map((count, kind) => count > 0 && this.row(kind, count)),
-            element('p', {class: 'fine'}, `${rounded(100 * (all - counts[0]) / all)} % differ`));
+    show(counts: number[], remark: string): void {
+        replaceChildren(this.root, element('h3', {}, this.title), ...counts.map((count, kind) => count > 0 && this.row(kind, count)),
+            element('p', {class: 'fine'}, remark));
     }
 
     clear(): void {

@@ -14,6 +14,14 @@ export function darkened(colour: number): number {
     return (0xff000000 | (colour >>> 2 & 0x3f3f3f)) >>> 0;
 }
 
+const srgb = Uint8Array.from({length: 4097}, (_, i) => {
+    const light = i / 4096;
+    return Math.round(255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055));
+});
+
+/// Linear light as an 8-bit sRGB code (IEC 61966-2-1).
+export function encoded(light: number): number { return srgb[Math.round(4096 * Math.min(1, Math.max(0, light)))]; }
+
 export const ground = packed(0x14, 0x16, 0x1a);
 export const noNumber = packed(0xff, 0, 0xff);
 

@@ -5,10 +5,13 @@ export type BlockFacts = {
     crc32?: number; beside?: string; count?: number; words?: number; all?: number;
 };
 
-export type Header = {
-    width: number; height: number; scene: string; view: string; candidate: string; reference: string;
-    oracles: string[]; explain: [string, string]; inverse_depth: [number | null, number | null]; perspective: boolean;
-    blocks: BlockFacts[];
+/// What every container says of its view.
+export type Header = {width: number; height: number; scene: string; view: string; blocks: BlockFacts[]};
+
+/// Of a judged view (reports/planes/view_planes.cpp).
+export type JudgedHeader = Header & {
+    candidate: string; reference: string; oracles: string[]; explain: [string, string];
+    inverse_depth: [number | null, number | null]; perspective: boolean;
 };
 
 export type Block = {facts: BlockFacts; content: Uint8Array<ArrayBuffer>};

@@ -1,13 +1,13 @@
 // Where the crosshair stands, and the zoom about it. Panes and inspector follow.
-import type {Inspector} from './inspector';
 import type {OpenView} from './open_view';
 import type {Panes} from './panes';
+import type {PixelInspector} from './subject';
 
 const pixelZoom = 36;  // at which a pixel is a square with its number
 
 export class Crosshair {
     constructor(private readonly current: OpenView, private readonly panes: Panes,
-                private readonly inspector: Inspector, private readonly onMove: (x: number, y: number) => void) {}
+                private readonly inspector: PixelInspector, private readonly onMove: (x: number, y: number) => void) {}
 
     /// To a pixel, which is brought near and into the panes.
     go(pixel: number): void {

@@ -10,7 +10,7 @@ import type {Selection} from './raster';
 export type CodedBins = {bins: Bins; codes: Uint8Array; binOf: Int16Array};  // binOf[code], -1: not counted
 
 export function selectionOf(planes: Planes, holds: (pixel: number) => boolean): Selection {
-    const match = new Uint8Array(planes.classes.length);
+    const match = new Uint8Array(planes.pixelCount);
     for (let i = 0; i < match.length; ++i) if (holds(i)) match[i] = 1;
     return {match, chain: new MaxChain(match, planes.width, planes.height)};
 }
@@ -25,6 +25,29 @@ function counted(codes: Uint8Array, binOf: Int16Array, count: number): number[] 
 function power(exponent: number): string {
     return exponent >= 0 && exponent < 10 ? String(2 ** exponent) : '2' + [...String(exponent)].map((c) =>
         c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(c)]).join('');
+}
+
+/// Half octaves of numbers from 2^-20 to 1, by the codes of error / bound.
+export function magnitudeBins(codes: Uint8Array, title: string): CodedBins {
+    const first = 121, one = 201, count = (one - first) / 2 + 2;
+    const binOf = Int16Array.from({length: 256}, (_, code) => code === 0 ? 0 : Math.min(count - 1, Math.max(1, 1 + ((code - first) >> 1))));
+    const low = (bin: number) => ratioOf(first + 2 * (bin - 1));
+    return {codes, binOf, bins: {
+        title, counts: counted(codes, binOf, count),
+        label: (bin) => bin === 0 ? 'no error' : bin === 1 ? 'below ' + rounded(low(2)) : bin === count - 1 ? '1 and more'
+            : `${rounded(low(bin))} to ${rounded(low(bin + 1))}`,
+        tick: (bin) => bin > 0 && (bin - 1) % 8 === 0 ? power((first + 2 * (bin - 1) - one) / 4) : '',
+    }};
+}
+
+/// Numbers from 0 to 1 in steps of 1/255, 32 bins.
+export function byteBins(codes: Uint8Array, title: string): CodedBins {
+    const count = 32, binOf = Int16Array.from({length: 256}, (_, code) => code >> 3);
+    const low = (bin: number) => rounded(8 * bin / 255);
+    return {codes, binOf, bins: {
+        title, counts: counted(codes, binOf, count), label: (bin) => `${low(bin)} to ${bin === count - 1 ? '1' : low(bin + 1)}`,
+        tick: (bin) => bin % 8 === 0 ? rounded(bin / 32) : '',
+    }};
 }
 
 /// Half octaves of error / bound from 2^-20 to 2^6; the bound lies between two bins.

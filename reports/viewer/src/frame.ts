@@ -3,8 +3,8 @@ import type {App} from './app';
 import {append, element} from './element';
 
 export function buildFrame(app: App): void {
-    append(app.root, [bar(app), app.list.root, element('main', {class: 'stage'}, app.panes.root, app.drawer.root),
-                      app.inspector.root, app.notice.root]);
+    append(app.root, [bar(app), app.list.root, element('main', {class: 'stage'}, app.panes.root, app.subject.drawer.root),
+                      app.subject.inspector.root, app.notice.root]);
     append(document.body, [app.root, app.help.root]);
 }
 
@@ -12,7 +12,7 @@ function bar(app: App): HTMLElement {
     const button = (text: string, title: string, act: () => void) =>
         element('button', {type: 'button', title, onclick: act}, text);
     return element('header', {class: 'bar'},
-        button('← Summary', 'back to the written report (V)', () => app.close()), app.title, app.drawer.note,
+        button('← Summary', 'back to the written report (V)', () => app.close()), app.title, app.subject.tools, app.subject.drawer.note,
         element('span', {class: 'spring'}),
         button('Panes', '2, 3 or 4 panes (M)', () => void app.panes.cycle()),
         button('Fit', 'the whole view (0)', () => app.panes.fit()),

@@ -2,8 +2,8 @@
 import {element} from './element';
 
 const groups: [string, [string, string][]][] = [
-    ['Go', [['N / P', 'next / previous defect (where there is none: differing pixel)'],
-            ['U / Y', 'next worse / less bad, by severity'], ['S', 'next pixel with a story'],
+    ['Go', [['N / P', 'next / previous defect (where there is none: differing pixel); of a study, worst pixel'],
+            ['U / Y', 'next worse / less bad, by severity'], ['S', 'next pixel with a story or an inspection'],
             ['[ / ]', 'previous / next view'], ['arrows, H J K L', 'crosshair by 1 pixel; with Shift by 16'],
             ['/', 'search views'], ['V', 'viewer or summary']]],
     ['Look', [['+ / −', 'zoom'], ['0', 'fit'], ['Z', 'zoom to the crosshair and back'], ['1 … 9', 'layer of the active pane'],
@@ -15,12 +15,17 @@ const groups: [string, [string, string][]][] = [
 ];
 
 export class Help {
-    readonly root = makeDialog();
+    readonly root: HTMLDialogElement;
+
+    /// `more`: keys that only this page has.
+    constructor(more: [string, string][]) {
+        this.root = makeDialog(more.length ? [...groups, ['Study', more]] : groups);
+    }
 
     toggle(): void { if (this.root.open) this.root.close(); else this.root.showModal(); }
 }
 
-function makeDialog(): HTMLDialogElement {
+function makeDialog(groups: [string, [string, string][]][]): HTMLDialogElement {
     const rows = (keys: [string, string][]) => keys.flatMap(([key, meaning]) =>
         [element('dt', {}, element('kbd', {}, key)), element('dd', {}, meaning)]);
     const dialog = element('dialog', {class: 'help', 'aria-label': 'keys'},

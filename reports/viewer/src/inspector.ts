@@ -7,12 +7,13 @@ import {background, floatOf, hexBits, idText, numberOf, rounded, shortestFloat, 
 import type {Planes} from './planes';
 import type {ClassStyle} from './run';
 import {ratioOf} from './layers';
+import type {PixelInspector} from './subject';
 import {nameOf, shortNameOf} from './story';
 import type {Candidate, Admissibility, Story} from './story';
 
 type Answer = {who: string; id: number; depth: number | null; error: string};  // depth: bits
 
-export class Inspector {
+export class Inspector implements PixelInspector {
     readonly root = element('aside', {class: 'inspector', 'aria-label': 'pixel', 'aria-live': 'polite'});
     private shown = '';
 
@@ -124,7 +125,7 @@ export class Inspector {
     }
 
     private command(planes: Planes, x: number, y: number): HTMLElement {
-        const [before, after] = planes.header.explain, command = `${before}${x} ${y}${after}`;
+        const [before, after] = planes.judged.explain, command = `${before}${x} ${y}${after}`;
         return element('div', {class: 'command'}, element('code', {}, command),
             element('div', {},
                 element('button', {type: 'button', onclick: () => this.copy(command, 'command')}, 'Copy command'), ' ',
@@ -132,7 +133,7 @@ export class Inspector {
     }
 
     private draw(planes: Planes, story: Story): void {
-        const [least, greatest] = planes.header.inverse_depth;
+        const [least, greatest] = planes.judged.inverse_depth;
         const range: InverseDepthRange = {least: least ?? -Infinity, greatest: greatest ?? Infinity};
         const eps = story.eps > 0 ? story.eps : 1 / 512;
         this.root.querySelectorAll<HTMLCanvasElement>('canvas.surroundings').forEach((canvas) =>
@@ -142,7 +143,7 @@ export class Inspector {
 
 /// Of candidate, reference and oracles, as far as planes are decoded or the finding is listed.
 function answersAt(planes: Planes, pixel: number): Answer[] {
-    const f = planes.findings, row = planes.finding(pixel), {header} = planes;
+    const f = planes.findings, row = planes.finding(pixel), header = planes.judged;
     const word = (name: string): number | null => (planes.now(name) as Uint32Array | null)?.[pixel] ?? null;
     const code = (name: string): string => {  // a code stands for a quarter octave
         const found = (planes.now(name) as Uint8Array | null)?.[pixel];
@@ -167,7 +168,7 @@ function sentenceOf(story: Story): string {
     return line ? line[0].toUpperCase() + line.slice(1) + '.' : '';
 }
 
-export function badge(style: ClassStyle): HTMLElement {
+export function badge(style: Pick<ClassStyle, 'name' | 'glyph' | 'colour'>): HTMLElement {
     return element('span', {class: 'class'},
         element('i', {style: `background:${style.colour};color:${ink(style.colour)}`, 'aria-hidden': 'true'}, style.glyph),
         style.name);

@@ -9,12 +9,11 @@ import type {Selection} from './raster';
 
 type Comparison = 'none' | 'flip' | 'wipe' | 'difference';
 
-const first = ['class', 'candidate.id', 'candidate.error', 'reference.id'];
 
 export class Panes {
     readonly root = element('div', {class: 'panes', 'data-count': 4});
     private readonly panes = [new Pane(), new Pane(), new Pane(), new Pane()];
-    private readonly chosen = [...first];
+    private readonly chosen: string[];
     private layers: Layer[] = [];
     private planes: Planes | null = null;
     private look: Look | null = null;
@@ -26,7 +25,9 @@ export class Panes {
     private count = 4;
     private active = 0;
 
-    constructor(private readonly onCross: () => void) {
+    /// `first`: the layers that they show before somebody chooses.
+    constructor(first: string[], private readonly onCross: () => void) {
+        this.chosen = [...first];
         this.panes.forEach((pane, i) => this.listen(pane, i));
         replaceChildren(this.root, ...this.panes.map((pane) => pane.root));
         new ResizeObserver(() => {
@@ -40,9 +41,14 @@ export class Panes {
     /// Resolves when every visible pane is ready to show its layer; until then they show what they did before.
     async open(planes: Planes, layers: Layer[], look: Look): Promise<void> {
         this.planes = planes;
-        this.layers = layers;
         this.look = look;
         this.selection = null;
+        await this.setLayers(layers);
+    }
+
+    /// Other layers of the same view; every pane keeps the id of its own.
+    async setLayers(layers: Layer[]): Promise<void> {
+        this.layers = layers;
         for (const pane of this.panes)
             replaceChildren(pane.choice, ...layers.map((layer) => element('option', {value: layer.id}, layer.title)));
         await this.showAll();

@@ -1,6 +1,6 @@
 // The planes of one view: decoded when first asked for, and kept.
 import {beside, doublesFrom, fromChannels, fromLeft, fromPlanar, inflated, sparse} from './coding';
-import type {Container, Header} from './container';
+import type {Container, Header, JudgedHeader} from './container';
 import type {Story, TriangleRange} from './story';
 
 export type Findings = {
@@ -25,8 +25,11 @@ export class Planes {
     constructor(private readonly container: Container) {}
 
     get header(): Header { return this.container.header; }
+    /// Of a judged view, and of no other.
+    get judged(): JudgedHeader { return this.container.header as JudgedHeader; }
     get width(): number { return this.header.width; }
     get height(): number { return this.header.height; }
+    get pixelCount(): number { return this.width * this.height; }
     names(): string[] { return [...this.container.blocks.keys()].filter((name) => this.has(name)); }
     /// Can it be decoded?
     has(name: string): boolean {
@@ -34,10 +37,10 @@ export class Planes {
         return block !== undefined && (!block.facts.beside || this.has(block.facts.beside));
     }
 
-    /// What every view has: classes, findings, stories and names.
+    /// What every judged view has: classes, findings, stories and names.
     async open(): Promise<void> {
         const [classes, findings, stories, ranges] = await Promise.all([
-            this.bytes('class'), this.readFindings(), this.json<Story[]>('stories'),
+            this.has('class') ? this.bytes('class') : new Uint8Array(0), this.readFindings(), this.json<Story[]>('stories'),
             this.json<TriangleRange[]>('ranges'),
         ]);
         this.classes = classes;
@@ -86,7 +89,8 @@ export class Planes {
         }
     }
 
-    private async json<T>(name: string): Promise<T | null> {
+    /// A block of JSON, or null where the page does not hold it.
+    async json<T>(name: string): Promise<T | null> {
         const block = this.container.blocks.get(name);
         return block ? JSON.parse(new TextDecoder().decode(await inflated(block.content))) as T : null;
     }

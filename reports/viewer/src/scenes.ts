@@ -1,11 +1,7 @@
-// The list of views: failed ones first, searched by name, filtered by outcome and class.
+// The list of views in the page's order, searched by name, filtered by what its subject offers.
 import {element, replaceChildren} from './element';
-import {counted, grouped} from './numbers';
-import {defects, differing} from './run';
-import type {ClassStyle, Run, ViewEntry} from './run';
-
-const marks: Record<string, string> = {proven: '✓', defective: '✗', undecided: '?', unreadable: '!', not_judged: '?',
-    internal_error: '!'};
+import type {ViewEntry} from './run';
+import type {EntryStyle} from './subject';
 
 export class SceneList {
     readonly search = element('input', {type: 'search', placeholder: 'Search  /', 'aria-label': 'search views'});
@@ -15,21 +11,20 @@ export class SceneList {
     private readonly wanted = new Set<number>();
     private current = -1;
 
-    constructor(private readonly run: Run, private readonly open: (index: number) => void) {
+    constructor(private readonly views: ViewEntry[], private readonly style: EntryStyle,
+                private readonly open: (index: number) => void) {
         this.search.addEventListener('input', () => this.fill());
         this.search.addEventListener('keydown', (event) => {
             if (event.key === 'Enter' && this.visible().length) this.open(this.visible()[0]);
             if (event.key === 'Escape') { this.search.value = ''; this.fill(); this.search.blur(); }
         });
-        this.run.classes.forEach((style, i) => {
-            if (i > 0 && this.run.views.some((view) => view.counts[i] > 0)) this.chips.append(this.chip(style, i));
-        });
+        style.chips.forEach((_, i) => this.chips.append(this.chip(i)));
         this.fill();
     }
 
-    private chip(style: ClassStyle, i: number): HTMLElement {
-        const button = element('button', {type: 'button', class: 'chip', 'aria-pressed': 'false', title: style.meaning},
-            element('i', {style: `background:${style.colour}`}), `${style.glyph} ${style.name}`);
+    private chip(i: number): HTMLElement {
+        const {label, title} = this.style.chips[i];
+        const button = element('button', {type: 'button', class: 'chip', 'aria-pressed': 'false', title}, label);
         button.addEventListener('click', () => {
             if (!this.wanted.delete(i)) this.wanted.add(i);
             button.setAttribute('aria-pressed', String(this.wanted.has(i)));
@@ -46,36 +41,25 @@ export class SceneList {
 
     visible(): number[] {
         const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
-        const all = this.run.views.map((_, i) => i);
-        return all.filter((i) => {
-            const view = this.run.views[i], text = `${view.scene} ${view.view} ${view.outcome} ${view.cause ?? ''}`.toLowerCase();
+        return this.views.map((_, i) => i).filter((i) => {
+            const view = this.views[i], text = `${view.scene} ${view.view} ${this.style.words(view)}`.toLowerCase();
             return words.every((word) => text.includes(word)) &&
-                (!this.wanted.size || [...this.wanted].some((kind) => view.counts[kind] > 0));
+                (!this.wanted.size || [...this.wanted].some((chip) => this.style.chips[chip].holds(view)));
         });
     }
 
     private fill(): void {
         const shown = this.visible();
-        replaceChildren(this.list, ...shown.map((i) => this.entry(this.run.views[i], i)),
+        replaceChildren(this.list, ...shown.map((i) => this.entry(this.views[i], i)),
             shown.length === 0 && element('li', {class: 'quiet'}, 'No view matches.'));
     }
 
     private entry(view: ViewEntry, i: number): HTMLElement {
-        const wrong = defects(view, this.run.classes);
-        const line = wrong ? counted(wrong, 'defect') : view.planes ? grouped(differing(view)) + ' admissible differences'
-            : view.message || 'not judged';
+        const mark = this.style.mark(view), line = this.style.line(view);
         return element('li', {}, element('button', {
             type: 'button', class: 'view-entry', 'aria-current': i === this.current && 'true', onclick: () => this.open(i),
-        }, element('span', {class: 'mark ' + view.outcome, title: view.outcome.replace('_', ' ')}, marks[view.outcome] ?? '?'),
+        }, element('span', {class: 'mark ' + mark.kind, title: mark.title}, mark.text),
             element('span', {class: 'name'}, view.scene, ' ', element('span', {class: 'quiet'}, view.view)),
-            element('span', {class: wrong ? 'line defective' : 'line quiet'}, line), this.bar(view)));
-    }
-
-    /// The shares of the classes but `agree`, each at least a sliver.
-    private bar(view: ViewEntry): HTMLElement | null {
-        const all = differing(view);
-        if (!all) return null;
-        return element('span', {class: 'shares', 'aria-hidden': 'true'}, ...view.counts.map((count, i) =>
-            i > 0 && count > 0 && element('i', {style: `flex:${Math.max(count, all / 25)};background:${this.run.classes[i].colour}`})));
+            element('span', {class: 'line ' + line.kind}, line.text), this.style.bar(view)));
     }
 }

@@ -2,7 +2,7 @@
 //
 //   <table class="sortable">: the last row of its thead holds the headings. A cell's key is its data-key or data-value, else its
 //   text; keys that are numbers ("1,234", "0.93", "41 %", "1.2e+07") sort as numbers. Rows without a key stay last.
-//   <th class="unsortable">: not this column.
+//   <th class="unsortable">: not this column. <th data-first="ascending">: the first click sorts so; else it is descending.
 
 type Key = {number: number; text: string};
 
@@ -39,7 +39,8 @@ function sortBy(table: HTMLTableElement, column: number, direction: 1 | -1): voi
 }
 
 function activate(table: HTMLTableElement, headings: HTMLTableCellElement[], heading: HTMLTableCellElement): void {
-    const direction = heading.getAttribute('aria-sort') === 'descending' ? 1 : -1;
+    const first = heading.dataset.first ?? 'descending', now = heading.getAttribute('aria-sort');
+    const direction = (now ? now === 'descending' : first === 'ascending') ? 1 : -1;
     for (const other of headings) other.removeAttribute('aria-sort');
     heading.setAttribute('aria-sort', direction === 1 ? 'ascending' : 'descending');
     sortBy(table, heading.cellIndex, direction);

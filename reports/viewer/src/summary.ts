@@ -1,7 +1,7 @@
 // Ways from the written report into the viewer.
 import {append, element} from './element';
 import {hashOf} from './link';
-import type {Run, ViewEntry} from './run';
+import type {ViewEntry} from './run';
 
 function linkRows(section: HTMLElement, view: ViewEntry): void {
     section.querySelectorAll<HTMLTableRowElement>('tr[data-x]').forEach((row) => {
@@ -13,7 +13,7 @@ function linkRows(section: HTMLElement, view: ViewEntry): void {
 
 /// A click into a picture opens the viewer at that pixel.
 function linkPictures(section: HTMLElement, view: ViewEntry): void {
-    section.querySelectorAll<HTMLImageElement>('figure a img').forEach((image) =>
+    section.querySelectorAll<HTMLImageElement>('figure a img, .truth img').forEach((image) =>
         image.addEventListener('click', (event) => {
             if (event.ctrlKey || event.metaKey || event.shiftKey || event.button !== 0) return;
             event.preventDefault();
@@ -23,17 +23,18 @@ function linkPictures(section: HTMLElement, view: ViewEntry): void {
         }));
 }
 
-function linkTop(run: Run): void {
-    const first = run.views.find((view) => view.planes)!;
+function linkTop(views: ViewEntry[], key: string, meaning: string): void {
+    const first = views.find((view) => view.planes)!;
     append(document.querySelector('body > header')!, [
         element('a', {class: 'enter', href: hashOf({view: first.link})}, 'Open the viewer'),
-        element('p', {class: 'fine'}, 'Keys: ', element('kbd', {}, 'V'), ' the viewer, ', element('kbd', {}, 'N'), ' the first defect, ',
+        element('p', {class: 'fine'}, 'Keys: ', element('kbd', {}, 'V'), ' the viewer, ', element('kbd', {}, key), ` ${meaning}, `,
             element('kbd', {}, '?'), ' all keys')]);
 }
 
-export function linkSummary(run: Run): void {
-    linkTop(run);
-    for (const view of run.views) {
+/// `key` and `meaning`: the key that goes to what is worth a look first.
+export function linkSummary(views: ViewEntry[], key: string, meaning: string): void {
+    linkTop(views, key, meaning);
+    for (const view of views) {
         const section = document.getElementById(view.anchor);
         if (!section || !view.planes) continue;
         section.querySelector('h2')?.append(' ',

@@ -1,18 +1,30 @@
-// Entry of report.html: the written report stays as it is, and the viewer opens over it.
+// Entry of report.html and filters.html: the written report stays as it is, and the viewer opens over it.
 import {App} from './app';
 import {bindKeys} from './bindings';
+import {linkCharts} from './charts';
 import {linkCrops} from './crops';
 import {buildFrame} from './frame';
-import {readRun} from './run';
+import {filterStudyOf, studyLayers} from './filter_study';
+import type {Study} from './filter_study';
+import {readFacts} from './run';
+import type {Run} from './run';
 import {makeTablesSortable} from './sortable';
 import {linkSummary} from './summary';
+import {firstLayers as visibilityLayers, visibilityOf} from './visibility';
 
 makeTablesSortable(document);
 linkCrops(document);
-const run = readRun();
+linkCharts(document);
+const run = readFacts<Run>('run'), study = readFacts<Study>('study');
 if (run?.views.some((view) => view.planes)) {
-    linkSummary(run);
-    const app = new App(run);
+    linkSummary(run.views, 'N', 'the first defect');
+    start(new App(run.views, visibilityLayers, (stage) => visibilityOf(run, stage)));
+} else if (study?.views.some((view) => view.planes)) {
+    linkSummary(study.views, 'N', 'the worst pixel');
+    start(new App(study.views, studyLayers, (stage) => filterStudyOf(study, stage)));
+}
+
+function start(app: App): void {
     buildFrame(app);
     bindKeys(app);
     window.addEventListener('hashchange', () => void app.follow());

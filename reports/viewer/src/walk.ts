@@ -1,29 +1,29 @@
 // From one telling pixel to the next.
-import type {Crosshair} from './crosshair';
 import type {Notice} from './notice';
 import {grouped} from './numbers';
 import type {OpenView} from './open_view';
 import type {Planes} from './planes';
-import type {ClassStyle} from './run';
+import type {ClassStyle, JudgedView} from './run';
+import type {PixelWalk} from './subject';
 
 const nothing = 'Both renderers agree at every pixel.';
 
-export class Walk {
+export class Walk implements PixelWalk {
     private readonly sorted = new WeakMap<Planes, number[]>();  // pixels by severity
 
     constructor(private readonly current: OpenView, private readonly classes: ClassStyle[],
-                private readonly crosshair: Crosshair, private readonly notice: Notice) {}
+                private readonly go: (pixel: number) => void, private readonly notice: Notice) {}
 
     /// To a defect; where a view has none, to a differing pixel.
-    toDefect(direction: 1 | -1): void {
-        const {planes, entry, look, selection} = this.current;
+    toNext(direction: 1 | -1): void {
+        const {planes, look, selection} = this.current, entry = this.current.entry as JudgedView | undefined;
         if (!planes || !entry) return;
         const fails = this.classes.findIndex((style) => !style.passes);
         const from = selection ? 0 : entry.counts.slice(fails).some((count) => count > 0) ? fails : 1;
         const step = nextPixel(planes, from, look.hasCross ? look.cross : -1, direction, selection?.match ?? null);
         if (!step) return this.notice.tell(nothing);
         if (step.wrapped) this.notice.tell('From the other end again.');
-        this.crosshair.go(step.pixel);
+        this.go(step.pixel);
     }
 
     bySeverity(direction: 1 | -1): void {
@@ -33,9 +33,8 @@ export class Walk {
         this.sorted.set(planes, all);
         const order = match ? all.filter((p) => match[p]) : all;
         if (!order.length) return this.notice.tell(nothing);
-        const at = look.hasCross ? order.indexOf(look.cross) : -1;
-        const next = at < 0 ? (direction > 0 ? 0 : order.length - 1) : (at + direction + order.length) % order.length;
-        this.crosshair.go(order[next]);
+        const next = stepIn(order, look.hasCross ? look.cross : -1, direction);
+        this.go(order[next]);
         this.notice.tell(`Number ${grouped(next + 1)} of ${grouped(order.length)} by severity.`);
     }
 
@@ -43,8 +42,14 @@ export class Walk {
         const {planes, look} = this.current;
         if (!planes?.stories.length) return this.notice.tell('No stories are stored for this view.');
         const pixels = planes.stories.map((story) => story.y * planes.width + story.x);
-        this.crosshair.go(pixels.find((pixel) => pixel > (look.hasCross ? look.cross : -1)) ?? pixels[0]);
+        this.go(pixels.find((pixel) => pixel > (look.hasCross ? look.cross : -1)) ?? pixels[0]);
     }
+}
+
+/// The place in the order behind (direction 1) or before (-1) a pixel; an end of it where it does not have the pixel.
+export function stepIn(order: number[], pixel: number, direction: 1 | -1): number {
+    const at = order.indexOf(pixel);
+    return at < 0 ? (direction > 0 ? 0 : order.length - 1) : (at + direction + order.length) % order.length;
 }
 
 /// In raster order, the next pixel (direction 1) or the one before (-1) whose class is at least `from`.

@@ -1,0 +1,243 @@
+// The viewer of filters.html in a real browser, over a study of the real program.
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, describe, it} from 'node:test';
+import {readExr} from './exr.mjs';
+import {choose, crc32, frames, makeFolder, openBrowser, openReport, paneDigest, pixelShown, press, removeFolder, says, shell,
+        viewerShows, zproof} from './stage.mjs';
+
+const methods = ['nearest', 'trilinear-gl', 'ewa-true'], width = 96, height = 72;
+let folder, study, browser;
+
+before(async () => {
+    folder = makeFolder();
+    study = join(folder, 'study');
+    zproof(0, 'filters', 'run', 'worked', 'tunnel', '--view', 'phi-45,aside', '--methods', methods.join(), '--width', width,
+           '--height', height, '--flicker', '0', '-o', study);
+    browser = await openBrowser();
+});
+
+after(async () => {
+    await browser?.close();
+    removeFolder(folder);
+});
+
+const open = (hash = '', options = {}) => openReport(browser, study, hash, options, 'filters.html');
+const results = () => JSON.parse(readFileSync(join(study, 'filters.json'), 'utf8'));
+const exr = (name, view = 'worked-phi-45') => readExr(readFileSync(join(study, 'pictures', view, name + '.exr')));
+
+/// |method - truth| of the worst channel at every pixel.
+function errorsOf(method) {
+    const floats = (picture, channel) => new Float32Array(picture.planes[channel].buffer);
+    const picture = exr(method), truth = exr('truth');
+    return Array.from({length: width * height}, (_, p) => Math.max(...['R', 'G', 'B'].map((c) =>
+        Math.fround(Math.abs(floats(picture, c)[p] - floats(truth, c)[p])))));
+}
+
+describe('a filter study', () => {
+    it('shows the written page at once, complains of nothing and asks for nothing', async () => {
+        const page = await open();
+        assert.equal(await page.isVisible('details[open] table.scores'), true);
+        assert.equal(await page.isVisible('#viewer'), false);
+        await press(page, 'v');
+        await viewerShows(page);
+        await press(page, 'n', 'u', 's', 'w', 'd', 'd', 'g', 'b', 'i', ']', 'n', 'q', '?');
+        assert.deepEqual(page.trouble, []);
+        await page.close();
+    });
+
+    it('holds the very bits of the pictures', async () => {
+        const page = await open('#view=worked-phi-45');
+        await press(page, 'q');
+        await page.waitForFunction(() => document.getElementById('viewer').dataset.digests);
+        const digests = JSON.parse(await page.evaluate(() => document.getElementById('viewer').dataset.digests));
+        for (const [name, plane] of [['truth', 'truth'], ...methods.map((m) => [m, 'method.' + m])]) {
+            const {planes} = exr(name);
+            for (const [channel, letter] of [['R', 'r'], ['G', 'g'], ['B', 'b']])
+                assert.equal(digests[`${plane}.${letter}`], crc32(new Uint8Array(planes[channel].buffer)), `${name} ${channel}`);
+        }
+        await says(page, 'every bit is what was written');
+        await page.close();
+    });
+
+    it('opens its planes from a file where the page holds none', async () => {
+        const page = await open();
+        await page.evaluate(() => document.querySelectorAll('script[id^=planes-]').forEach((element) => element.remove()));
+        await press(page, 'v');
+        await says(page, 'holds no planes');
+        await choose(page, join(study, 'pictures/tunnel-aside/planes.zvp'));
+        await viewerShows(page, 'tunnel-aside');
+        assert.match(await page.textContent('#viewer .bar h1'), /tunnel aside/);
+        await page.close();
+    });
+});
+
+describe('a pixel of a study', () => {
+    it('is opened by a link, with its method, and says what the command prints', async () => {
+        const page = await open('#view=worked-phi-45&method=ewa-true&other=nearest');
+        await press(page, 's');
+        const [x, y] = await pixelShown(page);
+        const printed = zproof(0, 'filters', 'explain', 'worked', '--view', 'phi-45', '--width', width, '--height', height,
+                               '--pixel', `${x},${y}`, '--method', 'ewa-true');
+        assert.equal(await page.textContent('#viewer pre.story'), printed);
+        assert.equal(printed.startsWith(`pixel ${x},${y}, ewa-true: `), true);
+        assert.equal(printed.split('\n')[0], `pixel ${x},${y}, ` + (await page.textContent('#viewer .why')).replace('ewa-true ', 'ewa-true: ').slice(0, -1));
+        await page.waitForFunction(() => location.hash.includes('method=ewa-true&other=nearest'));
+        const again = await open(await page.evaluate(() => location.hash));
+        assert.deepEqual(await pixelShown(again), [x, y]);
+        assert.equal(await again.inputValue('#viewer select.method'), 'ewa-true');
+        assert.equal(await again.inputValue('#viewer select.other'), 'nearest');
+        await page.close();
+        await again.close();
+    });
+
+    it('that has no inspection names the command that makes one', async () => {
+        const page = await open('#view=worked-phi-45&x=3&y=71&method=trilinear-gl');
+        const command = await page.textContent('#viewer .command code');
+        assert.match(shell(command), /^pixel 3,71, trilinear-gl: reads level/);
+        await page.close();
+    });
+
+    it('shows the values that the pictures have', async () => {
+        const page = await open('#view=worked-phi-45&x=48&y=50&method=nearest&other=trilinear-gl');
+        const cells = await page.$$eval('#viewer .values tbody tr', (rows) => rows.map((row) => row.cells[1].firstChild.textContent));
+        const at = (name) => new Float32Array(exr(name).planes.R.buffer)[50 * width + 48];
+        for (const [i, name] of ['truth', 'nearest', 'trilinear-gl'].entries()) assert.equal(Math.abs(Number(cells[i]) - at(name)) < 0.005, true, name);
+        await page.close();
+    });
+
+    it('is drawn on its texture with both weights', async () => {
+        const page = await open('#view=worked-phi-45&method=trilinear-gl');
+        for (let i = 0; i < 20 && await page.locator('canvas[data-shown=exact]').count() === 0; ++i) await press(page, 's');  // past sampled ones
+        const drawn = await page.$$eval('#viewer canvas.footprint', (all) => all.map((canvas) => {
+            const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+            let cyan = 0, orange = 0;
+            for (let k = 0; k < data.length; k += 4) {
+                cyan += data[k] < 90 && data[k + 1] > 200 && data[k + 2] > 200;
+                orange += data[k] > 100 && data[k + 2] < data[k] / 2;
+            }
+            return {shown: canvas.dataset.shown, cyan: cyan > 0, orange: orange > 20};
+        }));
+        assert.deepEqual(drawn, [{shown: 'texture', cyan: true, orange: false}, {shown: 'read', cyan: true, orange: true},
+                                 {shown: 'exact', cyan: true, orange: true}]);
+        await page.close();
+    });
+});
+
+describe('the keys of a study', () => {
+    it('N goes to the worst pixel of all, U after U by falling error', async () => {
+        const errors = errorsOf('trilinear-gl'), page = await open('#view=worked-phi-45&method=trilinear-gl');
+        const shown = async () => { const [x, y] = await pixelShown(page); return errors[y * width + x]; };
+        await press(page, 'n');
+        assert.equal(await shown(), Math.max(...errors));
+        await press(page, 'u', 'u', 'u');
+        const after = await shown(), higher = errors.filter((e) => e > after).length;
+        assert.equal(higher <= 3, true, `${higher} pixels are worse`);
+        await page.close();
+    });
+
+    it('flip, wipe and another method change what a pane shows', async () => {
+        const page = await open('#view=worked-phi-45&method=nearest&other=ewa-true');
+        const before = await paneDigest(page, 0);
+        await page.keyboard.down(' ');
+        await frames(page);
+        assert.equal(await paneDigest(page, 0), await paneDigest(page, 0));
+        assert.notEqual(await paneDigest(page, 0), before);
+        await page.keyboard.up(' ');
+        await press(page, 'w');
+        assert.notEqual(await paneDigest(page, 0), before);
+        await press(page, 'w');
+        assert.equal(await paneDigest(page, 0), before);
+        await press(page, 'g');
+        await viewerShows(page);
+        assert.equal(await page.inputValue('#viewer select.method'), 'trilinear-gl');
+        assert.notEqual(await paneDigest(page, 0), before);
+        await page.close();
+    });
+
+    it('a region and a bin leave only their pixels', async () => {
+        const page = await open('#view=worked-phi-45&method=nearest');
+        const {pixels} = results().views[0].methods[0].regions.find((r) => r.region === 'magnified');
+        await page.click('#viewer .classes button:has-text("magnified")');
+        const rows = await page.$$eval('#viewer .clusters tbody tr', (all) => all.map((row) => [row.cells[0].textContent, row.cells[1].textContent]));
+        assert.deepEqual(rows.find(([name]) => name === 'all'), ['all', pixels.toLocaleString('en')]);
+        await press(page, 'x');
+        const before = await paneDigest(page, 2);
+        await page.focus('#viewer canvas.histogram >> nth=0');
+        await page.keyboard.press('ArrowRight');
+        await page.keyboard.press('Enter');
+        await frames(page);
+        assert.notEqual(await paneDigest(page, 2), before);
+        assert.match(await page.textContent('#viewer .filter-note'), /nearest − truth/);
+        await page.close();
+    });
+});
+
+/// One bright pixel would be lost where a screen pixel shows the mean of what it covers.
+it('the worst error is seen when the view is much smaller than its pixels', async () => {
+    const page = await open('#view=worked-phi-45&method=nearest&layers=error,truth,error,error');
+    await press(page, '0');
+    for (let i = 0; i < 8; ++i) await press(page, '-');
+    const brightest = await page.evaluate(() => {
+        const canvas = document.querySelector('#viewer .pane canvas');
+        const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        let most = 0;
+        for (let k = 0; k < data.length; k += 4) most = Math.max(most, data[k]);
+        return most;
+    });
+    const loudest = Math.max(...errorsOf('nearest'));
+    assert.equal(loudest > 0.6, true);
+    assert.equal(brightest > 180, true, `the yellow end of viridis, found ${brightest}`);
+    await page.close();
+});
+
+describe('the written page', () => {
+    it('has room for every column at 1400 pixels, also with many methods', async () => {
+        const page = await open('', {viewport: {width: 1400, height: 1000}});
+        await page.evaluate(() => document.querySelectorAll('table.scores tbody tr:first-child').forEach((row) => {
+            row.cells[1].textContent = 'supersample-nearest:n=8:wrap=mirrored';
+            [...row.cells].slice(2, 4).forEach((cell) => { cell.className = 'n open'; cell.textContent = 'not resolved'; });
+        }));
+        const cut = await page.$$eval('.wide', (all) => all.filter((box) => box.scrollWidth > box.clientWidth).length);
+        assert.equal(cut, 0);
+        await page.close();
+    });
+
+    it('puts the best first at the first click on a metric', async () => {
+        const page = await open();
+        const column = async (name) => {
+            const heads = await page.$$eval('details[open] table.scores >> nth=0 >> th', (all) => all.map((th) => th.textContent));
+            const at = heads.indexOf(name);
+            await page.click(`details[open] table.scores >> nth=0 >> th >> nth=${at}`);
+            return page.$$eval('details[open] table.scores >> nth=0 >> tbody tr', (rows, i) => rows.map((row) => Number(row.cells[i].textContent)), at);
+        };
+        const rmse = await column('rmse');
+        assert.deepEqual(rmse, [...rmse].sort((a, b) => a - b));
+        const psnr = await column('psnr');
+        assert.deepEqual(psnr, [...psnr].sort((a, b) => b - a));
+        await page.close();
+    });
+
+    it('lets a reader choose among the series of its charts', async () => {
+        const page = await open();
+        const drawn = () => page.$$eval('.plots >> nth=0 >> g.series', (all) =>
+            [...new Set(all.filter((g) => getComputedStyle(g).display !== 'none').map((g) => g.dataset.series))].sort());
+        assert.deepEqual(await drawn(), [...methods].sort());
+        const chip = '.chart-legend >> nth=0 >> button[data-series="ewa-true"]';
+        await page.hover(chip);
+        assert.equal(await page.$eval('.plots', (plots) => plots.classList.contains('pointing')), true);
+        assert.deepEqual(await page.$$eval('.plots >> nth=0 >> g.series.lit', (all) => [...new Set(all.map((g) => g.dataset.series))]), ['ewa-true']);
+        await page.click(chip);
+        assert.deepEqual(await drawn(), ['ewa-true']);
+        await page.click('.chart-legend >> nth=0 >> button:text-is("all")');
+        assert.deepEqual(await drawn(), [...methods].sort());
+        await page.close();
+    });
+
+    it('shows the error below every crop of a method', async () => {
+        const page = await open();
+        assert.deepEqual(await page.$$eval('.crops >> nth=0 >> > div', (all) => all.map((one) => one.querySelectorAll('figure').length)), [1, 2, 2, 2]);
+        await page.close();
+    });
+});
