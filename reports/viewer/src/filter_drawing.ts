@@ -31,7 +31,7 @@ class Placement {
 }
 
 function fillCells(context: CanvasRenderingContext2D, window: TextureWindow, shown: Shown, place: Placement): void {
-    const most = Math.max(...window.read.map(Math.abs), ...window.exact.map(Math.abs), 0);
+    const most = shown === 'texture' ? 0 : Math.max(...window[shown].map(Math.abs), 0);
     for (let row = 0; row < window.height; ++row)
         for (let column = 0; column < window.width; ++column) {
             const cell = row * window.width + column;

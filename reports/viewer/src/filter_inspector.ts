@@ -97,7 +97,7 @@ function inspectionOf(one: Inspection): HTMLElement {
     return element('div', {},
         one.window && element('div', {class: 'triple'}, picture('texture', 'texture'), one.reading && picture('read', 'weights read'),
             one.exact && picture('exact', 'exact weights')),
-        one.window && element('p', {class: 'fine'}, `White: the pixel's square on the texture; cyan: the ellipse in it; red: centroid of the weights. `,
+        one.window && element('p', {class: 'fine'}, `White: the pixel's square on the texture; cyan: the ellipse in it; red: centroid of the weights, the largest of which is the brightest. `,
             one.window.block > 1 && `A cell is ${one.window.block} × ${one.window.block} texels.`),
         shapes(one), one.reading && images(one), one.reading && taps(one),
         element('details', {}, element('summary', {}, 'What ', element('code', {}, 'zproof filters explain'), ' prints'),
