@@ -176,6 +176,16 @@ void read_gate(const Json& json, ViewResult& v) {
     v.scene_sha256 = json.at("scene_sha256");
 }
 
+/// Candidate, reference and the oracles that were compared have a row and a column each; none has where
+/// nothing was judged.
+void require_all_compared(const ViewResult& v) {
+    const auto& same = v.id_agreement.same;
+    const std::size_t frames = 2 + std::size_t(std::ranges::count(v.oracles, "", &OracleResult::absent));
+    const auto has_all = [&](const std::vector<std::uint64_t>& row) { return row.size() == frames; };
+    if (!same.empty() && (same.size() != frames || !std::ranges::all_of(same, has_all)))
+        refuse("expected an id_agreement of " + std::to_string(frames) + " rows and columns");
+}
+
 void read_oracles(const Json& json, ViewResult& v) {
     for (const Json& one : json.at("oracles")) v.oracles.push_back(oracle_result(one));
     const Json& agreement = json.at("id_agreement");
@@ -184,6 +194,7 @@ void read_oracles(const Json& json, ViewResult& v) {
         v.id_agreement.same.emplace_back();
         for (const Json& pixels : row) v.id_agreement.same.back().push_back(count(pixels));
     }
+    require_all_compared(v);
 }
 
 ViewResult view(const Json& json) {

@@ -177,6 +177,8 @@ TEST(Json, RefusesWhatItCannotMean) {
     EXPECT_NE(changed("/views/1/worst/0/reference/camera_depth_bits", "0x12").find("0x12"),
               std::string::npos);
     EXPECT_NE(changed("/views/0/candidate_depth/histogram", Json::array({1})).find("21"), std::string::npos);
+    EXPECT_NE(changed("/views/0/id_agreement/same", {{1}}).find("rows and columns"), std::string::npos);
+    EXPECT_NE(changed("/views/0/id_agreement/same", {{1}, {1}}).find("rows and columns"), std::string::npos);
 }
 
 /// Of no use to the reader: sums of what stands elsewhere, and a declaration, which it keeps as text.
