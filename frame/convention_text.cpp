@@ -67,6 +67,7 @@ bool store_base(Convention& to, const Json& value) {
 bool store_id_background(Convention& to, const Json& value) {
     if (value == "largest") return to.id_background.reset(), true;
     constexpr std::int64_t largest = std::numeric_limits<std::uint32_t>::max();
+    if (value.is_number_unsigned() && value.get<std::uint64_t>() > std::uint64_t(largest)) return false;
     if (!value.is_number_integer() || value < -largest || value > largest) return false;
     return to.id_background = value.get<std::int64_t>(), true;
 }

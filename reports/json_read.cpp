@@ -7,6 +7,7 @@
 #include "reports/json.h"
 #include "reports/result_file.h"
 #include "reports/waiver_json.h"
+#include "reports/whole_number.h"
 
 namespace zproof {
 
@@ -25,10 +26,7 @@ double number(const Json& json) {
     refuse("expected a number, \"nan\", \"inf\" or \"-inf\", found \"" + text + "\"");
 }
 
-std::uint64_t count(const Json& json) {
-    if (!json.is_number_unsigned()) refuse("expected a count, found " + json.dump());
-    return json.get<std::uint64_t>();
-}
+std::uint64_t count(const Json& json) { return whole_number<std::uint64_t>(json); }
 
 float float_from_bits(const std::string& text) {
     std::uint32_t bits = 0;
@@ -51,7 +49,9 @@ Outcome outcome_named(const std::string& name) {
     refuse("no outcome is named \"" + name + "\"");
 }
 
-PrimitiveId id(const Json& json) { return json.is_null() ? PrimitiveId::none : PrimitiveId(count(json)); }
+PrimitiveId id(const Json& json) {
+    return json.is_null() ? PrimitiveId::none : PrimitiveId(whole_number<std::uint32_t>(json));
+}
 
 Answer answer(const Json& json) {
     return {id(json.at("primitive")), float_from_bits(json.at("camera_depth_bits"))};
@@ -76,8 +76,8 @@ std::optional<WrongAttribute> wrong_attribute(const Json& json) {
 }
 
 ReportedFinding reported(const Json& json) {
-    return {.finding = {.x = json.at("x"),
-                        .y = json.at("y"),
+    return {.finding = {.x = whole_number<int>(json.at("x")),
+                        .y = whole_number<int>(json.at("y")),
                         .verdict = class_named(json.at("class")),
                         .candidate = answer(json.at("candidate")),
                         .reference = answer(json.at("reference")),
@@ -146,9 +146,9 @@ PictureDifferences picture(const Json& json) {
 }
 
 SampledPixels sampled_pixels(const Json& json) {
-    return {.stride = json.at("stride"),
-            .first_x = json.at("first").at(0),
-            .first_y = json.at("first").at(1),
+    return {.stride = whole_number<int>(json.at("stride")),
+            .first_x = whole_number<int>(json.at("first").at(0)),
+            .first_y = whole_number<int>(json.at("first").at(1)),
             .pixels = count(json.at("pixels")),
             .seed = count(json.at("seed")),
             .fewer_because = json.at("fewer_because")};
@@ -176,10 +176,25 @@ void read_gate(const Json& json, ViewResult& v) {
     v.scene_sha256 = json.at("scene_sha256");
 }
 
+/// Candidate, reference and the oracles that were compared have a row and a column each; none has where
+/// nothing was judged.
+void require_all_compared(const ViewResult& v) {
+    const auto& same = v.id_agreement.same;
+    const std::size_t frames = 2 + std::size_t(std::ranges::count(v.oracles, "", &OracleResult::absent));
+    const auto has_all = [&](const std::vector<std::uint64_t>& row) { return row.size() == frames; };
+    if (!same.empty() && (same.size() != frames || !std::ranges::all_of(same, has_all)))
+        refuse("expected an id_agreement of " + std::to_string(frames) + " rows and columns");
+}
+
 void read_oracles(const Json& json, ViewResult& v) {
     for (const Json& one : json.at("oracles")) v.oracles.push_back(oracle_result(one));
-    v.id_agreement = {.same = json.at("id_agreement").at("same"),
-                      .unanimous = count(json.at("id_agreement").at("unanimous"))};
+    const Json& agreement = json.at("id_agreement");
+    v.id_agreement.unanimous = count(agreement.at("unanimous"));
+    for (const Json& row : agreement.at("same")) {
+        v.id_agreement.same.emplace_back();
+        for (const Json& pixels : row) v.id_agreement.same.back().push_back(count(pixels));
+    }
+    require_all_compared(v);
 }
 
 ViewResult view(const Json& json) {
@@ -189,8 +204,8 @@ ViewResult view(const Json& json) {
                  .reason = json.at("reason"),
                  .outcome = outcome_named(json.at("outcome")),
                  .message = json.at("message"),
-                 .width = json.at("width"),
-                 .height = json.at("height"),
+                 .width = whole_number<int>(json.at("width")),
+                 .height = whole_number<int>(json.at("height")),
                  .triangles = count(json.at("triangles")),
                  .candidate = json.at("candidate"),
                  .reference = json.at("reference"),
@@ -218,7 +233,8 @@ ViewResult view(const Json& json) {
 void read_gate(const Json& root, Results& results) {
     const Json& run = root.at("run");
     results.argv = run.at("argv");
-    results.shard = {run.at("shard").at("number"), run.at("shard").at("count")};
+    const Json& shard = run.at("shard");
+    results.shard = {whole_number<int>(shard.at("number")), whole_number<int>(shard.at("count"))};
     results.ending = run.at("ending") == "complete" ? Ending::complete : Ending::interrupted;
     results.today = run.at("today");
     const Json& selection = root.at("selection");
@@ -247,7 +263,7 @@ Results results_from(const Json& root) {
                     .command = run.at("command"),
                     .compiler = run.at("compiler"),
                     .embree = run.at("embree"),
-                    .threads = run.at("threads"),
+                    .threads = whole_number<int>(run.at("threads")),
                     .isa = run.value("isa", ""),
                     .renderers = {},
                     .views = {}};

@@ -1,5 +1,6 @@
 #include "reports/report_error.h"
 #include "reports/waiver_json.h"
+#include "reports/whole_number.h"
 
 namespace zproof {
 
@@ -8,7 +9,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 PrimitiveId id_from(const Json& json) {
-    return json.is_null() ? PrimitiveId::none : PrimitiveId(json.get<std::uint32_t>());
+    return json.is_null() ? PrimitiveId::none : PrimitiveId(whole_number<std::uint32_t>(json));
 }
 
 decltype(Waiver::where) place_from(const Json& json) {
@@ -25,8 +26,10 @@ decltype(Waiver::where) place_from(const Json& json) {
         return at;
     }
     if (kind != "pixels") return Anywhere{};
-    AtPixels at{.size = {json.at("size").at(0), json.at("size").at(1)}, .rectangles = {}};
-    for (const Json& r : json.at("rectangles")) at.rectangles.push_back({r.at(0), r.at(1), r.at(2), r.at(3)});
+    const auto side = [](const Json& list, std::size_t i) { return whole_number<int>(list.at(i)); };
+    AtPixels at{.size = {side(json.at("size"), 0), side(json.at("size"), 1)}, .rectangles = {}};
+    for (const Json& r : json.at("rectangles"))
+        at.rectangles.push_back({side(r, 0), side(r, 1), side(r, 2), side(r, 3)});
     return at;
 }
 
@@ -58,8 +61,8 @@ Waiver waiver_from(const Json& json) {
              .view = json.at("view"),
              .classes = {},
              .where = place_from(json.at("where")),
-             .least = json.at("count").at("min"),
-             .most = json.at("count").at("max"),
+             .least = whole_number<std::uint64_t>(json.at("count").at("min")),
+             .most = whole_number<std::uint64_t>(json.at("count").at("max")),
              .reason = json.at("reason"),
              .link = json.at("link"),
              .created = day(json.at("created")),
@@ -73,8 +76,8 @@ Waiver waiver_from(const Json& json) {
 WaiverUse waiver_use_from(const Json& json) {
     return {.id = json.at("id"),
             .effect = effect_from(json.at("effect")),
-            .matched = json.at("matched"),
-            .waived = json.at("waived")};
+            .matched = whole_number<std::uint64_t>(json.at("matched")),
+            .waived = whole_number<std::uint64_t>(json.at("waived"))};
 }
 
 }  // namespace zproof

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/result_file.h"
+#include "reports/whole_number.h"
 #include "reports/wording.h"
 
 namespace zproof::document {
@@ -34,7 +35,7 @@ Json json_of(const Cell& cell) {
 /// A whole number stays one: doubles are written with a point or an exponent.
 Cell cell_of(const Json& json) {
     if (json.is_string()) return json.get<std::string>();
-    if (json.is_number_integer()) return json.get<std::int64_t>();
+    if (json.is_number_integer()) return whole_number<std::int64_t>(json);
     return number(json);
 }
 
@@ -52,7 +53,7 @@ Json json_of(const Table& table) {
 }
 
 Table table_of(const Json& json) {
-    Table table{json.at("name"), json.at("caption"), {}, {}, json.at("shown")};
+    Table table{json.at("name"), json.at("caption"), {}, {}, whole_number<std::size_t>(json.at("shown"))};
     for (const Json& c : json.at("columns"))
         table.columns.push_back({c.at("title"), c.at("unit"), c.at("meaning")});
     for (const Json& cells : json.at("rows")) {

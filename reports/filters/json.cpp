@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/result_file.h"
+#include "reports/whole_number.h"
 #include "reports/wording.h"
 
 namespace zproof {
@@ -89,7 +90,7 @@ Json cards_of(const StudyResults& results) {
 }
 
 RegionScore region_score(const Json& json, const std::vector<MetricCard>& metrics) {
-    RegionScore score{json.at("region"), json.at("pixels"), 0, {}};
+    RegionScore score{json.at("region"), whole_number<std::uint64_t>(json.at("pixels")), 0, {}};
     if (score.pixels == 0) {
         score.values.assign(metrics.size(), std::numeric_limits<double>::quiet_NaN());
         return score;
@@ -101,17 +102,17 @@ RegionScore region_score(const Json& json, const std::vector<MetricCard>& metric
 
 MethodScore method_score(const Json& json, const std::vector<MetricCard>& metrics) {
     const Json &cost = json.at("cost"), &flicker = json.at("flicker");
-    MethodScore method{
-        .label = json.at("method"),
-        .regions = {},
-        .cost = {.texels = number(cost.at("texels")),
-                 .lines = number(cost.at("lines")),
-                 .bytes_stored = cost.at("bytes_stored"),
-                 .build_ms = number(cost.at("build_ms")),
-                 .ns_per_sample = number(cost.at("ns_per_sample")),
-                 .pixels = cost.at("pixels")},
-        .flicker = {number(flicker.at("rms")), number(flicker.at("ratio")), flicker.at("steps")},
-        .file = json.at("file")};
+    MethodScore method{.label = json.at("method"),
+                       .regions = {},
+                       .cost = {.texels = number(cost.at("texels")),
+                                .lines = number(cost.at("lines")),
+                                .bytes_stored = whole_number<std::uint64_t>(cost.at("bytes_stored")),
+                                .build_ms = number(cost.at("build_ms")),
+                                .ns_per_sample = number(cost.at("ns_per_sample")),
+                                .pixels = whole_number<std::uint64_t>(cost.at("pixels"))},
+                       .flicker = {number(flicker.at("rms")), number(flicker.at("ratio")),
+                                   whole_number<int>(flicker.at("steps"))},
+                       .file = json.at("file")};
     for (const Json& one : json.at("regions")) method.regions.push_back(region_score(one, metrics));
     return method;
 }
@@ -120,9 +121,9 @@ ViewStudy view_study(const Json& json, const std::vector<MetricCard>& metrics) {
     ViewStudy view{.scene = json.at("scene"),
                    .view = json.at("view"),
                    .reason = json.at("reason"),
-                   .width = json.at("width"),
-                   .height = json.at("height"),
-                   .first_row = json.at("first_row"),
+                   .width = whole_number<int>(json.at("width")),
+                   .height = whole_number<int>(json.at("height")),
+                   .first_row = whole_number<int>(json.at("first_row")),
                    .textures = json.at("textures"),
                    .methods = {},
                    .scene_sha256 = json.value("scene_sha256", ""),
@@ -136,8 +137,8 @@ ViewStudy view_study(const Json& json, const std::vector<MetricCard>& metrics) {
 
 void read_cards(const Json& json, StudyResults& results) {
     for (const Json& m : json.at("metrics"))
-        results.metrics.push_back(
-            {m.at("name"), m.at("definition"), m.at("source"), m.at("higher_is_better"), m.at("decimals")});
+        results.metrics.push_back({m.at("name"), m.at("definition"), m.at("source"), m.at("higher_is_better"),
+                                   whole_number<int>(m.at("decimals"))});
     for (const Json& r : json.at("regions")) results.regions.push_back({r.at("name"), r.at("definition")});
     for (const Json& m : json.at("methods"))
         results.methods.push_back(
@@ -176,7 +177,7 @@ StudyResults filters_from_json(const std::string& text) try {
     results.commit = json.value("commit", ""), results.processor = json.value("processor", "");
     results.date = json.value("date", "");
     results.compiler = json.at("compiler"), results.truth = json.at("truth");
-    results.threads = json.at("threads"), results.seconds = number(json.at("seconds"));
+    results.threads = whole_number<int>(json.at("threads")), results.seconds = number(json.at("seconds"));
     results.is_complete = json.at("is_complete");
     read_cards(json.at("cards"), results);
     for (const Json& one : json.at("views")) results.views.push_back(view_study(one, results.metrics));

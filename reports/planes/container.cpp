@@ -5,6 +5,7 @@
 
 #include "frame/input_file.h"
 #include "frame/whole_file.h"
+#include "reports/whole_number.h"
 
 namespace zproof::planes {
 
@@ -30,7 +31,7 @@ Directory directory_in(std::string_view header, std::uint64_t whole) {
     Directory directory{nlohmann::json::parse(header), {}};
     std::uint64_t first = front_bytes + header.size();
     for (const nlohmann::json& facts : directory.header.at("blocks")) {
-        BlockPlace block{facts.at("name"), facts, first, facts.at("bytes").get<std::uint64_t>()};
+        BlockPlace block{facts.at("name"), facts, first, whole_number<std::uint64_t>(facts.at("bytes"))};
         if (block.size > whole - first) throw ReportError("ends early");
         first += block.size;
         block.facts.erase("name");

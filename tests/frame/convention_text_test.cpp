@@ -93,6 +93,7 @@ TEST(ConventionWord, MistakesAreNamed) {
     says("scale=2", "/scale: unknown key; allowed here: id_channel, ");
     says("id_base=-1", "/id_base: expected a whole number from 0 to 4294967295, found -1");
     says("id_base=4294967296", "found 4294967296");
+    says("id_background=18446744073709551615", "/id_background: expected a whole number or largest");
     says("id_background=1.5", "/id_background: expected a whole number or largest");
     says("depth_scale=0", "/depth_scale: expected a number above 0");
     says("depth_background=0|none", "/depth_background: expected numbers, nan");

@@ -177,6 +177,34 @@ TEST(Json, RefusesWhatItCannotMean) {
     EXPECT_NE(changed("/views/1/worst/0/reference/camera_depth_bits", "0x12").find("0x12"),
               std::string::npos);
     EXPECT_NE(changed("/views/0/candidate_depth/histogram", Json::array({1})).find("21"), std::string::npos);
+    EXPECT_NE(changed("/views/0/id_agreement/same", {{1}}).find("rows and columns"), std::string::npos);
+    EXPECT_NE(changed("/views/0/id_agreement/same", {{1}, {1}}).find("rows and columns"), std::string::npos);
+}
+
+/// Of no use to the reader: sums of what stands elsewhere, and a declaration, which it keeps as text.
+bool is_passed_over(const std::string& place) {
+    const auto has = [&](const char* part) { return place.find(part) != std::string::npos; };
+    return has("/precision/") || place.starts_with("/summary/") ||
+           (place.ends_with("/defects") && !has("/diagnosis/"));
+}
+
+TEST(Json, RefusesWholeNumbersThatDoNotFit) {
+    int places = 0;
+    for (const Results& results : {sample_results(), waived_run()}) {
+        const Json document = Json::parse(to_json(results)), leaves = document.flatten();
+        for (const auto& [place, value] : leaves.items()) {
+            if (!value.is_number_integer() || is_passed_over(place)) continue;
+            ++places;
+            for (const Json& large : {Json(1e308), Json(1.5), Json(-9223372036854775807)}) {
+                Json other = document;
+                other[Json::json_pointer(place)] = large;
+                EXPECT_NE(refusal(other.dump()).find("(" + place + ") expected a whole number"),
+                          std::string::npos)
+                    << place << " " << large << ": " << refusal(other.dump());
+            }
+        }
+    }
+    EXPECT_GT(places, 100);
 }
 
 TEST(Json, SurvivesNamesThatAreNoText) {
