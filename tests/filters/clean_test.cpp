@@ -73,7 +73,7 @@ TEST(StochasticDraws, HaveTheExpectationOfTheDeterministicMethod) {
                 glm::dvec3 mean{0};
                 for (const ColourDraw& draw : drawn->draws)
                     mean += middle(draw.probability) * (draw.colour.low + draw.colour.high) / 2.0;
-                const ColourRange expected = filtered.at(x, y, id, {}).front();
+                const ColourRange expected = filtered.at(x, y, {&id, 1}, {}).front();
                 EXPECT_TRUE(glm::all(glm::greaterThan(mean, expected.low - 0x1p-24)) &&
                             glm::all(glm::lessThan(mean, expected.high + 0x1p-24)))
                     << stochastic << " at (" << x << ", " << y << ")";
