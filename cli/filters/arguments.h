@@ -32,6 +32,7 @@ struct FiltersRunArguments {
     std::optional<int> width, height;  ///< pixels; none: the scene's own
     std::optional<int> first_row;      ///< study::Plan::first_row; none: the scene's own
     int flicker_steps = 2;             ///< 0: not measured
+    bool writes_evidence = false;      ///< cli/filters/evidence_files.h
     std::string typed;                 ///< the command line, quoted for a shell
 };
 

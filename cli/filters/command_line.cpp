@@ -63,6 +63,8 @@ void add_run(CLI::App& app, FiltersWords& words) {
         ->capture_default_str();
     add_common(app, words.run.common, "folder for the study");
     add_progress(app, words.run.common);
+    app.add_flag("--evidence", words.run.writes_evidence,
+                 "error, FLIP, certainty, footprint and region of every pixel as OpenEXR files, too");
     app.add_option("--view", words.views, "names of views, separated by commas; default: all of every scene");
     app.add_option("--first-row", words.run.first_row,
                    "rows above count in the regions all and horizon only; default 0, of 'worked' 56 of 256")

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <set>
 
 #include "cli/commands.h"
 #include "cli/filters/configured.h"
+#include "cli/filters/evidence_files.h"
 #include "cli/filters/scenes.h"
 #include "cli/filters/view_evidence.h"
 #include "cli/folder_names.h"
@@ -64,7 +66,8 @@ class FilterStudyRun {
             if (interrupted()) return;
             plan_.first_row = arguments.first_row.value_or(natural_first_row(source, view.height));
             progress_.within(name + " / " + view.name + ": ");
-            study::ViewStudy one = study_one({source.word, name, sha256}, loaded.scene, view);
+            study::ViewStudy one =
+                study_one({source.word, name, sha256, arguments.writes_evidence}, loaded.scene, view);
             one.scene = name;
             one.scene_sha256 = sha256;
             one.reason = source.reason;
@@ -83,6 +86,7 @@ class FilterStudyRun {
     struct SceneFacts {
         std::string word, name;
         std::string sha256;  ///< of the .glb that zproof would write of it
+        bool writes_evidence;
     };
 
     study::ViewStudy study_one(const SceneFacts& facts, const Scene& scene, const View& view) {
@@ -92,17 +96,27 @@ class FilterStudyRun {
         const FileFacts provenance = provenance_of(results_, place);
         fs::create_directories(folder_ / home);
         ViewEvidenceWriter evidence;
+        std::optional<EvidenceFiles> files;
+        if (facts.writes_evidence) files.emplace(folder_ / home, provenance);
         const study::ProgressSink progress_sink{
             .begins = [&](const std::string& what, double work) { progress_.begin(what, work); },
             .is_shown =
                 [&](const std::string& what, const Picture& picture) {
                     write_picture(folder_ / home / (file_stem(what) + ".exr"), picture, provenance);
                     evidence.show(what, picture);
+                    if (files && what != "truth") files->show(what, picture);
                 },
             .wants_to_stop = interrupted,
-            .is_known = [&](const study::ViewEvidence& known) { evidence.begin(known); },
-            .is_mapped = [&](const std::string& label, const PictureMetric& metric,
-                             const Plane<double>& map) { evidence.map(label, metric, map); }};
+            .is_known =
+                [&](const study::ViewEvidence& known) {
+                    evidence.begin(known);
+                    if (files) files->begin(known);
+                },
+            .is_mapped =
+                [&](const std::string& label, const PictureMetric& metric, const Plane<double>& map) {
+                    evidence.map(label, metric, map);
+                    if (files) files->map(label, metric, map);
+                }};
         study::ViewStudy one = study::study_view(scene, view, plan_, progress_sink);
         std::move(evidence).write(folder_ / home, {facts.word, facts.name, scene, view, plan_});
         one.truth_file = home + "truth.exr";

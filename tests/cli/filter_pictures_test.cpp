@@ -108,6 +108,20 @@ TEST_F(FilterPictures, SayInTheirHeadersWhereTheyComeFrom) {
         EXPECT_NE(truth.find(words), std::string::npos) << words;
 }
 
+/// Read back as pictures: the error is picture less truth.
+TEST(FilterEvidence, HoldsTheErrorOfEveryPixel) {
+    const Folder folder;
+    ASSERT_EQ(run(folder, with(small, {"worked", "--view", "phi-0", "--evidence"})).exit_code, 0);
+    const auto home = folder.path() / "study/pictures/worked-phi-0";
+    const Picture truth = read_picture(home / "truth.exr"), drawn = read_picture(home / "bilinear.exr"),
+                  error = read_picture(home / "bilinear-error.exr");
+    for (std::size_t i = 0; i < truth.pixels().size(); ++i)
+        ASSERT_EQ(error.pixels()[i].g, drawn.pixels()[i].g - truth.pixels()[i].g) << i;
+    const std::string surface = folder.read("study/pictures/worked-phi-0/surface.exr");
+    for (const char* channel : {"half_width", "du_dx", "lod", "region", "zproof:regions", "zproof:command"})
+        EXPECT_NE(surface.find(channel), std::string::npos) << channel;
+}
+
 TEST(PooledTable, ComparesMethodsOverTextures) {
     const Folder folder;
     ASSERT_EQ(run(folder, with(small, {"checker_plane", "tunnel"})).exit_code, 0);
