@@ -158,7 +158,7 @@ TEST(FilterScenes, TakeAPhotograph) {
     EXPECT_EQ(loaded.scene.name, "rocket.jpg");
     EXPECT_EQ(loaded.scene.images[0].width, 640);
     EXPECT_EQ(loaded.scene.images[0].height, 427);
-    EXPECT_EQ(loaded.views.size(), 3u);
+    EXPECT_EQ(loaded.views.size(), 13u);
 }
 
 INSTANTIATE_TEST_SUITE_P(FilterScenes, EveryFilterScene, testing::ValuesIn(filter_scenes()),

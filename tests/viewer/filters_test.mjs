@@ -38,7 +38,7 @@ function errorsOf(method) {
 describe('a filter study', () => {
     it('shows the written page at once, complains of nothing and asks for nothing', async () => {
         const page = await open();
-        assert.equal(await page.isVisible('details[open] table.scores'), true);
+        assert.equal(await page.isVisible('section[id] details[open] table.scores'), true);
         assert.equal(await page.isVisible('#viewer'), false);
         await press(page, 'v');
         await viewerShows(page);
@@ -85,6 +85,7 @@ describe('a pixel of a study', () => {
         assert.equal(printed.split('\n')[0], `pixel ${x},${y}, ` + (await page.textContent('#viewer .why')).replace('ewa-true ', 'ewa-true: ').slice(0, -1));
         await page.waitForFunction(() => location.hash.includes('method=ewa-true&other=nearest'));
         const again = await open(await page.evaluate(() => location.hash));
+        await viewerShows(again, 'worked-phi-45');
         assert.deepEqual(await pixelShown(again), [x, y]);
         assert.equal(await again.inputValue('#viewer select.method'), 'ewa-true');
         assert.equal(await again.inputValue('#viewer select.other'), 'nearest');
@@ -211,10 +212,10 @@ describe('the written page', () => {
     it('puts the best first at the first click on a metric', async () => {
         const page = await open();
         const column = async (name) => {
-            const heads = await page.$$eval('details[open] table.scores >> nth=0 >> th', (all) => all.map((th) => th.textContent));
+            const heads = await page.$$eval('section[id] details[open] table.scores >> nth=0 >> th', (all) => all.map((th) => th.textContent));
             const at = heads.indexOf(name);
-            await page.click(`details[open] table.scores >> nth=0 >> th >> nth=${at}`);
-            return page.$$eval('details[open] table.scores >> nth=0 >> tbody tr', (rows, i) => rows.map((row) => Number(row.cells[i].textContent)), at);
+            await page.click(`section[id] details[open] table.scores >> nth=0 >> th >> nth=${at}`);
+            return page.$$eval('section[id] details[open] table.scores >> nth=0 >> tbody tr', (rows, i) => rows.map((row) => Number(row.cells[i].textContent)), at);
         };
         const rmse = await column('rmse');
         assert.deepEqual(rmse, [...rmse].sort((a, b) => a - b));
