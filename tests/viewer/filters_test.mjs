@@ -83,7 +83,8 @@ describe('a pixel of a study', () => {
         assert.equal(await page.textContent('#viewer pre.story'), printed);
         assert.equal(printed.startsWith(`pixel ${x},${y}, ewa-true: `), true);
         assert.equal(printed.split('\n')[0], `pixel ${x},${y}, ` + (await page.textContent('#viewer .why')).replace('ewa-true ', 'ewa-true: ').slice(0, -1));
-        await page.waitForFunction(() => location.hash.includes('method=ewa-true&other=nearest'));
+        await page.waitForFunction((place) => location.hash.includes(place) && location.hash.includes('method=ewa-true&other=nearest'),
+                                   `x=${x}&y=${y}`);
         const again = await open(await page.evaluate(() => location.hash));
         await viewerShows(again, 'worked-phi-45');
         assert.deepEqual(await pixelShown(again), [x, y]);
