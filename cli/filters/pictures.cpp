@@ -8,6 +8,7 @@
 #include "oracle/convention/stored_picture.h"
 #include "oracle/external.h"
 #include "oracle/oracle_error.h"
+#include "reports/filters/folder.h"
 
 namespace zproof {
 namespace {
@@ -63,10 +64,10 @@ PictureChoice picture_choice(const std::string& typed) {
 }
 
 void refuse_equal_names(const std::vector<PictureChoice>& pictures, const std::vector<std::string>& methods) {
-    std::vector<std::string> taken = methods;
-    for (const std::string reserved : {"truth", "surface"}) taken.push_back(reserved);
+    std::vector<std::string> taken{"truth", "surface"};
+    for (const std::string& method : methods) taken.push_back(file_stem(method));
     for (const PictureChoice& picture : pictures) {
-        if (std::ranges::find(taken, picture.name) != taken.end())
+        if (std::ranges::find(taken, picture.name) != taken.end() || picture.name.ends_with("-error"))
             throw UsageError{"--picture: the name '" + picture.name + "' is taken; choose another one"};
         taken.push_back(picture.name);
     }

@@ -21,7 +21,7 @@ struct PictureChoice {
 /// Throws UsageError where it is not NAME=WORD, or the name is no file name.
 PictureChoice picture_choice(const std::string& typed);
 
-/// Throws UsageError where two pictures, or a picture and a method, have one name.
+/// Throws UsageError where two pictures, or a picture and another file of the study, would have one name.
 void refuse_equal_names(const std::vector<PictureChoice>& pictures, const std::vector<std::string>& methods);
 
 /// Throws UsageError where files are named alike for several scenes, or several views of one.

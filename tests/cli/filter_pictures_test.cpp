@@ -93,6 +93,7 @@ TEST_F(FilterPictures, HaveNamesOfTheirOwnAndAFileForEachView) {
     refused({"worked", "--picture", "a b=a.exr"}, "a name has letters");
     refused({"worked", "--picture", "nearest=a.exr"}, "is taken");
     refused({"worked", "--picture", "a=a.exr", "--picture", "a=b.exr"}, "is taken");
+    refused({"worked", "--picture", "bilinear-error=a.exr"}, "is taken");
     refused({"worked", "--picture", "a=a.exr"}, "put {view} into its name");
     refused({"worked", "tunnel", "--picture", "a={view}.exr"}, "put {scene} into its name");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "study"));
