@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <new>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -22,19 +23,28 @@ struct Resolution {
 
 inline constexpr std::size_t cache_line_bytes = 64;
 
-/// Begins a cache line, and touches no memory before it is asked to; many values stand in huge pages.
+/// Begins a cache line, and touches no memory before it is asked to; many values stand in huge pages. One
+/// that is lent memory gives that out, once, with the values that stand there; copies of a plane have memory
+/// of their own.
 template <class T>
 struct PlaneAllocator {
     using value_type = T;
+    using propagate_on_container_move_assignment = std::true_type;
+    using propagate_on_container_swap = std::true_type;
+    using is_always_equal = std::false_type;
 
     PlaneAllocator() = default;
+    explicit PlaneAllocator(T* lent_values) : lent(lent_values) {}
     template <class U>
     constexpr PlaneAllocator(const PlaneAllocator<U>&) noexcept {}
 
     T* allocate(std::size_t count) {
-        return static_cast<T*>(allocate_bulk(count * sizeof(T), cache_line_bytes));
+        return lent ? lent : static_cast<T*>(allocate_bulk(count * sizeof(T), cache_line_bytes));
     }
-    void deallocate(T* values, std::size_t count) noexcept { free_bulk(values, count * sizeof(T)); }
+    void deallocate(T* values, std::size_t count) noexcept {
+        if (!lent) free_bulk(values, count * sizeof(T));
+    }
+    PlaneAllocator select_on_container_copy_construction() const { return {}; }
     bool operator==(const PlaneAllocator&) const = default;
 
     template <class U, class... Arguments>
@@ -43,12 +53,14 @@ struct PlaneAllocator {
     }
     template <class U>
     void construct(U* at) noexcept {
-        ::new (static_cast<void*>(at)) U;
+        if (!lent) ::new (static_cast<void*>(at)) U;
     }
+
+    T* lent = nullptr;
 };
 
 /// Row-major values, row 0 at the top; at(x, y) is pixel (x, y) of raster space. The first begins a cache
-/// line.
+/// line, unless the memory is lent.
 template <class T>
 class Plane {
   public:
@@ -59,6 +71,16 @@ class Plane {
     static Plane unwritten(Resolution size) {
         Plane plane;
         plane.size_ = size;
+        plane.values_.resize(size.pixel_count());
+        return plane;
+    }
+
+    /// A plane of somebody else's memory, without a copy: size.pixel_count() values that must outlive it.
+    /// They are only read where the plane is const.
+    static Plane lent(Resolution size, const T* values) {
+        Plane plane;
+        plane.size_ = size;
+        plane.values_ = Values(PlaneAllocator<T>{const_cast<T*>(values)});
         plane.values_.resize(size.pixel_count());
         return plane;
     }
@@ -77,8 +99,10 @@ class Plane {
         return std::size_t(y) * std::size_t(size_.width) + std::size_t(x);
     }
 
+    using Values = std::vector<T, PlaneAllocator<T>>;
+
     Resolution size_;
-    std::vector<T, PlaneAllocator<T>> values_;
+    Values values_;
 };
 
 }  // namespace zproof
