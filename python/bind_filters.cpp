@@ -1,0 +1,51 @@
+#include "zproof/filters.h"
+
+#include <pybind11/stl.h>
+
+#include "python/arrays.h"
+#include "python/bindings.h"
+
+namespace zproof::python {
+namespace {
+
+/// An array that owns the vector.
+py::array_t<float> array_taking(std::vector<float>&& values, std::vector<py::ssize_t> shape) {
+    auto owned = std::make_unique<std::vector<float>>(std::move(values));
+    const std::vector<float>& kept = *owned;
+    const py::capsule owner(owned.release(), [](void* p) { delete static_cast<std::vector<float>*>(p); });
+    return py::array_t<float>(std::move(shape), kept.data(), owner);
+}
+
+py::tuple truth_of(const api::Scene& scene, const api::View& view, const std::string& reconstruction) {
+    api::Truth truth;
+    {
+        const py::gil_scoped_release released;
+        truth = api::truth(scene, view, reconstruction);
+    }
+    const py::ssize_t height = truth.size.height, width = truth.size.width;
+    return py::make_tuple(array_taking(std::move(truth.rgb), {height, width, 3}),
+                          array_taking(std::move(truth.half_width), {height, width}));
+}
+
+void save_picture(const std::string& file, const py::object& picture) {
+    const auto array =
+        array_from<float>(picture, {"picture", {-1, -1, 3}, "float32 (height, width, 3), linear light"});
+    api::save_picture(file, {int(array.shape(1)), int(array.shape(0))}, values_of(array));
+}
+
+}  // namespace
+
+void bind_filters(py::module_& module) {
+    using py::arg;
+    module.def("truth", &truth_of, arg("scene"), arg("view"), arg("reconstruction"));
+    module.def("save_picture", &save_picture, arg("file"), arg("picture"));
+    module.def(
+        "save_scene",
+        [](const api::Scene& scene, const std::vector<api::View>& views, const std::string& folder) {
+            const py::gil_scoped_release released;
+            api::save(scene, views, folder);
+        },
+        arg("scene"), arg("views"), arg("folder"));
+}
+
+}  // namespace zproof::python

@@ -1,0 +1,162 @@
+"""Texture filters held against the exact area integral. The studies and checks are those of the program, which is looked
+for on PATH, or is the one that ZPROOF_PROGRAM names."""
+
+import contextlib
+import csv
+import os
+import re
+import subprocess
+import tempfile
+
+import numpy
+
+from zproof import _zproof
+
+_NOT_PROVEN = 1  # exit status (docs/cli.md)
+_KEY = ["scene", "view", "width", "height", "method", "truth", "region", "pixels"]  # of filters.csv
+_WHOLE_NUMBERS = {"width", "height", "pixels"}
+
+
+class Table(dict):
+    """A study's figures: {column: numpy array}, a row for each scene, view, method and region. `folder` is where the
+    study lies, with its pictures and page; None where it was not kept."""
+
+    folder = None
+
+    def __len__(self):
+        """Rows."""
+        return len(next(iter(self.values()), ()))
+
+    def rows(self, **wanted):
+        """The rows whose columns have these values: table.rows(region="interior", method="nearest")."""
+        chosen = numpy.ones(len(self), bool)
+        for column, value in wanted.items():
+            chosen &= self[column] == value
+        part = Table({name: values[chosen] for name, values in self.items()})
+        part.folder = self.folder
+        return part
+
+
+class Check:
+    """What the reference of a method says of a picture. True where the picture keeps to the method's definition."""
+
+    def __init__(self, passed, text):
+        self.passed, self.text = passed, text
+
+    def __bool__(self):
+        return self.passed
+
+    def __repr__(self):
+        return self.text
+
+
+def truth(scene, view, reconstruction="B", *, half_width=False):
+    """The mean of the visible surfaces' albedo over each pixel, in linear light: float32 (height, width, 3).
+
+    reconstruction: "N" (texels are squares), "B" (bilinear), "G" (bilinear, under a Gaussian) or "GN"
+    (docs/area-integral.md). With half_width=True a tuple: the truth, and half the 95 % confidence interval of each
+    pixel's worst channel, float32 (height, width), 0 where the integral is exact. Raises ValueError.
+    """
+    mean, half = _zproof.truth(scene, view, reconstruction)
+    return (mean, half) if half_width else mean
+
+
+def run(methods, scene, view=None, *, pictures=None, truth="B", size=None, flicker=0, folder=None):
+    """A study: methods and pictures of one's own, held against the truth.
+
+    methods: a list of names with settings, ["nearest", "trilinear-gl:bias=0.5"] (`zproof filters list`).
+    scene: a Scene with uv and texture, then with a view; or the name of a filter scene or a model file, then with the
+    name of a view or None for all.
+    pictures: {name: float32 (height, width, 3)}, linear light, of one view. truth: as in truth().
+    size: (width, height) of named scenes. flicker: further views, each a fraction of a pixel on.
+    folder: where to keep the study; None: nowhere.
+
+    Returns a Table. Raises ValueError for arguments that are not usable, RuntimeError with the program's words.
+    """
+    with _study_folder(folder) as out, tempfile.TemporaryDirectory() as scratch:
+        words = ["filters", "run", *_scene_words(scene, view, size, scratch)]
+        words += ["--methods", ",".join(methods), "--truth", truth, "--flicker", str(flicker), "-o", out, "--quiet"]
+        for name, picture in (pictures or {}).items():
+            words += ["--picture", f"{name}={_picture_file(picture, scratch, name)}"]
+        _program(words, {0})
+        table = _table(os.path.join(out, "filters.csv"))
+        table.folder = None if folder is None else out
+        return table
+
+
+def check(picture, method, scene, view, *, precision=None, size=None):
+    """Does a picture compute its method's own definition?
+
+    picture: float32 (height, width, 3), linear light, of that view. method: a name with settings. scene, view: as in
+    run(). precision: what the filter promises ("gpu", "gpu,lod_bits=6", docs/joint-conformance.md); None: as exact as
+    zproof's own filters.
+
+    Returns a Check. Raises ValueError, and RuntimeError with the program's words.
+    """
+    with tempfile.TemporaryDirectory() as scratch:
+        words = ["filters", "check", method, *_scene_words(scene, view, size, scratch)]
+        words += ["--picture", _picture_file(picture, scratch, "picture")]
+        if precision is not None:
+            words += ["--precision", precision]
+        done = _program(words, {0, _NOT_PROVEN})
+        return Check(done.returncode == 0, done.stdout.strip())
+
+
+def _scene_words(scene, view, size, scratch):
+    if isinstance(scene, _zproof.Scene):
+        if not isinstance(view, _zproof.View):
+            raise ValueError(f"view is a {type(view).__name__}; expected a zproof.View beside a zproof.Scene")
+        _zproof.save_scene(scene, [view], scratch)
+        return [os.path.join(scratch, f"{scene.name}.view.json")]
+    words = [os.fspath(scene)]
+    if view is not None:
+        words += ["--view", view]
+    if size is not None:
+        words += ["--width", str(size[0]), "--height", str(size[1])]
+    return words
+
+
+def _picture_file(picture, scratch, name):
+    if not re.fullmatch(r"[A-Za-z0-9_.-]+", name):
+        raise ValueError(f"picture {name!r}: expected a name of letters, digits, '-', '_', '.'")
+    file = os.path.join(scratch, f"{name}.exr")
+    _zproof.save_picture(file, picture)
+    return file
+
+
+@contextlib.contextmanager
+def _study_folder(folder):
+    if folder is not None:
+        yield os.fspath(folder)
+        return
+    with tempfile.TemporaryDirectory() as scratch:
+        yield os.path.join(scratch, "study")
+
+
+def _program(words, expected):
+    program = os.environ.get("ZPROOF_PROGRAM") or "zproof"
+    try:
+        done = subprocess.run([program, *words], capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        raise RuntimeError(f"{program} is not found; install zproof, or name its file in ZPROOF_PROGRAM") from None
+    if done.returncode not in expected:
+        last = done.stderr.strip() or done.stdout.strip()
+        raise RuntimeError(f"zproof {words[0]} {words[1]}: exit status {done.returncode}: {last}")
+    return done
+
+
+def _table(file):
+    """A row for each scene, view, method and region; a column for each metric."""
+    with open(file, newline="", encoding="utf-8") as text:
+        values = list(csv.DictReader(line for line in text if not line.startswith("#")))
+    rows = {}
+    for value in values:
+        key = tuple(value[column] for column in _KEY)
+        rows.setdefault(key, {"truth_half_width": value["truth_half_width"]})[value["metric"]] = value["value"]
+    metrics = list(dict.fromkeys(metric for row in rows.values() for metric in row))
+    table = Table()
+    for i, column in enumerate(_KEY):
+        table[column] = numpy.array([key[i] for key in rows], dtype=int if column in _WHOLE_NUMBERS else None)
+    for metric in metrics:
+        table[metric] = numpy.array([float(row.get(metric) or "nan") for row in rows.values()])
+    return table

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "frame/precision_text.h"
+#include "frame/whole_file.h"
+#include "image_io/image_io.h"
+#include "oracle/subprocess.h"
+#include "scenes/glb_writer.h"
+#include "zproof/data.h"
+#include "zproof/errors.h"
+
+namespace zproof::api {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+constexpr std::chrono::hours longest_run{1};
+constexpr int proven = 0, defective = 1, undecided = 3;  // docs/cli.md
+
+std::string program() {
+    const char* named = std::getenv("ZPROOF_PROGRAM");
+    return named && *named ? named : "zproof";
+}
+
+void run_program(const Words& words, int expected_status) {
+    Words command{program()};
+    command.insert(command.end(), words.begin(), words.end());
+    const oracle::Outcome outcome = oracle::run({.arguments = command, .time_limit = longest_run});
+    if (outcome.ending == oracle::Ending::exited && outcome.code == expected_status) return;
+    throw std::runtime_error{command.front() + " " + words.front() + ": " +
+                             oracle::in_words(outcome, longest_run) + ": " + oracle::last_output(outcome)};
+}
+
+/// What the program is given of a verdict.
+struct InputFiles {
+    fs::path view, frame;
+    std::string precision, ids;
+};
+
+/// The precision's own words, or the whole path of its file.
+std::string precision_word(const std::string& word) {
+    return is_promise_in_words(word) ? word : fs::absolute(word).string();
+}
+
+/// The frame with labels in the places of triangles, as the candidate gave it. What means background to
+/// Cryptomatte is written as everywhere else.
+zproof::Frame written_frame(const Verdict::Data& data) {
+    const auto& [word, ids, precision, labels, has_depth] = data.declared;
+    if (!labels) return data.judged;
+    zproof::Frame frame = data.given;
+    if (labels->are_absent)
+        frame.primitive = Plane<PrimitiveId>(frame.camera_depth.size(), PrimitiveId::none);
+    for (PrimitiveId& id : frame.primitive.pixels())
+        if (std::ranges::count(labels->background, std::uint32_t(id)) > 0) id = PrimitiveId::none;
+    return frame;
+}
+
+/// The written scene is one mesh at one node: labels are given triangle by triangle.
+std::string ids_word(const Declared& declared, const fs::path& folder) {
+    if (!declared.labels || declared.labels->are_absent) return declared.ids;
+    const fs::path file = folder / "labels.json";
+    std::string list;
+    for (const std::uint32_t label : declared.labels->of_triangle)
+        list += (list.empty() ? "[" : ",") + std::to_string(label);
+    write_whole_file(file, list + "]");
+    return file.string();
+}
+
+InputFiles write_input(const std::string& name, const Verdict::Data& data, const fs::path& folder) {
+    fs::create_directories(folder);
+    Loaded loaded{data.scene.data().scene, {data.view.data().view}};
+    loaded.scene.name = name;
+    write_glb(folder, loaded);
+    const fs::path frame = folder / (name + ".exr");
+    write_frame(frame, written_frame(data));
+    return {folder / (name + ".view.json"), frame, precision_word(data.declared.precision_word),
+            ids_word(data.declared, folder)};
+}
+
+fs::path without_slash(const std::string& folder) {
+    const fs::path path = fs::absolute(folder);
+    return path.has_filename() ? path : path.parent_path();
+}
+
+/// That of `zproof compare`, which judges the same.
+int expected_status(const Verdict& verdict) {
+    if (verdict.is_proven()) return proven;
+    return verdict.defect_count() > 0 ? defective : undecided;
+}
+
+void save_as(const std::string& name, const Verdict& verdict, const fs::path& folder) {
+    const InputFiles input = write_input(name, verdict.data(), folder.string() + "-input");
+    run_program({"compare", input.frame.string(), input.view.string(), "--precision", input.precision,
+                 "--ids", input.ids, "-o", folder.string(), "--quiet"},
+                expected_status(verdict));
+    if (!fs::exists(folder / "results.json"))
+        throw std::runtime_error{folder.string() + ": no report was written"};
+}
+
+}  // namespace
+
+void save(const Verdict& verdict, const std::string& folder) {
+    told_as_input_error([&] { save_as(verdict.scene().name(), verdict, without_slash(folder)); });
+}
+
+void save(std::span<const NamedVerdict> verdicts, const std::string& folder) {
+    if (verdicts.empty()) throw InputError{"save: no verdict; expected at least one"};
+    told_as_input_error([&] {
+        const fs::path home = without_slash(folder);
+        Words folders;
+        for (const auto& [name, verdict] : verdicts) {
+            save_as(name, verdict, home / name);
+            folders.push_back((home / name).string());
+        }
+        for (const char* file : {"report.html", "results.json", "junit.xml"}) {
+            Words words{"report"};
+            words.insert(words.end(), folders.begin(), folders.end());
+            for (const std::string& word :
+                 {std::string("-o"), (home / file).string(), std::string("--quiet")})
+                words.push_back(word);
+            run_program(words, proven);
+        }
+    });
+}
+
+}  // namespace zproof::api

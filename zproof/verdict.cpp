@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "compare/diagnosis/diagnosis.h"
+#include "compare/explanation/explain.h"
+#include "compare/labels/labelled_frame.h"
+#include "compare/pixel_class.h"
+#include "oracle/embree.h"
+#include "reports/diagnosis_words.h"
+#include "zproof/data.h"
+#include "zproof/finding.h"
+#include "zproof/ids.h"
+
+namespace zproof::api {
+namespace {
+
+template <class Value, class Fact>
+constexpr std::array<Value, pixel_class_count> of_every_class(Fact fact) {
+    std::array<Value, pixel_class_count> all{};
+    for (int i = 0; i < pixel_class_count; ++i) all[std::size_t(i)] = fact(facts_of(PixelClass(i)));
+    return all;
+}
+
+constexpr auto names = of_every_class<std::string_view>([](const ClassFacts& f) { return f.name; });
+constexpr auto colours = of_every_class<std::uint32_t>([](const ClassFacts& f) { return f.colour; });
+
+/// After a sentence, what the frame itself says where its ids are coarser than triangles.
+std::string own_words(const Verdict::Data& data, int x, int y) {
+    const auto& labels = data.declared.labels;
+    if (!labels || labels->are_absent || data.judged.primitive.at(x, y) == PrimitiveId::none) return "";
+    return label_sentence(*labels, data.given.primitive.at(x, y));
+}
+
+Explanation::Triangle plain(const zproof::Candidate& triangle) {
+    constexpr double grid = 256;  // edge distances are in 1/256 px
+    const auto& d = triangle.edge_distance;
+    return {.id = std::uint32_t(triangle.primitive),
+            .depth_low = triangle.depth.low,
+            .depth_truth = triangle.depth.truth,
+            .depth_high = triangle.depth.high,
+            .edge_distance_px = {d[0] / grid, d[1] / grid, d[2] / grid},
+            .is_admissible = is_admissible(triangle.decision.admissibility)};
+}
+
+void require_inside(int x, int y, Size size) {
+    if (x >= 0 && x < size.width && y >= 0 && y < size.height) return;
+    throw InputError{"explain: pixel (" + std::to_string(x) + ", " + std::to_string(y) +
+                     ") lies outside of the view, which is " + std::to_string(size.width) + " x " +
+                     std::to_string(size.height)};
+}
+
+/// Severest class first, then the largest error over its bound; a NaN comes last.
+bool is_worse(const Finding& a, const Finding& b) {
+    const auto error = [](const Finding& f) {
+        return std::isnan(f.error_over_bound) ? -1 : f.error_over_bound;
+    };
+    if (a.pixel_class != b.pixel_class) return a.pixel_class > b.pixel_class;
+    return error(a) > error(b);
+}
+
+}  // namespace
+
+std::span<const std::string_view> class_names() { return names; }
+std::span<const std::uint32_t> class_colours() { return colours; }
+bool is_defect(std::uint8_t pixel_class) {
+    return pixel_class < pixel_class_count && zproof::is_defect(PixelClass(pixel_class));
+}
+
+Finding plain(const zproof::Finding& f) {
+    return {.x = f.x,
+            .y = f.y,
+            .pixel_class = std::uint8_t(f.verdict),
+            .candidate_id = std::uint32_t(f.candidate.primitive),
+            .reference_id = std::uint32_t(f.reference.primitive),
+            .candidate_depth = f.candidate.camera_depth,
+            .reference_depth = f.reference.camera_depth,
+            .depth_low = f.candidate_depth.low,
+            .depth_truth = f.candidate_depth.truth,
+            .depth_high = f.candidate_depth.high,
+            .eps_px = f.eps_px,
+            .error_over_bound = f.error_over_bound};
+}
+
+RenderedFrame candidate_of(const Verdict::Data& data) { return {data.judged, data.declared.precision}; }
+RenderedFrame reference_of(const Verdict::Data& data) {
+    return {data.reference.data().frame, oracle::embree_precision()};
+}
+
+bool Verdict::is_proven() const { return defect_count() == 0 && undecidable_count(data().verdict) == 0; }
+std::uint64_t Verdict::defect_count() const { return zproof::defect_count(data().verdict); }
+std::span<const std::uint64_t> Verdict::counts() const { return data().verdict.counts; }
+std::span<const Finding> Verdict::findings() const { return data().findings; }
+const Scene& Verdict::scene() const { return data().scene; }
+const View& Verdict::view() const { return data().view; }
+const Frame& Verdict::reference() const { return data().reference; }
+std::span<const std::uint32_t> Verdict::judged_id() const { return ids_of(data().judged); }
+std::span<const float> Verdict::judged_depth() const { return data().judged.camera_depth.pixels(); }
+
+std::span<const std::uint8_t> Verdict::classes() const {
+    const std::span<const PixelClass> classes = data().verdict.classes.pixels();
+    return {reinterpret_cast<const std::uint8_t*>(classes.data()), classes.size()};  // NOLINT: its own type
+}
+
+std::optional<Finding> Verdict::worst() const {
+    std::optional<Finding> worst;
+    for (const Finding& finding : findings())
+        if (api::is_defect(finding.pixel_class) && (!worst || is_worse(finding, *worst))) worst = finding;
+    return worst;
+}
+
+std::string Verdict::sentence(const Finding& finding) const {
+    const auto& all = data().verdict.findings;
+    const auto found = std::ranges::find_if(
+        all, [&](const zproof::Finding& f) { return f.x == finding.x && f.y == finding.y; });
+    if (found == all.end()) throw InputError{"sentence: the verdict has no finding at that pixel"};
+    return in_words(data().scene.data().scene, *found) + own_words(data(), found->x, found->y);
+}
+
+Explanation Verdict::explain(int x, int y) const {
+    require_inside(x, y, view().size());
+    const zproof::Scene& scene = data().scene.data().scene;
+    const PixelExplanation story =
+        zproof::explain(scene, view().data().view, candidate_of(data()), reference_of(data()), {x, y});
+    Explanation told{.finding = plain(story.finding),
+                     .text = in_words(scene, story),
+                     .triangles = {},
+                     .is_background_admissible = is_admissible(story.background.admissibility)};
+    if (const std::string own = own_words(data(), x, y); !own.empty()) told.text += own.substr(2) + "\n";
+    for (const zproof::Candidate& triangle : story.candidates) told.triangles.push_back(plain(triangle));
+    return told;
+}
+
+std::optional<Diagnosis> Verdict::diagnosis() const {
+    const auto found = diagnose(scene().data().scene, view().data().view, candidate_of(data()),
+                                reference_of(data()), data().verdict);
+    if (!found) return {};
+    Diagnosis told{.text = in_words(*found), .cause = {}, .explained_share = 0, .defects = found->defects};
+    if (found->cause) {
+        told.cause = found->cause->name;
+        told.explained_share = explained_share(*found->cause);
+    }
+    return told;
+}
+
+}  // namespace zproof::api
