@@ -56,7 +56,8 @@ def test_a_planted_defect_is_found_and_named(answer, expected):
     assert (found["x"], found["y"], found["class"]) == (x, y, number)
     assert found["id"] == (verdict.reference.id[y, x] if i is None else i)
     assert found["reference_id"] == verdict.reference.id[y, x]
-    assert found["depth"] == np.float32(verdict.reference.depth[y, x] if depth is None else depth) or np.isnan(depth)
+    said = verdict.reference.depth[y, x] if depth is None else np.float32(depth)
+    assert np.array_equal(found["depth"], said, equal_nan=True)
     worst = verdict.worst
     assert (worst.x, worst.y, worst.class_name) == (x, y, expected)
     assert expected in verdict.explain(x, y).text and f"({x}, {y})" in str(verdict.explain(x, y))
@@ -117,7 +118,8 @@ def test_ids_alone():
     assert zproof.judge(scene, seen_from, id=ids, precision=PRECISION).proven
     ids[28, 36], ids[28, 37], ids[0, 0], ids[0, 1] = 2, BACKGROUND, 0, 99
     verdict = zproof.judge(scene, seen_from, id=ids, precision=PRECISION)
-    assert nonzero(verdict.counts) == {"agree": WIDTH * HEIGHT - 4, "hidden": 1, "hole": 1, "outside": 1, "invalid": 1}
+    assert nonzero(verdict.counts) == {"agree": WIDTH * HEIGHT - 4, "hidden": 1, "hole": 1, "outside": 1,
+                                       "invalid": 1}
 
 
 def test_labels_of_a_file(tmp_path):
@@ -133,9 +135,12 @@ def test_labels_of_a_file(tmp_path):
 
 
 @pytest.mark.parametrize("changed, words", [
-    ({"precision": "nonsense"}, "nonsense"), ({"precision": ""}, "opengl"), ({"precision": "raster,subpixel_bits=x"}, "subpixel_bits"),
-    ({"precision": {"subpixel_bits": 4}}, "kind"), ({"precision": 5}, "int"), ({"precision": None}, "NoneType"),
-    ({"precision": "/"}, "folder"), ({"ids": "nonsense"}, "nonsense"), ({"ids": "/missing.json"}, "missing.json"),
+    ({"precision": "nonsense"}, "nonsense"), ({"precision": ""}, "opengl"),
+    ({"precision": "raster,subpixel_bits=x"}, "subpixel_bits"),
+    ({"precision": {"subpixel_bits": 4}}, "kind"), ({"precision": 5}, "int"),
+    ({"precision": None}, "NoneType"),
+    ({"precision": "/"}, "folder"), ({"ids": "nonsense"}, "nonsense"),
+    ({"ids": "/missing.json"}, "missing.json"),
     ({"id": None, "depth": None}, "neither"), ({"ids": "material", "depth": None}, "depths")])
 def test_arguments_that_are_not_known_are_refused(changed, words):
     scene, seen_from = layers(), view()
@@ -147,10 +152,12 @@ def test_arguments_that_are_not_known_are_refused(changed, words):
 
 def test_a_promise_is_a_word_a_dict_or_a_path(tmp_path):
     (tmp_path / "mine.json").write_text('{"kind": "raster", "subpixel_bits": 4}')
-    assert precision_word({"kind": "raster", "subpixel_bits": 4, "watertight": True}) == "raster,subpixel_bits=4,watertight=true"
+    assert precision_word({"kind": "raster", "subpixel_bits": 4,
+                           "watertight": True}) == "raster,subpixel_bits=4,watertight=true"
     scene, seen_from = layers(), view()
     frame = zproof.render(scene, seen_from)
-    findings = [bits(zproof.judge(scene, seen_from, id=frame.id, depth=frame.depth, precision=said).findings) for said in
+    findings = [bits(zproof.judge(scene, seen_from, id=frame.id, depth=frame.depth,
+                                  precision=said).findings) for said in
                 ("raster,subpixel_bits=4", {"kind": "raster", "subpixel_bits": 4}, tmp_path / "mine.json")]
     assert findings[0] == findings[1] == findings[2]
 
@@ -163,8 +170,10 @@ def compared(program, scene, seen_from, ids, depths, precision, folder):
     _zproof.save_scene(scene, [seen_from], str(folder))
     np.save(folder / "id.npy", ids)
     np.save(folder / "depth.npy", depths)
-    done = subprocess.run([program, "compare", f"{folder}/id.npy+{folder}/depth.npy", f"{folder}/{scene.name}.view.json",
-                           "--precision", precision, "-o", f"{folder}/out", "--quiet"], capture_output=True, text=True, check=False)
+    done = subprocess.run([program, "compare", f"{folder}/id.npy+{folder}/depth.npy",
+                           f"{folder}/{scene.name}.view.json",
+                           "--precision", precision, "-o", f"{folder}/out", "--quiet"], capture_output=True,
+                          text=True, check=False)
     assert done.returncode in (0, 1), done.stderr
     [said] = json.loads((folder / "out/results.json").read_text())["views"]
     with open(folder / "out" / said["folder"] / "findings.csv", newline="", encoding="utf-8") as text:
@@ -217,8 +226,10 @@ def assert_same_findings(findings, rows):
         assert zproof.CLASS_NAMES[found["class"]] == row["class"]
         assert_same_id(found["id"], row["candidate_id"])
         assert_same_id(found["reference_id"], row["reference_id"])
-        for mine, its in [("depth", "candidate_depth"), ("reference_depth", "reference_depth"), ("eps_px", "eps_px"),
-                          ("depth_low", "depth_low"), ("depth_truth", "depth_truth"), ("depth_high", "depth_high"),
+        for mine, its in [("depth", "candidate_depth"), ("reference_depth", "reference_depth"),
+                          ("eps_px", "eps_px"),
+                          ("depth_low", "depth_low"), ("depth_truth", "depth_truth"),
+                          ("depth_high", "depth_high"),
                           ("error_over_bound", "error_over_bound")]:
             expected = float(row[its] or "nan")
             assert np.isclose(found[mine], expected, rtol=1e-6, atol=0, equal_nan=True), (mine, row)
@@ -245,11 +256,13 @@ def test_an_explanation_has_text_and_numbers():
 
 @pytest.mark.parametrize("x, y", [(-1, 0), (0, -1), (WIDTH, 0), (0, HEIGHT), (2**31 - 1, 0), (-2**31, 0)])
 def test_no_pixel_outside_is_explained(x, y):
-    with pytest.raises(ValueError, match=f"pixel .{x}, {y}. lies outside of the view, which is {WIDTH} x {HEIGHT}"):
+    with pytest.raises(ValueError) as raised:
         planted().explain(x, y)
+    assert f"pixel ({x}, {y}) lies outside of the view, which is {WIDTH} x {HEIGHT}" in str(raised.value)
 
 
-@pytest.mark.parametrize("cause, turn", [("flipped in y", lambda a: a[::-1]), ("flipped in x", lambda a: a[:, ::-1])])
+@pytest.mark.parametrize("cause, turn", [("flipped in y", lambda a: a[::-1]),
+                                         ("flipped in x", lambda a: a[:, ::-1])])
 def test_a_diagnosis_names_the_cause(cause, turn):
     scene, seen_from = zproof.Scene(*random_mesh(3)), view()
     ids, depths = (np.ascontiguousarray(turn(a)) for a in traced(scene, seen_from))
@@ -373,7 +386,8 @@ def large():
     frame = zproof.render(scene, seen_from)
     ids, depths = frame.id.copy(), np.roll(frame.depth, 1, 1)
     depths[100:] = frame.depth[100:]
-    return scene, seen_from, ids, depths, zproof.judge(scene, seen_from, id=ids, depth=depths, precision="opengl")
+    verdict = zproof.judge(scene, seen_from, id=ids, depth=depths, precision="opengl")
+    return scene, seen_from, ids, depths, verdict
 
 
 @pytest.mark.parametrize("name", ["judge", "trace", "diagnosis", "truth", "load"])
@@ -412,4 +426,5 @@ def test_a_view_s_edges_are_judged_too():
         assert zproof.judge(layers(), seen_from, id=ids, depth=depths, precision=PRECISION).proven
         ids[-1, -1] = 77
         verdict = zproof.judge(layers(), seen_from, id=ids, depth=depths, precision=PRECISION)
-        assert (verdict.worst.x, verdict.worst.y, verdict.worst.class_name) == (width - 1, height - 1, "invalid")
+        assert (verdict.worst.x, verdict.worst.y) == (width - 1, height - 1)
+        assert verdict.worst.class_name == "invalid"

@@ -9,16 +9,17 @@ PRECISION = "embree"
 
 
 def layers():
-    """Two squares, one behind the other: triangles 0 and 1 in front, 2 and 3 hidden by them. The rest is background."""
+    """Two squares: triangles 0 and 1 in front, 2 and 3 hidden by them. The rest is background."""
     square = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], np.float32)
     front = np.column_stack([square, np.zeros(4, np.float32)])
     behind = np.column_stack([0.9 * square, np.full(4, -1)]).astype(np.float32)
     corners = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)
-    return zproof.Scene(np.concatenate([front, behind]), np.concatenate([corners, corners + 4]), name="layers")
+    return zproof.Scene(np.concatenate([front, behind]), np.concatenate([corners, corners + 4]),
+                        name="layers")
 
 
 def view(width=WIDTH, height=HEIGHT, name="view"):
-    """Straight on: the front square is 1.2 of 3 units away from the image's border, and the eye is 3 before it."""
+    """Straight on: the eye is 3 units before the front square."""
     return zproof.View.perspective(eye=(0.1, 0.05, 3), target=(0.1, 0.05, 0), yfov=1, near=0.1,
                                    size=(width, height), name=name)
 

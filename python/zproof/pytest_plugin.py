@@ -24,16 +24,17 @@ JUnit: `pytest --junitxml FILE` writes properties for each call:
 
 The second call's begin with `zproof.2.`, and those of a call with name="back" with `zproof.back.`.
 
-Report: `pytest --zproof-report DIR` writes DIR/report.html, DIR/results.json and DIR/junit.xml at the session's
-end, of all verdicts, proven ones too. Each verdict has its own folder DIR/NAME with its frames and pictures.
-NAME is the test's: `tests/test_a.py::test_b[box]` becomes `tests.test_a.test_b_box`. A second call in it adds
-`--2`, and one with name="back" adds `--back`. DIR must be new, empty, or of an earlier session. Folders of tests
-that are not run again stay there, and are not in the new report. A verdict's folder is written as soon as it is
-judged, and nothing of its arrays is kept.
+Report: `pytest --zproof-report DIR` writes DIR/report.html, DIR/results.json and DIR/junit.xml at the end of
+the session, of all verdicts, proven ones too. Each verdict has its own folder DIR/NAME with its frames and
+pictures. NAME is the test's: `tests/test_a.py::test_b[box]` becomes `tests.test_a.test_b_box`. A second call in
+it adds `--2`, and one with name="back" adds `--back`. DIR must be new, empty, or of an earlier session. Folders
+of tests that are not run again stay there, and are not in the new report. A verdict's folder is written as soon
+as it is judged, and nothing of its arrays is kept.
 
-The program zproof writes the report. It is looked for on PATH, or is the one that ZPROOF_PROGRAM names. It asks
-POV-Ray as well, where that is installed, which takes about half a second for each verdict; ZPROOF_ORACLE=none
-leaves it out. Where a report cannot be written, the session fails (exit status 1) and its summary says why.
+The program zproof writes the report. It is looked for on PATH, or is the one that ZPROOF_PROGRAM names. It
+asks POV-Ray as well, where that is installed, which takes about half a second for each verdict;
+ZPROOF_ORACLE=none leaves it out. Where a report cannot be written, the session fails (exit status 1) and its
+summary says why.
 
 pytest-xdist: each worker writes the folders of its own verdicts. The main process collects their lines and
 writes the report. DIR must be a folder that all of them see.
@@ -59,8 +60,8 @@ _COLLECTOR = "zproof-collector"
 
 
 def pytest_addoption(parser):
-    parser.getgroup("zproof").addoption("--zproof-report", metavar="DIR",
-                                        help="write one report of all verdicts of zproof_gate into this folder")
+    group = parser.getgroup("zproof")
+    group.addoption("--zproof-report", metavar="DIR", help="write a report of all verdicts into this folder")
 
 
 def pytest_configure(config):
@@ -160,7 +161,7 @@ def _properties(verdict):
 
 
 def _saved(verdict, name, folder):
-    """Writes folder/name, and beside it a report of that alone. Returns what went wrong, in one line, or ""."""
+    """Writes folder/name, and beside it a report of it alone. Returns what went wrong, in one line, or ""."""
     try:
         save_all({name: verdict}, folder)
     except (RuntimeError, ValueError, OSError) as error:
@@ -194,8 +195,8 @@ def _prepare(folder):
     try:
         os.makedirs(folder, exist_ok=True)
         if os.listdir(folder) and not os.path.exists(os.path.join(folder, _MARK)):
-            raise pytest.UsageError(f"--zproof-report {folder}: holds other files; expected a folder that is new, "
-                                    "empty, or of an earlier --zproof-report")
+            raise pytest.UsageError(f"--zproof-report {folder}: holds other files; expected a folder that is "
+                                    "new, empty, or of an earlier --zproof-report")
         with open(os.path.join(folder, _MARK), "w", encoding="utf-8"):
             pass
         for file in _REPORTS:  # of an earlier session
