@@ -1,5 +1,5 @@
-"""Arrays of others: what is no C-contiguous array of the wanted dtype and shape gets one clear ValueError. What
-is one is not copied."""
+"""Arrays of others: what is no C-contiguous array of the wanted dtype and shape gets one clear ValueError.
+What is one is not copied."""
 
 import ctypes
 import gc

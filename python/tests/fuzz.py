@@ -311,6 +311,36 @@ def truth(drawn, _):
     assert mean.shape == (7, 9, 3) and half.shape == (7, 9)
 
 
+def assertion(drawn, _):
+    made, seen = a_scene(drawn), a_view(drawn)
+    frame = zproof.trace(made, seen)
+    try:
+        zproof.assert_proven(made, seen, id=drawn.array(frame.id.copy()),
+                             depth=drawn.array(drawn.spoilt(frame.depth.copy())),
+                             precision=drawn.word("embree"))
+    except AssertionError as error:
+        assert "pixels are defects" in str(error) or "undecided" in str(error)
+
+
+def check(drawn, _):
+    """Asks the program."""
+    made, seen = a_scene(drawn), a_view(drawn, (9, 7))
+    right = drawn.spoilt(drawn.random.random((7, 9, 3)).astype(np.float32))
+    bool(zproof.filters.check(drawn.array(right), drawn.word("nearest"), drawn.word(made), drawn.word(seen),
+                              precision=drawn.word(None)))
+
+
+def study(drawn, _):
+    """Asks the program."""
+    made, seen = a_scene(drawn), a_view(drawn, (9, 7))
+    right = drawn.spoilt(drawn.random.random((7, 9, 3)).astype(np.float32))
+    table = zproof.filters.run(drawn.word(["nearest"]), drawn.word(made), drawn.word(seen),
+                               truth=drawn.word("B"),
+                               pictures={drawn.word("mine"): drawn.array(right)},
+                               flicker=drawn.word(0))
+    table._repr_html_(), table.rows(method="nearest")
+
+
 def picture(drawn, folder):
     right = drawn.spoilt(drawn.random.random((7, 9, 3)).astype(np.float32))
     _zproof.save_picture(drawn.word(os.path.join(folder, "picture.exr")), drawn.array(right))
@@ -333,8 +363,10 @@ def constants(drawn, _):
 
 FUNCTIONS = {"scene": scene, "load": load, "view": view, "frames": frames, "judge": judge, "truth": truth,
              "picture": picture,
-             "saved_scene": saved_scene, "constants": constants}
-SHARES = {"judge": 6, "view": 3, "scene": 3, "load": 2}
+             "saved_scene": saved_scene, "constants": constants, "assertion": assertion, "check": check,
+             "study": study}
+SHARES = {"judge": 12, "view": 6, "scene": 6, "load": 4, "frames": 2, "truth": 2, "picture": 2,
+          "assertion": 2}
 
 
 def drawn_rounds(asked, folder):

@@ -355,8 +355,8 @@ def test_settings_of_the_current_folder_do_not_change_a_report(monkeypatch, tmp_
 
 
 def lets_others_run(work):
-    """Does another thread of Python run before `work` ends? The interpreter takes the lock from no one here: it
-    is there for others only where `work` itself gives it back."""
+    """Does another thread of Python run before `work` ends? The interpreter takes the lock from no one here:
+    it is there for others only where `work` itself gives it back."""
     go, ran = threading.Event(), threading.Event()
     ready = threading.Barrier(2)
 

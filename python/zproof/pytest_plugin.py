@@ -26,10 +26,10 @@ The second call's begin with `zproof.2.`, and those of a call with name="back" w
 
 Report: `pytest --zproof-report DIR` writes DIR/report.html, DIR/results.json and DIR/junit.xml at the end of
 the session, of all verdicts, proven ones too. Each verdict has its own folder DIR/NAME with its frames and
-pictures. NAME is the test's: `tests/test_a.py::test_b[box]` becomes `tests.test_a.test_b_box`. A second call in
-it adds `--2`, and one with name="back" adds `--back`. DIR must be new, empty, or of an earlier session. Folders
-of tests that are not run again stay there, and are not in the new report. A verdict's folder is written as soon
-as it is judged, and nothing of its arrays is kept.
+pictures. NAME is the test's: `tests/test_a.py::test_b[box]` becomes `tests.test_a.test_b_box`. A second call
+in it adds `--2`, and one with name="back" adds `--back`. DIR must be new, empty, or of an earlier session.
+Folders of tests that are not run again stay there, and are not in the new report. A verdict's folder is
+written as soon as it is judged, and nothing of its arrays is kept.
 
 The program zproof writes the report. It is looked for on PATH, or is the one that ZPROOF_PROGRAM names. It
 asks POV-Ray as well, where that is installed, which takes about half a second for each verdict;
