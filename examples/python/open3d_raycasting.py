@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Open3D's RaycastingScene before the judge (docs/python.md). Package python3-open3d.
 
-Rays have length 1, so t_hit is the distance from the eye. docs/conventions.md makes camera depth of it: s / k,
-where k is the length of the view ray per unit of camera depth.
+Rays have length 1, so t_hit is the distance from the eye. docs/conventions.md makes depth of it: s / k.
+k is the length of the view ray per unit of camera depth.
 """
 import os
 import subprocess
@@ -18,8 +18,8 @@ SCENES = ["room", "near_plane", "t_junctions", "coplanar"]
 SIZE = (320, 180)
 MASK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "gallery", "open3d_mask.c")
 
-# Embree's promise for the rays that Open3D casts. Directions are worked out in float64 and rounded once. The depth
-# that is made of t_hit is rounded once more: a second rounding along the ray.
+# Embree's promise for the rays that Open3D casts. Directions are worked out in float64 and rounded once.
+# The depth that is made of t_hit is rounded once more: a second rounding along the ray.
 PRECISION = "ray,direction_roundings=2"
 
 
@@ -37,8 +37,8 @@ def rays_of(view):
 
 
 def cast(scene, view, rays, k, left_out=()):
-    """(ids, depths) of rays in a row. Open3D's rays begin at the eye: triangles that are hit before near are left
-    out, and the rays are cast again."""
+    """(ids, depths) of rays in a row. Open3D's rays begin at the eye: triangles that are hit before near
+    are left out, and the rays are cast again."""
     kept = np.delete(np.arange(scene.triangle_count, dtype=np.uint32), left_out)
     raycasting = open3d.t.geometry.RaycastingScene()
     raycasting.add_triangles(open3d.core.Tensor(scene.positions), open3d.core.Tensor(scene.triangles[kept]))
@@ -63,8 +63,8 @@ def judge(scene, view, *, as_length=False):
 
 
 def see_anything():
-    """Debian's Open3D casts rays that miss all geometry (docs/gallery.md). A small library mends that: begin again
-    with it."""
+    """Debian's Open3D casts rays that miss all geometry (docs/gallery.md). A small library mends that:
+    begin again with it."""
     raycasting = open3d.t.geometry.RaycastingScene()
     raycasting.add_triangles(open3d.core.Tensor(np.float32([[-1, -1, 1], [1, -1, 1], [0, 1, 1]])),
                              open3d.core.Tensor(np.uint32([[0, 1, 2]])))

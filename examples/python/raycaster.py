@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A ray caster in numpy before the judge, and the same with its rays half a pixel off (docs/python.md).
 
-Moeller and Trumbore 1997. All rays start at the eye, so that each of its triple products is the ray's direction
-times a vector of the triangle's: a product of two matrices, rays by triangles.
+Moeller and Trumbore 1997. All rays start at the eye, so that each of its triple products is a ray's
+direction times a vector of the triangle's: a product of two matrices, rays by triangles.
 """
 import sys
 
@@ -24,8 +24,8 @@ PROMISES = {
 
 
 def rays(view, offset_px=0.0):
-    """The eye, and a direction for each pixel, row by row. Its part along the view axis is 1: a hit at parameter t
-    has the camera depth t."""
+    """The eye, and a direction for each pixel, row by row. Its part along the view axis is 1: a hit at
+    parameter t has the camera depth t."""
     K, R, t = view.opencv
     height, width = view.shape
     x, y = np.meshgrid(np.arange(width) + offset_px, np.arange(height))  # the first pixel's centre is (0, 0)
