@@ -28,7 +28,7 @@ from zproof._zproof import (
     trace,
 )
 from zproof import notebook as _notebook
-from zproof.judging import assert_proven, judge, save_all, story_of_worst
+from zproof.judging import assert_proven, judge, save_all, story_of_worst, summary
 
 __all__ = [
     "BACKGROUND_ID",
@@ -51,6 +51,7 @@ __all__ = [
     "render",
     "save_all",
     "story_of_worst",
+    "summary",
     "trace",
 ]
 
