@@ -66,7 +66,11 @@ zproof::Frame judged_frame(const Verdict::Data& data) {
     const zproof::View& view = data.view.data().view;
     const zproof::Frame& reference = data.reference.data().frame;
     const auto& [word, ids, precision, labels, has_depth] = data.declared;
-    if (!has_depth) return with_own_depths(scene, view, data.given.primitive, precision, reference);
+    if (!has_depth) {
+        zproof::Frame with_depths = with_own_depths(scene, view, data.given.primitive, precision, reference);
+        with_depths.primitive = lent_frame({.id = ids_of(data.given)}, reference.size()).primitive;
+        return with_depths;
+    }
     if (!labels)
         return lent_frame({ids_of(data.given), data.given.camera_depth.pixels(), {}, {}},
                           {view.width, view.height});

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "zproof/zproof.h"
-
 namespace zproof::api {
 namespace {
 
@@ -19,6 +17,13 @@ void require_name(const std::string& what, const std::string& name) {
     if (!name.empty() && name.front() != '.' && std::ranges::all_of(name, is_of_names)) return;
     throw InputError{what + ": the name '" + name +
                      "' is not usable; expected letters, digits, '-', '_' and '.', which is not the first"};
+}
+
+void require_size(const std::string& what, Size size) {
+    const auto is_side = [](int side) { return side >= 1 && side <= largest_side; };
+    if (is_side(size.width) && is_side(size.height)) return;
+    throw InputError{what + ": the size is " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                     "; expected 1 to 32768 pixels on either side"};
 }
 
 void require_no_nul(const std::string& what, const std::string& text) {

@@ -9,6 +9,7 @@
 #include "frame/whole_file.h"
 #include "image_io/image_io.h"
 #include "oracle/subprocess.h"
+#include "reports/output_folder.h"
 #include "scenes/glb_writer.h"
 #include "zproof/data.h"
 #include "zproof/errors.h"
@@ -75,28 +76,30 @@ zproof::Frame written_frame(const Verdict::Data& data) {
     return frame;
 }
 
-/// The written scene is one mesh at one node: labels are given triangle by triangle.
-std::string ids_word(const Declared& declared, const fs::path& folder) {
+constexpr const char* labels_file = "labels.json";
+
+/// What --ids is given. The written scene is one mesh at one node: labels are listed triangle by triangle in a
+/// file, whose name it is then.
+std::string write_ids(const Declared& declared, const fs::path& folder) {
     if (!declared.labels || declared.labels->are_absent) return declared.ids;
-    const fs::path file = folder / "labels.json";
     std::string list;
     for (const std::uint32_t label : declared.labels->of_triangle)
         list += (list.empty() ? "[" : ",") + std::to_string(label);
-    write_whole_file(file, list + "]");
-    return file.string();
+    write_whole_file(folder / labels_file, list + "]");
+    return labels_file;
 }
 
+/// The folder appears whole or not at all, and replaces only what this function wrote.
 InputFiles write_input(const std::string& name, const Verdict::Data& data, const fs::path& folder) {
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure) throw std::runtime_error{folder.string() + ": cannot be made: " + failure.message()};
+    OutputFolder out{folder};
     Loaded loaded{data.scene.data().scene, {data.view.data().view}};
     loaded.scene.name = name;
-    write_glb(folder, loaded);
-    const fs::path frame = folder / (name + ".exr");
-    write_frame(frame, written_frame(data));
-    return {folder / (name + ".view.json"), frame, precision_word(data.declared.precision_word),
-            ids_word(data.declared, folder)};
+    write_glb(out.working(), loaded);
+    write_frame(out.working() / (name + ".exr"), written_frame(data));
+    const std::string ids = write_ids(data.declared, out.working());
+    [[maybe_unused]] const auto kept = out.publish();
+    return {folder / (name + ".view.json"), folder / (name + ".exr"),
+            precision_word(data.declared.precision_word), ids == labels_file ? (folder / ids).string() : ids};
 }
 
 fs::path without_slash(const std::string& folder) {

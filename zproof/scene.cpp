@@ -101,6 +101,7 @@ Scene::Scene(const Mesh& mesh) : data_(told_as_input_error([&] { return data_of(
 Scene Scene::load(const std::string& file_or_name, Size size) {
     return told_as_input_error([&] {
         require_no_nul("load", file_or_name);
+        require_size("load", size);
         Loaded from_file = loaded(file_or_name, size);
         require_judged(from_file.scene);
         auto data = std::make_shared<Data>();

@@ -169,12 +169,13 @@ std::span<const std::string_view> class_names();
 /// 0xRRGGBB, by the same number; the report's colours.
 std::span<const std::uint32_t> class_colours();
 /// Does a pixel of this class fail the gate?
-bool is_defect(std::uint8_t pixel_class);
+bool is_defect(std::uint32_t pixel_class);
 
 /// A pixel that does not simply agree. Plain numbers, for arrays.
 struct Finding {
     std::int32_t x, y;
-    std::uint8_t pixel_class;
+    std::uint32_t pixel_class;
+    std::uint32_t is_defect;  ///< 1: fails the gate; else 0
     std::uint32_t candidate_id, reference_id;
     float candidate_depth, reference_depth;
     double depth_low, depth_truth, depth_high;  ///< that the candidate's triangle admits; NaN: background
@@ -213,7 +214,7 @@ class Verdict {
     std::span<const std::uint64_t> counts() const;  ///< pixels by class
     std::span<const std::uint8_t> classes() const;  ///< of every pixel
     std::span<const Finding> findings() const;      ///< every pixel that is not `agree`, in raster order
-    /// The defect of the severest class with the largest error over its bound; nothing where there is none.
+    /// The defect with the largest error over its bound, as the report ranks them; nothing where there is none.
     std::optional<Finding> worst() const;
     std::string sentence(const Finding& finding) const;  ///< one line
 
