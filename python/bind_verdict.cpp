@@ -141,17 +141,20 @@ void bind_explanation(py::module_& module) {
         .def("__repr__", [](const api::Diagnosis& d) { return d.text; });
 }
 
-void save(const JudgedArrays& self, const py::object& folder) {
-    const std::string path = py::str(py::module_::import("os").attr("fspath")(folder));
+void save(const JudgedArrays& self, const py::object& folder, const std::string& name) {
+    const std::string path = path_from(folder);
     const py::gil_scoped_release released;
-    api::save(self.verdict, path);
+    api::save(self.verdict, path, name);
 }
 
 void save_all(const std::vector<std::pair<std::string, const JudgedArrays*>>& verdicts,
               const py::object& folder) {
-    const std::string path = py::str(py::module_::import("os").attr("fspath")(folder));
+    const std::string path = path_from(folder);
     std::vector<api::NamedVerdict> named;
-    for (const auto& [name, judged] : verdicts) named.push_back({name, judged->verdict});
+    for (const auto& [name, judged] : verdicts) {
+        if (!judged) throw py::value_error("save_all: '" + name + "' is None; expected a Verdict");
+        named.push_back({name, judged->verdict});
+    }
     const py::gil_scoped_release released;
     api::save(named, path);
 }
@@ -213,10 +216,11 @@ void bind_verdict(py::module_& module) {
             "depth", [](const py::object& self) { return plane_of(self, &api::Verdict::judged_depth); },
             "float32 (height, width), read-only: the depths that were judged; the array itself that was "
             "handed over")
-        .def("save", &save, arg("folder"),
+        .def("save", &save, arg("folder"), arg("name") = "",
              "Writes the report of `zproof compare` into the folder: report.html, results.json, junit.xml, "
              "evidence.\n"
-             "What the program was given stays in FOLDER-input. The program is looked for on PATH, or is the "
+             "name: the scene's in the report; default: its own. What the program was given stays in "
+             "FOLDER-input. The program is looked for on PATH, or is the "
              "one that\n"
              "ZPROOF_PROGRAM names. A folder that is no report of zproof is never replaced. Raises "
              "RuntimeError with\n"

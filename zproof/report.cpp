@@ -1,6 +1,9 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "frame/precision_text.h"
 #include "frame/whole_file.h"
@@ -9,6 +12,7 @@
 #include "scenes/glb_writer.h"
 #include "zproof/data.h"
 #include "zproof/errors.h"
+#include "zproof/names.h"
 
 namespace zproof::api {
 namespace {
@@ -16,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
+constexpr const char* input_suffix = "-input";
 constexpr std::chrono::hours longest_run{1};
 constexpr int proven = 0, defective = 1, undecided = 3;  // docs/cli.md
 
@@ -24,13 +29,26 @@ std::string program() {
     return named && *named ? named : "zproof";
 }
 
+/// Settings for the program that this process has in its environment are meant for other runs; a verdict has
+/// no waivers. Where the program's own parts lie is left.
+Words without_settings() {
+    Words words{"env"};
+    for (char** entry = environ; *entry; ++entry) {
+        const std::string name = std::string(*entry).substr(0, std::string_view(*entry).find('='));
+        if (!name.starts_with("ZPROOF_") || name == "ZPROOF_IMAGE_IO" || name == "ZPROOF_ISA") continue;
+        words.insert(words.end(), {"-u", name});
+    }
+    return words;
+}
+
 void run_program(const Words& words, int expected_status) {
-    Words command{program()};
+    Words command = without_settings();
+    command.push_back(program());
     command.insert(command.end(), words.begin(), words.end());
     const oracle::Outcome outcome = oracle::run({.arguments = command, .time_limit = longest_run});
     if (outcome.ending == oracle::Ending::exited && outcome.code == expected_status) return;
-    throw std::runtime_error{command.front() + " " + words.front() + ": " +
-                             oracle::in_words(outcome, longest_run) + ": " + oracle::last_output(outcome)};
+    throw std::runtime_error{program() + " " + words.front() + ": " + oracle::in_words(outcome, longest_run) +
+                             ": " + oracle::last_output(outcome)};
 }
 
 /// What the program is given of a verdict.
@@ -69,7 +87,9 @@ std::string ids_word(const Declared& declared, const fs::path& folder) {
 }
 
 InputFiles write_input(const std::string& name, const Verdict::Data& data, const fs::path& folder) {
-    fs::create_directories(folder);
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) throw std::runtime_error{folder.string() + ": cannot be made: " + failure.message()};
     Loaded loaded{data.scene.data().scene, {data.view.data().view}};
     loaded.scene.name = name;
     write_glb(folder, loaded);
@@ -80,6 +100,8 @@ InputFiles write_input(const std::string& name, const Verdict::Data& data, const
 }
 
 fs::path without_slash(const std::string& folder) {
+    require_no_nul("save", folder);
+    if (folder.empty()) throw InputError{"save: the folder's name is empty"};
     const fs::path path = fs::absolute(folder);
     return path.has_filename() ? path : path.parent_path();
 }
@@ -90,23 +112,38 @@ int expected_status(const Verdict& verdict) {
     return verdict.defect_count() > 0 ? defective : undecided;
 }
 
+/// A further oracle would judge itself, not the candidate.
 void save_as(const std::string& name, const Verdict& verdict, const fs::path& folder) {
-    const InputFiles input = write_input(name, verdict.data(), folder.string() + "-input");
-    run_program({"compare", input.frame.string(), input.view.string(), "--precision", input.precision,
-                 "--ids", input.ids, "-o", folder.string(), "--quiet"},
-                expected_status(verdict));
+    const InputFiles input = write_input(name, verdict.data(), folder.string() + input_suffix);
+    run_program(
+        {"compare", input.frame.string(), input.view.string(), "--precision", input.precision, "--ids",
+         input.ids, "--oracle", "none", "--config", "none", "-o", folder.string(), "--quiet"},
+        expected_status(verdict));
     if (!fs::exists(folder / "results.json"))
         throw std::runtime_error{folder.string() + ": no report was written"};
 }
 
+/// Each becomes a folder's, with the input of its report beside it.
+void require_names(std::span<const NamedVerdict> verdicts) {
+    if (verdicts.empty()) throw InputError{"save: no verdict; expected at least one"};
+    std::set<std::string> seen;
+    for (const auto& [name, verdict] : verdicts) {
+        require_name("save", name);
+        if (name.ends_with(input_suffix)) throw InputError{"save: the name '" + name + "' ends in '-input'"};
+        if (!seen.insert(name).second) throw InputError{"save: two verdicts are named '" + name + "'"};
+    }
+}
+
 }  // namespace
 
-void save(const Verdict& verdict, const std::string& folder) {
-    told_as_input_error([&] { save_as(verdict.scene().name(), verdict, without_slash(folder)); });
+void save(const Verdict& verdict, const std::string& folder, const std::string& name) {
+    if (!name.empty()) require_name("save", name);
+    told_as_input_error(
+        [&] { save_as(name.empty() ? verdict.scene().name() : name, verdict, without_slash(folder)); });
 }
 
 void save(std::span<const NamedVerdict> verdicts, const std::string& folder) {
-    if (verdicts.empty()) throw InputError{"save: no verdict; expected at least one"};
+    require_names(verdicts);
     told_as_input_error([&] {
         const fs::path home = without_slash(folder);
         Words folders;

@@ -111,9 +111,11 @@ std::optional<Finding> Verdict::worst() const {
 
 std::string Verdict::sentence(const Finding& finding) const {
     const auto& all = data().verdict.findings;
-    const auto found = std::ranges::find_if(
-        all, [&](const zproof::Finding& f) { return f.x == finding.x && f.y == finding.y; });
-    if (found == all.end()) throw InputError{"sentence: the verdict has no finding at that pixel"};
+    const auto place = [](const auto& f) { return std::pair{int(f.y), int(f.x)}; };
+    const auto found =
+        std::ranges::lower_bound(all, place(finding), {}, place);  // they stand in raster order
+    if (found == all.end() || place(*found) != place(finding))
+        throw InputError{"sentence: the verdict has no finding at that pixel"};
     return in_words(data().scene.data().scene, *found) + own_words(data(), found->x, found->y);
 }
 

@@ -23,7 +23,7 @@ configure_consumer() { quietly cmake -S "$source/tests/examples/consumer" -B con
 
 # The tests of the consumer: what is right passes, what is wrong fails and leaves its evidence.
 try_tests() {
-    expect_status 0 ctest --test-dir consumer -R '^(every_room|guard_band|own_rasterizer)$' --no-tests=error
+    expect_status 0 ctest --test-dir consumer -R '^(every_room|judge_your_frame|guard_band|own_rasterizer)$' --no-tests=error
     expect_status 8 ctest --test-dir consumer -R '^boaster$' --no-tests=error
     expect_status 8 ctest --test-dir consumer -R '^no_such_scene$' --no-tests=error
     for file in zproof/guard_band/report.html zproof/own_rasterizer/junit.xml proof/report.html; do
