@@ -144,6 +144,20 @@ def test_the_list_begins_with_the_worst():
     assert len(listed) == 8 and listed[0] == (str(verdict.worst.x), str(verdict.worst.y))
 
 
+def test_an_undecided_verdict_shows_where():
+    scene, view, frame = view_of((64, 36))
+    ids = frame.id.copy()
+    y, x = np.argwhere(frame.id[:, 1:] != frame.id[:, :-1])[0]
+    ids[y, x] = ids[y, x + 1]
+    promise = {"kind": "bounded", "eps_px": 16, "depth_relative": 1e-3, "depth_absolute": 10}
+    verdict = zproof.judge(scene, view, id=ids, depth=frame.depth, precision=promise)
+    assert verdict.defects == 0 and verdict.counts["undecidable"] > 0
+    text = re.sub(r"<[^>]*>", " ", verdict._repr_html_())
+    assert re.search(r"undecidable +\d+ +undecided", text)
+    assert f"The worst of {verdict.counts['undecidable']} undecidable pixels:" in text
+    assert "Around the worst pixel" in text
+
+
 def test_a_proven_verdict_has_no_list():
     scene, view, frame = view_of((64, 36))
     html = zproof.judge(scene, view, id=frame.id, depth=frame.depth, precision=PROMISE)._repr_html_()

@@ -59,7 +59,9 @@ def verdict_html(verdict):
     parts = [f"<p><b>{html.escape(summary(verdict))}</b></p>", _row([picture, _counts_html(verdict)])]
     if verdict.defects:
         parts.append(f"<p>{html.escape(str(verdict.diagnosis))}</p>")
-        parts += [_surroundings_html(verdict), _worst_html(verdict)]
+    worst = worst_first(verdict)
+    if len(worst):
+        parts += [_surroundings_html(verdict, worst[0]), _worst_html(verdict, worst)]
     return "".join(parts)
 
 
@@ -105,6 +107,19 @@ def class_colours(classes):
     return numpy.array(colours, numpy.uint8)[classes]
 
 
+def worst_first(verdict):
+    """The findings of all defects, or of undecidable pixels where there is none. Severest class first, then
+    the largest error over its bound."""
+    found = verdict.findings
+    fails = numpy.array([_zproof.is_defect(number) for number in range(len(_zproof.CLASS_NAMES))])
+    is_asked = fails[found["class"]]
+    if not is_asked.any():
+        is_asked = found["class"] == _zproof.CLASS_NAMES.index("undecidable")
+    found = found[is_asked]
+    error = numpy.nan_to_num(found["error_over_bound"], nan=-1)
+    return found[numpy.lexsort((-error, -found["class"].astype(int)))]
+
+
 def severest(classes, step):
     """One pixel for each step x step: the severest class of them, so that no defect is lost."""
     height, width = classes.shape
@@ -148,10 +163,10 @@ def _counts_html(verdict):
     return _table(["class", "pixels", "gate"], rows)
 
 
-def _surroundings_html(verdict):
+def _surroundings_html(verdict, worst):
     """The worst pixel in a frame, and what lies around it, enlarged."""
     height, width = verdict.classes.shape
-    x, y = verdict.worst.x, verdict.worst.y
+    x, y = int(worst["x"]), int(worst["y"])
     left, top = max(0, min(x - _CROP // 2, width - _CROP)), max(0, min(y - _CROP // 2, height - _CROP))
     crop = numpy.s_[top:top + _CROP, left:left + _CROP]
     pictures = [("class", class_colours(verdict.classes[crop])), ("ids", id_colours(verdict.id[crop])),
@@ -161,17 +176,13 @@ def _surroundings_html(verdict):
     return f"<p>Around the worst pixel, ({x}, {y}):</p>" + _row(figures)
 
 
-def _worst_html(verdict):
-    """Severest class first, then the largest error over its bound."""
-    found = verdict.findings
-    found = found[[_zproof.is_defect(number) for number in found["class"]]]
-    error = numpy.nan_to_num(found["error_over_bound"], nan=-1)
-    worst = found[numpy.lexsort((-error, -found["class"].astype(int)))][:_MOST_DEFECTS]
+def _worst_html(verdict, worst):
     rows = [[f"{f['x']}, {f['y']}", _zproof.CLASS_NAMES[f["class"]], _id(f["id"]), _cell(f["depth"]),
              _id(f["reference_id"]), _cell(f["reference_depth"]), _cell(f["error_over_bound"], digits=3)]
-            for f in worst]
+            for f in worst[:_MOST_DEFECTS]]
     heading = ["x, y", "class", "id", "depth", "reference id", "reference depth", "error / bound"]
-    return f"<p>The worst of {verdict.defects:,} defects:</p>" + _table(heading, rows)
+    what = "defects" if verdict.defects else "undecidable pixels"
+    return f"<p>The worst of {len(worst):,} {what}:</p>" + _table(heading, rows)
 
 
 def _id(value):
