@@ -55,4 +55,4 @@ __all__ = [
     "trace",
 ]
 
-_notebook.add_html()
+_notebook.add_representations()

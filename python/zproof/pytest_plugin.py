@@ -94,10 +94,12 @@ def zproof_gate(request):
     unless the picture is proven right. The arguments are those of zproof.judge(). name: which of the test's
     pictures it is, in the report and in JUnit. Returns the verdict."""
     lines = request.node.stash.setdefault(_LINES, [])
-    del lines[:]  # of an earlier run of the same test
+    properties = request.node.user_properties
+    del lines[:]  # of an earlier run of the same test, and below
+    properties[:] = [(name, value) for name, value in properties if not name.startswith("zproof.")]
     config = request.config
     test_name = config.stash.get(_NAMES, {}).get(request.node.nodeid) or file_name(request.node.nodeid)
-    return _Gate(test_name, config.getoption("zproof_report"), request.node.user_properties, lines)
+    return _Gate(test_name, config.getoption("zproof_report"), properties, lines)
 
 
 class _Gate:
