@@ -91,10 +91,11 @@ py::list colours_of_classes() {
 std::string_view class_name(std::uint32_t pixel_class) { return api::class_names()[pixel_class]; }
 
 void bind_finding(py::module_& module) {
-    PYBIND11_NUMPY_DTYPE_EX(Finding, x, "x", y, "y", pixel_class, "class", is_defect, "is_defect", candidate_id, "id", reference_id,
-                            "reference_id", candidate_depth, "depth", reference_depth, "reference_depth",
-                            depth_low, "depth_low", depth_truth, "depth_truth", depth_high, "depth_high",
-                            eps_px, "eps_px", error_over_bound, "error_over_bound");
+    PYBIND11_NUMPY_DTYPE_EX(Finding, x, "x", y, "y", pixel_class, "class", is_defect, "is_defect",
+                            candidate_id, "id", reference_id, "reference_id", candidate_depth, "depth",
+                            reference_depth, "reference_depth", depth_low, "depth_low", depth_truth,
+                            "depth_truth", depth_high, "depth_high", eps_px, "eps_px", error_over_bound,
+                            "error_over_bound");
     py::class_<Finding>(module, "Finding", "A pixel that does not simply agree; a row of Verdict.findings.")
         .def_readonly("x", &Finding::x)
         .def_readonly("y", &Finding::y)
@@ -183,7 +184,8 @@ void bind_verdict(py::module_& module) {
         .def_property_readonly(
             "findings", &findings_of,
             "A structured array, read-only: every pixel that is not `agree`, in raster order, with "
-            "x, y, class (an index of CLASS_NAMES), is_defect (0 or 1), id, reference_id, depth, reference_depth, "
+            "x, y, class (an index of CLASS_NAMES), is_defect (0 or 1), id, reference_id, depth, "
+            "reference_depth, "
             "depth_low, depth_truth, depth_high, eps_px, error_over_bound.")
         .def_property_readonly(
             "worst", &worst_of,

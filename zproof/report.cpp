@@ -78,8 +78,8 @@ zproof::Frame written_frame(const Verdict::Data& data) {
 
 constexpr const char* labels_file = "labels.json";
 
-/// What --ids is given. The written scene is one mesh at one node: labels are listed triangle by triangle in a
-/// file, whose name it is then.
+/// What --ids is given. The written scene is one mesh at one node: labels are listed triangle by triangle in
+/// a file, whose name it is then.
 std::string write_ids(const Declared& declared, const fs::path& folder) {
     if (!declared.labels || declared.labels->are_absent) return declared.ids;
     std::string list;

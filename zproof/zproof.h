@@ -214,7 +214,8 @@ class Verdict {
     std::span<const std::uint64_t> counts() const;  ///< pixels by class
     std::span<const std::uint8_t> classes() const;  ///< of every pixel
     std::span<const Finding> findings() const;      ///< every pixel that is not `agree`, in raster order
-    /// The defect with the largest error over its bound, as the report ranks them; nothing where there is none.
+    /// The defect with the largest error over its bound, as the report ranks them; nothing where there is
+    /// none.
     std::optional<Finding> worst() const;
     std::string sentence(const Finding& finding) const;  ///< one line
 

@@ -110,6 +110,10 @@ TEST_F(ApiReport, NeverReplacesSomebodysFolder) {
     EXPECT_THROW(save(verdict(), folder.string()), std::runtime_error);
     EXPECT_EQ(content_of(folder / "thesis.tex"), "years of work");
     EXPECT_FALSE(fs::exists(folder / "report.html"));
+    fs::create_directories(folder / "own-input");
+    std::ofstream{folder / "own-input/room.glb"} << "another room";
+    EXPECT_THROW(save(verdict(), (folder / "own").string()), std::runtime_error);
+    EXPECT_EQ(content_of(folder / "own-input/room.glb"), "another room");
     fs::remove_all(folder.string() + "-input");
 }
 

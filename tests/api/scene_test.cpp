@@ -64,6 +64,8 @@ TEST(ApiScene, OfTheSuiteIsTheSuites) {
 TEST(ApiScene, WhatCannotBeLoadedIsNamed) {
     for (const char* name : {"no_such_scene", "missing.glb", "missing.json", "missing.obj", ""})
         EXPECT_THROW(Scene::load(name), InputError) << name;
+    EXPECT_THROW(Scene::load("guard_band", {32769, 1}), InputError);
+    EXPECT_THROW(Scene::load("guard_band", {64, 0}), InputError);
 }
 
 TEST(ApiScene, SavedAndLoadedItIsTheSameBits) {

@@ -63,7 +63,7 @@ TEST(ApiVerdict, IsTheJudgesOwn) {
             for (std::size_t i = 0; i < own.findings.size(); ++i) {
                 EXPECT_EQ(verdict.findings()[i].x, own.findings[i].x);
                 EXPECT_EQ(verdict.findings()[i].y, own.findings[i].y);
-                EXPECT_EQ(verdict.findings()[i].pixel_class, std::uint8_t(own.findings[i].verdict));
+                EXPECT_EQ(verdict.findings()[i].pixel_class, std::uint32_t(own.findings[i].verdict));
                 EXPECT_EQ(verdict.findings()[i].candidate_id,
                           std::uint32_t(own.findings[i].candidate.primitive));
             }
@@ -105,16 +105,18 @@ TEST(ApiVerdict, OutlivesSceneAndView) {
     EXPECT_EQ(verdict->explain(3, 3).finding.x, 3);
 }
 
-TEST(ApiVerdict, TheWorstIsTheSeverestAndItsStorySaysSo) {
+TEST(ApiVerdict, TheWorstIsTheFarthestBeyondItsBound) {
     const Scene scene = Scene::load("room", {160, 90});
     const View view = scene.views().front();
     const Arrays arrays = spoilt(scene, view);
     const Verdict verdict =
         judge(scene, view, {.id = arrays.id, .depth = arrays.depth, .precision = own_precision});
     ASSERT_TRUE(verdict.worst());
-    EXPECT_EQ(class_names()[verdict.worst()->pixel_class], "invalid");
+    EXPECT_EQ(verdict.worst()->is_defect, 1u);
+    for (const Finding& f : verdict.findings())
+        EXPECT_FALSE(f.is_defect && f.error_over_bound > verdict.worst()->error_over_bound);
     const Explanation story = verdict.explain(5, 0);
-    EXPECT_EQ(story.finding.pixel_class, verdict.worst()->pixel_class);
+    EXPECT_EQ(class_names()[story.finding.pixel_class], "invalid");
     EXPECT_NE(story.text.find("pixel (5, 0): invalid"), std::string::npos) << story.text;
     EXPECT_NE(verdict.sentence(*verdict.worst()), "");
     EXPECT_TRUE(verdict.diagnosis());
