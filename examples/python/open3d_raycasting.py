@@ -71,12 +71,13 @@ def see_anything():
     hit = raycasting.cast_rays(open3d.core.Tensor(np.float32([[0, 0, 0, 0, 0, 1]])))["t_hit"].numpy()
     if np.isfinite(hit).all():
         return
-    if "LD_PRELOAD" in os.environ:
+    others = os.environ.get("LD_PRELOAD", "")
+    if "open3d_mask" in others:
         sys.exit("Open3D's rays miss all geometry, with the library as well")
     with tempfile.TemporaryDirectory() as folder:
         library = os.path.join(folder, "open3d_mask.so")
         subprocess.run(["cc", "-shared", "-fPIC", "-o", library, MASK], check=True)
-        mended = {**os.environ, "LD_PRELOAD": library}
+        mended = {**os.environ, "LD_PRELOAD": f"{others}:{library}".strip(":")}
         done = subprocess.run([sys.executable, *sys.argv], env=mended, check=False)
     sys.exit(done.returncode)
 

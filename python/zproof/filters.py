@@ -1,5 +1,5 @@
-"""Texture filters held against the exact area integral. The studies and checks are those of the program, which is looked
-for on PATH, or is the one that ZPROOF_PROGRAM names."""
+"""Texture filters held against the exact area integral. The studies and checks are those of the program, which is
+looked for on PATH, or is the one that ZPROOF_PROGRAM names."""
 
 import contextlib
 import csv

@@ -11,8 +11,8 @@ from zproof import _zproof
 def precision_word(precision):
     """A promise in one word, as `zproof --precision` takes it.
 
-    precision: a preset's name ("opengl", docs/presets.md), words ("raster,subpixel_bits=4"), the path of a JSON file, or
-    a dict of the same keys: {"kind": "raster", "subpixel_bits": 4}. Raises ValueError for anything else.
+    precision: a preset's name ("opengl", docs/presets.md), words ("raster,subpixel_bits=4"), the path of a JSON
+    file, or a dict of the same keys: {"kind": "raster", "subpixel_bits": 4}. Raises ValueError for anything else.
     """
     if isinstance(precision, dict):
         keys = dict(precision)
