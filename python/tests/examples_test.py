@@ -12,7 +12,7 @@ SAYS = {
         r"coplanar, float64: aside: proven, 2,304 pixels",
         r"door: [\d,]+ of 2,304 pixels are defects: .*",
         r"likely cause: the image is shifted by \(-1/2, 0\) px .*",
-        r"pixel \(\d+, \d+\): hidden, FAIL",
+        r"pixel \(\d+, \d+\): wrong_depth, FAIL",
     ],
     "opencv_camera": [
         r"front: proven, 19,200 pixels",

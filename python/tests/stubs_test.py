@@ -179,7 +179,8 @@ def objects():
     frame = zproof.trace(scene, view)
     right = zproof.judge(scene, view, id=frame.id, depth=frame.depth, precision="embree")
     wrong = zproof.judge(scene, view, id=np.roll(frame.id, 3), depth=frame.depth, precision="embree")
-    story = wrong.explain(wrong.worst.x, wrong.worst.y)
+    y, x = (int(i) for i in np.argwhere(frame.id != zproof.BACKGROUND_ID)[0])
+    story = wrong.explain(x, y)
     assert right.worst is None and story.triangles
     return {"Scene": [scene], "View": [view], "Frame": [frame], "Verdict": [right, wrong],
             "Finding": [wrong.worst], "Explanation": [story], "NearTriangle": story.triangles,

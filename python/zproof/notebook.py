@@ -108,16 +108,15 @@ def class_colours(classes):
 
 
 def worst_first(verdict):
-    """The findings of all defects, or of undecidable pixels where there is none. Severest class first, then
-    the largest error over its bound."""
+    """The findings of all defects, or of undecidable pixels where there is none, the largest error over its
+    bound first, as the report ranks them."""
     found = verdict.findings
-    fails = numpy.array([_zproof.is_defect(number) for number in range(len(_zproof.CLASS_NAMES))])
-    is_asked = fails[found["class"]]
+    is_asked = found["is_defect"] == 1
     if not is_asked.any():
         is_asked = found["class"] == _zproof.CLASS_NAMES.index("undecidable")
     found = found[is_asked]
     error = numpy.nan_to_num(found["error_over_bound"], nan=-1)
-    return found[numpy.lexsort((-error, -found["class"].astype(int)))]
+    return found[numpy.argsort(-error, kind="stable")]
 
 
 def severest(classes, step):
