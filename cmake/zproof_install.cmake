@@ -3,11 +3,16 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(rooms math frame image_io scenes texture rasterizer oracle compare measure study reports)
+set(rooms math frame image_io scenes texture rasterizer oracle compare measure study reports api)
 set(zproof_targets zproof_strict)
 set(zproof_cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/zproof)
+install(FILES ${PROJECT_SOURCE_DIR}/zproof/zproof.h ${PROJECT_SOURCE_DIR}/zproof/filters.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/zproof/zproof COMPONENT libzproof-dev)
 foreach(room IN LISTS rooms)
     list(APPEND zproof_targets zproof_${room})
+    if(room STREQUAL "api")
+        continue()
+    endif()
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/zproof
             COMPONENT libzproof-dev FILES_MATCHING PATTERN "*.h")
 endforeach()

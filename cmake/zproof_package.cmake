@@ -8,7 +8,11 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-set(CPACK_COMPONENTS_ALL zproof libzproof-dev)
+set(packages zproof libzproof-dev)
+if(TARGET zproof_python)
+    list(APPEND packages python3-zproof)
+endif()
+set(CPACK_COMPONENTS_ALL ${packages})
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -32,15 +36,32 @@ list(JOIN development_packages ", " CPACK_DEBIAN_LIBZPROOF-DEV_PACKAGE_DEPENDS)
 set(CPACK_COMPONENT_LIBZPROOF-DEV_DESCRIPTION "Static libraries, headers, CMake package and pkg-config file: load a scene,
 trace it, and hand your own frames to the judge.")
 
+set(CPACK_DEBIAN_PYTHON3-ZPROOF_PACKAGE_NAME python3-zproof)
+set(CPACK_DEBIAN_PYTHON3-ZPROOF_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON3-ZPROOF_PACKAGE_SHLIBDEPS ON)
+if(TARGET zproof_python)
+    # The module is built for one version of Python.
+    get_target_property(python zproof_python PYTHON_VERSION)
+    string(REGEX MATCH "^([0-9]+)\\.([0-9]+)" of_python "${python}")
+    math(EXPR next "${CMAKE_MATCH_2} + 1")
+    set(needed "zproof (= ${PROJECT_VERSION})" "python3 (>= ${of_python})" "python3 (<< ${CMAKE_MATCH_1}.${next})" python3-numpy)
+    list(JOIN needed ", " CPACK_DEBIAN_PYTHON3-ZPROOF_PACKAGE_DEPENDS)
+endif()
+set(CPACK_COMPONENT_PYTHON3-ZPROOF_DESCRIPTION "Python module: hand numpy arrays of triangle ids and depths to the judge,
+in a test (there is a pytest plugin) or a notebook, and read the verdict.")
+
 # Debian's own two files of every package.
 configure_file(${PROJECT_SOURCE_DIR}/cmake/debian/changelog.in ${PROJECT_BINARY_DIR}/changelog @ONLY)
 add_custom_command(OUTPUT changelog.gz DEPENDS ${PROJECT_BINARY_DIR}/changelog
     COMMAND gzip -9 -n -c changelog > changelog.gz)
 add_custom_target(zproof_changelog ALL DEPENDS changelog.gz)
-foreach(package zproof libzproof-dev)
+foreach(package IN LISTS packages)
     install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian/copyright ${PROJECT_BINARY_DIR}/changelog.gz
             DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${package})
 endforeach()
 add_custom_target(zproof_packaged)
 add_dependencies(zproof_packaged zproof_shell zproof_changelog zproof_image_io_module ${zproof_targets})
+if(TARGET zproof_python)
+    add_dependencies(zproof_packaged zproof_python)
+endif()
 include(CPack)

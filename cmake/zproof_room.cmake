@@ -17,6 +17,11 @@ function(zproof_build_quickly target)
         target_precompile_headers(${headers} PRIVATE ${zproof_precompiled} ${BUILD_HEADER})
     endif()
     target_precompile_headers(${target} REUSE_FROM ${headers})
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL "EXECUTABLE")  # for which CMake takes -fPIE, unlike what is precompiled
+        set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+        target_compile_options(${target} PRIVATE -fPIC)
+    endif()
 endfunction()
 
 # zproof_room(name SOURCES a.cpp ... USES rooms-and-libraries ... [OPTIMIZE -O1]): one static library per folder,
@@ -38,8 +43,7 @@ function(zproof_test room)
     cmake_parse_arguments(TEST "" "SLOW" "SOURCES;USES" ${ARGN})
     add_executable(${room}_test ${TEST_SOURCES})
     target_link_libraries(${room}_test PRIVATE zproof_strict ${TEST_USES} GTest::gtest_main)
-    set_target_properties(${room}_test PROPERTIES UNITY_BUILD OFF POSITION_INDEPENDENT_CODE OFF)
-    target_compile_options(${room}_test PRIVATE -fPIC)  # as what is precompiled; by itself CMake takes -fPIE for programs
+    set_target_properties(${room}_test PROPERTIES UNITY_BUILD OFF)
     zproof_build_quickly(${room}_test OPTIMIZE -O1 LIBRARY GTest::gtest_main HEADER <gtest/gtest.h>)
     if(NOT TEST_SLOW)
         gtest_discover_tests(${room}_test DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Makes the packages of a build whose target zproof_packaged is up to date (./dev package sees to that):
 #   make.sh BUILD_FOLDER FOLDER
-# leaves zproof_VERSION_ARCH.deb, libzproof-dev_VERSION_ARCH.deb and zproof-VERSION-linux-ARCH.tar.gz in FOLDER.
+# leaves zproof_VERSION_ARCH.deb, libzproof-dev_VERSION_ARCH.deb, python3-zproof_VERSION_ARCH.deb (where the module was built)
+# and zproof-VERSION-linux-ARCH.tar.gz in FOLDER.
 set -euo pipefail
-[ $# = 2 ] || { sed -n '2,4p' "$0" >&2; exit 2; }
+[ $# = 2 ] || { sed -n '2,5p' "$0" >&2; exit 2; }
 build=$(realpath "$1")
 folder=$(realpath -m "$2")
 scratch=$(mktemp -d)

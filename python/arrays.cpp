@@ -30,6 +30,7 @@ py::array as_array(const py::object& object, const Wanted& wanted) {
             return numpy.attr("asarray")(object);
         if (py::hasattr(object, "__dlpack__")) return numpy.attr("from_dlpack")(object);
     } catch (py::error_already_set& e) {
+        if (!e.matches(PyExc_Exception) || e.matches(PyExc_MemoryError)) throw;
         refuse(wanted, "a " + type + " that gives no array (" + std::string(py::str(e.value())) + ")",
                "a tensor on a GPU or with a gradient is first .detach().cpu()");
     }
@@ -53,10 +54,26 @@ std::string remedy_for(const py::array& array, const py::dtype& dtype) {
 
 }  // namespace
 
+std::string path_from(const py::object& object) {
+    return py::str(py::module_::import("os").attr("fsdecode")(object));
+}
+
+api::Size size_from(const py::object& object) {
+    try {
+        const auto [width, height] = object.cast<std::pair<int, int>>();
+        return {width, height};
+    } catch (const py::cast_error&) {
+        throw py::value_error("size is " + std::string(py::repr(object)) +
+                              "; expected (width, height), whole numbers of pixels");
+    }
+}
+
 template <class T>
 py::array_t<T, py::array::c_style> array_from(const py::object& object, const Wanted& wanted) {
     using Array = py::array_t<T, py::array::c_style>;
     const py::array array = as_array(object, wanted);
+    if (py::hasattr(array, "mask"))
+        refuse(wanted, "a masked array", ".filled(value) says what stands where it is masked");
     const py::dtype dtype = py::dtype::of<T>();
     if (!array.dtype().attr("__eq__")(dtype).cast<bool>())
         refuse(wanted, came(array), remedy_for(array, dtype));

@@ -22,6 +22,12 @@ struct Wanted {
     std::string meaning;             ///< "uint32 (height, width)"
 };
 
+/// A path, of a str, bytes or an os.PathLike.
+std::string path_from(const py::object& object);
+
+/// (width, height), whole numbers. Throws ValueError for anything else.
+api::Size size_from(const py::object& object);
+
 /// A C-contiguous array of T in this machine's byte order. The object may be an array, or whatever hands out
 /// one by __array__ or DLPack. Throws ValueError that names what came and what is wanted.
 template <class T>

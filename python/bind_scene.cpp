@@ -9,6 +9,11 @@ namespace {
 using api::Scene;
 using api::View;
 
+/// Of a texture that is too long, a length that is refused as well.
+int side_of(py::ssize_t length) {
+    return int(std::min<py::ssize_t>(length, std::numeric_limits<int>::max()));
+}
+
 Scene scene_of(const py::object& positions, const py::object& triangles, const py::object& uv,
                const py::object& texture, const std::string& name) {
     const auto p = array_from<float>(positions, {"positions", {-1, 3}, "float32 (n, 3)"});
@@ -24,8 +29,10 @@ Scene scene_of(const py::object& positions, const py::object& triangles, const p
     if (!texture.is_none()) {
         const auto texels =
             array_from<std::uint8_t>(texture, {"texture", {-1, -1, 4}, "uint8 (height, width, 4), sRGB"});
+        if (texels.size() == 0)
+            throw py::value_error("texture holds no texel; expected uint8 (height, width, 4)");
         mesh.texels = values_of(texels);
-        mesh.texture_size = {int(texels.shape(1)), int(texels.shape(0))};
+        mesh.texture_size = {side_of(texels.shape(1)), side_of(texels.shape(0))};
         kept_texels = texels;
     }
     const py::gil_scoped_release released;
@@ -76,12 +83,13 @@ void bind_scene(py::module_& module) {
         .def("__repr__", &text_of);
     module.def(
         "load",
-        [](const py::object& file, std::pair<int, int> size) {
-            const std::string name = py::str(py::module_::import("os").attr("fspath")(file));
+        [](const py::object& file, const py::object& size) {
+            const std::string name = path_from(file);
+            const api::Size pixels = size_from(size);
             const py::gil_scoped_release released;
-            return Scene::load(name, {size.first, size.second});
+            return Scene::load(name, pixels);
         },
-        arg("file"), arg("size") = std::pair{1920, 1080},
+        arg("file"), arg("size") = py::make_tuple(1920, 1080),
         "A .gltf, .glb, .obj or .ply file, a view file (.json), or the name of a scene of the suite.\n"
         "size: (width, height) of its views where the file names none. Raises ValueError with file, place "
         "and remedy.");

@@ -88,13 +88,14 @@ py::list colours_of_classes() {
     return colours;
 }
 
-std::string_view class_name(std::uint8_t pixel_class) { return api::class_names()[pixel_class]; }
+std::string_view class_name(std::uint32_t pixel_class) { return api::class_names()[pixel_class]; }
 
 void bind_finding(py::module_& module) {
-    PYBIND11_NUMPY_DTYPE_EX(Finding, x, "x", y, "y", pixel_class, "class", candidate_id, "id", reference_id,
-                            "reference_id", candidate_depth, "depth", reference_depth, "reference_depth",
-                            depth_low, "depth_low", depth_truth, "depth_truth", depth_high, "depth_high",
-                            eps_px, "eps_px", error_over_bound, "error_over_bound");
+    PYBIND11_NUMPY_DTYPE_EX(Finding, x, "x", y, "y", pixel_class, "class", is_defect, "is_defect",
+                            candidate_id, "id", reference_id, "reference_id", candidate_depth, "depth",
+                            reference_depth, "reference_depth", depth_low, "depth_low", depth_truth,
+                            "depth_truth", depth_high, "depth_high", eps_px, "eps_px", error_over_bound,
+                            "error_over_bound");
     py::class_<Finding>(module, "Finding", "A pixel that does not simply agree; a row of Verdict.findings.")
         .def_readonly("x", &Finding::x)
         .def_readonly("y", &Finding::y)
@@ -141,17 +142,20 @@ void bind_explanation(py::module_& module) {
         .def("__repr__", [](const api::Diagnosis& d) { return d.text; });
 }
 
-void save(const JudgedArrays& self, const py::object& folder) {
-    const std::string path = py::str(py::module_::import("os").attr("fspath")(folder));
+void save(const JudgedArrays& self, const py::object& folder, const std::string& name) {
+    const std::string path = path_from(folder);
     const py::gil_scoped_release released;
-    api::save(self.verdict, path);
+    api::save(self.verdict, path, name);
 }
 
 void save_all(const std::vector<std::pair<std::string, const JudgedArrays*>>& verdicts,
               const py::object& folder) {
-    const std::string path = py::str(py::module_::import("os").attr("fspath")(folder));
+    const std::string path = path_from(folder);
     std::vector<api::NamedVerdict> named;
-    for (const auto& [name, judged] : verdicts) named.push_back({name, judged->verdict});
+    for (const auto& [name, judged] : verdicts) {
+        if (!judged) throw py::value_error("save_all: '" + name + "' is None; expected a Verdict");
+        named.push_back({name, judged->verdict});
+    }
     const py::gil_scoped_release released;
     api::save(named, path);
 }
@@ -180,11 +184,12 @@ void bind_verdict(py::module_& module) {
         .def_property_readonly(
             "findings", &findings_of,
             "A structured array, read-only: every pixel that is not `agree`, in raster order, with "
-            "x, y, class (an index of CLASS_NAMES), id, reference_id, depth, reference_depth, "
+            "x, y, class (an index of CLASS_NAMES), is_defect (0 or 1), id, reference_id, depth, "
+            "reference_depth, "
             "depth_low, depth_truth, depth_high, eps_px, error_over_bound.")
         .def_property_readonly(
             "worst", &worst_of,
-            "The defect of the severest class with the largest error over its bound, or None.")
+            "The defect with the largest error over its bound, as the report ranks them, or None.")
         .def(
             "sentence", [](const JudgedArrays& self, const Finding& f) { return self.verdict.sentence(f); },
             arg("finding"), "One line about a finding.")
@@ -213,10 +218,11 @@ void bind_verdict(py::module_& module) {
             "depth", [](const py::object& self) { return plane_of(self, &api::Verdict::judged_depth); },
             "float32 (height, width), read-only: the depths that were judged; the array itself that was "
             "handed over")
-        .def("save", &save, arg("folder"),
+        .def("save", &save, arg("folder"), arg("name") = "",
              "Writes the report of `zproof compare` into the folder: report.html, results.json, junit.xml, "
              "evidence.\n"
-             "What the program was given stays in FOLDER-input. The program is looked for on PATH, or is the "
+             "name: the scene's in the report; default: its own. What the program was given stays in "
+             "FOLDER-input. The program is looked for on PATH, or is the "
              "one that\n"
              "ZPROOF_PROGRAM names. A folder that is no report of zproof is never replaced. Raises "
              "RuntimeError with\n"

@@ -12,14 +12,19 @@ namespace {
 using api::Size;
 using api::View;
 using Point = std::array<double, 3>;
-using SizeTuple = std::pair<int, int>;
 
 /// Numbers of any kind as doubles, by rows.
 template <std::size_t count>
 std::array<double, count> numbers(const py::object& object, const Wanted& wanted) {
     const py::module_ numpy = py::module_::import("numpy");
-    const py::array array = numpy.attr("asarray")(object);
-    if (std::string("fiu").find(array.dtype().kind()) == std::string::npos)
+    py::array array;
+    try {
+        array = numpy.attr("asanyarray")(object);
+    } catch (const py::error_already_set& e) {
+        if (!e.matches(PyExc_ValueError) && !e.matches(PyExc_TypeError)) throw;
+    }
+    const bool holds_numbers = std::string("fiu").find(array.dtype().kind()) != std::string::npos;
+    if (array.size() == 0 || !holds_numbers || py::hasattr(array, "mask"))
         throw py::value_error(wanted.name + " holds no numbers; expected " + wanted.meaning);
     const auto values = array_from<double>(
         numpy.attr("ascontiguousarray")(numpy.attr("atleast_1d")(array), py::arg("dtype") = "float64"),
@@ -34,13 +39,13 @@ Point point(const char* name, const py::object& object) {
 }
 
 View::Placed placed(const py::object& eye, const py::object& target, const py::object& up, double near,
-                    double far, SizeTuple size, const std::string& name) {
+                    double far, const py::object& size, const std::string& name) {
     return {.eye = point("eye", eye),
             .target = point("target", target),
             .up = point("up", up),
             .near_depth = near,
             .far_depth = far,
-            .size = {size.first, size.second},
+            .size = size_from(size),
             .name = name};
 }
 
@@ -53,14 +58,14 @@ py::tuple opencv_of(const View& view) {
     return py::make_tuple(matrix(camera.K, 3), matrix(camera.R, 3), py::array_t<double>(3, camera.t.data()));
 }
 
-View from_opencv(const py::object& K, const py::object& R, const py::object& t, SizeTuple size, double near,
-                 double far, const std::string& name) {
+View from_opencv(const py::object& K, const py::object& R, const py::object& t, const py::object& size,
+                 double near, double far, const std::string& name) {
     // t may be a column, as OpenCV gives it
     const py::object flat_t = py::module_::import("numpy").attr("ravel")(t);
     return View::from_opencv({.K = numbers<9>(K, {"K", {3, 3}, "3 x 3 numbers"}),
                               .R = numbers<9>(R, {"R", {3, 3}, "3 x 3 numbers"}),
                               .t = numbers<3>(flat_t, {"t", {3}, "3 numbers"})},
-                             {size.first, size.second}, near, far, name);
+                             size_from(size), near, far, name);
 }
 
 std::string text_of(const View& view) {
@@ -79,7 +84,7 @@ void bind_view(py::module_& module) {
         .def_static(
             "perspective",
             [](const py::object& eye, const py::object& target, const py::object& up_world, double yfov,
-               double near, double far, SizeTuple size, const std::string& name) {
+               double near, double far, const py::object& size, const std::string& name) {
                 return View::perspective(placed(eye, target, up_world, near, far, size, name), yfov);
             },
             py::kw_only(), arg("eye"), arg("target"), arg("up") = up, arg("yfov"), arg("near"),
@@ -91,7 +96,7 @@ void bind_view(py::module_& module) {
         .def_static(
             "orthographic",
             [](const py::object& eye, const py::object& target, const py::object& up_world, double height,
-               double near, double far, SizeTuple size, const std::string& name) {
+               double near, double far, const py::object& size, const std::string& name) {
                 return View::orthographic(placed(eye, target, up_world, near, far, size, name), height);
             },
             py::kw_only(), arg("eye"), arg("target"), arg("up") = up, arg("height"), arg("near"), arg("far"),

@@ -34,6 +34,9 @@ const std::map<std::string, Names> may_include{
       "compare"}},  // holds a method to its truth
     {"reports",
      {"math", "compare", "measure", "study", "frame", "image_io"}},  // shows results; never computes one
+    {"zproof",
+     {"math", "frame", "image_io", "scenes", "rasterizer", "oracle", "compare",
+      "reports"}},  // the public interface
     {"cli",
      {"math", "frame", "image_io", "scenes", "texture", "rasterizer", "oracle", "compare", "measure", "study",
       "reports"}},
@@ -117,7 +120,7 @@ Names rooms() {
 
 Names all_folders() {
     Names names = rooms();
-    names.insert({"tests", "examples", "bench"});
+    names.insert({"tests", "examples", "bench", "python"});
     return names;
 }
 
@@ -268,6 +271,33 @@ TEST(HousePlan, EveryRoomLooksOnlyIntoTheRoomsItMay) {
     std::vector<std::string> faults;
     for (const SourceFile& file : files) std::ranges::move(include_faults(file), std::back_inserter(faults));
     EXPECT_TRUE(faults.empty()) << joined(faults);
+}
+
+/// What whoever uses zproof compiles: the standard library, and itself.
+TEST(HousePlan, ThePublicHeadersNeedTheStandardLibraryAlone) {
+    const Names headers{"zproof/zproof.h", "zproof/filters.h"};
+    std::size_t found = 0;
+    for (const SourceFile& file : sources_in({"zproof"})) {
+        if (!headers.contains(file.path)) continue;
+        ++found;
+        for (const Include& include : includes_of(file)) {
+            const bool is_standard =
+                !include.is_own && include.header.find_first_of("./") == std::string::npos;
+            EXPECT_TRUE(is_standard || headers.contains(include.header))
+                << file.path << ": " << include.header;
+        }
+    }
+    EXPECT_EQ(found, headers.size());
+}
+
+TEST(HousePlan, ThePythonModuleLooksIntoThePublicHeadersAlone) {
+    const Names allowed{"zproof/zproof.h", "zproof/filters.h"};
+    for (const SourceFile& file : sources_in({"python"})) {
+        for (const auto& [line, is_own, header] : includes_of(file)) {
+            const bool may = !is_own || header.starts_with("python/") || allowed.contains(header);
+            EXPECT_TRUE(may) << at(file, line) << header;
+        }
+    }
 }
 
 TEST(HousePlan, FilesAndLinesKeepTheirLimits) {

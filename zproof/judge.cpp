@@ -10,6 +10,7 @@
 #include "zproof/errors.h"
 #include "zproof/finding.h"
 #include "zproof/ids.h"
+#include "zproof/names.h"
 
 namespace zproof::api {
 namespace {
@@ -32,6 +33,8 @@ std::string preset_names() {
 Declared declared(const Scene& scene, const Candidate& candidate) {
     if (candidate.id.empty() && candidate.depth.empty())
         throw InputError{"judge: neither ids nor depths; expected at least one of them"};
+    require_no_nul("judge: precision", candidate.precision);
+    require_no_nul("judge: ids", candidate.ids);
     if (candidate.precision.empty())
         throw InputError{"judge: no precision; expected what the renderer promises: a preset (" +
                          preset_names() + "), words like 'raster,subpixel_bits=4', or a file"};
@@ -63,13 +66,20 @@ zproof::Frame judged_frame(const Verdict::Data& data) {
     const zproof::View& view = data.view.data().view;
     const zproof::Frame& reference = data.reference.data().frame;
     const auto& [word, ids, precision, labels, has_depth] = data.declared;
-    if (!has_depth) return with_own_depths(scene, view, data.given.primitive, precision, reference);
+    if (!has_depth) {
+        zproof::Frame with_depths = with_own_depths(scene, view, data.given.primitive, precision, reference);
+        with_depths.primitive = lent_frame({.id = ids_of(data.given)}, reference.size()).primitive;
+        return with_depths;
+    }
     if (!labels)
         return lent_frame({ids_of(data.given), data.given.camera_depth.pixels(), {}, {}},
                           {view.width, view.height});
     zproof::Frame of_labels = data.given;
     if (labels->are_absent) of_labels.primitive = Plane<PrimitiveId>(of_labels.camera_depth.size());
-    return with_triangles(scene, view, {of_labels, precision}, *labels, reference);
+    zproof::Frame of_triangles = with_triangles(scene, view, {of_labels, precision}, *labels, reference);
+    of_triangles.camera_depth =
+        Plane<float>::lent(of_labels.camera_depth.size(), data.given.camera_depth.pixels().data());
+    return of_triangles;
 }
 
 }  // namespace

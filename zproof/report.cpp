@@ -1,14 +1,19 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "frame/precision_text.h"
 #include "frame/whole_file.h"
 #include "image_io/image_io.h"
 #include "oracle/subprocess.h"
+#include "reports/output_folder.h"
 #include "scenes/glb_writer.h"
 #include "zproof/data.h"
 #include "zproof/errors.h"
+#include "zproof/names.h"
 
 namespace zproof::api {
 namespace {
@@ -16,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
+constexpr const char* input_suffix = "-input";
 constexpr std::chrono::hours longest_run{1};
 constexpr int proven = 0, defective = 1, undecided = 3;  // docs/cli.md
 
@@ -24,13 +30,26 @@ std::string program() {
     return named && *named ? named : "zproof";
 }
 
+/// Settings for the program that this process has in its environment are meant for other runs; a verdict has
+/// no waivers. Where the program's own parts lie is left.
+Words without_settings() {
+    Words words{"env"};
+    for (char** entry = environ; *entry; ++entry) {
+        const std::string name = std::string(*entry).substr(0, std::string_view(*entry).find('='));
+        if (!name.starts_with("ZPROOF_") || name == "ZPROOF_IMAGE_IO" || name == "ZPROOF_ISA") continue;
+        words.insert(words.end(), {"-u", name});
+    }
+    return words;
+}
+
 void run_program(const Words& words, int expected_status) {
-    Words command{program()};
+    Words command = without_settings();
+    command.push_back(program());
     command.insert(command.end(), words.begin(), words.end());
     const oracle::Outcome outcome = oracle::run({.arguments = command, .time_limit = longest_run});
     if (outcome.ending == oracle::Ending::exited && outcome.code == expected_status) return;
-    throw std::runtime_error{command.front() + " " + words.front() + ": " +
-                             oracle::in_words(outcome, longest_run) + ": " + oracle::last_output(outcome)};
+    throw std::runtime_error{program() + " " + words.front() + ": " + oracle::in_words(outcome, longest_run) +
+                             ": " + oracle::last_output(outcome)};
 }
 
 /// What the program is given of a verdict.
@@ -57,29 +76,35 @@ zproof::Frame written_frame(const Verdict::Data& data) {
     return frame;
 }
 
-/// The written scene is one mesh at one node: labels are given triangle by triangle.
-std::string ids_word(const Declared& declared, const fs::path& folder) {
+constexpr const char* labels_file = "labels.json";
+
+/// What --ids is given. The written scene is one mesh at one node: labels are listed triangle by triangle in
+/// a file, whose name it is then.
+std::string write_ids(const Declared& declared, const fs::path& folder) {
     if (!declared.labels || declared.labels->are_absent) return declared.ids;
-    const fs::path file = folder / "labels.json";
     std::string list;
     for (const std::uint32_t label : declared.labels->of_triangle)
         list += (list.empty() ? "[" : ",") + std::to_string(label);
-    write_whole_file(file, list + "]");
-    return file.string();
+    write_whole_file(folder / labels_file, list + "]");
+    return labels_file;
 }
 
+/// The folder appears whole or not at all, and replaces only what this function wrote.
 InputFiles write_input(const std::string& name, const Verdict::Data& data, const fs::path& folder) {
-    fs::create_directories(folder);
+    OutputFolder out{folder};
     Loaded loaded{data.scene.data().scene, {data.view.data().view}};
     loaded.scene.name = name;
-    write_glb(folder, loaded);
-    const fs::path frame = folder / (name + ".exr");
-    write_frame(frame, written_frame(data));
-    return {folder / (name + ".view.json"), frame, precision_word(data.declared.precision_word),
-            ids_word(data.declared, folder)};
+    write_glb(out.working(), loaded);
+    write_frame(out.working() / (name + ".exr"), written_frame(data));
+    const std::string ids = write_ids(data.declared, out.working());
+    [[maybe_unused]] const auto kept = out.publish();
+    return {folder / (name + ".view.json"), folder / (name + ".exr"),
+            precision_word(data.declared.precision_word), ids == labels_file ? (folder / ids).string() : ids};
 }
 
 fs::path without_slash(const std::string& folder) {
+    require_no_nul("save", folder);
+    if (folder.empty()) throw InputError{"save: the folder's name is empty"};
     const fs::path path = fs::absolute(folder);
     return path.has_filename() ? path : path.parent_path();
 }
@@ -90,23 +115,38 @@ int expected_status(const Verdict& verdict) {
     return verdict.defect_count() > 0 ? defective : undecided;
 }
 
+/// A further oracle would judge itself, not the candidate.
 void save_as(const std::string& name, const Verdict& verdict, const fs::path& folder) {
-    const InputFiles input = write_input(name, verdict.data(), folder.string() + "-input");
-    run_program({"compare", input.frame.string(), input.view.string(), "--precision", input.precision,
-                 "--ids", input.ids, "-o", folder.string(), "--quiet"},
-                expected_status(verdict));
+    const InputFiles input = write_input(name, verdict.data(), folder.string() + input_suffix);
+    run_program(
+        {"compare", input.frame.string(), input.view.string(), "--precision", input.precision, "--ids",
+         input.ids, "--oracle", "none", "--config", "none", "-o", folder.string(), "--quiet"},
+        expected_status(verdict));
     if (!fs::exists(folder / "results.json"))
         throw std::runtime_error{folder.string() + ": no report was written"};
 }
 
+/// Each becomes a folder's, with the input of its report beside it.
+void require_names(std::span<const NamedVerdict> verdicts) {
+    if (verdicts.empty()) throw InputError{"save: no verdict; expected at least one"};
+    std::set<std::string> seen;
+    for (const auto& [name, verdict] : verdicts) {
+        require_name("save", name);
+        if (name.ends_with(input_suffix)) throw InputError{"save: the name '" + name + "' ends in '-input'"};
+        if (!seen.insert(name).second) throw InputError{"save: two verdicts are named '" + name + "'"};
+    }
+}
+
 }  // namespace
 
-void save(const Verdict& verdict, const std::string& folder) {
-    told_as_input_error([&] { save_as(verdict.scene().name(), verdict, without_slash(folder)); });
+void save(const Verdict& verdict, const std::string& folder, const std::string& name) {
+    if (!name.empty()) require_name("save", name);
+    told_as_input_error(
+        [&] { save_as(name.empty() ? verdict.scene().name() : name, verdict, without_slash(folder)); });
 }
 
 void save(std::span<const NamedVerdict> verdicts, const std::string& folder) {
-    if (verdicts.empty()) throw InputError{"save: no verdict; expected at least one"};
+    require_names(verdicts);
     told_as_input_error([&] {
         const fs::path home = without_slash(folder);
         Words folders;

@@ -8,6 +8,7 @@
 #include "scenes/view_file.h"
 #include "zproof/data.h"
 #include "zproof/errors.h"
+#include "zproof/names.h"
 
 namespace zproof::api {
 namespace {
@@ -40,6 +41,11 @@ void require_lengths(const Mesh& mesh) {
             "uv has " + std::to_string(mesh.uv.size() / 2) + " vertices, positions have " +
                 std::to_string(mesh.positions_world.size() / 3));
     require(mesh.texels.empty() || !mesh.uv.empty(), "a texture needs uv");
+    const auto [width, height] = mesh.texture_size;
+    const bool is_absent = width == 0 && height == 0;
+    require(is_absent || (width >= 1 && height >= 1 && width <= largest_side && height <= largest_side),
+            "the texture is " + std::to_string(width) + " x " + std::to_string(height) +
+                "; expected 1 to 32768 texels on either side");
     require(mesh.texels.size() == 4 * mesh.texture_size.pixel_count(),
             "the texture's size is not that of its texels");
 }
@@ -55,6 +61,7 @@ void add_texture(const Mesh& mesh, zproof::Scene& scene) {
 }
 
 zproof::Scene scene_of(const Mesh& mesh) {
+    require_name("scene", mesh.name);
     require_lengths(mesh);
     require_indices(mesh);
     zproof::Scene scene;
@@ -93,6 +100,8 @@ Scene::Scene(const Mesh& mesh) : data_(told_as_input_error([&] { return data_of(
 
 Scene Scene::load(const std::string& file_or_name, Size size) {
     return told_as_input_error([&] {
+        require_no_nul("load", file_or_name);
+        require_size("load", size);
         Loaded from_file = loaded(file_or_name, size);
         require_judged(from_file.scene);
         auto data = std::make_shared<Data>();

@@ -50,27 +50,25 @@ void require_inside(int x, int y, Size size) {
                      std::to_string(size.height)};
 }
 
-/// Severest class first, then the largest error over its bound; a NaN comes last.
-bool is_worse(const Finding& a, const Finding& b) {
-    const auto error = [](const Finding& f) {
-        return std::isnan(f.error_over_bound) ? -1 : f.error_over_bound;
-    };
-    if (a.pixel_class != b.pixel_class) return a.pixel_class > b.pixel_class;
-    return error(a) > error(b);
+/// Of what makes it a defect. A NaN comes last.
+double error_of(const zproof::Finding& f) {
+    const double error = f.wrong_attribute ? f.wrong_attribute->error_over_bound : f.error_over_bound;
+    return std::isnan(error) ? -1 : error;
 }
 
 }  // namespace
 
 std::span<const std::string_view> class_names() { return names; }
 std::span<const std::uint32_t> class_colours() { return colours; }
-bool is_defect(std::uint8_t pixel_class) {
+bool is_defect(std::uint32_t pixel_class) {
     return pixel_class < pixel_class_count && zproof::is_defect(PixelClass(pixel_class));
 }
 
 Finding plain(const zproof::Finding& f) {
     return {.x = f.x,
             .y = f.y,
-            .pixel_class = std::uint8_t(f.verdict),
+            .pixel_class = std::uint32_t(f.verdict),
+            .is_defect = zproof::is_defect(f.verdict),
             .candidate_id = std::uint32_t(f.candidate.primitive),
             .reference_id = std::uint32_t(f.reference.primitive),
             .candidate_depth = f.candidate.camera_depth,
@@ -103,17 +101,19 @@ std::span<const std::uint8_t> Verdict::classes() const {
 }
 
 std::optional<Finding> Verdict::worst() const {
-    std::optional<Finding> worst;
-    for (const Finding& finding : findings())
-        if (api::is_defect(finding.pixel_class) && (!worst || is_worse(finding, *worst))) worst = finding;
-    return worst;
+    const zproof::Finding* worst = nullptr;
+    for (const zproof::Finding& f : data().verdict.findings)
+        if (zproof::is_defect(f.verdict) && (!worst || error_of(f) > error_of(*worst))) worst = &f;
+    return worst ? std::optional{plain(*worst)} : std::nullopt;
 }
 
 std::string Verdict::sentence(const Finding& finding) const {
     const auto& all = data().verdict.findings;
-    const auto found = std::ranges::find_if(
-        all, [&](const zproof::Finding& f) { return f.x == finding.x && f.y == finding.y; });
-    if (found == all.end()) throw InputError{"sentence: the verdict has no finding at that pixel"};
+    const auto place = [](const auto& f) { return std::pair{int(f.y), int(f.x)}; };
+    const auto found =
+        std::ranges::lower_bound(all, place(finding), {}, place);  // they stand in raster order
+    if (found == all.end() || place(*found) != place(finding))
+        throw InputError{"sentence: the verdict has no finding at that pixel"};
     return in_words(data().scene.data().scene, *found) + own_words(data(), found->x, found->y);
 }
 

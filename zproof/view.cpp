@@ -8,31 +8,15 @@
 #include "scenes/judged_ranges.h"
 #include "zproof/data.h"
 #include "zproof/errors.h"
+#include "zproof/names.h"
 
 namespace zproof::api {
 namespace {
 
-constexpr int largest_side = 32768;
 /// A rotation in float32 is one to within a few units of 2^-24.
 constexpr double rotation_tolerance = 1e-5;
 
 glm::dvec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-
-void require_name(const std::string& name) {
-    const auto is_allowed = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-               c == '_' || c == '.';
-    };
-    if (!name.empty() && std::ranges::all_of(name, is_allowed)) return;
-    throw InputError{"view: the name '" + name + "' is not usable; expected letters, digits, '-', '_', '.'"};
-}
-
-void require_size(Size size) {
-    const auto is_side = [](int side) { return side >= 1 && side <= largest_side; };
-    if (is_side(size.width) && is_side(size.height)) return;
-    throw InputError{"view: its size is " + std::to_string(size.width) + " x " + std::to_string(size.height) +
-                     "; expected 1 to 32768 pixels on either side"};
-}
 
 View view_of(const Camera& camera, Size size, const std::string& name) {
     const zproof::View view{
@@ -43,8 +27,8 @@ View view_of(const Camera& camera, Size size, const std::string& name) {
 }
 
 Camera placed_camera(const View::Placed& placed) {
-    require_name(placed.name);
-    require_size(placed.size);
+    require_name("view", placed.name);
+    require_size("view", placed.size);
     Camera camera = look_at(vector_of(placed.eye), vector_of(placed.target), vector_of(placed.up));
     camera.near_depth = placed.near_depth;
     camera.far_depth = placed.far_depth;
@@ -119,8 +103,8 @@ View View::orthographic(const Placed& placed, double height) {
 View View::from_opencv(const OpenCv& camera, Size size, double near_depth, double far_depth,
                        std::string name) {
     return told_as_input_error([&] {
-        require_name(name);
-        require_size(size);
+        require_name("view", name);
+        require_size("view", size);
         const glm::dmat3 R = rotation_of(camera.R);
         Camera c;
         c.window = window_of(intrinsics_of(camera.K), size);

@@ -32,7 +32,10 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// In pixels, 1 to 32768 on either side.
+/// Of pictures and textures.
+inline constexpr int largest_side = 32768;
+
+/// In pixels, 1 to largest_side on either side.
 struct Size {
     int width = 0, height = 0;
 
@@ -48,7 +51,7 @@ class View {
         std::array<double, 3> eye{}, target{}, up{0, 1, 0};  ///< world space; the eye is rounded to float32
         double near_depth = 0.1, far_depth = std::numeric_limits<double>::infinity();
         Size size;
-        std::string name = "view";  ///< letters, digits, '-', '_', '.'
+        std::string name = "view";  ///< letters, digits, '-', '_', and '.' but at the beginning
     };
     /// A symmetric perspective: yfov in radians, (0, pi). Throws InputError.
     static View perspective(const Placed& placed, double yfov);
@@ -97,7 +100,7 @@ struct Mesh {
     /// An sRGB texture that repeats, RGBA with 8 bits, row 0 first; or none. Needs uv.
     std::span<const std::uint8_t> texels{};
     Size texture_size{};
-    std::string name = "scene";
+    std::string name = "scene";  ///< as a view's
 };
 
 /// Triangles in world space; a triangle's index is its id.
@@ -156,7 +159,7 @@ struct Candidate {
     std::span<const std::uint32_t> id{};  ///< empty: depth alone is judged (docs/labels.md)
     std::span<const float> depth{};       ///< empty: ids alone are judged
     /// A preset's name (docs/presets.md), "raster,subpixel_bits=4", or a file (docs/renderer-contract.md).
-    std::string precision;
+    std::string precision{};
     /// What its ids stand for: "triangle", or coarser: "material", "node" ... (docs/labels.md).
     std::string ids = "triangle";
 };
@@ -166,12 +169,13 @@ std::span<const std::string_view> class_names();
 /// 0xRRGGBB, by the same number; the report's colours.
 std::span<const std::uint32_t> class_colours();
 /// Does a pixel of this class fail the gate?
-bool is_defect(std::uint8_t pixel_class);
+bool is_defect(std::uint32_t pixel_class);
 
 /// A pixel that does not simply agree. Plain numbers, for arrays.
 struct Finding {
     std::int32_t x, y;
-    std::uint8_t pixel_class;
+    std::uint32_t pixel_class;
+    std::uint32_t is_defect;  ///< 1: fails the gate; else 0
     std::uint32_t candidate_id, reference_id;
     float candidate_depth, reference_depth;
     double depth_low, depth_truth, depth_high;  ///< that the candidate's triangle admits; NaN: background
@@ -210,7 +214,8 @@ class Verdict {
     std::span<const std::uint64_t> counts() const;  ///< pixels by class
     std::span<const std::uint8_t> classes() const;  ///< of every pixel
     std::span<const Finding> findings() const;      ///< every pixel that is not `agree`, in raster order
-    /// The defect of the severest class with the largest error over its bound; nothing where there is none.
+    /// The defect with the largest error over its bound, as the report ranks them; nothing where there is
+    /// none.
     std::optional<Finding> worst() const;
     std::string sentence(const Finding& finding) const;  ///< one line
 
@@ -241,10 +246,12 @@ Verdict judge(const Scene& scene, const View& view, const Candidate& candidate);
 /// Writes report.html, results.json and the evidence, as `zproof compare` does: by that program, which is
 /// looked for on PATH, or is the one that the environment variable ZPROOF_PROGRAM names. What it was given
 /// (scene, view, frame) stays in FOLDER-input, so that the report's commands can be repeated. A folder that
-/// is no report of zproof is never replaced. Throws std::runtime_error with the program's own words.
-void save(const Verdict& verdict, const std::string& folder);
+/// is no report of zproof is never replaced. `name` is the scene's in the report; empty: its own. Throws
+/// std::runtime_error with the program's own words, InputError for a name that is not usable.
+void save(const Verdict& verdict, const std::string& folder, const std::string& name = "");
 
-/// One report of many verdicts. Each has a name, which is its scene's name in the report. As save().
+/// One report of many verdicts, and in FOLDER/NAME that of each. A name is its scene's in the report: as a
+/// view's, without "-input" at its end, no two alike. As save().
 struct NamedVerdict {
     std::string name;
     Verdict verdict;

@@ -235,6 +235,8 @@ std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const Re
                                   const RenderedFrame& reference, const Verdict& verdict) {
     if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)])
         return std::nullopt;
+    if (scene.triangles.empty())  // there is nothing to draw wrongly
+        return Diagnosis{.defects = defect_count(verdict), .cause = std::nullopt, .runners_up = {}};
     const DiagnosisInput input{scene, view, candidate, reference};
     return Diagnoser(input, verdict).run();
 }

@@ -28,7 +28,7 @@ from zproof._zproof import (
     trace,
 )
 from zproof import notebook as _notebook
-from zproof.judging import assert_proven, judge, save_all, story_of_worst
+from zproof.judging import assert_proven, judge, save_all, story_of_worst, summary
 
 __all__ = [
     "BACKGROUND_ID",
@@ -51,7 +51,8 @@ __all__ = [
     "render",
     "save_all",
     "story_of_worst",
+    "summary",
     "trace",
 ]
 
-_notebook.add_html()
+_notebook.add_representations()

@@ -1,5 +1,5 @@
-"""Texture filters held against the exact area integral. The studies and checks are those of the program, which is looked
-for on PATH, or is the one that ZPROOF_PROGRAM names."""
+"""Texture filters held against the exact area integral. The studies and checks are those of the program, which is
+looked for on PATH, or is the one that ZPROOF_PROGRAM names."""
 
 import contextlib
 import csv
@@ -13,8 +13,8 @@ import numpy
 from zproof import _zproof
 
 _NOT_PROVEN = 1  # exit status (docs/cli.md)
-_KEY = ["scene", "view", "width", "height", "method", "truth", "region", "pixels"]  # of filters.csv
-_WHOLE_NUMBERS = {"width", "height", "pixels"}
+_KEY = ["scene", "view", "width", "height", "method", "truth", "region"]  # of filters.csv
+_WHOLE_NUMBERS = {"width", "height"}
 
 
 class Table(dict):
@@ -146,17 +146,20 @@ def _program(words, expected):
 
 
 def _table(file):
-    """A row for each scene, view, method and region; a column for each metric."""
+    """A row for each scene, view, method, truth and region; a column for each metric. Costs and flicker are of the
+    pixels that show a texture; `pixels` tells of how many the errors are."""
     with open(file, newline="", encoding="utf-8") as text:
         values = list(csv.DictReader(line for line in text if not line.startswith("#")))
     rows = {}
     for value in values:
         key = tuple(value[column] for column in _KEY)
-        rows.setdefault(key, {"truth_half_width": value["truth_half_width"]})[value["metric"]] = value["value"]
+        row = rows.setdefault(key, {name: value[name] for name in ("pixels", "truth_half_width")})
+        row[value["metric"]] = value["value"]
     metrics = list(dict.fromkeys(metric for row in rows.values() for metric in row))
     table = Table()
     for i, column in enumerate(_KEY):
         table[column] = numpy.array([key[i] for key in rows], dtype=int if column in _WHOLE_NUMBERS else None)
     for metric in metrics:
-        table[metric] = numpy.array([float(row.get(metric) or "nan") for row in rows.values()])
+        values_of_metric = [float(row.get(metric) or "nan") for row in rows.values()]
+        table[metric] = numpy.array(values_of_metric, dtype=int if metric == "pixels" else float)
     return table

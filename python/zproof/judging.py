@@ -1,6 +1,9 @@
 """The judge, as Python calls it."""
 
+import numbers
 import os
+
+import numpy
 
 from zproof import _zproof
 
@@ -8,22 +11,26 @@ from zproof import _zproof
 def precision_word(precision):
     """A promise in one word, as `zproof --precision` takes it.
 
-    precision: a preset's name ("opengl", docs/presets.md), words ("raster,subpixel_bits=4"), the path of a JSON file, or
-    a dict of the same keys: {"kind": "raster", "subpixel_bits": 4}. Raises ValueError for anything else.
+    precision: a preset's name ("opengl", docs/presets.md), words ("raster,subpixel_bits=4"), the path of a JSON
+    file, or a dict of the same keys: {"kind": "raster", "subpixel_bits": 4}. Raises ValueError for anything else.
     """
     if isinstance(precision, dict):
         keys = dict(precision)
         kind = keys.pop("kind", None)
         if kind is None:
             raise ValueError('precision: the dict has no "kind"; expected e.g. {"kind": "raster", "subpixel_bits": 4}')
-        return ",".join([str(kind)] + [f"{key}={_value(value)}" for key, value in keys.items()])
+        return ",".join([str(kind)] + [f"{key}={_value(key, value)}" for key, value in keys.items()])
     if isinstance(precision, (str, os.PathLike)):
         return os.fspath(precision)
     raise ValueError(f"precision is a {type(precision).__name__}; expected a str, a path or a dict")
 
 
-def _value(value):
-    return str(value).lower() if isinstance(value, bool) else str(value)
+def _value(key, value):
+    if isinstance(value, (bool, numpy.bool_)):
+        return str(value).lower()
+    if isinstance(value, (str, numbers.Real)) and "," not in str(value):
+        return str(value)
+    raise ValueError(f"precision: {key!r} is {value!r}; expected a word, a number, True or False")
 
 
 def judge(scene, view, *, id=None, depth=None, precision, ids="triangle"):

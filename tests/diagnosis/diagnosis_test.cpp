@@ -150,6 +150,18 @@ TEST(Diagnosis, CountsWhatWasAsked) {
     EXPECT_LT(explained_share(*many->cause), 1);
 }
 
+TEST(Diagnosis, OfASceneWithoutTrianglesNamesNoCause) {
+    const View view = generate_suite_scene("room", 8, 8).views.front();
+    Frame frame({8, 8});
+    const Frame reference = frame;
+    frame.primitive.at(3, 3) = PrimitiveId{7};
+    const RenderedFrame ours{frame, rasterizer::precision()}, theirs{reference, oracle::embree_precision()};
+    const auto diagnosis = diagnose(Scene{}, view, ours, theirs, judge(Scene{}, view, ours, theirs));
+    ASSERT_TRUE(diagnosis);
+    EXPECT_EQ(diagnosis->defects, 1u);
+    EXPECT_FALSE(diagnosis->cause);
+}
+
 TEST(Diagnosis, OneWrongPixelProvesNoRule) {
     const DiagnosisFixture fixture("room", 0);
     Frame frame = fixture.drawn_by(rasterizer::correct_rules);

@@ -23,7 +23,7 @@ configure_consumer() { quietly cmake -S "$source/tests/examples/consumer" -B con
 
 # The tests of the consumer: what is right passes, what is wrong fails and leaves its evidence.
 try_tests() {
-    expect_status 0 ctest --test-dir consumer -R '^(every_room|guard_band|own_rasterizer)$' --no-tests=error
+    expect_status 0 ctest --test-dir consumer -R '^(every_room|judge_your_frame|guard_band|own_rasterizer)$' --no-tests=error
     expect_status 8 ctest --test-dir consumer -R '^boaster$' --no-tests=error
     expect_status 8 ctest --test-dir consumer -R '^no_such_scene$' --no-tests=error
     for file in zproof/guard_band/report.html zproof/own_rasterizer/junit.xml proof/report.html; do
@@ -50,9 +50,25 @@ try_tarball() {
     grep -q 'libopenimageio' log || die "a missing image module is not named"
 }
 
+# try_python PREFIX: the module works where it is installed, reads images, and has its plugin.
+try_python() {
+    quietly env PYTHONPATH="$1/lib/python3/dist-packages" ZPROOF_PROGRAM="$1/bin/zproof" /usr/bin/python3 - <<'END'
+import importlib.metadata, numpy, zproof
+scene = zproof.load("guard_band", size=(64, 40))
+view, = list(scene.views.values())[:1]
+frame = zproof.render(scene, view)
+verdict = zproof.assert_proven(scene, view, id=frame.id, depth=frame.depth, precision="opengl")
+verdict.save("python-report")
+assert any(e.value == "zproof.pytest_plugin" for e in importlib.metadata.entry_points(group="pytest11"))
+assert importlib.metadata.version("zproof") == zproof.__version__
+END
+    [ -s python-report/report.html ] || die "the Python module wrote no report"
+}
+
 case $way in
     installed)
         quietly cmake --install "$build" --prefix "$place/prefix"
+        try_python "$place/prefix"
         configure_consumer -DCMAKE_PREFIX_PATH="$place/prefix"
         quietly cmake --build consumer
         try_tests
@@ -66,6 +82,7 @@ case $way in
             git -C "$source" cat-file -e "$commit^{commit}" || die "--version names no commit of this repository"
         fi
         try_tarball
+        try_python root/usr
         "$source/tests/examples/container_test.sh" "$source" packages
         man -l root/usr/share/man/man1/zproof.1.gz | grep -q 'zproof filters check' || die "the manual page says too little"
         for script in bash-completion/completions/zproof fish/vendor_completions.d/zproof.fish \

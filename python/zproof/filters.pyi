@@ -1,0 +1,51 @@
+import os
+from collections.abc import Iterable, Mapping
+from typing import Any, Literal, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from zproof._zproof import Scene, View, _Tensor
+
+_Picture = NDArray[np.float32] | _Tensor
+
+class Table(dict[str, NDArray[Any]]):
+    folder: str | None
+    def __len__(self) -> int: ...
+    def rows(self, **wanted: object) -> Table: ...
+    def _repr_html_(self) -> str: ...
+
+class Check:
+    passed: bool
+    text: str
+    def __init__(self, passed: bool, text: str) -> None: ...
+    def __bool__(self) -> bool: ...
+
+@overload
+def truth(
+    scene: Scene, view: View, reconstruction: str = "B", *, half_width: Literal[False] = False
+) -> NDArray[np.float32]: ...
+@overload
+def truth(
+    scene: Scene, view: View, reconstruction: str = "B", *, half_width: Literal[True]
+) -> tuple[NDArray[np.float32], NDArray[np.float32]]: ...
+def run(
+    methods: Iterable[str],
+    scene: Scene | str | os.PathLike[str],
+    view: View | str | None = None,
+    *,
+    pictures: Mapping[str, _Picture] | None = None,
+    truth: str = "B",
+    size: tuple[int, int] | None = None,
+    flicker: int = 0,
+    folder: str | os.PathLike[str] | None = None,
+) -> Table: ...
+def check(
+    picture: _Picture,
+    method: str,
+    scene: Scene | str | os.PathLike[str],
+    view: View | str | None,
+    *,
+    precision: str | None = None,
+    size: tuple[int, int] | None = None,
+) -> Check: ...
