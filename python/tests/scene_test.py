@@ -67,17 +67,16 @@ def test_a_texture_needs_uv():
     assert zproof.Scene(*TRIANGLE, uv=np.zeros((3, 2), np.float32), texture=texture).triangle_count == 1
 
 
-@pytest.mark.xfail(reason="taken as no texture")
 @pytest.mark.parametrize("shape", [(0, 0, 4), (0, 3, 4), (3, 0, 4), (2**32 + 1, 0, 4)])
 def test_a_texture_of_nothing_is_refused(shape):
     uv = np.zeros((3, 2), np.float32)
     refused(lambda: zproof.Scene(*TRIANGLE, uv=uv, texture=np.zeros(shape, np.uint8)), "texture")
 
 
-@pytest.mark.xfail(reason="taken")
-@pytest.mark.parametrize("name", ["", "a/b", "../a", "a b", "a\nb", "\0", "."])
+@pytest.mark.parametrize("name", ["", "a/b", "../a", "a b", ".", "\0",
+    pytest.param("a\nb", marks=pytest.mark.xfail(reason="the message has two lines"))])
 def test_a_name_that_is_no_file_s_is_refused(name):
-    refused(lambda: zproof.Scene(*TRIANGLE, name=name), "name")
+    refused(lambda: zproof.Scene(*TRIANGLE, name=name), "scene: ")
 
 
 # ---- files ----
@@ -101,7 +100,6 @@ def test_a_broken_file_is_refused_by_name(tmp_path, name, content):
     refused(lambda: zproof.load(tmp_path / name), name)
 
 
-@pytest.mark.xfail(reason="the path becomes \"b'...'\"")
 def test_a_path_of_bytes_is_a_path(tmp_path):
     (tmp_path / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     assert zproof.load(bytes(tmp_path / "a.obj")).triangle_count == 1
@@ -126,10 +124,7 @@ def test_a_view_of_a_size_that_is_not_judged_is_refused(size):
     refused(lambda: view(*size), f"{size[0]} x {size[1]}")
 
 
-@pytest.mark.parametrize("size", [
-    (0, 5), (5, 0), (-1, 5),
-    *(pytest.param(size, marks=pytest.mark.xfail(reason="taken"))
-      for size in [(1, 32769), (2**31 - 1, 2**31 - 1)])])
+@pytest.mark.parametrize("size", [(0, 5), (5, 0), (-1, 5), (1, 32769), (2**31 - 1, 2**31 - 1)])
 def test_a_scene_of_a_size_that_is_not_judged_is_refused(size):
     refused(lambda: zproof.load("near_plane", size=size))
 
