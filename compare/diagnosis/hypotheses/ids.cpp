@@ -150,8 +150,8 @@ Ids most_often_with(std::span<const PrimitiveId> ids, std::span<const PrimitiveI
 Hypothesis exchanged(const DiagnosisInput& input) {
     const auto ours = input.candidate.frame.primitive.pixels(),
                theirs = input.reference.frame.primitive.pixels();
-    const auto meant = [there = most_often_with(ours, theirs),
-                        back = most_often_with(theirs, ours)](std::uint32_t id) {
+    const Ids there = most_often_with(ours, theirs), back = most_often_with(theirs, ours);
+    const auto meant = [there, back](std::uint32_t id) {
         const auto triangle = there.find(id);
         if (triangle == there.end()) return id;
         return back.at(triangle->second) == id ? triangle->second : id;
@@ -159,7 +159,9 @@ Hypothesis exchanged(const DiagnosisInput& input) {
     Hypothesis h = with_ids(
         input, "ids are exchanged",
         "An id stands for one other triangle, and that for no other id, wherever they occur.", meant);
-    h.kind = Kind::fitted;
+    const auto changed =
+        std::ranges::count_if(there, [&](const auto& pair) { return meant(pair.first) != pair.first; });
+    h.learned_bits = 2 * double(changed) * bits_of_an_id(input.scene);
     return h;
 }
 

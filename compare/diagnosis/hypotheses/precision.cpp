@@ -12,17 +12,9 @@ std::string bits_text(int bits) {
     return std::to_string(bits) + (bits == 1 ? " sub-pixel bit" : " sub-pixel bits");
 }
 
-/// Pixels that agree stay admissible under wider bounds: none need be asked.
-Hypothesis widening(const DiagnosisInput& input, const std::string& name, const std::string& description) {
-    Hypothesis h = as_declared(input, name, description);
-    h.kind = Kind::widening_only;
-    h.cell = {1, 1};
-    return h;
-}
-
 Hypothesis as_precise_as(const DiagnosisInput& input, const std::string& name, const std::string& description,
                          const RasterPrecision& precision) {
-    Hypothesis h = widening(input, name, description);
+    Hypothesis h = as_declared(input, name, description);
     h.precision = precision;
     return h;
 }
@@ -33,7 +25,6 @@ Hypothesis truncating(const DiagnosisInput& input, const RasterPrecision& declar
     Hypothesis h = as_declared(input, "vertices are snapped " + how,
                                "Vertices go to the next grid point " + how + " instead of the nearest.");
     const double half_step = std::ldexp(0.5, -declared.subpixel_bits);
-    h.kind = Kind::widening_only;
     h.moves_triangles = true;
     h.view = shifted_view(input.view, glm::dvec2(direction * half_step));
     return h;
@@ -124,8 +115,8 @@ struct FixedPoint {
 Hypothesis stored_in(const DiagnosisInput& input, int bits) {
     const FixedPoint format(input.view, bits);
     Hypothesis h =
-        widening(input, "depth has " + std::to_string(bits) + " bits, fixed point",
-                 "Depth went through a buffer of " + std::to_string(bits) + " bits between near and far.");
+        as_declared(input, "depth has " + std::to_string(bits) + " bits, fixed point",
+                    "Depth went through a buffer of " + std::to_string(bits) + " bits between near and far.");
     h.report = format;
     h.amend = [step = format.step](Neighbourhood& around, PrimitiveId) {
         for (Neighbour& n : around.neighbours)
@@ -136,8 +127,8 @@ Hypothesis stored_in(const DiagnosisInput& input, int bits) {
 
 /// Depth as a float of fewer significant bits, rounded either way.
 Hypothesis stored_as_float(const DiagnosisInput& input, int bits) {
-    Hypothesis h = widening(input, "depth is a float of " + std::to_string(bits) + " bits",
-                            "Depth was rounded to " + std::to_string(bits) + " significant bits.");
+    Hypothesis h = as_declared(input, "depth is a float of " + std::to_string(bits) + " bits",
+                               "Depth was rounded to " + std::to_string(bits) + " significant bits.");
     const double r = std::ldexp(1.0, 1 - bits);
     h.report = [r](const DepthBound& bound, const Claim&) {
         return ReportedDepth{bound.low - r * std::abs(bound.low), bound.high + r * std::abs(bound.high)};
