@@ -42,6 +42,7 @@ enum class Kind {
 struct Hypothesis {
     std::string name;         ///< what is wrong, as a clause: "the image is flipped in y"
     std::string description;  ///< one line: what is supposed of the defective pixels, or of the frame
+    std::string look_at{};    ///< where in a renderer's code to look first: one sentence
     Kind kind = Kind::firm;
     /// Does it move triangles? Then it is no cause where every defect is a depth.
     bool moves_triangles = false;
