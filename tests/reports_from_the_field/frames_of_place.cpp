@@ -149,9 +149,9 @@ std::vector<FieldFrame> of_windows() {
         {"mag_of_y_for_both",
          {"the window is square: its height is its width as well"},
          "glTF-Blender-IO #944: xmag = ymag",
-         seen_by(wide,
+         seen_by(less_wide,
                  [](Camera& c) {
-                     c.window = {-1, 1, -1, 1};
+                     c.window = {-1.25, 1.25, -1.25, 1.25};
                  })},
         {"aspect_of_1",
          {"the window is square: its height is its width as well"},
