@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::size_t first_round = 128, second_round = 1000;  ///< claims of either kind per hypothesis
 constexpr std::size_t at_a_time = 4;
+constexpr std::size_t most_causes = 3;
+constexpr std::size_t most_looked_at = 20'000;  ///< defects that the next cause is sought among
+constexpr double least_saved_share = 0.75;  ///< of causes that are named (docs/diagnosis.md, "Calibration")
+constexpr double least_part = 0.05;         ///< of what the defects take: what a further cause must spare
 constexpr std::size_t most_runners_up = 3;
 
 /// A number in [0, 1) that looks random (SplitMix64, Steele, Lea and Flood 2014).
@@ -85,19 +89,29 @@ class DefectSet {
   public:
     DefectSet(const Frame& candidate, const Verdict& verdict) : candidate_(candidate), verdict_(verdict) {
         for (const Finding& f : verdict.findings)
-            if (is_defect(f.verdict) && f.verdict != PixelClass::wrong_attribute) {
+            if (is_defect(f.verdict) && f.verdict != PixelClass::wrong_attribute)
                 defects_.push_back({f.x, f.y, f.candidate});
-                are_all_depths_ &= f.verdict == PixelClass::wrong_depth;
-            }
     }
 
     std::size_t defect_count() const { return defects_.size(); }
-    bool are_all_depths() const { return are_all_depths_; }
+    bool are_all_depths() const {
+        return std::ranges::all_of(defects_, [&](const Claim& claim) {
+            return verdict_.classes.at(claim.x, claim.y) == PixelClass::wrong_depth;
+        });
+    }
+    /// All of them, or an evenly spread part where they are very many.
+    std::vector<Claim> many() const { return defects(most_looked_at).claims; }
+    /// Keeps those alone that a hypothesis left: some of many().
+    void keep(std::vector<Claim> left) {
+        pixels_each_ *= double(defects_.size()) / double(std::min(defects_.size(), most_looked_at));
+        defects_ = std::move(left);
+    }
+    double pixel_count() const { return pixels_each_ * double(defects_.size()); }
     Sample defects(std::size_t most) const {
         std::vector<Claim> claims;
         for (const std::size_t i : spread(defects_.size(), most)) claims.push_back(defects_[i]);
         Sample sample;
-        sample.add(claims, double(defects_.size()));
+        sample.add(claims, pixel_count());
         return sample;
     }
 
@@ -155,7 +169,7 @@ class DefectSet {
     const Frame& candidate_;
     const Verdict& verdict_;
     std::vector<Claim> defects_;
-    bool are_all_depths_ = true;
+    double pixels_each_ = 1;                            ///< that a defect stands for
     std::map<std::pair<int, int>, Agreeing> agreeing_;  ///< by width and height of the cell
 };
 
@@ -163,13 +177,12 @@ struct HypothesisTest {
     const Hypothesis* hypothesis = nullptr;
     std::size_t place = 0;  ///< in the order of all hypotheses
     Explanation outcome;
+    double saved_bits = 0;  ///< by which the frame is told shorter
 };
 
 /// The better first. Of equals, the more specific, which stood first.
 void rank(std::span<HypothesisTest> tests) {
-    std::ranges::sort(tests, {}, [](const HypothesisTest& t) {
-        return std::pair{-t.outcome.saved_share, t.place};
-    });
+    std::ranges::sort(tests, {}, [](const HypothesisTest& t) { return std::pair{-t.saved_bits, t.place}; });
 }
 
 /// log2 of the ways to choose some of many: what it takes to tell which they are.
@@ -199,21 +212,32 @@ class Description {
 
 class Diagnoser {
   public:
-    Diagnoser(const DiagnosisInput& input, const Verdict& verdict)
+    Diagnoser(const DiagnosisInput& input, const Verdict& verdict, std::span<const std::string> without)
         : input_(input),
           defect_set_(input.candidate.frame, verdict),
           hypotheses_(all_hypotheses(input)),
           declared_(as_declared(input, "", "")),
-          description_(input.scene, input.candidate.frame.size(), hypotheses_.size()) {}
+          description_(input.scene, input.candidate.frame.size(), hypotheses_.size()) {
+        std::erase_if(hypotheses_,
+                      [&](const Hypothesis& h) { return std::ranges::count(without, h.name) > 0; });
+        open_bits_of_right_pixel_ = open_bits_of_right_pixel();
+    }
 
     Diagnosis run() {
-        std::vector<HypothesisTest> tests = all_tests();
-        ask(tests, first_round, CheckDetail::admissibility);
-        rank(tests);
-        const std::span best = with_open_bits(tests);
-        ask(best, second_round, CheckDetail::open_bits);
-        rank(best);
-        return diagnosis_from(best);
+        const std::vector<HypothesisTest> first = best_tests();
+        Diagnosis diagnosis = without_cause(first);
+        const double all_bits = bits_of_defects();
+        double saved_bits = 0;
+        std::vector<Explanation> causes;
+        for (std::vector<HypothesisTest> best = first; !best.empty() && causes.size() < most_causes;
+             best = best_tests()) {
+            if (best.front().saved_bits < least_part * all_bits) break;
+            saved_bits += best.front().saved_bits;
+            causes.push_back(best.front().outcome);
+            defect_set_.keep(left_by(*best.front().hypothesis));
+        }
+        if (saved_bits >= least_saved_share * all_bits) name(causes, first, diagnosis);
+        return diagnosis;
     }
 
   private:
@@ -228,24 +252,51 @@ class Diagnoser {
         std::vector<HypothesisTest> tests;
         for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
             const Hypothesis& h = hypotheses_[i];
-            if (may_apply(h)) tests.push_back({&h, i, {.name = h.name, .description = h.description}});
+            if (may_apply(h))
+                tests.push_back(
+                    {&h, i, {.name = h.name, .description = h.description, .look_at = h.look_at}});
         }
         return tests;
     }
 
-    /// Counts what those that save the most leave open, a few at a time; the best of them. What is left open
-    /// only makes a description longer: the rest cannot save more than they seemed to.
-    std::span<HypothesisTest> with_open_bits(std::span<HypothesisTest> ranked) {
+    /// The best, ranked; those alone that save anything.
+    std::vector<HypothesisTest> best_tests() {
+        if (defect_set_.defect_count() == 0) return {};
+        std::vector<HypothesisTest> tests = all_tests();
+        ask(tests, first_round, CheckDetail::admissibility);
+        rank(tests);
+        tests.resize(with_open_bits(tests));
+        ask(tests, second_round, CheckDetail::open_bits);
+        rank(tests);
+        std::erase_if(tests, [](const HypothesisTest& t) { return t.saved_bits <= 0; });
+        put_unlearned_first(tests);
+        return tests;
+    }
+
+    /// Of those that are as good as the best, the ones that learned nothing from the frames stand first.
+    static void put_unlearned_first(std::vector<HypothesisTest>& ranked) {
+        if (ranked.empty()) return;
+        const double least = ranked.front().outcome.saved_share - alike_shares;
+        const auto alike = std::ranges::partition_point(
+            ranked, [&](const HypothesisTest& t) { return t.outcome.saved_share > least; });
+        std::stable_partition(ranked.begin(), alike,
+                              [](const HypothesisTest& t) { return t.hypothesis->learned_bits == 0; });
+    }
+
+    /// Counts what those that save the most leave open, a few at a time, and ranks them anew; how many of
+    /// them are worth a larger sample. What is left open makes a description longer: the rest cannot save
+    /// more than they seemed to.
+    std::size_t with_open_bits(std::span<HypothesisTest> ranked) {
         std::size_t asked = 0;
         double most_saved = 0;
-        while (asked < ranked.size() && ranked[asked].outcome.saved_share > most_saved) {
+        while (asked < ranked.size() && ranked[asked].saved_bits > most_saved) {
             const std::span next = ranked.subspan(asked, std::min(at_a_time, ranked.size() - asked));
             ask(next, first_round, CheckDetail::open_bits);
-            for (const HypothesisTest& t : next) most_saved = std::max(most_saved, t.outcome.saved_share);
+            for (const HypothesisTest& t : next) most_saved = std::max(most_saved, t.saved_bits);
             asked += next.size();
         }
         rank(ranked.first(asked));
-        return ranked.first(std::min(asked, most_runners_up + 1));
+        return std::min(asked, most_runners_up + 1);
     }
 
     /// Puts up to `most` defects, and as many agreeing pixels, to every test's hypothesis.
@@ -300,19 +351,59 @@ class Diagnoser {
             description_.of_name() + h.learned_bits + bits_of_choice(with_defects, all_cells) +
             description_.of_exceptions(defects.exceptions() + agreeing.exceptions()) + defects.open_bits() +
             agreeing.open_bits() - agreeing_as_declared.open_bits();
-        const double told_without = description_.of_exceptions(double(defect_set_.defect_count()));
-        e.saved_share = 1 - told_with / told_without;
+        test.saved_bits = description_.of_exceptions(defect_set_.pixel_count()) - told_with;
+        e.saved_share = std::min(1.0, test.saved_bits / bits_of_defects());
     }
 
-    Diagnosis diagnosis_from(std::span<const HypothesisTest> ranked) const {
-        Diagnosis diagnosis{.defects = defect_set_.defect_count(), .cause = std::nullopt, .runners_up = {}};
-        for (const HypothesisTest& test : ranked) {
-            if (&test == &ranked.front() && test.outcome.saved_share > 0.5)
-                diagnosis.cause = test.outcome;
-            else if (test.outcome.saved_share > 0 && diagnosis.runners_up.size() < most_runners_up)
-                diagnosis.runners_up.push_back(test.outcome);
-        }
+    /// What a description can spare at most: all that the defects take but what a right pixel leaves open.
+    double bits_of_defects() const {
+        return description_.of_exceptions(defect_set_.pixel_count()) -
+               defect_set_.pixel_count() * open_bits_of_right_pixel_;
+    }
+
+    /// The mean over the defects, by the reference's answers there.
+    double open_bits_of_right_pixel() {
+        std::vector<Claim> claims = defect_set_.defects(first_round).claims;
+        const Frame& reference = input_.reference.frame;
+        for (Claim& claim : claims)
+            claim.answer = {reference.primitive.at(claim.x, claim.y),
+                            reference.camera_depth.at(claim.x, claim.y)};
+        const HypothesisQuery query{&declared_, claims};
+        const auto checks = check_claims(input_, {&query, 1}, CheckDetail::open_bits);
+        double sum = 0;
+        for (const ClaimCheck& check : checks.front()) sum += check.open_bits;
+        return sum / double(claims.size());
+    }
+
+    /// The defects that a hypothesis does not explain.
+    std::vector<Claim> left_by(const Hypothesis& hypothesis) const {
+        const std::vector<Claim> claims = defect_set_.many();
+        const HypothesisQuery query{&hypothesis, claims};
+        const std::vector<std::vector<ClaimCheck>> checks =
+            check_claims(input_, {&query, 1}, CheckDetail::admissibility);
+        std::vector<Claim> left;
+        for (std::size_t i = 0; i < claims.size(); ++i)
+            if (!checks.front()[i].is_admissible) left.push_back(claims[i]);
+        return left;
+    }
+
+    /// As it stands where no cause is named.
+    Diagnosis without_cause(const std::vector<HypothesisTest>& best) const {
+        Diagnosis diagnosis{
+            .defects = defect_set_.defect_count(), .cause = {}, .further = {}, .runners_up = {}};
+        for (const HypothesisTest& test : std::span(best).first(std::min(best.size(), most_runners_up)))
+            diagnosis.runners_up.push_back(test.outcome);
         return diagnosis;
+    }
+
+    /// Names the best first, and its runners-up.
+    static void name(const std::vector<Explanation>& causes, const std::vector<HypothesisTest>& first_ranked,
+                     Diagnosis& diagnosis) {
+        diagnosis.cause = causes.front();
+        diagnosis.further.assign(causes.begin() + 1, causes.end());
+        diagnosis.runners_up.clear();
+        for (std::size_t i = 1; i < first_ranked.size(); ++i)
+            diagnosis.runners_up.push_back(first_ranked[i].outcome);
     }
 
     const DiagnosisInput& input_;
@@ -320,6 +411,7 @@ class Diagnoser {
     std::vector<Hypothesis> hypotheses_;
     Hypothesis declared_;
     Description description_;
+    double open_bits_of_right_pixel_ = 0;
 };
 
 }  // namespace
@@ -329,13 +421,14 @@ double explained_share(const Explanation& e) {
 }
 
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
-                                  const RenderedFrame& reference, const Verdict& verdict) {
+                                  const RenderedFrame& reference, const Verdict& verdict,
+                                  std::span<const std::string> without) {
     if (defect_count(verdict) == verdict.counts[std::size_t(PixelClass::wrong_attribute)])
         return std::nullopt;
     if (scene.triangles.empty())  // there is nothing to draw wrongly
-        return Diagnosis{.defects = defect_count(verdict), .cause = std::nullopt, .runners_up = {}};
+        return Diagnosis{.defects = defect_count(verdict), .cause = {}, .further = {}, .runners_up = {}};
     const DiagnosisInput input{scene, view, candidate, reference};
-    return Diagnoser(input, verdict).run();
+    return Diagnoser(input, verdict, without).run();
 }
 
 }  // namespace zproof

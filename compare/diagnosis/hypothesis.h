@@ -34,6 +34,7 @@ struct ReportedDepth {
 struct Hypothesis {
     std::string name;         ///< what is wrong, as a clause: "the image is flipped in y"
     std::string description;  ///< one line: what is supposed of the defective pixels, or of the frame
+    std::string look_at{};    ///< where in a renderer's code to look first: one sentence
     /// Bits that it takes to tell what it learned from the two frames.
     double learned_bits = 0;
     /// Does it move triangles? Then it is no cause where every defect is a depth.
@@ -49,6 +50,8 @@ struct Hypothesis {
     RuleOverride amend;
     /// What is reported where the depth lies within the bound. Absent: the depth.
     std::function<ReportedDepth(const DepthBound&, const Claim&)> report;
+    /// How many depths it can tell between two. Absent: every float32.
+    std::function<double(const ReportedDepth&)> tellable{};
 };
 
 /// All that a diagnosis starts from.
@@ -61,6 +64,9 @@ struct DiagnosisInput {
 
 /// Bits that name one triangle of the scene, or background.
 double bits_of_an_id(const Scene& scene);
+
+/// Bits of a number that is fitted to the frames.
+inline constexpr double bits_of_a_number = 32;
 
 /// The view whose image stands `step_px` (x right, y down) further than that of `view`.
 View shifted_view(const View& view, const glm::dvec2& step_px);

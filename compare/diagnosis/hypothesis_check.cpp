@@ -17,6 +17,9 @@ namespace {
 /// The widest step aside that a hypothesis may take within its own view, px (hypotheses/places.cpp).
 constexpr double farthest_shift_px = 1;
 
+/// Triangles beside a claim's own that are asked about to learn how much is left open.
+constexpr std::size_t most_others = 32;
+
 /// Where a float32 stands among all of them.
 double place_among_floats(double value) {
     const auto bits = std::bit_cast<std::int32_t>(float(value));
@@ -56,7 +59,8 @@ class RestatedClaims {
     double depth_bits(const Claim& claim) const {
         if (claim.answer.primitive == PrimitiveId::none) return 0;
         const ReportedDepth range = range_of(claim);
-        return range.low == -unlimited && range.high == unlimited ? 0 : std::log2(floats_within(range));
+        if (range.low == -unlimited && range.high == unlimited) return 0;
+        return std::log2(hypothesis_.tellable ? hypothesis_.tellable(range) : floats_within(range));
     }
 
   private:
@@ -205,7 +209,7 @@ class ClaimsInScene {
             own.push_back({i, restated_.claims()[i].answer.primitive});
         std::vector<ClaimCheck> checks(restated_.count());
         std::vector<std::size_t> admissible;
-        for (const Answered& answered : admissible_among(own)) {
+        for (const Answered& answered : admissible_among(own, Beyond::is_decided)) {
             checks[restated_.asked(answered.claim)].is_admissible = true;
             admissible.push_back(answered.claim);
         }
@@ -220,7 +224,10 @@ class ClaimsInScene {
         PrimitiveId primitive = PrimitiveId::none;
     };
 
-    std::vector<Answered> admissible_among(const std::vector<Answered>& all) const {
+    /// Answers whose squares grow beyond the local scene's reach.
+    enum class Beyond { is_decided, is_left };
+
+    std::vector<Answered> admissible_among(const std::vector<Answered>& all, Beyond beyond) const {
         std::vector<PixelQuery> queries, larger;
         std::vector<const Answered*> asked, asked_again;
         std::vector<Answered> admissible;
@@ -235,6 +242,7 @@ class ClaimsInScene {
         for (std::size_t i = 0; i < asked.size(); ++i) {
             const Claim& claim = restated_.claims()[asked[i]->claim];
             if (decided[i].decision.eps_px > local_scene_.reach_px(claim)) {
+                if (beyond == Beyond::is_left) continue;
                 larger.push_back({&restated_.bounds(), asked[i]->primitive, claim.x, claim.y});
                 asked_again.push_back(asked[i]);
             } else if (is_admissible(decided[i].decision.admissibility)) {
@@ -255,10 +263,11 @@ class ClaimsInScene {
         for (const std::size_t i : claims) {
             const PrimitiveId own = restated_.claims()[i].answer.primitive;
             if (own != PrimitiveId::none) others.push_back({i, PrimitiveId::none});
-            for (const std::uint32_t triangle : local_scene_.nearby(restated_.claims()[i]))
+            const auto& nearby = local_scene_.nearby(restated_.claims()[i]);
+            for (const std::uint32_t triangle : std::span(nearby).first(std::min(nearby.size(), most_others)))
                 if (PrimitiveId(triangle) != own) others.push_back({i, PrimitiveId(triangle)});
         }
-        for (const Answered& answered : admissible_among(others)) ++answers[answered.claim];
+        for (const Answered& answered : admissible_among(others, Beyond::is_left)) ++answers[answered.claim];
         for (const std::size_t i : claims)
             checks[restated_.asked(i)].open_bits =
                 std::log2(answers[i]) + restated_.depth_bits(restated_.claims()[i]);

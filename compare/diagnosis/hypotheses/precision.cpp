@@ -112,6 +112,25 @@ struct FixedPoint {
     }
 };
 
+/// Hypotheses about so few bits that the depths that a buffer can tell lie apart: any other is no such
+/// buffer's.
+constexpr int few_bits = 16;
+
+/// A level is a number of whole steps. `steps_of(depth)` counts them, and `error_of(depth)` is what float32's
+/// roundings of the depth may change of that.
+template <class StepsOf, class ErrorOf>
+void tells_levels_only(Hypothesis& h, StepsOf steps_of, ErrorOf error_of) {
+    h.tellable = [=](const ReportedDepth& range) {
+        return std::max(1.0, std::round(std::abs(steps_of(range.high) - steps_of(range.low))));
+    };
+    h.restate = [=](const Claim& claim) -> std::optional<Claim> {
+        if (claim.answer.primitive == PrimitiveId::none) return claim;
+        const double depth = double(claim.answer.camera_depth), steps = steps_of(depth);
+        if (!(std::abs(steps - std::round(steps)) <= error_of(depth))) return std::nullopt;
+        return claim;
+    };
+}
+
 Hypothesis stored_in(const DiagnosisInput& input, int bits) {
     const FixedPoint format(input.view, bits);
     Hypothesis h =
@@ -122,6 +141,32 @@ Hypothesis stored_in(const DiagnosisInput& input, int bits) {
         for (Neighbour& n : around.neighbours)
             n.least_inverse_depth -= step, n.greatest_inverse_depth += step;
     };
+    const Camera& c = input.view.camera;
+    if (bits > few_bits || c.projection == Projection::parallel) return h;
+    const double step = format.step, at_near = 1 / c.near_depth;
+    tells_levels_only(
+        h, [=](double depth) { return (at_near - 1 / depth) / step; },
+        [=](double depth) { return gamma(4, unit_roundoff_float32) * (at_near + 1 / depth) / step; });
+    return h;
+}
+
+/// Depth itself in whole steps between near and far, as a grey value has it.
+Hypothesis stored_linearly(const DiagnosisInput& input, int bits) {
+    const Camera& c = input.view.camera;
+    Hypothesis h = as_declared(
+        input, "depth has " + std::to_string(bits) + " bits, in equal steps",
+        "Depth was stored in equal steps between near and far, " + std::to_string(bits) + " bits of them.");
+    const double near = c.near_depth, step = (c.far_depth - near) / (std::ldexp(1.0, bits) - 1);
+    h.report = [step](const DepthBound& bound, const Claim&) {
+        const double r = gamma(4, unit_roundoff_float32);
+        return ReportedDepth{bound.low - step - r * std::abs(bound.low),
+                             bound.high + step + r * std::abs(bound.high)};
+    };
+    tells_levels_only(
+        h, [=](double depth) { return (depth - near) / step; },
+        [=](double depth) {
+            return gamma(4, unit_roundoff_float32) * (std::abs(near) + std::abs(depth)) / step;
+        });
     return h;
 }
 
@@ -139,8 +184,10 @@ Hypothesis stored_as_float(const DiagnosisInput& input, int bits) {
 }  // namespace
 
 std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input) {
-    std::vector<Hypothesis> all{stored_in(input, 32), stored_in(input, 24), stored_in(input, 16),
-                                stored_as_float(input, 16), stored_as_float(input, 11)};
+    std::vector<Hypothesis> all{stored_in(input, 32), stored_in(input, 24),       stored_in(input, 16),
+                                stored_in(input, 8),  stored_as_float(input, 16), stored_as_float(input, 11)};
+    if (std::isfinite(input.view.camera.far_depth))
+        for (const int bits : {16, 8}) all.push_back(stored_linearly(input, bits));
     const auto* declared = std::get_if<RasterPrecision>(&input.candidate.precision);
     if (!declared) return all;
     if (declared->snap == Snap::nearest) {
