@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <unordered_map>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/number_text.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -201,12 +201,6 @@ std::unordered_map<std::uint32_t, bool> drawn_anywhere(const DiagnosisInput& inp
     return drawn;
 }
 
-std::string limit_text(double number) {
-    char text[32];
-    const int length = std::snprintf(text, sizeof text, "%.3g", number);
-    return std::string(text, std::size_t(length));
-}
-
 std::vector<Hypothesis> fitted_to_area(const DiagnosisInput& input) {
     std::vector<Observed> observed;
     for (const auto& [triangle, is_drawn] : drawn_anywhere(input))
@@ -214,7 +208,7 @@ std::vector<Hypothesis> fitted_to_area(const DiagnosisInput& input) {
     const std::optional<double> limit = fitted_limit(std::move(observed));
     if (!limit || !std::isfinite(*limit)) return {};
     Hypothesis h = below_area(input, *limit, "small triangles are dropped",
-                              "Triangles whose image is smaller than " + limit_text(*limit) +
+                              "Triangles whose image is smaller than " + number_text(*limit, 3) +
                                   " px^2 are not drawn: a limit fitted to what is missing.");
     h.kind = Kind::fitted;
     return {h};
@@ -239,8 +233,8 @@ std::vector<Hypothesis> fitted_to_determinant(const DiagnosisInput& input) {
     const std::optional<double> limit = fitted_limit(std::move(observed));
     if (!limit) return {};
     Hypothesis h = below_determinant(input, *limit, "triangles with a small determinant are dropped",
-                                     "Rays miss triangles whose determinant is below " + limit_text(*limit) +
-                                         ": a limit fitted to what is missing.");
+                                     "Rays miss triangles whose determinant is below " +
+                                         number_text(*limit, 3) + ": a limit fitted to what is missing.");
     h.kind = Kind::fitted;
     return {h};
 }

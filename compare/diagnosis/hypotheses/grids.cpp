@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/number_text.h"
 #include "scenes/standard_samples.h"
 
 namespace zproof {
@@ -139,13 +139,9 @@ std::vector<Hypothesis> fitted_shift(const DiagnosisInput& input) {
         reach = step;
     }
     if (held_at(all, offset) <= held_at(all, glm::dvec2(0)) || length(offset) > 1) return {};
-    const auto text = [](double px) {
-        char digits[32];
-        return std::string(digits, std::size_t(std::snprintf(digits, sizeof digits, "%.3f", px)));
-    };
     Hypothesis h = as_declared(input, "the image is shifted by a fraction of a pixel",
-                               "Each pixel holds what belongs (" + text(offset.x) + ", " + text(offset.y) +
-                                   ") px from its centre: fitted to the edges.");
+                               "Each pixel holds what belongs (" + number_text(offset.x, 4) + ", " +
+                                   number_text(offset.y, 4) + ") px from its centre: fitted to the edges.");
     h.kind = Kind::fitted;
     h.view = shifted_view(input.view, -offset);
     return {h};
