@@ -174,21 +174,16 @@ struct Observed {
     bool is_drawn;
 };
 
-/// The limit that parts the missing from the drawn with the fewest exceptions; nothing where that is no
-/// better than to call none missing.
-std::optional<double> fitted_limit(std::vector<Observed> observed) {
-    std::ranges::sort(observed, {}, &Observed::number);
-    const auto missing = std::ranges::count(observed, false, &Observed::is_drawn);
-    std::ptrdiff_t exceptions = missing, fewest = missing;
-    std::optional<double> limit;
-    for (std::size_t i = 0; i < observed.size(); ++i) {
-        exceptions += observed[i].is_drawn ? 1 : -1;
-        if (exceptions >= fewest) continue;
-        fewest = exceptions;
-        limit = i + 1 < observed.size() ? (observed[i].number + observed[i + 1].number) / 2
-                                        : 2 * observed[i].number;
-    }
-    return limit;
+/// A limit below which nothing was drawn: between the smallest number drawn and the largest missing one below
+/// it. Nothing where none is missing there.
+std::optional<double> fitted_limit(const std::vector<Observed>& observed) {
+    double smallest_drawn = std::numeric_limits<double>::infinity(), largest_missing = -1;
+    for (const Observed& o : observed)
+        if (o.is_drawn) smallest_drawn = std::min(smallest_drawn, o.number);
+    for (const Observed& o : observed)
+        if (!o.is_drawn && o.number < smallest_drawn) largest_missing = std::max(largest_missing, o.number);
+    if (largest_missing < 0 || !std::isfinite(smallest_drawn)) return std::nullopt;
+    return (smallest_drawn + largest_missing) / 2;
 }
 
 /// Of the triangles that the reference sees or the candidate shows: is it drawn anywhere?
@@ -205,7 +200,7 @@ std::vector<Hypothesis> fitted_to_area(const DiagnosisInput& input) {
     std::vector<Observed> observed;
     for (const auto& [triangle, is_drawn] : drawn_anywhere(input))
         observed.push_back({double_area(input.view, corners_of(input.scene, triangle), 0).px2 / 2, is_drawn});
-    const std::optional<double> limit = fitted_limit(std::move(observed));
+    const std::optional<double> limit = fitted_limit(observed);
     if (!limit || !std::isfinite(*limit)) return {};
     Hypothesis h = below_area(input, *limit, "small triangles are dropped",
                               "Triangles whose image is smaller than " + number_text(*limit, 3) +
@@ -230,11 +225,29 @@ std::vector<Hypothesis> fitted_to_determinant(const DiagnosisInput& input) {
         const CornersWorld p_world = corners_of(input.scene, std::uint32_t(seen));
         observed.push_back({determinant_of(rays.at(x, y), p_world).size, ours.primitive.at(x, y) == seen});
     }
-    const std::optional<double> limit = fitted_limit(std::move(observed));
+    const std::optional<double> limit = fitted_limit(observed);
     if (!limit) return {};
     Hypothesis h = below_determinant(input, *limit, "triangles with a small determinant are dropped",
                                      "Rays miss triangles whose determinant is below " +
                                          number_text(*limit, 3) + ": a limit fitted to what is missing.");
+    h.kind = Kind::fitted;
+    return {h};
+}
+
+/// Nothing is drawn behind the last triangle that the candidate shows.
+std::vector<Hypothesis> beyond_a_count(const DiagnosisInput& input) {
+    std::uint32_t last_drawn = 0, last_seen = 0;
+    for (const auto& [triangle, is_drawn] : drawn_anywhere(input)) {
+        last_seen = std::max(last_seen, triangle);
+        if (is_drawn) last_drawn = std::max(last_drawn, triangle);
+    }
+    if (last_drawn >= last_seen) return {};
+    Hypothesis h =
+        dropped(input, "triangles beyond a count are not drawn",
+                "None is drawn behind triangle " + std::to_string(last_drawn) + ", the last that is shown.",
+                [last_drawn](const Neighbourhood&, const Neighbour& n) {
+                    return n.triangle > last_drawn ? Fate::dropped : Fate::drawn;
+                });
     h.kind = Kind::fitted;
     return {h};
 }
@@ -261,7 +274,7 @@ std::vector<Hypothesis> hypotheses_of_dropped_triangles(const DiagnosisInput& in
         all.push_back(below_determinant(
             input, least, std::string("triangles of a determinant below ") + text + " are dropped",
             "Rays miss triangles whose determinant is below that limit."));
-    for (const auto& more : {fitted_to_area(input), fitted_to_determinant(input)})
+    for (const auto& more : {beyond_a_count(input), fitted_to_area(input), fitted_to_determinant(input)})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }

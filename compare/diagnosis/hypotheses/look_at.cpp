@@ -134,6 +134,8 @@ constexpr std::array drawing{
         "Look at frustum culling: reject only if all corners lie beyond one side; clip or clamp the rest."},
     Advice{"triangles of less than",
            "Look at the test that rejects small triangles: only an area of 0 may go."},
+    Advice{"triangles beyond a count",
+           "Look at buffers of a fixed size, at the number of indices drawn, and at 16-bit counters."},
     Advice{"small triangles are dropped",
            "Look at the test that rejects small triangles, and at bounding boxes that round to nothing."},
     Advice{"triangles of a determinant below",
