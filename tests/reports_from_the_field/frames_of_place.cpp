@@ -91,6 +91,20 @@ std::function<Shown()> turned(double right, double up, double back) {
     };
 }
 
+/// A window whose centre lies (0.11, -0.07) beside the axis.
+std::function<Shown()> offset_taken_for(const glm::dvec2& other) {
+    return [=] {
+        View view = view_of_yard(), drawn = view;
+        const auto move = [](Window& w, const glm::dvec2& by) {
+            w = {w.left + by.x, w.right + by.x, w.bottom + by.y, w.top + by.y};
+        };
+        move(view.camera.window, {0.11, -0.07});
+        move(drawn.camera.window, other);
+        const Scene scene = yard();
+        return Shown{scene, view, cast(scene, drawn)};
+    };
+}
+
 std::vector<FieldFrame> of_grids() {
     const View small = view_of_yard(64, 48);
     const double w = small.width, h = small.height;
@@ -112,6 +126,10 @@ std::vector<FieldFrame> of_grids() {
          "pytorch3d #548: pixels W - 1 and H - 1 are mapped to 1",
          aiming(small,
                 [=](int x, int y) { return glm::dvec2((x + 0.5) * w / (w - 1), (y + 0.5) * h / (h - 1)); })},
+        {"viewport_one_less_in_x",
+         {"the pixel grid is stretched by W/(W - 1) from the left side"},
+         "pytorch3d #548, in x alone",
+         aiming(small, [=](int x, int y) { return glm::dvec2((x + 0.5) * w / (w - 1), y + 0.5); })},
         {"pixel_corner",
          {"the image is shifted by (+1/2, +1/2) px"},
          "raysect #391, VisRTX #327: rays through the pixel's corner instead of its centre",
@@ -215,6 +233,14 @@ std::vector<FieldFrame> of_windows() {
                  [](Camera& c) {
                      c.window = {c.window.bottom, c.window.top, c.window.bottom, c.window.top};
                  })},
+        {"principal_point_ignored",
+         {"the window's offset is ignored"},
+         "zproof #43: a window that is not centred, drawn centred",
+         offset_taken_for({0, 0})},
+        {"principal_point_on_the_other_side",
+         {"the window's offset has the wrong sign"},
+         "zproof #43: the offset's y counts down",
+         offset_taken_for({0.11, 0.07})},
         {"twice_as_wide",
          {"the window is twice as wide"},
          "zproof #43: the window scaled in x",

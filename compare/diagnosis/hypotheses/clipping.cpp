@@ -45,8 +45,6 @@ CameraCorner in_camera(const Camera& c, const glm::vec3& p_world) {
     return {dot(c.right, v), dot(c.up, v), -dot(c.back, v), gamma(8, unit_roundoff_float64) * size};
 }
 
-Fate worst(Fate a, Fate b) { return std::max(a, b); }
-
 Hypothesis across_near(const DiagnosisInput& input) {
     return dropped(input, "triangles across the near plane are dropped",
                    "A triangle with a corner nearer than the near plane is left out instead of clipped.",
@@ -54,8 +52,8 @@ Hypothesis across_near(const DiagnosisInput& input) {
                        Fate fate = Fate::drawn;
                        for (const glm::vec3& p : n.p_world) {
                            const CameraCorner corner = in_camera(around.view.camera, p);
-                           fate = worst(fate, dropped_below(corner.depth, around.view.camera.near_depth,
-                                                            corner.error + n.near_slack));
+                           fate = std::max(fate, dropped_below(corner.depth, around.view.camera.near_depth,
+                                                               corner.error + n.near_slack));
                        }
                        return fate;
                    });
@@ -68,8 +66,8 @@ Hypothesis across_far(const DiagnosisInput& input) {
                        Fate fate = Fate::drawn;
                        for (const glm::vec3& p : n.p_world) {
                            const CameraCorner corner = in_camera(around.view.camera, p);
-                           fate = worst(fate, dropped_below(-corner.depth, -around.view.camera.far_depth,
-                                                            corner.error + n.far_slack));
+                           fate = std::max(fate, dropped_below(-corner.depth, -around.view.camera.far_depth,
+                                                               corner.error + n.far_slack));
                        }
                        return fate;
                    });
@@ -82,36 +80,52 @@ Hypothesis behind_eye(const DiagnosisInput& input) {
                        Fate fate = Fate::drawn;
                        for (const glm::vec3& p : n.p_world) {
                            const CameraCorner corner = in_camera(around.view.camera, p);
-                           fate = worst(fate, dropped_below(corner.depth, 0, corner.error + n.near_slack));
+                           fate = std::max(fate, dropped_below(corner.depth, 0, corner.error + n.near_slack));
                        }
                        return fate;
                    });
 }
 
-/// How far the corner lies on the inner side of each side of the picture, in units of the window, times its
-/// depth in a perspective: clip coordinates, in which a corner behind the eye lies outside.
-Fate fate_at_sides(const Neighbourhood& around, const Neighbour& n) {
+/// A box of raster space, px.
+struct RasterBox {
+    double left, top, right, bottom;
+};
+
+/// What becomes of a triangle that no corner may leave the box. Decided in units of the window, times depth
+/// in a perspective: clip coordinates, in which a corner behind the eye lies outside.
+Fate fate_at(const RasterBox& box, const Neighbourhood& around, const Neighbour& n) {
     const Camera& c = around.view.camera;
     const Window& w = c.window;
     const bool perspective = c.projection == Projection::perspective;
-    const double eps_u = n.bounds.eps_px * (w.right - w.left) / around.view.width;
-    const double eps_v = n.bounds.eps_px * (w.top - w.bottom) / around.view.height;
+    const double u_per_px = (w.right - w.left) / around.view.width,
+                 v_per_px = (w.top - w.bottom) / around.view.height;
     Fate fate = Fate::drawn;
     for (const glm::vec3& p : n.p_world) {
         const CameraCorner corner = in_camera(c, p);
         const double scale = perspective ? corner.depth : 1;
         const double x = perspective ? corner.right : corner.right - corner.depth * c.shear.x;
         const double y = perspective ? corner.up : corner.up - corner.depth * c.shear.y;
-        const auto inside = [&](double from_side, double bound, double eps) {
-            const double error = 4 * corner.error * (1 + std::abs(bound)) + eps * std::abs(scale);
-            fate = worst(fate, dropped_below(from_side, 0, error));
+        const auto keep_below = [&](double number, double side, double per_px) {
+            const double error =
+                4 * corner.error * (1 + std::abs(side)) + n.bounds.eps_px * per_px * std::abs(scale);
+            fate = std::max(fate, dropped_below(side * scale - number, 0, error));
         };
-        inside(x - w.left * scale, w.left, eps_u);
-        inside(w.right * scale - x, w.right, eps_u);
-        inside(y - w.bottom * scale, w.bottom, eps_v);
-        inside(w.top * scale - y, w.top, eps_v);
+        keep_below(-x, -(w.left + box.left * u_per_px), u_per_px);
+        keep_below(x, w.left + box.right * u_per_px, u_per_px);
+        keep_below(y, w.top - box.top * v_per_px, v_per_px);
+        keep_below(-y, -(w.top - box.bottom * v_per_px), v_per_px);
     }
     return fate;
+}
+
+Fate fate_at_sides(const Neighbourhood& around, const Neighbour& n) {
+    return fate_at({0, 0, double(around.view.width), double(around.view.height)}, around, n);
+}
+
+/// Beyond 16 bits of whole pixels with a sign, which many rasterizers cannot hold.
+Fate fate_at_guard_band(const Neighbourhood& around, const Neighbour& n) {
+    constexpr double most_px = 32'768;
+    return fate_at({-most_px, -most_px, most_px, most_px}, around, n);
 }
 
 /// Two-fold area of the image, px^2, and how far displacement may change it. Without end where a corner is
@@ -259,6 +273,8 @@ std::vector<Hypothesis> hypotheses_of_dropped_triangles(const DiagnosisInput& in
         across_near(input),
         behind_eye(input),
         across_far(input),
+        dropped(input, "triangles across the guard band are dropped",
+                "A triangle with a corner beyond +-32768 px is left out.", fate_at_guard_band),
         dropped(input, "triangles across a side of the picture are dropped",
                 "A triangle with a corner outside the picture is left out.", fate_at_sides),
         below_area(input, 0.5, "triangles of less than 1/2 px^2 are dropped",

@@ -31,15 +31,19 @@ std::vector<Hypothesis> stretched(const DiagnosisInput& input) {
         h.view = scaled_about(input.view, factor, anchor);
         return h;
     };
+    const std::string larger = "The picture was drawn a pixel too small.",
+                      smaller = "The picture was drawn as if a pixel larger.";
     return {grid("stretched by W/(W - 1)",
                  "The outermost pixels' centres lie on the picture's sides: rays run from corner to corner.",
                  wider, 0.5 * size),
             grid("shrunk by (W - 1)/W", "Pixels lie closer together, about the picture's centre.", narrower,
                  0.5 * size),
-            grid("stretched by W/(W - 1) from the top left corner",
-                 "The picture was drawn W - 1 by H - 1 pixels large.", wider, {0, 0}),
-            grid("shrunk by (W - 1)/W from the top left corner",
-                 "The picture was drawn as if W + 1 by H + 1 pixels large.", narrower, {0, 0})};
+            grid("stretched by W/(W - 1) from the top left corner", larger, wider, {0, 0}),
+            grid("shrunk by (W - 1)/W from the top left corner", smaller, narrower, {0, 0}),
+            grid("stretched by W/(W - 1) from the left side", larger, {wider.x, 1}, {0, 0}),
+            grid("shrunk by (W - 1)/W from the left side", smaller, {narrower.x, 1}, {0, 0}),
+            grid("stretched by H/(H - 1) from the top", larger, {1, wider.y}, {0, 0}),
+            grid("shrunk by (H - 1)/H from the top", smaller, {1, narrower.y}, {0, 0})};
 }
 
 /// n x n pixels show one answer. A pixel of the block is asked for that answer, half a pixel aside at most.

@@ -176,6 +176,9 @@ constexpr std::array parts{
 
 constexpr std::array windows{
     Advice{"the window's width and height", "Look at the projection's arguments: x and y are exchanged."},
+    Advice{"the window's offset",
+           "Look at the projection's arguments: left, right, bottom and top need not lie about the axis."},
+    Advice{"the shear", "Look at the projection of an oblique view: depth moves points aside."},
     Advice{"the window is half as large",
            "Look at whether a number is a half-size or a size: xmag and ymag are half-sizes."},
     Advice{"the window is twice as large",
