@@ -127,6 +127,8 @@ constexpr std::array drawing{
            "Look at clipping: a triangle with a corner before the near plane must be cut, not rejected."},
     Advice{"triangles with a corner behind the eye",
            "Look at clipping: a triangle with a corner of w <= 0 must be cut before the division by w."},
+    Advice{"triangles across the guard band",
+           "Look at clipping: what leaves the range of the fixed-point grid must be cut, not rejected."},
     Advice{"triangles across the far plane",
            "Look at clipping: reject a triangle only if all its corners lie beyond the far plane."},
     Advice{
