@@ -180,6 +180,8 @@ constexpr std::array windows{
     Advice{"the window's width and height", "Look at the projection's arguments: x and y are exchanged."},
     Advice{"the window's offset",
            "Look at the projection's arguments: left, right, bottom and top need not lie about the axis."},
+    Advice{"a perspective is", "Look at the division by w, and at which of the two matrices is used."},
+    Advice{"a parallel view is", "Look at the division by w, which is 1, and at which matrix is used."},
     Advice{"the shear", "Look at the projection of an oblique view: depth moves points aside."},
     Advice{"the window is half as large",
            "Look at whether a number is a half-size or a size: xmag and ymag are half-sizes."},

@@ -142,6 +142,22 @@ std::vector<Hypothesis> of_cameras(const DiagnosisInput& input) {
                    glm::dmat3(c.right, c.up, -c.back))};
 }
 
+/// The other kind of projection, through a window of the same numbers.
+std::vector<Hypothesis> of_projections(const DiagnosisInput& input) {
+    View view = input.view;
+    Camera& c = view.camera;
+    if (c.projection == Projection::perspective) {
+        if (!std::isfinite(c.far_depth)) return {};
+        c.projection = Projection::parallel;
+        return {seen_in(input, "a perspective is drawn as a parallel view", "Nothing is divided by depth.",
+                        view)};
+    }
+    if (c.near_depth <= 0) return {};
+    c.projection = Projection::perspective;
+    return {
+        seen_in(input, "a parallel view is drawn as a perspective", "x and y are divided by depth.", view)};
+}
+
 /// Vertices of larger index than 16 bits hold.
 std::vector<Hypothesis> of_short_indices(const DiagnosisInput& input) {
     if (input.scene.vertices.position_world.size() <= 0x10000) return {};
@@ -157,7 +173,8 @@ std::vector<Hypothesis> of_short_indices(const DiagnosisInput& input) {
 
 std::vector<Hypothesis> hypotheses_of_window(const DiagnosisInput& input) {
     std::vector<Hypothesis> all = of_windows(input);
-    for (const auto& more : {of_offsets(input), of_scenes(input), of_cameras(input), of_short_indices(input)})
+    for (const auto& more : {of_offsets(input), of_scenes(input), of_cameras(input), of_projections(input),
+                             of_short_indices(input)})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }
