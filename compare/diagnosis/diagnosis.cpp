@@ -274,13 +274,15 @@ class Diagnoser {
     }
 
     /// Of those that are as good as the best, the ones that learned nothing from the frames stand first.
-    static void put_unlearned_first(std::vector<HypothesisTest>& ranked) {
+    void put_unlearned_first(std::vector<HypothesisTest>& ranked) const {
         if (ranked.empty()) return;
         const double least = ranked.front().outcome.saved_share - alike_shares;
         const auto alike = std::ranges::partition_point(
             ranked, [&](const HypothesisTest& t) { return t.outcome.saved_share > least; });
-        std::stable_partition(ranked.begin(), alike,
-                              [](const HypothesisTest& t) { return t.hypothesis->learned_bits == 0; });
+        const Resolution whole = input_.candidate.frame.size();
+        std::stable_partition(ranked.begin(), alike, [&](const HypothesisTest& t) {
+            return t.hypothesis->learned_bits == 0 && t.hypothesis->cell == whole;
+        });
     }
 
     /// Counts what those that save the most leave open, a few at a time, and ranks them anew; how many of

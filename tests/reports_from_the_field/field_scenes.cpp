@@ -1,5 +1,6 @@
 #include "tests/reports_from_the_field/field_scenes.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 

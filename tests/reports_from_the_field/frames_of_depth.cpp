@@ -59,6 +59,12 @@ double read_with(double depth, double near, double far, double read_near, double
     return read_near * read_far / (read_far - z * (read_far - read_near));
 }
 
+/// z in [0, 1] of a standard z buffer.
+double z_of(const Seen& s) {
+    const double near = s.view.camera.near_depth, far = s.view.camera.far_depth;
+    return far * (s.depth - near) / (s.depth * (far - near));
+}
+
 /// In whole steps of a buffer that holds depth itself.
 double of_linear_bits(const Seen& s, int bits) {
     const double near = s.view.camera.near_depth, range = s.view.camera.far_depth - near;
@@ -100,6 +106,7 @@ std::vector<FieldFrame> frames_of_depth() {
     const Scene square = square_ahead(2, 1.5f), ground = yard();
     const View ahead = view_ahead(60, 64, 64, 0.01, 100), view = view_of_yard();
     const View parallel = parallel_view_ahead(0.5, 0.5, 64, 64, 0.05, 100);
+    const RayPrecision ray{.arithmetic = Arithmetic::float32};
     const auto as_perspective = [](const Seen& s) {
         const double near = s.view.camera.near_depth, far = s.view.camera.far_depth;
         const double z = (s.depth - near) / (far - near);
@@ -115,6 +122,47 @@ std::vector<FieldFrame> frames_of_depth() {
          {"depth is the ray's length"},
          "camtools #11: distance of a unit ray taken for depth",
          telling(ground, view, [](const Seen& s) { return s.depth * s.ray_length; })},
+        {"ray_length_less_near",
+         {"depth is the ray's length less near"},
+         "zproof #43: near is subtracted from the distance",
+         telling(ground, view, [](const Seen& s) { return s.depth * s.ray_length - 0.1; })},
+        {"ray_length_of_a_caster",
+         {"depth is the ray's length"},
+         "camtools #11, of a renderer that declares rays",
+         telling(ground, view, [](const Seen& s) { return s.depth * s.ray_length; }),
+         ray},
+        {"ndc",
+         {"depth is NDC z (-1 to 1)"},
+         "nvdiffrast #133: the third component is z/w",
+         telling(ground, view, [](const Seen& s) { return 2 * z_of(s) - 1; })},
+        {"ndc_from_0",
+         {"depth is NDC z (0 to 1)"},
+         "bullet3 PR #1439: the depth buffer's value",
+         telling(ground, view, z_of)},
+        {"ndc_reversed",
+         {"depth is NDC z (1 to 0, reversed)"},
+         "zproof #43: the value of a reversed depth buffer",
+         telling(ground, view, [](const Seen& s) { return 1 - z_of(s); })},
+        {"reciprocal",
+         {"depth is 1/depth"},
+         "zproof #43: disparity for depth",
+         telling(ground, view, [](const Seen& s) { return 1 / s.depth; })},
+        {"normalized",
+         {"depth is scaled to 0 at near and 1 at far"},
+         "Babylon.js PR #394: depth between 0 and 1",
+         telling(ground, view,
+                 [](const Seen& s) {
+                     const Camera& c = s.view.camera;
+                     return (s.depth - c.near_depth) / (c.far_depth - c.near_depth);
+                 })},
+        {"millimetres",
+         {"depth is in other units"},
+         "zproof #43: millimetres for metres",
+         telling(ground, view, [](const Seen& s) { return 1000 * s.depth; })},
+        {"z_in_camera_space",
+         {"depth has the wrong sign"},
+         "zproof #43: z in camera space, negative ahead",
+         telling(ground, view, [](const Seen& s) { return -s.depth; })},
         {"from_the_near_plane",
          {"depth is counted from the near plane"},
          "three.js #9009: a ray of an orthographic camera starts on the near plane",
@@ -148,6 +196,37 @@ std::vector<FieldFrame> frames_of_depth() {
          {"depth has 8 bits, in equal steps"},
          "zproof #43: depth as a grey value",
          telling(ground, tight_view(), [](const Seen& s) { return of_linear_bits(s, 8); })},
+        {"depth_of_16_bits",
+         {"depth has 16 bits, fixed point"},
+         "zproof #43: z buffer of 16 bits",
+         telling(ground, view, [](const Seen& s) { return of_z_bits(s, 16); })},
+        {"depth_of_16_bits_linear",
+         {"depth has 16 bits, in equal steps"},
+         "zproof #43: depth as a grey value of 16 bits",
+         telling(ground, view, [](const Seen& s) { return of_linear_bits(s, 16); })},
+        {"half_float",
+         {"depth is a float of 11 bits"},
+         "zproof #43: depth as a half float",
+         telling(ground, view,
+                 [](const Seen& s) {
+                     const double step = std::ldexp(1.0, std::ilogb(s.depth) - 10);
+                     return std::nearbyint(s.depth / step) * step;
+                 })},
+        {"averaged_of_a_caster",
+         {"depth is averaged over 3 x 3 pixels"},
+         "mitsuba3 #396, of a renderer that declares rays",
+         telling(ground, view, averaged),
+         ray},
+        {"biased_in_parallel",
+         {"depth is biased by a constant"},
+         "zproof #43: a constant is added, in an orthographic view",
+         telling(ground, parallel_view_of_yard(2, 1.5, 64, 48),
+                 [](const Seen& s) { return s.depth - 0.0321; })},
+        {"biased_of_a_caster",
+         {"depth is biased by a constant"},
+         "zproof #43: a constant is added, of a renderer that declares rays",
+         telling(ground, view, [](const Seen& s) { return s.depth - 0.001; }),
+         ray},
         {"biased",
          {"depth is biased by a constant"},
          "zproof #43: a constant is added",
@@ -177,6 +256,11 @@ std::vector<FieldFrame> frames_of_depth() {
          {"depth is taken (-1/2, -1/2) px beside the centre"},
          "zproof #43: depth of another place than the id's",
          telling(ground, view, [=](const Seen& s) { return on_plane_at(ground, s, s.x, s.y); })},
+        {"side_of_the_pixel_of_a_caster",
+         {"depth is taken (+1/2, 0) px beside the centre"},
+         "zproof #43: depth of another place than the id's, of a renderer that declares rays",
+         telling(ground, view, [=](const Seen& s) { return on_plane_at(ground, s, s.x + 1, s.y + 0.5); }),
+         ray},
         {"nearer_far_plane",
          {"the far plane lies nearer"},
          "zproof #43: far at another place",

@@ -41,6 +41,13 @@ bool is_within_sides(const View& view, const CameraTriangle& t) {
            });
 }
 
+bool is_within_sides_in_parallel(const View& view, const CameraTriangle& t) {
+    return std::ranges::all_of(t.p_camera, [&](const glm::dvec3& p) {
+        const glm::dvec2 at = raster_position(view, p);
+        return at.x >= 0 && at.y >= 0 && at.x <= view.width && at.y <= view.height;
+    });
+}
+
 View near_the_ground() {
     View view = view_of_yard();
     view.camera.near_depth = 3.9;
@@ -87,6 +94,23 @@ Shown with_least_determinant(double least) {
     const Scene scene = hills(60);
     const View view = far_hills();
     return {scene, view, cast(scene, view, {.least_determinant = least})};
+}
+
+/// The hills, a hundredth as large, so that determinants lie about 1e-6.
+Shown small_hills_with_least_determinant(double least) {
+    Scene scene = hills(60);
+    for (glm::vec3& p : scene.vertices.position_world) p *= 0.01f;
+    View view = far_hills();
+    view.camera.eye_world *= 0.01f;
+    view.camera.near_depth = 0.01;
+    view.camera.far_depth = 1;
+    return {scene, view, cast(scene, view, {.least_determinant = least})};
+}
+
+/// Counter-clockwise faces are left out.
+bool is_seen_from_behind(const View&, const CameraTriangle& t) {
+    const glm::dvec3 normal = cross(t.p_camera[1] - t.p_camera[0], t.p_camera[2] - t.p_camera[0]);
+    return dot(normal, t.p_camera[0]) < 0;  // right, up, depth: a left-handed frame
 }
 
 Shown grown(double by_px) {
@@ -201,6 +225,32 @@ std::vector<FieldFrame> frames_of_drawing() {
          "vector_math.dart #43: 10e-5 rejects hits; here fitted to a scene of 8 units",
          [] { return with_least_determinant(0.016); },
          ray},
+        {"below_a_pixel",
+         {"triangles of less than 1 px^2 are dropped"},
+         "nvdiffrast #89, with a limit of a pixel",
+         keeping(hills(60), far_hills(), area_above(2))},
+        {"determinant_below_1e_6",
+         {"triangles of a determinant below 1e-6 are dropped"},
+         "tinybvh PR #283: fabs(a) < 1e-6 in Moeller and Trumbore's test",
+         [] { return small_hills_with_least_determinant(1e-6); },
+         ray},
+        {"across_far_of_a_caster",
+         {"triangles across the far plane are dropped"},
+         "zproof #43: the same at the far plane, of a renderer that declares rays",
+         keeping(yard(), with_far(5.1), is_before_far),
+         ray},
+        {"across_a_side_in_parallel",
+         {"triangles across a side of the picture are dropped"},
+         "tyra #14, in an orthographic view",
+         keeping(yard(), parallel_view_of_yard(1.3, 1, 78, 60), is_within_sides_in_parallel)},
+        {"front_faces",
+         {"front faces are dropped"},
+         "zproof #43: culling of the wrong side",
+         keeping(yard(), view_of_yard(), is_seen_from_behind)},
+        {"beyond_a_count",
+         {"triangles beyond a count are not drawn"},
+         "zproof #43: triangles beyond a count are lost",
+         keeping(yard(), view_of_yard(), [](const View&, const CameraTriangle& t) { return t.id < 464; })},
         {"conservative_over",
          {"triangles show wherever they touch a pixel"},
          "zproof #43: conservative rasterization left on",

@@ -1,5 +1,6 @@
 /// Ids that stand for something else than the triangle's index.
 #include <algorithm>
+#include <cmath>
 
 #include "tests/reports_from_the_field/field_frames.h"
 #include "tests/reports_from_the_field/field_scenes.h"
@@ -85,6 +86,55 @@ std::vector<FieldFrame> frames_of_ids() {
          {"ids keep their low 16 bits"},
          "bpycv #41: ids stored as uint16",
          telling(hills(220), view, [](const Scene&, std::uint32_t id) { return id & 0xFFFFu; })},
+        {"ids_clamped_to_16_bits",
+         {"ids end at 65535"},
+         "bpycv #41: uint16, clamped",
+         telling(hills(220), view, [](const Scene&, std::uint32_t id) { return std::min(id, 65535u); })},
+        {"ids_as_half_floats",
+         {"ids went through a float of 11 bits"},
+         "zproof #43: ids in a half float channel",
+         telling(hills(40), view,
+                 [](const Scene&, std::uint32_t id) {
+                     const double step = std::ldexp(1.0, std::max(0, std::ilogb(std::max(1u, id)) - 10));
+                     return std::uint32_t(std::nearbyint(id / step) * step);
+                 })},
+        {"ids_of_vertices",
+         {"the id is a vertex's"},
+         "zproof #43: a flat attribute of the first vertex",
+         telling(many, view,
+                 [](const Scene& s, std::uint32_t id) {
+                     return std::min(s.triangles[id].x, std::uint32_t(s.triangles.size()) - 1);
+                 })},
+        {"three_to_one",
+         {"several triangles have one id"},
+         "zproof #43: many to one, of unlike groups",
+         telling(scene, view, [](const Scene&, std::uint32_t id) { return id / 3 * 3 % 391; })},
+        {"too_large_by_one",
+         {"ids are too large by one"},
+         "nvdiffrast #137: the offset is left in, and background is written right",
+         telling(scene, view, [](const Scene&, std::uint32_t id) { return id + 1; })},
+        {"other_half_of_the_quad",
+         {"even and odd ids change places"},
+         "zproof #43: the quad's halves in another order",
+         telling(scene, view, [](const Scene&, std::uint32_t id) { return id ^ 1u; })},
+        {"within_the_part",
+         {"ids restart in every part"},
+         "pytorch3d #684: the index within the mesh, not within the batch",
+         telling(
+             scene, view,
+             [](const Scene& s, std::uint32_t id) { return id - s.parts[part_of(s, id)].first_triangle; })},
+        {"id_of_the_node_of_several_parts",
+         {"the id is the node's"},
+         "azure-remote-rendering #43, of nodes of two parts",
+         [=] {
+             Scene shared_nodes = scene;
+             for (std::size_t k = 0; k < shared_nodes.parts.size(); ++k) {
+                 shared_nodes.parts[k].node_index = int(k / 2);
+                 shared_nodes.parts[k].node = "node " + std::to_string(k / 2);
+             }
+             return telling(shared_nodes, view,
+                            [](const Scene& s, std::uint32_t id) { return part_of(s, id) / 2; })();
+         }},
         {"parts_in_another_order",
          {"ids are exchanged"},
          "trimesh #93: ids of another order of triangles",

@@ -73,9 +73,42 @@ void transpose(Camera& c) {
     c.back = rotation[2];
 }
 
+/// A camera amid the scene whose axes were multiplied.
+std::function<Shown()> turned(double right, double up, double back) {
+    return [=] {
+        View view = view_of_yard();
+        const Camera level = look_at({-1.5, 0.6, 1.2}, {-1.2, 0.5, -5}, {0, 1, 0});
+        view.camera.eye_world = level.eye_world;
+        view.camera.right = level.right;
+        view.camera.up = level.up;
+        view.camera.back = level.back;
+        View other = view;
+        other.camera.right *= right;
+        other.camera.up *= up;
+        other.camera.back *= back;
+        const Scene scene = yard();
+        return Shown{scene, view, cast(scene, other)};
+    };
+}
+
+/// A window whose centre lies (0.11, -0.07) beside the axis.
+std::function<Shown()> offset_taken_for(const glm::dvec2& other) {
+    return [=] {
+        View view = view_of_yard(), drawn = view;
+        const auto move = [](Window& w, const glm::dvec2& by) {
+            w = {w.left + by.x, w.right + by.x, w.bottom + by.y, w.top + by.y};
+        };
+        move(view.camera.window, {0.11, -0.07});
+        move(drawn.camera.window, other);
+        const Scene scene = yard();
+        return Shown{scene, view, cast(scene, drawn)};
+    };
+}
+
 std::vector<FieldFrame> of_grids() {
     const View small = view_of_yard(64, 48);
     const double w = small.width, h = small.height;
+    const RayPrecision ray{.arithmetic = Arithmetic::float32};
     return {
         {"corner_to_corner",
          {"the pixel grid is stretched by W/(W - 1)"},
@@ -93,6 +126,10 @@ std::vector<FieldFrame> of_grids() {
          "pytorch3d #548: pixels W - 1 and H - 1 are mapped to 1",
          aiming(small,
                 [=](int x, int y) { return glm::dvec2((x + 0.5) * w / (w - 1), (y + 0.5) * h / (h - 1)); })},
+        {"viewport_one_less_in_x",
+         {"the pixel grid is stretched by W/(W - 1) from the left side"},
+         "pytorch3d #548, in x alone",
+         aiming(small, [=](int x, int y) { return glm::dvec2((x + 0.5) * w / (w - 1), y + 0.5); })},
         {"pixel_corner",
          {"the image is shifted by (+1/2, +1/2) px"},
          "raysect #391, VisRTX #327: rays through the pixel's corner instead of its centre",
@@ -105,6 +142,42 @@ std::vector<FieldFrame> of_grids() {
          {"pixels are sampled at sample 2 of 8"},
          "zproof #43: another multisample position",
          aiming(view_of_yard(), beside_the_centre(5.0 / 16, 1.0 / 16))},
+        {"sample_0_of_2",
+         {"pixels are sampled at sample 0 of 2"},
+         "zproof #43: another multisample position",
+         aiming(view_of_yard(), beside_the_centre(4.0 / 16, 4.0 / 16))},
+        {"sample_11_of_16_of_a_caster",
+         {"pixels are sampled at sample 11 of 16"},
+         "zproof #43: another multisample position, of a renderer that declares rays",
+         aiming(view_of_yard(), beside_the_centre(-6.0 / 16, 4.0 / 16)),
+         ray},
+        {"corner_to_corner_of_a_caster",
+         {"the pixel grid is stretched by W/(W - 1)"},
+         "trimesh #758, of a renderer that declares rays",
+         aiming(small, [=](int x, int y) { return glm::dvec2(x * w / (w - 1), y * h / (h - 1)); }),
+         ray},
+        {"viewport_one_more",
+         {"the pixel grid is shrunk by (W - 1)/W from the top left corner"},
+         "zproof #43: the inverse of pytorch3d #548",
+         aiming(small,
+                [=](int x, int y) { return glm::dvec2((x + 0.5) * (w - 1) / w, (y + 0.5) * (h - 1) / h); })},
+        {"pixel_to_the_right",
+         {"the image is shifted by (-1, 0) px"},
+         "zproof #43: a whole pixel aside",
+         aiming(view_of_yard(), beside_the_centre(1, 0))},
+        {"rows_from_below",
+         {"the image is flipped in y"},
+         "nvdiffrast #91: row 0 is the lowest",
+         aiming(small, [=](int x, int y) { return glm::dvec2(x + 0.5, h - 0.5 - y); })},
+        {"coarse_pixels_of_a_caster",
+         {"2 x 2 pixels show what belongs to their common corner"},
+         "zproof #43: 2x2 coarse pixels, of a renderer that declares rays",
+         aiming(view_of_yard(), of_quads(1)),
+         ray},
+        {"coarse_pixels_of_4",
+         {"4 x 4 pixels show what belongs to their common corner"},
+         "zproof #43: 4x4 coarse pixels",
+         aiming(view_of_yard(), [](int x, int y) { return glm::dvec2((x & ~3) + 2, (y & ~3) + 2); })},
         {"shift_of_7_12",
          {"the image is shifted by a fraction of a pixel"},
          "zproof #43: a shift of 7/12 px",
@@ -160,6 +233,57 @@ std::vector<FieldFrame> of_windows() {
                  [](Camera& c) {
                      c.window = {c.window.bottom, c.window.top, c.window.bottom, c.window.top};
                  })},
+        {"principal_point_ignored",
+         {"the window's offset is ignored"},
+         "zproof #43: a window that is not centred, drawn centred",
+         offset_taken_for({0, 0})},
+        {"principal_point_on_the_other_side",
+         {"the window's offset has the wrong sign"},
+         "zproof #43: the offset's y counts down",
+         offset_taken_for({0.11, 0.07})},
+        {"parallel_as_perspective",
+         {"a parallel view is drawn as a perspective"},
+         "zproof #43: a matrix of the other kind",
+         seen_by(wide, [](Camera& c) { c.projection = Projection::perspective; })},
+        {"perspective_as_parallel",
+         {"a perspective is drawn as a parallel view"},
+         "zproof #43: a matrix of the other kind",
+         seen_by(perspective, [](Camera& c) { c.projection = Projection::parallel; })},
+        {"twice_as_wide",
+         {"the window is twice as wide"},
+         "zproof #43: the window scaled in x",
+         seen_by(perspective, scaled(2, 1))},
+        {"half_as_wide",
+         {"the window is half as wide"},
+         "zproof #43: the window scaled in x",
+         seen_by(perspective, scaled(0.5, 1))},
+        {"twice_as_high",
+         {"the window is twice as high"},
+         "zproof #43: the window scaled in y",
+         seen_by(less_wide, scaled(1, 2))},
+        {"half_as_high",
+         {"the window is half as high"},
+         "zproof #43: the window scaled in y",
+         seen_by(perspective, scaled(1, 0.5))},
+        {"mag_of_x_for_both",
+         {"the window is square: its width is its height as well"},
+         "glTF-Blender-IO #944: ymag = xmag",
+         seen_by(less_wide,
+                 [](Camera& c) {
+                     c.window = {-2, 2, -2, 2};
+                 })},
+        {"aspect_of_1_of_a_caster",
+         {"the window is square: its height is its width as well"},
+         "OpenJKDF2 #36, of a renderer that declares rays",
+         seen_by(perspective,
+                 [](Camera& c) {
+                     c.window = {c.window.bottom, c.window.top, c.window.bottom, c.window.top};
+                 }),
+         RayPrecision{.arithmetic = Arithmetic::float32}},
+        {"field_of_view_of_the_wider_axis",
+         {"the field of view belongs to the other axis"},
+         "playcanvas #266: horizontal instead of vertical",
+         seen_by(perspective, scaled(4.0 / 3, 4.0 / 3))},
         {"field_of_view_of_the_other_axis",
          {"the field of view belongs to the other axis"},
          "tungsten #23, photon-v2 #46: the angle is taken for the other axis",
@@ -189,22 +313,19 @@ std::vector<FieldFrame> of_cameras() {
          {"the camera's rotation is transposed"},
          "pytorch3d #1183: cameras do not transpose the rotation matrix",
          seen_by(view, transpose)},
-        {"looks_backwards",
+        {"mirrored_y",
+         {"the scene's y is negated"},
+         "zproof #43: one axis negated",
+         moved([](const glm::vec3& p) { return glm::vec3(p.x, -p.y, p.z); })},
+        {"looks_backwards_upside_down",
          {"the camera looks backwards, upside down"},
          "pyrender #228, pytorch3d #522: OpenCV's axes (y down, z ahead), of a camera amid the scene",
-         [] {
-             View inside = view_of_yard();
-             const Camera level = look_at({-1.5, 0.6, 1.2}, {-1.2, 0.5, -5}, {0, 1, 0});
-             inside.camera.eye_world = level.eye_world;
-             inside.camera.right = level.right;
-             inside.camera.up = level.up;
-             inside.camera.back = level.back;
-             View other = inside;
-             other.camera.up = -other.camera.up;
-             other.camera.back = -other.camera.back;
-             const Scene scene = yard();
-             return Shown{scene, inside, cast(scene, other)};
-         }},
+         turned(1, -1, -1)},
+        {"looks_backwards", {"the camera looks backwards"}, "zproof #43: x and z negated", turned(-1, 1, -1)},
+        {"looks_backwards_mirrored",
+         {"the camera looks backwards, mirrored"},
+         "zproof #43: z negated",
+         turned(1, 1, -1)},
     };
 }
 

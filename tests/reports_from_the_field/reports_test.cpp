@@ -85,9 +85,6 @@ TEST_P(Report, IsCalledByItsCause) {
     ASSERT_TRUE(diagnosis) << "the frame has no defect";
     const std::string named = diagnosis->cause ? diagnosis->cause->name : "";
     const bool is_right = std::ranges::count(report.causes, named) > 0;
-    const auto blind = diagnose(shown.scene, shown.view, ours, theirs, judge(shown.scene, shown.view, ours, theirs), report.causes);
-    std::printf("SAVED %s %d %.3f | blind: %s %.3f\n", report.name.c_str(), is_right, diagnosis->cause ? diagnosis->cause->saved_share : -1,
-      blind->cause ? blind->cause->name.c_str() : blind->runners_up.empty()? "-" : ("("+blind->runners_up[0].name+")").c_str(), blind->cause ? blind->cause->saved_share : blind->runners_up.empty()? 0 : blind->runners_up[0].saved_share);
     const std::string share =
         diagnosis->cause ? std::to_string(int(100 * explained_share(*diagnosis->cause))) + " %" : "";
     Table::add({report.name, report.causes.front(), named.empty() ? "-" : named, share,

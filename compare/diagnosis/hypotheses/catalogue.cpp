@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "compare/diagnosis/hypotheses/look_at.h"
+
 namespace zproof {
 
 std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input) {
@@ -14,6 +16,7 @@ std::vector<Hypothesis> all_hypotheses(const DiagnosisInput& input) {
         std::vector<Hypothesis> more = family(input);
         all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }
+    for (Hypothesis& h : all) h.look_at = look_at(h.name);
     return all;
 }
 

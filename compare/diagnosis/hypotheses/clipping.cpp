@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <unordered_map>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/number_text.h"
 #include "math/rounding.h"
 
 namespace zproof {
@@ -45,8 +45,6 @@ CameraCorner in_camera(const Camera& c, const glm::vec3& p_world) {
     return {dot(c.right, v), dot(c.up, v), -dot(c.back, v), gamma(8, unit_roundoff_float64) * size};
 }
 
-Fate worst(Fate a, Fate b) { return std::max(a, b); }
-
 Hypothesis across_near(const DiagnosisInput& input) {
     return dropped(input, "triangles across the near plane are dropped",
                    "A triangle with a corner nearer than the near plane is left out instead of clipped.",
@@ -54,8 +52,8 @@ Hypothesis across_near(const DiagnosisInput& input) {
                        Fate fate = Fate::drawn;
                        for (const glm::vec3& p : n.p_world) {
                            const CameraCorner corner = in_camera(around.view.camera, p);
-                           fate = worst(fate, dropped_below(corner.depth, around.view.camera.near_depth,
-                                                            corner.error + n.near_slack));
+                           fate = std::max(fate, dropped_below(corner.depth, around.view.camera.near_depth,
+                                                               corner.error + n.near_slack));
                        }
                        return fate;
                    });
@@ -68,8 +66,8 @@ Hypothesis across_far(const DiagnosisInput& input) {
                        Fate fate = Fate::drawn;
                        for (const glm::vec3& p : n.p_world) {
                            const CameraCorner corner = in_camera(around.view.camera, p);
-                           fate = worst(fate, dropped_below(-corner.depth, -around.view.camera.far_depth,
-                                                            corner.error + n.far_slack));
+                           fate = std::max(fate, dropped_below(-corner.depth, -around.view.camera.far_depth,
+                                                               corner.error + n.far_slack));
                        }
                        return fate;
                    });
@@ -82,36 +80,52 @@ Hypothesis behind_eye(const DiagnosisInput& input) {
                        Fate fate = Fate::drawn;
                        for (const glm::vec3& p : n.p_world) {
                            const CameraCorner corner = in_camera(around.view.camera, p);
-                           fate = worst(fate, dropped_below(corner.depth, 0, corner.error + n.near_slack));
+                           fate = std::max(fate, dropped_below(corner.depth, 0, corner.error + n.near_slack));
                        }
                        return fate;
                    });
 }
 
-/// How far the corner lies on the inner side of each side of the picture, in units of the window, times its
-/// depth in a perspective: clip coordinates, in which a corner behind the eye lies outside.
-Fate fate_at_sides(const Neighbourhood& around, const Neighbour& n) {
+/// A box of raster space, px.
+struct RasterBox {
+    double left, top, right, bottom;
+};
+
+/// What becomes of a triangle that no corner may leave the box. Decided in units of the window, times depth
+/// in a perspective: clip coordinates, in which a corner behind the eye lies outside.
+Fate fate_at(const RasterBox& box, const Neighbourhood& around, const Neighbour& n) {
     const Camera& c = around.view.camera;
     const Window& w = c.window;
     const bool perspective = c.projection == Projection::perspective;
-    const double eps_u = n.bounds.eps_px * (w.right - w.left) / around.view.width;
-    const double eps_v = n.bounds.eps_px * (w.top - w.bottom) / around.view.height;
+    const double u_per_px = (w.right - w.left) / around.view.width,
+                 v_per_px = (w.top - w.bottom) / around.view.height;
     Fate fate = Fate::drawn;
     for (const glm::vec3& p : n.p_world) {
         const CameraCorner corner = in_camera(c, p);
         const double scale = perspective ? corner.depth : 1;
         const double x = perspective ? corner.right : corner.right - corner.depth * c.shear.x;
         const double y = perspective ? corner.up : corner.up - corner.depth * c.shear.y;
-        const auto inside = [&](double from_side, double bound, double eps) {
-            const double error = 4 * corner.error * (1 + std::abs(bound)) + eps * std::abs(scale);
-            fate = worst(fate, dropped_below(from_side, 0, error));
+        const auto keep_below = [&](double number, double side, double per_px) {
+            const double error =
+                4 * corner.error * (1 + std::abs(side)) + n.bounds.eps_px * per_px * std::abs(scale);
+            fate = std::max(fate, dropped_below(side * scale - number, 0, error));
         };
-        inside(x - w.left * scale, w.left, eps_u);
-        inside(w.right * scale - x, w.right, eps_u);
-        inside(y - w.bottom * scale, w.bottom, eps_v);
-        inside(w.top * scale - y, w.top, eps_v);
+        keep_below(-x, -(w.left + box.left * u_per_px), u_per_px);
+        keep_below(x, w.left + box.right * u_per_px, u_per_px);
+        keep_below(y, w.top - box.top * v_per_px, v_per_px);
+        keep_below(-y, -(w.top - box.bottom * v_per_px), v_per_px);
     }
     return fate;
+}
+
+Fate fate_at_sides(const Neighbourhood& around, const Neighbour& n) {
+    return fate_at({0, 0, double(around.view.width), double(around.view.height)}, around, n);
+}
+
+/// Beyond 16 bits of whole pixels with a sign, which many rasterizers cannot hold.
+Fate fate_at_guard_band(const Neighbourhood& around, const Neighbour& n) {
+    constexpr double most_px = 32'768;
+    return fate_at({-most_px, -most_px, most_px, most_px}, around, n);
 }
 
 /// Two-fold area of the image, px^2, and how far displacement may change it. Without end where a corner is
@@ -174,21 +188,16 @@ struct Observed {
     bool is_drawn;
 };
 
-/// The limit that parts the missing from the drawn with the fewest exceptions; nothing where that is no
-/// better than to call none missing.
-std::optional<double> fitted_limit(std::vector<Observed> observed) {
-    std::ranges::sort(observed, {}, &Observed::number);
-    const auto missing = std::ranges::count(observed, false, &Observed::is_drawn);
-    std::ptrdiff_t exceptions = missing, fewest = missing;
-    std::optional<double> limit;
-    for (std::size_t i = 0; i < observed.size(); ++i) {
-        exceptions += observed[i].is_drawn ? 1 : -1;
-        if (exceptions >= fewest) continue;
-        fewest = exceptions;
-        limit = i + 1 < observed.size() ? (observed[i].number + observed[i + 1].number) / 2
-                                        : 2 * observed[i].number;
-    }
-    return limit;
+/// A limit below which nothing was drawn: between the smallest number drawn and the largest missing one below
+/// it. Nothing where none is missing there.
+std::optional<double> fitted_limit(const std::vector<Observed>& observed) {
+    double smallest_drawn = std::numeric_limits<double>::infinity(), largest_missing = -1;
+    for (const Observed& o : observed)
+        if (o.is_drawn) smallest_drawn = std::min(smallest_drawn, o.number);
+    for (const Observed& o : observed)
+        if (!o.is_drawn && o.number < smallest_drawn) largest_missing = std::max(largest_missing, o.number);
+    if (largest_missing < 0 || !std::isfinite(smallest_drawn)) return std::nullopt;
+    return (smallest_drawn + largest_missing) / 2;
 }
 
 /// Of the triangles that the reference sees or the candidate shows: is it drawn anywhere?
@@ -201,20 +210,14 @@ std::unordered_map<std::uint32_t, bool> drawn_anywhere(const DiagnosisInput& inp
     return drawn;
 }
 
-std::string limit_text(double number) {
-    char text[32];
-    const int length = std::snprintf(text, sizeof text, "%.3g", number);
-    return std::string(text, std::size_t(length));
-}
-
 std::vector<Hypothesis> fitted_to_area(const DiagnosisInput& input) {
     std::vector<Observed> observed;
     for (const auto& [triangle, is_drawn] : drawn_anywhere(input))
         observed.push_back({double_area(input.view, corners_of(input.scene, triangle), 0).px2 / 2, is_drawn});
-    const std::optional<double> limit = fitted_limit(std::move(observed));
+    const std::optional<double> limit = fitted_limit(observed);
     if (!limit || !std::isfinite(*limit)) return {};
     Hypothesis h = below_area(input, *limit, "small triangles are dropped",
-                              "Triangles whose image is smaller than " + limit_text(*limit) +
+                              "Triangles whose image is smaller than " + number_text(*limit, 3) +
                                   " px^2 are not drawn: a limit fitted to what is missing.");
     h.learned_bits = bits_of_a_number;
     return {h};
@@ -236,11 +239,29 @@ std::vector<Hypothesis> fitted_to_determinant(const DiagnosisInput& input) {
         const CornersWorld p_world = corners_of(input.scene, std::uint32_t(seen));
         observed.push_back({determinant_of(rays.at(x, y), p_world).size, ours.primitive.at(x, y) == seen});
     }
-    const std::optional<double> limit = fitted_limit(std::move(observed));
+    const std::optional<double> limit = fitted_limit(observed);
     if (!limit) return {};
     Hypothesis h = below_determinant(input, *limit, "triangles with a small determinant are dropped",
-                                     "Rays miss triangles whose determinant is below " + limit_text(*limit) +
-                                         ": a limit fitted to what is missing.");
+                                     "Rays miss triangles whose determinant is below " +
+                                         number_text(*limit, 3) + ": a limit fitted to what is missing.");
+    h.learned_bits = bits_of_a_number;
+    return {h};
+}
+
+/// Nothing is drawn behind the last triangle that the candidate shows.
+std::vector<Hypothesis> beyond_a_count(const DiagnosisInput& input) {
+    std::uint32_t last_drawn = 0, last_seen = 0;
+    for (const auto& [triangle, is_drawn] : drawn_anywhere(input)) {
+        last_seen = std::max(last_seen, triangle);
+        if (is_drawn) last_drawn = std::max(last_drawn, triangle);
+    }
+    if (last_drawn >= last_seen) return {};
+    Hypothesis h =
+        dropped(input, "triangles beyond a count are not drawn",
+                "None is drawn behind triangle " + std::to_string(last_drawn) + ", the last that is shown.",
+                [last_drawn](const Neighbourhood&, const Neighbour& n) {
+                    return n.triangle > last_drawn ? Fate::dropped : Fate::drawn;
+                });
     h.learned_bits = bits_of_a_number;
     return {h};
 }
@@ -252,6 +273,8 @@ std::vector<Hypothesis> hypotheses_of_dropped_triangles(const DiagnosisInput& in
         across_near(input),
         behind_eye(input),
         across_far(input),
+        dropped(input, "triangles across the guard band are dropped",
+                "A triangle with a corner beyond +-32768 px is left out.", fate_at_guard_band),
         dropped(input, "triangles across a side of the picture are dropped",
                 "A triangle with a corner outside the picture is left out.", fate_at_sides),
         below_area(input, 0.5, "triangles of less than 1/2 px^2 are dropped",
@@ -267,7 +290,7 @@ std::vector<Hypothesis> hypotheses_of_dropped_triangles(const DiagnosisInput& in
         all.push_back(below_determinant(
             input, least, std::string("triangles of a determinant below ") + text + " are dropped",
             "Rays miss triangles whose determinant is below that limit."));
-    for (const auto& more : {fitted_to_area(input), fitted_to_determinant(input)})
+    for (const auto& more : {beyond_a_count(input), fitted_to_area(input), fitted_to_determinant(input)})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }

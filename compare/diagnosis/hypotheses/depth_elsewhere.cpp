@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "compare/bounds/triangle_depth.h"
 #include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/number_text.h"
 #include "compare/diagnosis/hypotheses/plane_depth.h"
 #include "math/rounding.h"
 
@@ -151,18 +151,14 @@ std::optional<double> fitted_number(const DiagnosisInput& input, const OneNumber
     return most_held(ranges);
 }
 
-std::string fit_text(double number) {
-    char text[32];
-    return {text, std::size_t(std::snprintf(text, sizeof text, "%.6g", number))};
-}
-
 /// `description` ends where the number stands.
 std::vector<Hypothesis> fitted(const DiagnosisInput& input, const std::string& name,
                                const std::string& description, const OneNumber& form,
                                const std::function<double(double)>& shown = nullptr) {
     const std::optional<double> number = fitted_number(input, form);
     if (!number || !std::isfinite(*number)) return {};
-    Hypothesis h = as_declared(input, name, description + fit_text(shown ? shown(*number) : *number) + ".");
+    Hypothesis h =
+        as_declared(input, name, description + number_text(shown ? shown(*number) : *number, 6) + ".");
     h.learned_bits = bits_of_a_number;
     h.report = [form, number = *number](const DepthBound& bound, const Claim&) {
         const double one = form.told(number, bound.low), other = form.told(number, bound.high);
@@ -236,12 +232,12 @@ std::vector<Hypothesis> clipped_elsewhere(const DiagnosisInput& input) {
     };
     return {clipped_at_depths(
                 "the far plane lies nearer",
-                "Nothing is drawn beyond the farthest depth of the frame, " + fit_text(farthest) + ".",
+                "Nothing is drawn beyond the farthest depth of the frame, " + number_text(farthest, 6) + ".",
                 c.near_depth, farthest),
             clipped_at_depths(
                 "the near plane lies farther",
-                "Nothing is drawn before the nearest depth of the frame, " + fit_text(nearest) + ".", nearest,
-                c.far_depth)};
+                "Nothing is drawn before the nearest depth of the frame, " + number_text(nearest, 6) + ".",
+                nearest, c.far_depth)};
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/number_text.h"
 #include "scenes/standard_samples.h"
 
 namespace zproof {
@@ -31,15 +31,19 @@ std::vector<Hypothesis> stretched(const DiagnosisInput& input) {
         h.view = scaled_about(input.view, factor, anchor);
         return h;
     };
+    const std::string larger = "The picture was drawn a pixel too small.",
+                      smaller = "The picture was drawn as if a pixel larger.";
     return {grid("stretched by W/(W - 1)",
                  "The outermost pixels' centres lie on the picture's sides: rays run from corner to corner.",
                  wider, 0.5 * size),
             grid("shrunk by (W - 1)/W", "Pixels lie closer together, about the picture's centre.", narrower,
                  0.5 * size),
-            grid("stretched by W/(W - 1) from the top left corner",
-                 "The picture was drawn W - 1 by H - 1 pixels large.", wider, {0, 0}),
-            grid("shrunk by (W - 1)/W from the top left corner",
-                 "The picture was drawn as if W + 1 by H + 1 pixels large.", narrower, {0, 0})};
+            grid("stretched by W/(W - 1) from the top left corner", larger, wider, {0, 0}),
+            grid("shrunk by (W - 1)/W from the top left corner", smaller, narrower, {0, 0}),
+            grid("stretched by W/(W - 1) from the left side", larger, {wider.x, 1}, {0, 0}),
+            grid("shrunk by (W - 1)/W from the left side", smaller, {narrower.x, 1}, {0, 0}),
+            grid("stretched by H/(H - 1) from the top", larger, {1, wider.y}, {0, 0}),
+            grid("shrunk by (H - 1)/H from the top", smaller, {1, narrower.y}, {0, 0})};
 }
 
 /// n x n pixels show one answer. A pixel of the block is asked for that answer, half a pixel aside at most.
@@ -139,13 +143,9 @@ std::vector<Hypothesis> fitted_shift(const DiagnosisInput& input) {
         reach = step;
     }
     if (held_at(all, offset) <= held_at(all, glm::dvec2(0)) || length(offset) > 1) return {};
-    const auto text = [](double px) {
-        char digits[32];
-        return std::string(digits, std::size_t(std::snprintf(digits, sizeof digits, "%.3f", px)));
-    };
     Hypothesis h = as_declared(input, "the image is shifted by a fraction of a pixel",
-                               "Each pixel holds what belongs (" + text(offset.x) + ", " + text(offset.y) +
-                                   ") px from its centre: fitted to the edges.");
+                               "Each pixel holds what belongs (" + number_text(offset.x, 4) + ", " +
+                                   number_text(offset.y, 4) + ") px from its centre: fitted to the edges.");
     h.learned_bits = 2 * bits_of_a_number;
     h.view = shifted_view(input.view, -offset);
     return {h};

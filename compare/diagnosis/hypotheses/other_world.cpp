@@ -74,7 +74,7 @@ bool OtherWorld::may_show(const Claim& claim) const {
 }
 
 bool OtherWorld::admits(const Claim& claim) {
-    if (!may_show(claim)) return false;
+    if (!may_show(claim) || search().by_tile.triangles.empty()) return false;
     QueryResult result;
     const PixelQuery query{&bounds_, claim.answer.primitive, claim.x, claim.y};
     const double needed_px = search().work_at(claim.x, claim.y).decide(query, searched_px, result);

@@ -19,7 +19,8 @@ class OtherWorld {
     OtherWorld(const OtherWorld&) = delete;
     OtherWorld& operator=(const OtherWorld&) = delete;
 
-    /// Would a faultless renderer of that world be right to claim this?
+    /// Would a faultless renderer of that world be right to claim this? Not where nothing is seen there:
+    /// that nothing was drawn is another hypothesis.
     bool admits(const Claim& claim);
     /// All triangles whose image comes within reach_px (at most 1) of the pixel's centre.
     Neighbourhood around(const Claim& claim, double reach_px);

@@ -131,6 +131,15 @@ void tells_levels_only(Hypothesis& h, StepsOf steps_of, ErrorOf error_of) {
     };
 }
 
+void tells_equal_steps_only(Hypothesis& h, const DiagnosisInput& input, double step) {
+    const double near = input.view.camera.near_depth;
+    tells_levels_only(
+        h, [=](double depth) { return (depth - near) / step; },
+        [=](double depth) {
+            return gamma(4, unit_roundoff_float32) * (std::abs(near) + std::abs(depth)) / step;
+        });
+}
+
 Hypothesis stored_in(const DiagnosisInput& input, int bits) {
     const FixedPoint format(input.view, bits);
     Hypothesis h =
@@ -142,7 +151,11 @@ Hypothesis stored_in(const DiagnosisInput& input, int bits) {
             n.least_inverse_depth -= step, n.greatest_inverse_depth += step;
     };
     const Camera& c = input.view.camera;
-    if (bits > few_bits || c.projection == Projection::parallel) return h;
+    if (bits > few_bits) return h;
+    if (c.projection == Projection::parallel) {
+        tells_equal_steps_only(h, input, format.step);
+        return h;
+    }
     const double step = format.step, at_near = 1 / c.near_depth;
     tells_levels_only(
         h, [=](double depth) { return (at_near - 1 / depth) / step; },
@@ -156,21 +169,17 @@ Hypothesis stored_linearly(const DiagnosisInput& input, int bits) {
     Hypothesis h = as_declared(
         input, "depth has " + std::to_string(bits) + " bits, in equal steps",
         "Depth was stored in equal steps between near and far, " + std::to_string(bits) + " bits of them.");
-    const double near = c.near_depth, step = (c.far_depth - near) / (std::ldexp(1.0, bits) - 1);
+    const double step = (c.far_depth - c.near_depth) / (std::ldexp(1.0, bits) - 1);
     h.report = [step](const DepthBound& bound, const Claim&) {
         const double r = gamma(4, unit_roundoff_float32);
         return ReportedDepth{bound.low - step - r * std::abs(bound.low),
                              bound.high + step + r * std::abs(bound.high)};
     };
-    tells_levels_only(
-        h, [=](double depth) { return (depth - near) / step; },
-        [=](double depth) {
-            return gamma(4, unit_roundoff_float32) * (std::abs(near) + std::abs(depth)) / step;
-        });
+    tells_equal_steps_only(h, input, step);
     return h;
 }
 
-/// Depth as a float of fewer significant bits, rounded either way.
+/// Depth as a float of fewer significant bits, rounded either way. It tells no depth of more bits.
 Hypothesis stored_as_float(const DiagnosisInput& input, int bits) {
     Hypothesis h = as_declared(input, "depth is a float of " + std::to_string(bits) + " bits",
                                "Depth was rounded to " + std::to_string(bits) + " significant bits.");
@@ -178,6 +187,9 @@ Hypothesis stored_as_float(const DiagnosisInput& input, int bits) {
     h.report = [r](const DepthBound& bound, const Claim&) {
         return ReportedDepth{bound.low - r * std::abs(bound.low), bound.high + r * std::abs(bound.high)};
     };
+    tells_levels_only(
+        h, [bits](double depth) { return depth == 0 ? 0 : std::ldexp(depth, bits - 1 - std::ilogb(depth)); },
+        [](double) { return 0.0; });
     return h;
 }
 

@@ -55,6 +55,44 @@ std::vector<Hypothesis> of_windows(const DiagnosisInput& input) {
     return all;
 }
 
+/// Numbers of a camera that are 0 in most.
+std::vector<Hypothesis> of_offsets(const DiagnosisInput& input) {
+    const View& view = input.view;
+    const Window& w = view.camera.window;
+    const glm::dvec2 offset((w.left + w.right) / 2, (w.bottom + w.top) / 2);
+    const auto with_offset = [&](const glm::dvec2& other) {
+        View moved = view;
+        const glm::dvec2 step = other - offset;
+        moved.camera.window = {w.left + step.x, w.right + step.x, w.bottom + step.y, w.top + step.y};
+        return moved;
+    };
+    const auto with_shear = [&](const glm::dvec2& shear) {
+        View sheared = view;
+        sheared.camera.shear = shear;
+        return sheared;
+    };
+    std::vector<Hypothesis> all;
+    if (length(offset) > 0) {
+        all.push_back(seen_in(input, "the window's offset is ignored",
+                              "The window stands about the view axis.", with_offset(glm::dvec2(0))));
+        for (const glm::dvec2& sign : {glm::dvec2(-1, -1), glm::dvec2(-1, 1), glm::dvec2(1, -1)})
+            if (sign * offset != offset)
+                all.push_back(seen_in(input, "the window's offset has the wrong sign",
+                                      "The window stands on the other side of the view axis.",
+                                      with_offset(sign * offset)));
+    }
+    const glm::dvec2& shear = view.camera.shear;
+    if (length(shear) > 0) {
+        all.push_back(seen_in(input, "the shear is ignored", "The view ray is the view axis.",
+                              with_shear(glm::dvec2(0))));
+        for (const glm::dvec2& sign : {glm::dvec2(-1, -1), glm::dvec2(-1, 1), glm::dvec2(1, -1)})
+            if (sign * shear != shear)
+                all.push_back(seen_in(input, "the shear has the wrong sign",
+                                      "The view ray leans to the other side.", with_shear(sign * shear)));
+    }
+    return all;
+}
+
 /// The declared camera sees the scene with every point p at turned(p): as if it stood elsewhere itself.
 template <class Back>
 View before_turned_scene(const View& view, Back turned_back) {
@@ -104,6 +142,22 @@ std::vector<Hypothesis> of_cameras(const DiagnosisInput& input) {
                    glm::dmat3(c.right, c.up, -c.back))};
 }
 
+/// The other kind of projection, through a window of the same numbers.
+std::vector<Hypothesis> of_projections(const DiagnosisInput& input) {
+    View view = input.view;
+    Camera& c = view.camera;
+    if (c.projection == Projection::perspective) {
+        if (!std::isfinite(c.far_depth)) return {};
+        c.projection = Projection::parallel;
+        return {seen_in(input, "a perspective is drawn as a parallel view", "Nothing is divided by depth.",
+                        view)};
+    }
+    if (c.near_depth <= 0) return {};
+    c.projection = Projection::perspective;
+    return {
+        seen_in(input, "a parallel view is drawn as a perspective", "x and y are divided by depth.", view)};
+}
+
 /// Vertices of larger index than 16 bits hold.
 std::vector<Hypothesis> of_short_indices(const DiagnosisInput& input) {
     if (input.scene.vertices.position_world.size() <= 0x10000) return {};
@@ -119,7 +173,8 @@ std::vector<Hypothesis> of_short_indices(const DiagnosisInput& input) {
 
 std::vector<Hypothesis> hypotheses_of_window(const DiagnosisInput& input) {
     std::vector<Hypothesis> all = of_windows(input);
-    for (const auto& more : {of_scenes(input), of_cameras(input), of_short_indices(input)})
+    for (const auto& more : {of_offsets(input), of_scenes(input), of_cameras(input), of_projections(input),
+                             of_short_indices(input)})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }
