@@ -16,8 +16,30 @@ std::string extent_of(const Explanation& e, const Diagnosis& d) {
     return share + counted(e.asked, "defect") + " tried, of " + grouped(d.defects) + " in all";
 }
 
+namespace {
+
+/// Does another cause spare as much, so that the frame does not tell which it is?
+bool is_alike(const Explanation& cause, const Explanation& other) {
+    return cause.saved_share > 0 && other.saved_share > cause.saved_share - alike_shares;
+}
+
+/// "likely cause: A, or B, which the frame does not tell apart (explains ...), and C (explains ...). Look at
+/// ..."
+std::string cause_in_words(const Explanation& cause, const Diagnosis& d) {
+    std::string text = "likely cause: " + cause.name;
+    if (!d.runners_up.empty() && is_alike(cause, d.runners_up.front()))
+        text += ", or " + d.runners_up.front().name + ", which the frame does not tell apart";
+    text += " (explains " + extent_of(cause, d) + ")";
+    for (const Explanation& further : d.further)
+        text +=
+            "; of what it leaves: " + further.name + " (explains " + percent(explained_share(further)) + ")";
+    return cause.look_at.empty() ? text : text + ". " + cause.look_at;
+}
+
+}  // namespace
+
 std::string in_words(const Diagnosis& d) {
-    if (d.cause) return "likely cause: " + d.cause->name + " (explains " + extent_of(*d.cause, d) + ")";
+    if (d.cause) return cause_in_words(*d.cause, d);
     if (d.runners_up.empty()) return "no single cause: no hypothesis explains the defects";
     const Explanation& best = d.runners_up.front();
     return "no single cause; at best, " + best.name + " (would explain " + extent_of(best, d) + ")";

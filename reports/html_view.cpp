@@ -89,15 +89,19 @@ std::string explanation_row(const Explanation& e, const Diagnosis& d) {
                                          " pixels that agree would be wrong"
                                    : "";
     return "<li><strong>" + escaped(e.name) + "</strong>: " + extent_of(e, d) + broken +
-           ". <span class=\"fine\">" + escaped(e.description) + "</span></li>\n";
+           ". <span class=\"fine\">" + escaped(e.description + (e.look_at.empty() ? "" : " " + e.look_at)) +
+           "</span></li>\n";
 }
 
 std::string diagnosis(const ViewResult& v) {
     if (!v.diagnosis) return "";
     const Diagnosis& d = *v.diagnosis;
-    const std::string cause = d.cause ? "<ul>" + explanation_row(*d.cause, d) + "</ul>\n"
-                                      : "<p>No hypothesis explains more than half of the defects.</p>\n";
+    std::string cause = d.cause ? "<ul>" + explanation_row(*d.cause, d) + "</ul>\n"
+                                : "<p>No hypothesis accounts for three quarters of what is wrong.</p>\n";
     std::string rest;
+    for (const Explanation& e : d.further) rest += explanation_row(e, d);
+    if (!rest.empty()) cause += "<p>Of the defects that it leaves:</p>\n<ul>" + rest + "</ul>\n";
+    rest.clear();
     for (const Explanation& e : d.runners_up) rest += explanation_row(e, d);
     if (!rest.empty())
         rest = "<p class=\"fine\">Also tested, and explaining some:</p>\n<ul>" + rest + "</ul>\n";

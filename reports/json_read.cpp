@@ -123,14 +123,18 @@ Explanation explanation(const Json& json) {
             .explained = count(json.at("explained")),
             .asked = count(json.at("asked")),
             .contradicted = count(json.at("contradicted")),
-            .checked = count(json.at("checked"))};
+            .checked = count(json.at("checked")),
+            .look_at = json.value("look_at", ""),
+            .saved_share = json.contains("spared") ? number(json.at("spared")) : 0};
 }
 
 /// null: none was made.
 std::optional<Diagnosis> diagnosis(const Json& json) {
     if (json.is_null()) return std::nullopt;
-    Diagnosis d{.defects = count(json.at("defects")), .cause = std::nullopt, .runners_up = {}};
+    Diagnosis d{.defects = count(json.at("defects")), .cause = {}, .further = {}, .runners_up = {}};
     if (const Json& cause = json.at("cause"); !cause.is_null()) d.cause = explanation(cause);
+    if (json.contains("further"))
+        for (const Json& one : json.at("further")) d.further.push_back(explanation(one));
     for (const Json& one : json.at("runners_up")) d.runners_up.push_back(explanation(one));
     return d;
 }

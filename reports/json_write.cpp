@@ -94,16 +94,20 @@ Json stage_times(const StageTimes& t) {
 }
 
 Json explanation(const Explanation& e) {
-    return {{"name", e.name},   {"description", e.description},   {"explained", e.explained},
-            {"asked", e.asked}, {"contradicted", e.contradicted}, {"checked", e.checked}};
+    return {{"name", e.name},       {"description", e.description},
+            {"look_at", e.look_at}, {"explained", e.explained},
+            {"asked", e.asked},     {"contradicted", e.contradicted},
+            {"checked", e.checked}, {"spared", number(e.saved_share)}};
 }
 
 Json diagnosis(const std::optional<Diagnosis>& d) {
     if (!d) return nullptr;
-    Json runners_up = Json::array();
+    Json further = Json::array(), runners_up = Json::array();
+    for (const Explanation& e : d->further) further.push_back(explanation(e));
     for (const Explanation& e : d->runners_up) runners_up.push_back(explanation(e));
     return {{"defects", d->defects},
             {"cause", d->cause ? explanation(*d->cause) : Json(nullptr)},
+            {"further", further},
             {"runners_up", runners_up}};
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,21 +19,31 @@ struct Explanation {
     std::uint64_t explained = 0, asked = 0;  ///< defects that are admissible under it, of those asked
     std::uint64_t contradicted = 0,
                   checked = 0;  ///< pixels that agree and would not under it, of those checked
+    std::string look_at{};      ///< where in a renderer's code to look first, a sentence
+    double saved_share = 0;     ///< of what the defects take to be told: what it spares (docs/diagnosis.md)
 };
 
 struct Diagnosis {
     std::uint64_t defects = 0;            ///< of the whole view
-    std::optional<Explanation> cause;     ///< nothing: no single cause
-    std::vector<Explanation> runners_up;  ///< at most 3, the best first
+    std::optional<Explanation> cause;     ///< nothing: none is named
+    std::vector<Explanation> further;     ///< causes of the defects that it does not explain, at most 2
+    std::vector<Explanation> runners_up;  ///< of the first cause, at most 3, the best first
 };
+
+/// Shares of what is spared that differ by less are alike: they are known from samples of a thousand pixels.
+inline constexpr double alike_shares = 0.01;
 
 /// The share of the tested defects that is explained.
 double explained_share(const Explanation& explanation);
 
 /// Tests every hypothesis on a verdict's defects, or on an evenly spread part of them where they are many.
-/// The cause is what leaves the fewest pixels unexplained, if that is less than half the defects. Nothing
-/// without defects. Deterministic for any number of threads; frames as judge() wants them.
+/// The cause is what shortens the description of the frame the most. It is named if it spares three quarters
+/// of what the defects take, with further causes of what it leaves, where there are some (docs/diagnosis.md,
+/// "The score"). Nothing without defects. Deterministic for any number of threads; frames as judge() wants
+/// them. `without`: names of hypotheses that are left out, to learn what is said of a cause that nobody
+/// thought of.
 std::optional<Diagnosis> diagnose(const Scene& scene, const View& view, const RenderedFrame& candidate,
-                                  const RenderedFrame& reference, const Verdict& verdict);
+                                  const RenderedFrame& reference, const Verdict& verdict,
+                                  std::span<const std::string> without = {});
 
 }  // namespace zproof

@@ -1,5 +1,6 @@
 #include "compare/diagnosis/hypothesis.h"
 
+#include <cmath>
 #include <utility>
 
 namespace zproof {
@@ -7,7 +8,6 @@ namespace zproof {
 Hypothesis as_declared(const DiagnosisInput& input, std::string name, std::string description) {
     return {.name = std::move(name),
             .description = std::move(description),
-            .kind = Kind::firm,
             .cell = {input.view.width, input.view.height},
             .view = input.view,
             .precision = input.candidate.precision,
@@ -15,5 +15,7 @@ Hypothesis as_declared(const DiagnosisInput& input, std::string name, std::strin
             .amend = nullptr,
             .report = nullptr};
 }
+
+double bits_of_an_id(const Scene& scene) { return std::log2(double(scene.triangles.size()) + 1); }
 
 }  // namespace zproof

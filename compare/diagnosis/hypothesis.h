@@ -31,18 +31,12 @@ struct ReportedDepth {
     double low = 0, high = 0;
 };
 
-/// How much a hypothesis commits itself. Where one of an earlier kind explains most of the defects, none of a
-/// later kind is named.
-enum class Kind {
-    firm,  ///< it holds answers inadmissible that were admissible, and others admissible that were not
-    widening_only,  ///< it only widens bounds: wide enough ones explain anything, so the narrowest are named
-    fitted,         ///< it learns from the two frames what it then explains
-};
-
 struct Hypothesis {
     std::string name;         ///< what is wrong, as a clause: "the image is flipped in y"
     std::string description;  ///< one line: what is supposed of the defective pixels, or of the frame
-    Kind kind = Kind::firm;
+    std::string look_at{};    ///< where in a renderer's code to look first: one sentence
+    /// Bits that it takes to tell what it learned from the two frames.
+    double learned_bits = 0;
     /// Does it move triangles? Then it is no cause where every defect is a depth.
     bool moves_triangles = false;
     /// A grid of such cells, px: what is supposed befell those cells that hold a defect, whole. Pixels that
@@ -56,6 +50,8 @@ struct Hypothesis {
     RuleOverride amend;
     /// What is reported where the depth lies within the bound. Absent: the depth.
     std::function<ReportedDepth(const DepthBound&, const Claim&)> report;
+    /// How many depths it can tell between two. Absent: every float32.
+    std::function<double(const ReportedDepth&)> tellable{};
 };
 
 /// All that a diagnosis starts from.
@@ -65,6 +61,12 @@ struct DiagnosisInput {
     const RenderedFrame& candidate;
     const RenderedFrame& reference;
 };
+
+/// Bits that name one triangle of the scene, or background.
+double bits_of_an_id(const Scene& scene);
+
+/// Bits of a number that is fitted to the frames.
+inline constexpr double bits_of_a_number = 32;
 
 /// The view whose image stands `step_px` (x right, y down) further than that of `view`.
 View shifted_view(const View& view, const glm::dvec2& step_px);

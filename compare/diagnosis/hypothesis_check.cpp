@@ -1,7 +1,9 @@
 #include "compare/diagnosis/hypothesis_check.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -15,6 +17,20 @@ namespace {
 /// The widest step aside that a hypothesis may take within its own view, px (hypotheses/places.cpp).
 constexpr double farthest_shift_px = 1;
 
+/// Triangles beside a claim's own that are asked about to learn how much is left open.
+constexpr std::size_t most_others = 32;
+
+/// Where a float32 stands among all of them.
+double place_among_floats(double value) {
+    const auto bits = std::bit_cast<std::int32_t>(float(value));
+    return bits >= 0 ? bits : -double(bits & 0x7FFF'FFFF);
+}
+
+/// float32 values between both ends; at least 1.
+double floats_within(const ReportedDepth& range) {
+    return std::max(0.0, place_among_floats(range.high) - place_among_floats(range.low)) + 1;
+}
+
 /// A question's claims as they were meant, less those that fail by themselves.
 class RestatedClaims {
   public:
@@ -23,17 +39,42 @@ class RestatedClaims {
           hypothesis_(*query.hypothesis),
           bounds_(hypothesis_.view, hypothesis_.precision),
           shown_bounds_(hypothesis_.view, shown_precision(hypothesis_.precision)) {
-        for (const Claim& claim : query.claims) {
-            const std::optional<Claim> meant = hypothesis_.restate ? hypothesis_.restate(claim) : claim;
-            if (meant && is_sound(*meant)) claims_.push_back(*meant);
+        for (std::size_t i = 0; i < query.claims.size(); ++i) {
+            const std::optional<Claim> meant =
+                hypothesis_.restate ? hypothesis_.restate(query.claims[i]) : query.claims[i];
+            if (!meant || !is_sound(*meant)) continue;
+            claims_.push_back(*meant);
+            asked_.push_back(i);
         }
+        count_ = query.claims.size();
     }
 
     const Hypothesis& hypothesis() const { return hypothesis_; }
     const ViewBounds& bounds() const { return bounds_; }
     const std::vector<Claim>& claims() const { return claims_; }
+    std::size_t count() const { return count_; }                  ///< of the query's claims
+    std::size_t asked(std::size_t i) const { return asked_[i]; }  ///< which of them claims()[i] is
+
+    /// log2 of the depths that the claim's triangle admits.
+    double depth_bits(const Claim& claim) const {
+        if (claim.answer.primitive == PrimitiveId::none) return 0;
+        const ReportedDepth range = range_of(claim);
+        if (range.low == -unlimited && range.high == unlimited) return 0;
+        return std::log2(hypothesis_.tellable ? hypothesis_.tellable(range) : floats_within(range));
+    }
 
   private:
+    static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+    TriangleDepth depth_of(const CornersWorld& p_world) const {
+        return {TriangleInView(hypothesis_.view, shown_bounds_, p_world), shown_bounds_};
+    }
+
+    ReportedDepth range_of(const Claim& claim) const {
+        const DepthBound bound = depth_of(corners_at(claim)).at(claim.x, claim.y);
+        return hypothesis_.report ? hypothesis_.report(bound, claim) : ReportedDepth{bound.low, bound.high};
+    }
+
     bool is_sound(const Claim& claim) const {
         if (!holds({hypothesis_.view.width, hypothesis_.view.height}, claim)) return false;
         const PrimitiveId id = claim.answer.primitive;
@@ -51,7 +92,7 @@ class RestatedClaims {
         const float depth = claim.answer.camera_depth;
         const CornersWorld p_world = corners_at(claim);
         const View& view = hypothesis_.view;
-        const TriangleDepth triangle(TriangleInView(view, shown_bounds_, p_world), shown_bounds_);
+        const TriangleDepth triangle = depth_of(p_world);
         if (hypothesis_.report) {
             const ReportedDepth reported = hypothesis_.report(triangle.at(claim.x, claim.y), claim);
             return reported.low <= depth && depth <= reported.high;
@@ -64,6 +105,8 @@ class RestatedClaims {
     const Hypothesis& hypothesis_;
     ViewBounds bounds_, shown_bounds_;
     std::vector<Claim> claims_;
+    std::vector<std::size_t> asked_;  ///< by claim: its place in the query
+    std::size_t count_ = 0;
 };
 
 /// The triangles that come near any pixel in question, as a scene of their own: small, so that every
@@ -80,8 +123,11 @@ class LocalScene {
         std::vector<const ViewBounds*> renderers;
         for (const RestatedClaims& restated : all_restated) renderers.push_back(&restated.bounds());
         find_nearby_triangles(input.scene, widest(input, all_restated), renderers, search_pixels);
-        for (const SearchPixel& search_pixel : search_pixels)
+        for (SearchPixel& search_pixel : search_pixels) {
             triangles_.insert(triangles_.end(), search_pixel.triangles.begin(), search_pixel.triangles.end());
+            std::ranges::sort(search_pixel.triangles);
+            nearby_[{search_pixel.y, search_pixel.x}] = std::move(search_pixel.triangles);
+        }
         std::ranges::sort(triangles_);
         triangles_.erase(std::unique(triangles_.begin(), triangles_.end()), triangles_.end());
         for (const std::uint32_t triangle : triangles_) settle(corners_of(input.scene, triangle));
@@ -89,6 +135,9 @@ class LocalScene {
 
     const Scene& scene() const { return scene_; }
     double reach_px(const Claim& claim) const { return reaches_.at({claim.y, claim.x}); }
+
+    /// Triangles of the whole scene that come near the claim's pixel, ascending.
+    const auto& nearby(const Claim& claim) const { return nearby_.at({claim.y, claim.x}); }
 
     PrimitiveId id_in_scene(std::uint32_t triangle) const { return PrimitiveId(triangles_[triangle]); }
 
@@ -123,15 +172,11 @@ class LocalScene {
         scene_.triangles.push_back({first, first + 1, first + 2});
     }
 
-    std::map<std::pair<int, int>, double> reaches_;  ///< by row, then column
+    std::map<std::pair<int, int>, double> reaches_;                           ///< by row, then column
+    std::map<std::pair<int, int>, decltype(SearchPixel::triangles)> nearby_;  ///< the same
     std::vector<std::uint32_t> triangles_;
     Scene scene_;
 };
-
-std::uint64_t admissible_among(std::span<const QueryResult> adjudicated) {
-    return std::uint64_t(std::ranges::count_if(
-        adjudicated, [](const QueryResult& a) { return is_admissible(a.decision.admissibility); }));
-}
 
 /// Rules of drawing speak of the scene's ids.
 RuleOverride in_local_scene(const RuleOverride& amend, const LocalScene& local_scene) {
@@ -146,69 +191,106 @@ RuleOverride in_local_scene(const RuleOverride& amend, const LocalScene& local_s
     };
 }
 
-/// Squares that grow beyond the local scene's reach are judged in the whole scene.
-std::uint64_t count_admissible(const DiagnosisInput& input, const LocalScene& local_scene,
-                               const RestatedClaims& restated) {
-    const Hypothesis& supposed = restated.hypothesis();
-    std::vector<PixelQuery> queries, larger;
-    std::vector<const Claim*> asked;
-    for (const Claim& claim : restated.claims()) {
-        const std::optional<PrimitiveId> id = local_scene.id_of(claim.answer.primitive);
-        if (!id) continue;
-        queries.push_back({&restated.bounds(), *id, claim.x, claim.y});
-        asked.push_back(&claim);
+/// One hypothesis's claims, decided in the local scene; squares that grow beyond its reach, in the whole one.
+class ClaimsInScene {
+  public:
+    ClaimsInScene(const DiagnosisInput& input, const LocalScene& local_scene, const RestatedClaims& restated)
+        : local_scene_(local_scene),
+          restated_(restated),
+          in_local_scene_(local_scene.scene(), restated.hypothesis().view, {&restated.bounds()},
+                          QueryDetail::admissibility,
+                          in_local_scene(restated.hypothesis().amend, local_scene)),
+          in_scene_(input.scene, restated.hypothesis().view, {&restated.bounds()}, QueryDetail::admissibility,
+                    restated.hypothesis().amend) {}
+
+    std::vector<ClaimCheck> check(CheckDetail detail) const {
+        std::vector<Answered> own;
+        for (std::size_t i = 0; i < restated_.claims().size(); ++i)
+            own.push_back({i, restated_.claims()[i].answer.primitive});
+        std::vector<ClaimCheck> checks(restated_.count());
+        std::vector<std::size_t> admissible;
+        for (const Answered& answered : admissible_among(own, Beyond::is_decided)) {
+            checks[restated_.asked(answered.claim)].is_admissible = true;
+            admissible.push_back(answered.claim);
+        }
+        if (detail == CheckDetail::open_bits) tell_open_bits(admissible, checks);
+        return checks;
     }
-    std::vector<QueryResult> adjudicated =
-        Adjudicator(local_scene.scene(), supposed.view, {&restated.bounds()}, QueryDetail::admissibility,
-                    in_local_scene(supposed.amend, local_scene))
-            .decide(queries);
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-        if (adjudicated[i].decision.eps_px <= local_scene.reach_px(*asked[i])) continue;
-        adjudicated[i].decision.admissibility = Admissibility::outside;
-        larger.push_back({&restated.bounds(), asked[i]->answer.primitive, asked[i]->x, asked[i]->y});
+
+  private:
+    /// An answer at the place of a claim.
+    struct Answered {
+        std::size_t claim = 0;
+        PrimitiveId primitive = PrimitiveId::none;
+    };
+
+    /// Answers whose squares grow beyond the local scene's reach.
+    enum class Beyond { is_decided, is_left };
+
+    std::vector<Answered> admissible_among(const std::vector<Answered>& all, Beyond beyond) const {
+        std::vector<PixelQuery> queries, larger;
+        std::vector<const Answered*> asked, asked_again;
+        std::vector<Answered> admissible;
+        for (const Answered& answered : all) {
+            const Claim& claim = restated_.claims()[answered.claim];
+            const std::optional<PrimitiveId> id = local_scene_.id_of(answered.primitive);
+            if (!id) continue;
+            queries.push_back({&restated_.bounds(), *id, claim.x, claim.y});
+            asked.push_back(&answered);
+        }
+        const std::vector<QueryResult> decided = in_local_scene_.decide(queries);
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            const Claim& claim = restated_.claims()[asked[i]->claim];
+            if (decided[i].decision.eps_px > local_scene_.reach_px(claim)) {
+                if (beyond == Beyond::is_left) continue;
+                larger.push_back({&restated_.bounds(), asked[i]->primitive, claim.x, claim.y});
+                asked_again.push_back(asked[i]);
+            } else if (is_admissible(decided[i].decision.admissibility)) {
+                admissible.push_back(*asked[i]);
+            }
+        }
+        const std::vector<QueryResult> decided_again = in_scene_.decide(larger);
+        for (std::size_t i = 0; i < asked_again.size(); ++i)
+            if (is_admissible(decided_again[i].decision.admissibility)) admissible.push_back(*asked_again[i]);
+        return admissible;
     }
-    return admissible_among(adjudicated) +
-           admissible_among(Adjudicator(input.scene, supposed.view, {&restated.bounds()},
-                                        QueryDetail::admissibility, supposed.amend)
-                                .decide(larger));
-}
+
+    /// Counts the other answers that are admissible at the claims' pixels: the triangles nearby, and
+    /// background.
+    void tell_open_bits(const std::vector<std::size_t>& claims, std::vector<ClaimCheck>& checks) const {
+        std::vector<Answered> others;
+        std::vector<double> answers(restated_.claims().size(), 1);
+        for (const std::size_t i : claims) {
+            const PrimitiveId own = restated_.claims()[i].answer.primitive;
+            if (own != PrimitiveId::none) others.push_back({i, PrimitiveId::none});
+            const auto& nearby = local_scene_.nearby(restated_.claims()[i]);
+            for (const std::uint32_t triangle : std::span(nearby).first(std::min(nearby.size(), most_others)))
+                if (PrimitiveId(triangle) != own) others.push_back({i, PrimitiveId(triangle)});
+        }
+        for (const Answered& answered : admissible_among(others, Beyond::is_left)) ++answers[answered.claim];
+        for (const std::size_t i : claims)
+            checks[restated_.asked(i)].open_bits =
+                std::log2(answers[i]) + restated_.depth_bits(restated_.claims()[i]);
+    }
+
+    const LocalScene& local_scene_;
+    const RestatedClaims& restated_;
+    Adjudicator in_local_scene_, in_scene_;
+};
 
 }  // namespace
 
-std::vector<std::uint64_t> count_admissible(const DiagnosisInput& input,
-                                            std::span<const HypothesisQuery> hypothesis_queries) {
+std::vector<std::vector<ClaimCheck>> check_claims(const DiagnosisInput& input,
+                                                  std::span<const HypothesisQuery> queries,
+                                                  CheckDetail detail) {
     std::vector<RestatedClaims> all_restated;
-    all_restated.reserve(hypothesis_queries.size());
-    for (const HypothesisQuery& query : hypothesis_queries) all_restated.emplace_back(input, query);
+    all_restated.reserve(queries.size());
+    for (const HypothesisQuery& query : queries) all_restated.emplace_back(input, query);
     const LocalScene local_scene(input, all_restated);
-    std::vector<std::uint64_t> counts;
+    std::vector<std::vector<ClaimCheck>> checks;
     for (const RestatedClaims& restated : all_restated)
-        counts.push_back(count_admissible(input, local_scene, restated));
-    return counts;
-}
-
-double mean_widening(const DiagnosisInput& input, const HypothesisQuery& query) {
-    const Hypothesis& supposed = *query.hypothesis;
-    const ViewBounds declared(input.view, shown_precision(input.candidate.precision)),
-        supposed_bounds(supposed.view, shown_precision(supposed.precision));
-    double sum = 0, count = 0;
-    for (const Claim& claim : query.claims) {
-        if (std::size_t(claim.answer.primitive) >= input.scene.triangles.size()) continue;
-        const CornersWorld p_world = corners_of(input.scene, std::uint32_t(claim.answer.primitive));
-        const auto bound_in = [&](const View& view, const ViewBounds& bounds) {
-            return TriangleDepth(TriangleInView(view, bounds, p_world), bounds).at(claim.x, claim.y);
-        };
-        const DepthBound declared_bound = bound_in(input.view, declared),
-                         bound = bound_in(supposed.view, supposed_bounds);
-        const ReportedDepth reported =
-            supposed.report ? supposed.report(bound, claim) : ReportedDepth{bound.low, bound.high};
-        const double wider =
-            std::log((reported.high - reported.low) / (declared_bound.high - declared_bound.low));
-        if (!std::isfinite(wider)) continue;
-        sum += wider;
-        ++count;
-    }
-    return count > 0 ? sum / count : 0;
+        checks.push_back(ClaimsInScene(input, local_scene, restated).check(detail));
+    return checks;
 }
 
 }  // namespace zproof

@@ -1,8 +1,8 @@
 /// Pixels adjudicated again, by another rule: claims as a hypothesis reads them.
 #pragma once
 
-#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "compare/diagnosis/hypothesis.h"
 
@@ -14,12 +14,23 @@ struct HypothesisQuery {
     std::span<const Claim> claims;
 };
 
-/// Counts, for each question, the claims that are admissible if its hypothesis holds. Questions of one call
-/// share one pass over the scene. Runs on all threads; the counts do not depend on their number.
-std::vector<std::uint64_t> count_admissible(const DiagnosisInput& input,
-                                            std::span<const HypothesisQuery> hypothesis_queries);
+/// What a hypothesis says of a claim.
+struct ClaimCheck {
+    bool is_admissible = false;
+    /// How much it leaves open there: log2 of the number of answers that it admits, ids times depths. 0 where
+    /// that was not asked, or the claim is not admissible.
+    double open_bits = 0;
+};
 
-/// How much wider the hypothesis makes the bounds of the depths claimed: the mean logarithm.
-double mean_widening(const DiagnosisInput& input, const HypothesisQuery& query);
+enum class CheckDetail {
+    admissibility,
+    open_bits,  ///< takes several times as long
+};
+
+/// Checks every claim of each query, in order. Queries of one call share one pass over the scene. Runs on all
+/// threads; the result does not depend on their number.
+std::vector<std::vector<ClaimCheck>> check_claims(const DiagnosisInput& input,
+                                                  std::span<const HypothesisQuery> queries,
+                                                  CheckDetail detail);
 
 }  // namespace zproof

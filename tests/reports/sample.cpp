@@ -69,8 +69,10 @@ ViewResult room() {
     v.worst[1].finding.eps_px = std::nextafter(0.1, 1.0);
     v.diagnosis =
         Diagnosis{.defects = 2,
-                  .cause = Explanation{"a row is <lost>", "Whole rows are & stay background.", 2, 2, 0, 90},
-                  .runners_up = {{"only 4 sub-pixel bits", "Declared: 8.", 1, 2, 3, 1000}}};
+                  .cause = Explanation{"a row is <lost>", "Whole rows are & stay background.", 2, 2, 0, 90,
+                                       "Look at <rows>.", 0.875},
+                  .further = {{"a <tile> is lost", "Whole tiles are background.", 1, 1, 0, 9, "", 1}},
+                  .runners_up = {{"only 4 sub-pixel bits", "Declared: 8.", 1, 2, 3, 1000, "", 0.5}}};
     v.notes = {"3 lines were skipped."};
     v.oracles = {OracleResult{.name = "povray", .absent = "", .worst = {v.worst[0]}},
                  OracleResult{.name = "opengl", .absent = "no <device>"}};

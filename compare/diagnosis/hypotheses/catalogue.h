@@ -12,14 +12,26 @@ namespace zproof {
 std::vector<Hypothesis> hypotheses_of_signs(const DiagnosisInput& input);
 /// The image is flipped, turned or shifted.
 std::vector<Hypothesis> hypotheses_of_place(const DiagnosisInput& input);
+/// The grid of pixels is stretched, coarse or sampled beside the centres.
+std::vector<Hypothesis> hypotheses_of_grid(const DiagnosisInput& input);
 /// Depth is told in other units.
 std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input);
+/// Depth is that of another place, averaged, or of another scale that is fitted.
+std::vector<Hypothesis> hypotheses_of_depth_elsewhere(const DiagnosisInput& input);
 /// Ids name other triangles.
 std::vector<Hypothesis> hypotheses_of_ids(const DiagnosisInput& input);
+/// Ids name more than one triangle each.
+std::vector<Hypothesis> hypotheses_of_shared_ids(const DiagnosisInput& input);
+/// Triangles across planes or sides, and small ones, are left out.
+std::vector<Hypothesis> hypotheses_of_dropped_triangles(const DiagnosisInput& input);
 /// Another depth test, fill rule, culling or clipping.
 std::vector<Hypothesis> hypotheses_of_drawing(const DiagnosisInput& input);
+/// Coverage asks for more or less than the pixel's centre.
+std::vector<Hypothesis> hypotheses_of_coverage(const DiagnosisInput& input);
 /// Part of the frame is missing or comes from elsewhere.
 std::vector<Hypothesis> hypotheses_of_parts(const DiagnosisInput& input);
+/// Another window, camera or scene is drawn.
+std::vector<Hypothesis> hypotheses_of_window(const DiagnosisInput& input);
 /// Less precision than was declared, the least loss first.
 std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input);
 

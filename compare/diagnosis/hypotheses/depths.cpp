@@ -61,6 +61,33 @@ Hypothesis ndc(const DiagnosisInput& input, double at_near, double at_far, const
     return reported_as(input, name, description, Reciprocal{at_far - b / c.far_depth, b});
 }
 
+/// z in [0, 1] that one projection wrote and the other reads. It is rounded as a number of size 1.
+Hypothesis parallel_as_perspective(const DiagnosisInput& input) {
+    const double near = input.view.camera.near_depth, far = input.view.camera.far_depth;
+    return reported_as(input, "of a parallel view, read as a perspective's",
+                       "z of the depth buffer is linear in depth, and turned back as if it were not.",
+                       [=](const DepthBound& bound, const Claim&) {
+                           const auto read = [&](double depth, double rounding) {
+                               const double z = (depth - near) / (far - near) + rounding;
+                               return near * far / (far - z * (far - near));
+                           };
+                           const double low = read(bound.low, -conversion),
+                                        high = read(bound.high, conversion);
+                           return ReportedDepth{
+                               low - conversion * std::abs(low),
+                               high > 0 ? high * (1 + conversion) : std::numeric_limits<double>::infinity()};
+                       });
+}
+
+/// The same the other way round.
+Hypothesis perspective_as_parallel(const DiagnosisInput& input) {
+    const Camera& c = input.view.camera;
+    const double per_inverse = (c.far_depth - c.near_depth) / (1 / c.near_depth - 1 / c.far_depth);
+    return reported_as(input, "of a perspective, read as a parallel view's",
+                       "z of the depth buffer is linear in 1/depth, and turned back as if in depth.",
+                       Reciprocal{c.near_depth + per_inverse / c.near_depth, -per_inverse});
+}
+
 /// Length of the view ray per unit of depth, at the pixel's centre.
 double ray_length_per_depth(const View& view, int x, int y) {
     const Vector3<double> d = ViewRay<double>(view, x, y).direction;
@@ -73,6 +100,26 @@ Hypothesis ray_length(const DiagnosisInput& input) {
     };
     return reported_as(input, "the ray's length",
                        "Depth is the distance from the eye along the ray, not along the view axis.", report);
+}
+
+/// The same from where the ray meets the near plane.
+Hypothesis ray_length_from_near(const DiagnosisInput& input) {
+    const auto report = [view = input.view](const DepthBound& bound, const Claim& claim) {
+        const double length = ray_length_per_depth(view, claim.x, claim.y);
+        return Linear{-length * view.camera.near_depth, length}(bound, claim);
+    };
+    return reported_as(input, "the ray's length from the near plane",
+                       "Depth is the distance along the ray from where it passes the near plane.", report);
+}
+
+/// The same less near.
+Hypothesis ray_length_less_near(const DiagnosisInput& input) {
+    const auto report = [view = input.view](const DepthBound& bound, const Claim& claim) {
+        return Linear{-view.camera.near_depth, ray_length_per_depth(view, claim.x, claim.y)}(bound, claim);
+    };
+    return reported_as(input, "the ray's length less near",
+                       "Depth is the distance from the eye along the ray, less the near plane's depth.",
+                       report);
 }
 
 std::string factor_text(double factor) {
@@ -120,10 +167,14 @@ Hypothesis affine(const DiagnosisInput& input) {
 
 std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input) {
     const Camera& c = input.view.camera;
-    std::vector<Hypothesis> all{ray_length(input), ndc(input, -1, 1, "-1 to 1"), ndc(input, 0, 1, "0 to 1"),
-                                ndc(input, 1, 0, "1 to 0, reversed"),
-                                reported_as(input, "counted from the near plane", "Depth is depth - near.",
-                                            Linear{-c.near_depth, 1})};
+    std::vector<Hypothesis> all{
+        ray_length(input),
+        ndc(input, -1, 1, "-1 to 1"),
+        ndc(input, 0, 1, "0 to 1"),
+        ndc(input, 1, 0, "1 to 0, reversed"),
+        reported_as(input, "counted from the near plane", "Depth is depth - near.", Linear{-c.near_depth, 1}),
+        ray_length_from_near(input),
+        ray_length_less_near(input)};
     for (const double unit : {1000.0, 100.0, 10.0})
         for (const double factor : {unit, 1 / unit})
             all.push_back(reported_as(input, "in other units",
@@ -133,7 +184,10 @@ std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input) {
          std::vector{apart_from_ids(input, 1, 0, "right"), apart_from_ids(input, -1, 0, "left"),
                      apart_from_ids(input, 0, 1, "below"), apart_from_ids(input, 0, -1, "above")})
         all.push_back(std::move(h));
-    if (c.projection == Projection::parallel) return all;
+    if (c.projection == Projection::parallel) {
+        if (c.near_depth > 0) all.push_back(parallel_as_perspective(input));
+        return all;
+    }
     all.push_back(reported_as(input, "1/depth", "Depth is what is linear over the image, its reciprocal.",
                               Reciprocal{0, 1}));
     if (std::isfinite(c.far_depth)) {
@@ -142,6 +196,7 @@ std::vector<Hypothesis> hypotheses_of_depth(const DiagnosisInput& input) {
                                   "Depth is (depth - near) / (far - near).",
                                   Linear{-c.near_depth * per_depth, per_depth}));
     }
+    if (std::isfinite(c.far_depth)) all.push_back(perspective_as_parallel(input));
     all.push_back(affine(input));
     return all;
 }

@@ -141,14 +141,15 @@ std::unordered_set<std::uint32_t> never_drawn(const DiagnosisInput& input) {
 }
 
 Hypothesis lost_triangles(const DiagnosisInput& input) {
+    const std::unordered_set<std::uint32_t> missing = never_drawn(input);
     Hypothesis h =
         with_rule(input, "some triangles are not drawn",
                   "Triangles that the reference sees, and this renderer nowhere, are taken for absent.",
-                  [missing = never_drawn(input)](Neighbourhood& around, PrimitiveId) {
+                  [missing](Neighbourhood& around, PrimitiveId) {
                       std::erase_if(around.neighbours,
                                     [&](const Neighbour& n) { return missing.contains(n.triangle); });
                   });
-    h.kind = Kind::fitted;
+    h.learned_bits = double(missing.size()) * bits_of_an_id(input.scene);
     return h;
 }
 

@@ -1,17 +1,15 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <unordered_map>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/renamed_ids.h"
 
 namespace zproof {
 
 namespace {
 
 constexpr std::uint32_t nobody = std::uint32_t(PrimitiveId::none);
-
-using Renamed = std::function<std::uint32_t(std::uint32_t id)>;
 
 Hypothesis with_ids(const DiagnosisInput& input, const std::string& name, const std::string& description,
                     const Renamed& meant) {
@@ -24,33 +22,6 @@ Hypothesis with_ids(const DiagnosisInput& input, const std::string& name, const 
         return claim;
     };
     return h;
-}
-
-/// Where an id no longer tells which triangle it was, one is sought among those that the reference sees at
-/// the pixel and around it. Whether that one is admissible is for the judge to say.
-Hypothesis with_ids_reported_as(const DiagnosisInput& input, const std::string& name,
-                                const std::string& description, const Renamed& told) {
-    Hypothesis h = as_declared(input, name, description);
-    h.restate = [told, &seen = input.reference.frame.primitive](Claim claim) -> std::optional<Claim> {
-        if (claim.answer.primitive == PrimitiveId::none) return claim;
-        for (const int dy : {0, -1, 1})
-            for (const int dx : {0, -1, 1}) {
-                const int x = claim.x + dx, y = claim.y + dy;
-                if (x < 0 || y < 0 || x >= seen.size().width || y >= seen.size().height) continue;
-                const std::uint32_t id = std::uint32_t(seen.at(x, y));
-                if (id == nobody || told(id) != std::uint32_t(claim.answer.primitive)) continue;
-                claim.answer.primitive = PrimitiveId(id);
-                return claim;
-            }
-        return std::nullopt;
-    };
-    return h;
-}
-
-/// The part that holds a triangle, as an index; parts stand in triangle order.
-std::size_t part_of(const Scene& scene, std::uint32_t triangle) {
-    const auto after = std::ranges::upper_bound(scene.parts, triangle, {}, &Part::first_triangle);
-    return std::size_t(after - scene.parts.begin()) - 1;
 }
 
 /// The triangle that stands `step` parts further, at the same place in its part.
@@ -129,29 +100,24 @@ Hypothesis apart_from_depths(const DiagnosisInput& input, int dx, int dy, const 
     return h;
 }
 
-using Ids = std::unordered_map<std::uint32_t, std::uint32_t>;
-
-/// The other id that most pixels have together with each id; the least of equals.
-Ids most_often_with(std::span<const PrimitiveId> ids, std::span<const PrimitiveId> others) {
-    std::unordered_map<std::uint64_t, std::uint32_t> together;
-    for (std::size_t i = 0; i < ids.size(); ++i)
-        if (ids[i] != PrimitiveId::none && others[i] != PrimitiveId::none)
-            ++together[std::uint64_t(ids[i]) << 32 | std::uint64_t(others[i])];
-    Ids most, times;
-    for (const auto& [pair, count] : together) {
-        const auto id = std::uint32_t(pair >> 32), other = std::uint32_t(pair);
-        if (count < times[id] || (count == times[id] && other > most[id])) continue;
-        times[id] = count;
-        most[id] = other;
-    }
-    return most;
+/// One more than the index, and 0 where nothing is seen.
+Hypothesis from_one(const DiagnosisInput& input) {
+    Hypothesis h = as_declared(input, "ids count from 1, and 0 is background",
+                               "An id is the triangle's index plus 1, or 0 where nothing is seen.");
+    h.restate = [](Claim claim) -> std::optional<Claim> {
+        const std::uint32_t id = std::uint32_t(claim.answer.primitive);
+        if (id == nobody) return std::nullopt;
+        claim.answer.primitive = id == 0 ? PrimitiveId::none : PrimitiveId(id - 1);
+        return claim;
+    };
+    return h;
 }
 
 Hypothesis exchanged(const DiagnosisInput& input) {
     const auto ours = input.candidate.frame.primitive.pixels(),
                theirs = input.reference.frame.primitive.pixels();
-    const auto meant = [there = most_often_with(ours, theirs),
-                        back = most_often_with(theirs, ours)](std::uint32_t id) {
+    const Ids there = most_often_with(ours, theirs), back = most_often_with(theirs, ours);
+    const auto meant = [there, back](std::uint32_t id) {
         const auto triangle = there.find(id);
         if (triangle == there.end()) return id;
         return back.at(triangle->second) == id ? triangle->second : id;
@@ -159,7 +125,9 @@ Hypothesis exchanged(const DiagnosisInput& input) {
     Hypothesis h = with_ids(
         input, "ids are exchanged",
         "An id stands for one other triangle, and that for no other id, wherever they occur.", meant);
-    h.kind = Kind::fitted;
+    const auto changed =
+        std::ranges::count_if(there, [&](const auto& pair) { return meant(pair.first) != pair.first; });
+    h.learned_bits = 2 * double(changed) * bits_of_an_id(input.scene);
     return h;
 }
 
@@ -170,6 +138,7 @@ std::vector<Hypothesis> hypotheses_of_ids(const DiagnosisInput& input) {
     std::vector<Hypothesis> all{
         with_ids(input, "ids are too large by one", "An id is the triangle's index plus 1.",
                  [](std::uint32_t id) { return id - 1; }),
+        from_one(input),
         with_ids_reported_as(input, "ids are too small by one",
                              "An id is the triangle's index minus 1, 0 for 0.",
                              [](std::uint32_t id) { return id == 0 ? 0 : id - 1; }),

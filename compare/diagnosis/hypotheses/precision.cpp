@@ -12,17 +12,9 @@ std::string bits_text(int bits) {
     return std::to_string(bits) + (bits == 1 ? " sub-pixel bit" : " sub-pixel bits");
 }
 
-/// Pixels that agree stay admissible under wider bounds: none need be asked.
-Hypothesis widening(const DiagnosisInput& input, const std::string& name, const std::string& description) {
-    Hypothesis h = as_declared(input, name, description);
-    h.kind = Kind::widening_only;
-    h.cell = {1, 1};
-    return h;
-}
-
 Hypothesis as_precise_as(const DiagnosisInput& input, const std::string& name, const std::string& description,
                          const RasterPrecision& precision) {
-    Hypothesis h = widening(input, name, description);
+    Hypothesis h = as_declared(input, name, description);
     h.precision = precision;
     return h;
 }
@@ -33,7 +25,6 @@ Hypothesis truncating(const DiagnosisInput& input, const RasterPrecision& declar
     Hypothesis h = as_declared(input, "vertices are snapped " + how,
                                "Vertices go to the next grid point " + how + " instead of the nearest.");
     const double half_step = std::ldexp(0.5, -declared.subpixel_bits);
-    h.kind = Kind::widening_only;
     h.moves_triangles = true;
     h.view = shifted_view(input.view, glm::dvec2(direction * half_step));
     return h;
@@ -121,35 +112,94 @@ struct FixedPoint {
     }
 };
 
+/// Hypotheses about so few bits that the depths that a buffer can tell lie apart: any other is no such
+/// buffer's.
+constexpr int few_bits = 16;
+
+/// A level is a number of whole steps. `steps_of(depth)` counts them, and `error_of(depth)` is what float32's
+/// roundings of the depth may change of that.
+template <class StepsOf, class ErrorOf>
+void tells_levels_only(Hypothesis& h, StepsOf steps_of, ErrorOf error_of) {
+    h.tellable = [=](const ReportedDepth& range) {
+        return std::max(1.0, std::round(std::abs(steps_of(range.high) - steps_of(range.low))));
+    };
+    h.restate = [=](const Claim& claim) -> std::optional<Claim> {
+        if (claim.answer.primitive == PrimitiveId::none) return claim;
+        const double depth = double(claim.answer.camera_depth), steps = steps_of(depth);
+        if (!(std::abs(steps - std::round(steps)) <= error_of(depth))) return std::nullopt;
+        return claim;
+    };
+}
+
+void tells_equal_steps_only(Hypothesis& h, const DiagnosisInput& input, double step) {
+    const double near = input.view.camera.near_depth;
+    tells_levels_only(
+        h, [=](double depth) { return (depth - near) / step; },
+        [=](double depth) {
+            return gamma(4, unit_roundoff_float32) * (std::abs(near) + std::abs(depth)) / step;
+        });
+}
+
 Hypothesis stored_in(const DiagnosisInput& input, int bits) {
     const FixedPoint format(input.view, bits);
     Hypothesis h =
-        widening(input, "depth has " + std::to_string(bits) + " bits, fixed point",
-                 "Depth went through a buffer of " + std::to_string(bits) + " bits between near and far.");
+        as_declared(input, "depth has " + std::to_string(bits) + " bits, fixed point",
+                    "Depth went through a buffer of " + std::to_string(bits) + " bits between near and far.");
     h.report = format;
     h.amend = [step = format.step](Neighbourhood& around, PrimitiveId) {
         for (Neighbour& n : around.neighbours)
             n.least_inverse_depth -= step, n.greatest_inverse_depth += step;
     };
+    const Camera& c = input.view.camera;
+    if (bits > few_bits) return h;
+    if (c.projection == Projection::parallel) {
+        tells_equal_steps_only(h, input, format.step);
+        return h;
+    }
+    const double step = format.step, at_near = 1 / c.near_depth;
+    tells_levels_only(
+        h, [=](double depth) { return (at_near - 1 / depth) / step; },
+        [=](double depth) { return gamma(4, unit_roundoff_float32) * (at_near + 1 / depth) / step; });
     return h;
 }
 
-/// Depth as a float of fewer significant bits, rounded either way.
+/// Depth itself in whole steps between near and far, as a grey value has it.
+Hypothesis stored_linearly(const DiagnosisInput& input, int bits) {
+    const Camera& c = input.view.camera;
+    Hypothesis h = as_declared(
+        input, "depth has " + std::to_string(bits) + " bits, in equal steps",
+        "Depth was stored in equal steps between near and far, " + std::to_string(bits) + " bits of them.");
+    const double step = (c.far_depth - c.near_depth) / (std::ldexp(1.0, bits) - 1);
+    h.report = [step](const DepthBound& bound, const Claim&) {
+        const double r = gamma(4, unit_roundoff_float32);
+        return ReportedDepth{bound.low - step - r * std::abs(bound.low),
+                             bound.high + step + r * std::abs(bound.high)};
+    };
+    tells_equal_steps_only(h, input, step);
+    return h;
+}
+
+/// Depth as a float of fewer significant bits, rounded either way. It tells no depth of more bits.
 Hypothesis stored_as_float(const DiagnosisInput& input, int bits) {
-    Hypothesis h = widening(input, "depth is a float of " + std::to_string(bits) + " bits",
-                            "Depth was rounded to " + std::to_string(bits) + " significant bits.");
+    Hypothesis h = as_declared(input, "depth is a float of " + std::to_string(bits) + " bits",
+                               "Depth was rounded to " + std::to_string(bits) + " significant bits.");
     const double r = std::ldexp(1.0, 1 - bits);
     h.report = [r](const DepthBound& bound, const Claim&) {
         return ReportedDepth{bound.low - r * std::abs(bound.low), bound.high + r * std::abs(bound.high)};
     };
+    tells_levels_only(
+        h, [bits](double depth) { return depth == 0 ? 0 : std::ldexp(depth, bits - 1 - std::ilogb(depth)); },
+        [](double) { return 0.0; });
     return h;
 }
 
 }  // namespace
 
 std::vector<Hypothesis> hypotheses_of_precision(const DiagnosisInput& input) {
-    std::vector<Hypothesis> all{stored_in(input, 32), stored_in(input, 24), stored_in(input, 16),
-                                stored_as_float(input, 16), stored_as_float(input, 11)};
+    std::vector<Hypothesis> all{stored_in(input, 32), stored_in(input, 24),       stored_in(input, 16),
+                                stored_in(input, 8),  stored_as_float(input, 16), stored_as_float(input, 11)};
+    if (std::isfinite(input.view.camera.far_depth))
+        for (const int bits : {16, 8}) all.push_back(stored_linearly(input, bits));
     const auto* declared = std::get_if<RasterPrecision>(&input.candidate.precision);
     if (!declared) return all;
     if (declared->snap == Snap::nearest) {

@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <cmath>
+
+#include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/other_world.h"
+#include "compare/diagnosis/hypotheses/plane_depth.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr double half_pixel = 0.5;
+
+double slope_sum(const Affine<double>& e) { return std::abs(e.a) + std::abs(e.b); }
+
+/// Does the triangle hold all of the square of that half-side around the centre?
+bool holds_square(const Neighbour& n, double half_side) {
+    return n.image && std::ranges::all_of(n.image->edge, [&](const Affine<double>& e) {
+               return e.c - half_side * slope_sum(e) >= 0;
+           });
+}
+
+Hypothesis under(const DiagnosisInput& input) {
+    Hypothesis h = as_declared(input, "triangles show only where they cover a pixel whole",
+                               "Coverage asks for all of the pixel's square instead of its centre.");
+    h.amend = [](Neighbourhood& around, PrimitiveId) {
+        std::erase_if(around.neighbours, [&](Neighbour& n) {
+            n.may_be_missing |= !holds_square(n, half_pixel + around.eps_px);
+            return !holds_square(n, half_pixel - around.eps_px);
+        });
+    };
+    return h;
+}
+
+/// The least box around the triangle's image, px from the pixel's centre: the image's corners, where two
+/// edges meet. Unlimited where one is not before the eye.
+Box box_of(const Neighbour& n) {
+    Box box;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Affine<double>&f = n.image->edge[i], &g = n.image->edge[(i + 1) % 3];
+        const double divisor = f.a * g.b - f.b * g.a;
+        const double x = (f.b * g.c - f.c * g.b) / divisor, y = (f.c * g.a - f.a * g.c) / divisor;
+        const Affine<double>& inverse_depth = n.image->inverse_depth;
+        const bool is_before_eye =
+            divisor != 0 && (inverse_depth.c + inverse_depth.a * x + inverse_depth.b * y > 0);
+        if (!is_before_eye) return Box::unlimited();
+        box.add(x, y);
+    }
+    return box;
+}
+
+/// Does the triangle meet the square of that half-side around the centre?
+bool meets_square(const Neighbour& n, Projection projection, double half_side) {
+    if (!n.image) return false;
+    const bool passes = std::ranges::all_of(
+        n.image->edge, [&](const Affine<double>& e) { return e.c + half_side * slope_sum(e) >= 0; });
+    if (!passes || projection == Projection::parallel) return passes;
+    return box_of(n).meets({-half_side, -half_side, half_side, half_side});
+}
+
+/// Is the claim what a renderer says that draws a triangle wherever it touches the pixel's square, at the
+/// depth that its plane has at the centre?
+bool touches(OtherWorld& world, const View& view, const Claim& claim) {
+    const Neighbourhood around = world.around(claim, 1);
+    const Projection projection = view.camera.projection;
+    const double certain = half_pixel - around.eps_px, possible = half_pixel + around.eps_px;
+    const auto depth_of = [&](const Neighbour& n) { return plane_depth(n, projection, {0, 0}); };
+    const auto lies_within = [&](const Neighbour& n) {
+        const ReportedDepth depth = depth_of(n);
+        return depth.low > view.camera.near_depth && depth.high < view.camera.far_depth;
+    };
+    const double depth = double(claim.answer.camera_depth);
+    const bool is_hidden = std::ranges::any_of(around.neighbours, [&](const Neighbour& n) {
+        return PrimitiveId(n.triangle) != claim.answer.primitive && lies_within(n) && !n.may_be_missing &&
+               meets_square(n, projection, certain) && depth_of(n).high < depth;
+    });
+    if (is_hidden) return false;
+    if (claim.answer.primitive == PrimitiveId::none) return claim.answer.camera_depth == background_depth;
+    const auto place = around.index_of(claim.answer.primitive);
+    if (!place || !meets_square(around.neighbours[*place], projection, possible)) return false;
+    const ReportedDepth own = depth_of(around.neighbours[*place]);
+    return own.low <= depth && depth <= own.high;
+}
+
+Hypothesis over(const DiagnosisInput& input) {
+    const auto world =
+        std::make_shared<OtherWorld>(declared_scene(input), input.view, input.candidate.precision);
+    return decided_by(
+        input, "triangles show wherever they touch a pixel",
+        "Coverage asks for any part of the pixel's square instead of its centre.",
+        [world, view = input.view](const Claim& claim) { return touches(*world, view, claim); });
+}
+
+}  // namespace
+
+std::vector<Hypothesis> hypotheses_of_coverage(const DiagnosisInput& input) {
+    return {over(input), under(input)};
+}
+
+}  // namespace zproof

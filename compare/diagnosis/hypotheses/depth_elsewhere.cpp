@@ -1,0 +1,256 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compare/bounds/triangle_depth.h"
+#include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/number_text.h"
+#include "compare/diagnosis/hypotheses/plane_depth.h"
+#include "math/rounding.h"
+
+namespace zproof {
+
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+/// float32 roundings of a told_rounding: a quotient, a product, a sum, and the store.
+const double told_rounding = gamma(4, unit_roundoff_float32);
+
+/// The bounds of the depths that the candidate's ids may have at their pixels.
+class OwnDepths {
+  public:
+    explicit OwnDepths(const DiagnosisInput& input)
+        : scene_(input.scene),
+          view_(input.view),
+          frame_(input.candidate.frame),
+          bounds_(input.view, shown_precision(input.candidate.precision)) {}
+
+    /// Nothing where the id is none or no triangle's.
+    std::optional<DepthBound> at(int x, int y) const {
+        const PrimitiveId id = frame_.primitive.at(x, y);
+        if (std::size_t(id) >= scene_.triangles.size()) return std::nullopt;
+        const CornersWorld p_world = corners_of(scene_, std::uint32_t(id));
+        return TriangleDepth(TriangleInView(view_, bounds_, p_world), bounds_).at(x, y);
+    }
+    const Frame& frame() const { return frame_; }
+
+  private:
+    const Scene& scene_;
+    View view_;
+    const Frame& frame_;
+    ViewBounds bounds_;
+};
+
+/// The mean over the pixel and its neighbours; background is left out.
+Hypothesis averaged(const DiagnosisInput& input) {
+    Hypothesis h = as_declared(input, "depth is averaged over 3 x 3 pixels",
+                               "Depth is the mean over the pixel and its neighbours, background left out.");
+    h.report = [own = OwnDepths(input)](const DepthBound&, const Claim& claim) {
+        double low = 0, high = 0, count = 0;
+        for (int y = claim.y - 1; y <= claim.y + 1; ++y)
+            for (int x = claim.x - 1; x <= claim.x + 1; ++x) {
+                if (!holds(own.frame().size(), {x, y, {}})) continue;
+                const std::optional<DepthBound> bound = own.at(x, y);
+                if (!bound) continue;
+                low += bound->low;
+                high += bound->high;
+                ++count;
+            }
+        // nine sums, a quotient and the store
+        const double rounding = gamma(11, unit_roundoff_float32) * std::max(std::abs(low), std::abs(high));
+        return ReportedDepth{(low - rounding) / count, (high + rounding) / count};
+    };
+    return h;
+}
+
+/// Of 2 x 2 pixels all have the depth of the first, whichever triangle they show.
+Hypothesis first_of_quad(const DiagnosisInput& input) {
+    Hypothesis h = as_declared(input, "depth is that of the first of 2 x 2 pixels",
+                               "A block of 2 x 2 pixels has its own ids, and the first pixel's depth.");
+    h.report = [own = OwnDepths(input)](const DepthBound&, const Claim& claim) {
+        const std::optional<DepthBound> first = own.at(claim.x & ~1, claim.y & ~1);
+        return first ? ReportedDepth{first->low, first->high} : ReportedDepth{no_limit, no_limit};
+    };
+    return h;
+}
+
+std::string half_steps_text(const glm::dvec2& offset_px) {
+    const auto text = [](double px) { return px == 0 ? "0" : px > 0 ? "+1/2" : "-1/2"; };
+    return std::string("(") + text(offset_px.x) + ", " + text(offset_px.y) + ") px";
+}
+
+/// The id is the centre's, the depth that of the same triangle's plane beside it.
+Hypothesis beside_centre(const DiagnosisInput& input, const glm::dvec2& offset_px) {
+    Hypothesis h = as_declared(
+        input, "depth is taken " + half_steps_text(offset_px) + " beside the centre",
+        "The id belongs to the pixel's centre, the depth to another place of the triangle's plane.");
+    h.report = [offset_px, &scene = input.scene, view = input.view,
+                bounds = ViewBounds(input.view, shown_precision(input.candidate.precision))](
+                   const DepthBound&, const Claim& claim) {
+        const CornersWorld p_world = corners_of(scene, std::uint32_t(claim.answer.primitive));
+        const Neighbour n = neighbour_of(ViewRay<double>(view, claim.x, claim.y), bounds, p_world);
+        return plane_depth(n, view.camera.projection, offset_px);
+    };
+    return h;
+}
+
+/// What is told for a depth by a renderer with one number wrong, and which number a told depth speaks for.
+struct OneNumber {
+    std::function<double(double number, double depth)> told;
+    std::function<double(double told, double depth)> number;
+    std::function<double(double number, double depth)> rounding;  ///< of what is told
+};
+
+struct NumberRange {
+    double low, high;
+};
+
+/// A number that the most ranges hold.
+double most_held(const std::vector<NumberRange>& ranges) {
+    std::vector<std::pair<double, int>> ends;
+    for (const NumberRange& r : ranges) {
+        ends.emplace_back(r.low, 0);
+        ends.emplace_back(r.high, 1);
+    }
+    std::ranges::sort(ends);
+    int held = 0, most = 0;
+    double best = 0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        held += ends[i].second == 0 ? 1 : -1;
+        if (held <= most || ends[i].second != 0) continue;
+        most = held;
+        best = (ends[i].first + ends[i + 1].first) / 2;
+    }
+    return best;
+}
+
+constexpr std::size_t most_fitted = 1'000;
+
+/// The number that explains the most of the depths whose ids are not in question.
+std::optional<double> fitted_number(const DiagnosisInput& input, const OneNumber& form) {
+    const OwnDepths own(input);
+    const Frame &ours = input.candidate.frame, &theirs = input.reference.frame;
+    const std::size_t count = ours.primitive.pixels().size(), width = std::size_t(ours.size().width);
+    std::vector<NumberRange> ranges;
+    for (std::size_t i = 0; i < count; i += count / most_fitted + 1) {
+        const int x = int(i % width), y = int(i / width);
+        if (ours.primitive.at(x, y) != theirs.primitive.at(x, y)) continue;
+        const std::optional<DepthBound> bound = own.at(x, y);
+        const double told = double(ours.camera_depth.at(x, y));
+        if (!bound || !std::isfinite(told) || !std::isfinite(bound->low + bound->high)) continue;
+        const double room = form.rounding(form.number(told, bound->truth), bound->truth);
+        NumberRange range{no_limit, -no_limit};
+        for (const double depth : {bound->low, bound->high})
+            for (const double one : {told - room, told + room}) {
+                range.low = std::min(range.low, form.number(one, depth));
+                range.high = std::max(range.high, form.number(one, depth));
+            }
+        if (std::isfinite(range.low) && std::isfinite(range.high)) ranges.push_back(range);
+    }
+    if (ranges.size() < 2) return std::nullopt;
+    return most_held(ranges);
+}
+
+/// `description` ends where the number stands.
+std::vector<Hypothesis> fitted(const DiagnosisInput& input, const std::string& name,
+                               const std::string& description, const OneNumber& form,
+                               const std::function<double(double)>& shown = nullptr) {
+    const std::optional<double> number = fitted_number(input, form);
+    if (!number || !std::isfinite(*number)) return {};
+    Hypothesis h =
+        as_declared(input, name, description + number_text(shown ? shown(*number) : *number, 6) + ".");
+    h.learned_bits = bits_of_a_number;
+    h.report = [form, number = *number](const DepthBound& bound, const Claim&) {
+        const double one = form.told(number, bound.low), other = form.told(number, bound.high);
+        const double room = std::max(form.rounding(number, bound.low), form.rounding(number, bound.high));
+        return ReportedDepth{std::min(one, other) - room, std::max(one, other) + room};
+    };
+    return {h};
+}
+
+std::vector<Hypothesis> scaled_or_biased(const DiagnosisInput& input) {
+    std::vector<Hypothesis> all =
+        fitted(input, "depth is scaled by a constant", "Depth is told times ",
+               {.told = [](double k, double depth) { return k * depth; },
+                .number = [](double told, double depth) { return told / depth; },
+                .rounding = [](double k, double depth) { return told_rounding * std::abs(k * depth); }});
+    for (Hypothesis& h :
+         fitted(input, "depth is biased by a constant", "To depth is added ",
+                {.told = [](double k, double depth) { return depth + k; },
+                .number = [](double told, double depth) { return told - depth; },
+                .rounding = [](double k,
+                               double depth) { return told_rounding * (std::abs(k) + std::abs(depth)); }}))
+        all.push_back(std::move(h));
+    return all;
+}
+
+/// z was written with the declared planes, and read with another. z is rounded as a number of size 1, which
+/// is 1 / near in inverse depth.
+std::vector<Hypothesis> read_with_other_planes(const DiagnosisInput& input) {
+    const Camera& c = input.view.camera;
+    if (c.projection == Projection::parallel || !std::isfinite(c.far_depth)) return {};
+    const double near = 1 / c.near_depth, far = 1 / c.far_depth;
+    const auto form_about = [=](double kept) {
+        const auto told = [=](double k, double depth) { return 1 / (kept + k * (1 / depth - kept)); };
+        return OneNumber{.told = told,
+                         .number = [=](double told_depth,
+                                       double depth) { return (1 / told_depth - kept) / (1 / depth - kept); },
+                         .rounding =
+                             [=](double k, double depth) {
+                                 const double at = told(k, depth);
+                                 return told_rounding * (std::abs(at) + near * at * at * std::max(1.0, k));
+                             }};
+    };
+    std::vector<Hypothesis> all =
+        fitted(input, "depth is read with another far plane",
+               "z of the depth buffer is turned back with a far plane of ", form_about(near),
+               [=](double k) { return 1 / (near - k * (near - far)); });
+    for (Hypothesis& h : fitted(input, "depth is read with another near plane",
+                                "z of the depth buffer is turned back with a near plane of ", form_about(far),
+                                [=](double k) { return 1 / (far + k * (near - far)); }))
+        all.push_back(std::move(h));
+    return all;
+}
+
+/// The planes between which the candidate shows anything.
+std::vector<Hypothesis> clipped_elsewhere(const DiagnosisInput& input) {
+    double nearest = no_limit, farthest = -no_limit;
+    for (const float depth : input.candidate.frame.camera_depth.pixels()) {
+        if (!std::isfinite(depth)) continue;
+        nearest = std::min(nearest, double(depth));
+        farthest = std::max(farthest, double(depth));
+    }
+    const Camera& c = input.view.camera;
+    if (!(nearest < farthest) || nearest < c.near_depth || farthest > c.far_depth) return {};
+    const auto clipped_at_depths = [&](const std::string& name, const std::string& description,
+                                       double near_depth, double far_depth) {
+        Hypothesis h = as_declared(input, name, description);
+        h.learned_bits = bits_of_a_number;
+        h.view.camera.near_depth = near_depth;
+        h.view.camera.far_depth = far_depth;
+        return h;
+    };
+    return {clipped_at_depths(
+                "the far plane lies nearer",
+                "Nothing is drawn beyond the farthest depth of the frame, " + number_text(farthest, 6) + ".",
+                c.near_depth, farthest),
+            clipped_at_depths(
+                "the near plane lies farther",
+                "Nothing is drawn before the nearest depth of the frame, " + number_text(nearest, 6) + ".",
+                nearest, c.far_depth)};
+}
+
+}  // namespace
+
+std::vector<Hypothesis> hypotheses_of_depth_elsewhere(const DiagnosisInput& input) {
+    std::vector<Hypothesis> all{averaged(input), first_of_quad(input)};
+    for (const int dy : {0, -1, 1})
+        for (const int dx : {0, -1, 1})
+            if (dx != 0 || dy != 0) all.push_back(beside_centre(input, 0.5 * glm::dvec2(dx, dy)));
+    for (const auto& more :
+         {scaled_or_biased(input), read_with_other_planes(input), clipped_elsewhere(input)})
+        all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+}  // namespace zproof

@@ -1,0 +1,54 @@
+/// Claims decided in another scene or view than the declared ones, by the same rules and the same bounds.
+///
+/// Hypotheses of one question share the triangles near the asked pixels of the declared view
+/// (hypothesis_check.h). Where something else is drawn altogether, triangles must be looked for anew.
+#pragma once
+
+#include <memory>
+
+#include "compare/adjudicate/tile_work.h"
+#include "compare/diagnosis/hypothesis.h"
+
+namespace zproof {
+
+class OtherWorld {
+  public:
+    /// The scene must outlive it, or be shared.
+    OtherWorld(std::shared_ptr<const Scene> scene, const View& view, const Precision& precision);
+    ~OtherWorld();
+    OtherWorld(const OtherWorld&) = delete;
+    OtherWorld& operator=(const OtherWorld&) = delete;
+
+    /// Would a faultless renderer of that world be right to claim this? Not where nothing is seen there:
+    /// that nothing was drawn is another hypothesis.
+    bool admits(const Claim& claim);
+    /// All triangles whose image comes within reach_px (at most 1) of the pixel's centre.
+    Neighbourhood around(const Claim& claim, double reach_px);
+    const ViewBounds& bounds() const { return bounds_; }
+    const Scene& scene() const { return *scene_; }
+
+  private:
+    struct Search;
+
+    bool may_show(const Claim& claim) const;
+    Search& search();
+
+    std::shared_ptr<const Scene> scene_;
+    View view_;
+    ViewBounds bounds_, shown_bounds_;
+    std::unique_ptr<Search> search_;  ///< made when first asked for
+};
+
+/// The declared scene, which outlives every diagnosis.
+std::shared_ptr<const Scene> declared_scene(const DiagnosisInput& input);
+
+/// The hypothesis that what `admits` says of a claim is right. A claim that is admitted goes on as
+/// background before nothing, to which the judge has no objection.
+Hypothesis decided_by(const DiagnosisInput& input, std::string name, std::string description,
+                      std::function<bool(const Claim&)> admits);
+
+/// The hypothesis that the frame shows that scene in that view.
+Hypothesis shown_instead(const DiagnosisInput& input, std::string name, std::string description,
+                         std::shared_ptr<const Scene> scene, const View& view);
+
+}  // namespace zproof

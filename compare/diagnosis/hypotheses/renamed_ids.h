@@ -1,0 +1,28 @@
+/// Ids under other names.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <unordered_map>
+
+#include "compare/diagnosis/hypothesis.h"
+
+namespace zproof {
+
+using Renamed = std::function<std::uint32_t(std::uint32_t id)>;
+
+/// The hypothesis that told(id) is reported instead of an id. Where an id no longer tells which triangle it
+/// was, one is sought among those that the reference sees at the pixel and around it. Whether that one is
+/// admissible is for the judge to say.
+Hypothesis with_ids_reported_as(const DiagnosisInput& input, const std::string& name,
+                                const std::string& description, const Renamed& told);
+
+using Ids = std::unordered_map<std::uint32_t, std::uint32_t>;
+
+/// The other id that most pixels have together with each id; the least of equals.
+Ids most_often_with(std::span<const PrimitiveId> ids, std::span<const PrimitiveId> others);
+
+/// The part that holds a triangle, as an index; parts stand in triangle order.
+std::size_t part_of(const Scene& scene, std::uint32_t triangle);
+
+}  // namespace zproof

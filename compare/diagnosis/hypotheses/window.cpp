@@ -1,0 +1,182 @@
+#include <cmath>
+
+#include "compare/diagnosis/hypotheses/catalogue.h"
+#include "compare/diagnosis/hypotheses/other_world.h"
+
+namespace zproof {
+
+namespace {
+
+Hypothesis seen_in(const DiagnosisInput& input, const std::string& name, const std::string& description,
+                   const View& view) {
+    return shown_instead(input, name, description, declared_scene(input), view);
+}
+
+/// The window with half-sides of these lengths, about the same centre.
+View with_half_sides(const View& view, double half_width, double half_height) {
+    View other = view;
+    const Window& w = view.camera.window;
+    const double u = (w.left + w.right) / 2, v = (w.bottom + w.top) / 2;
+    other.camera.window = {u - half_width, u + half_width, v - half_height, v + half_height};
+    return other;
+}
+
+/// Half-sides of the window by name.
+std::vector<Hypothesis> of_windows(const DiagnosisInput& input) {
+    const Window& w = input.view.camera.window;
+    const double wide = (w.right - w.left) / 2, high = (w.top - w.bottom) / 2;
+    const double aspect = wide / high;
+    const auto window = [&](const std::string& name, const std::string& description, double half_width,
+                            double half_height) {
+        return seen_in(input, name, description, with_half_sides(input.view, half_width, half_height));
+    };
+    std::vector<Hypothesis> all{
+        window("the window is half as large", "Width and height are taken for half of themselves.", wide / 2,
+               high / 2),
+        window("the window is twice as large", "Width and height are taken for their halves.", 2 * wide,
+               2 * high),
+        window("the window is half as wide", "The width is taken for half of itself.", wide / 2, high),
+        window("the window is twice as wide", "The width is taken for its half.", 2 * wide, high),
+        window("the window is half as high", "The height is taken for half of itself.", wide, high / 2),
+        window("the window is twice as high", "The height is taken for its half.", wide, 2 * high)};
+    if (wide == high) return all;
+    all.push_back(window("the window's width and height are exchanged",
+                         "The picture is as wide as it should be high.", high, wide));
+    all.push_back(window("the window is square: its height is its width as well",
+                         "The aspect is taken for 1, and the width follows the height.", high, high));
+    all.push_back(window("the window is square: its width is its height as well",
+                         "The aspect is taken for 1, and the height follows the width.", wide, wide));
+    all.push_back(window("the field of view belongs to the other axis",
+                         "The angle that spans the height spans the width, or the other way round.", high,
+                         high / aspect));
+    all.push_back(window("the field of view belongs to the other axis",
+                         "The angle that spans the width spans the height, or the other way round.",
+                         wide * aspect, wide));
+    return all;
+}
+
+/// Numbers of a camera that are 0 in most.
+std::vector<Hypothesis> of_offsets(const DiagnosisInput& input) {
+    const View& view = input.view;
+    const Window& w = view.camera.window;
+    const glm::dvec2 offset((w.left + w.right) / 2, (w.bottom + w.top) / 2);
+    const auto with_offset = [&](const glm::dvec2& other) {
+        View moved = view;
+        const glm::dvec2 step = other - offset;
+        moved.camera.window = {w.left + step.x, w.right + step.x, w.bottom + step.y, w.top + step.y};
+        return moved;
+    };
+    const auto with_shear = [&](const glm::dvec2& shear) {
+        View sheared = view;
+        sheared.camera.shear = shear;
+        return sheared;
+    };
+    std::vector<Hypothesis> all;
+    if (length(offset) > 0) {
+        all.push_back(seen_in(input, "the window's offset is ignored",
+                              "The window stands about the view axis.", with_offset(glm::dvec2(0))));
+        for (const glm::dvec2& sign : {glm::dvec2(-1, -1), glm::dvec2(-1, 1), glm::dvec2(1, -1)})
+            if (sign * offset != offset)
+                all.push_back(seen_in(input, "the window's offset has the wrong sign",
+                                      "The window stands on the other side of the view axis.",
+                                      with_offset(sign * offset)));
+    }
+    const glm::dvec2& shear = view.camera.shear;
+    if (length(shear) > 0) {
+        all.push_back(seen_in(input, "the shear is ignored", "The view ray is the view axis.",
+                              with_shear(glm::dvec2(0))));
+        for (const glm::dvec2& sign : {glm::dvec2(-1, -1), glm::dvec2(-1, 1), glm::dvec2(1, -1)})
+            if (sign * shear != shear)
+                all.push_back(seen_in(input, "the shear has the wrong sign",
+                                      "The view ray leans to the other side.", with_shear(sign * shear)));
+    }
+    return all;
+}
+
+/// The declared camera sees the scene with every point p at turned(p): as if it stood elsewhere itself.
+template <class Back>
+View before_turned_scene(const View& view, Back turned_back) {
+    View other = view;
+    Camera& c = other.camera;
+    c.eye_world = glm::vec3(turned_back(glm::dvec3(c.eye_world)));
+    c.right = turned_back(c.right);
+    c.up = turned_back(c.up);
+    c.back = turned_back(c.back);
+    return other;
+}
+
+std::vector<Hypothesis> of_scenes(const DiagnosisInput& input) {
+    using Point = glm::dvec3;
+    const auto turned = [&](const std::string& name, const std::string& description, auto turned_back) {
+        return seen_in(input, name, description, before_turned_scene(input.view, turned_back));
+    };
+    return {turned("z is up instead of y", "The scene is turned: (x, y, z) lies at (x, -z, y).",
+                   [](const Point& p) { return Point(p.x, p.z, -p.y); }),
+            turned("y is up instead of z", "The scene is turned: (x, y, z) lies at (x, z, -y).",
+                   [](const Point& p) { return Point(p.x, -p.z, p.y); }),
+            turned("the scene's z is negated: left-handed", "(x, y, z) lies at (x, y, -z).",
+                   [](const Point& p) { return Point(p.x, p.y, -p.z); }),
+            turned("the scene's x is negated", "(x, y, z) lies at (-x, y, z).",
+                   [](const Point& p) { return Point(-p.x, p.y, p.z); }),
+            turned("the scene's y is negated", "(x, y, z) lies at (x, -y, z).",
+                   [](const Point& p) { return Point(p.x, -p.y, p.z); })};
+}
+
+std::vector<Hypothesis> of_cameras(const DiagnosisInput& input) {
+    const auto camera = [&](const std::string& name, const std::string& description, const glm::dmat3& axes) {
+        View view = input.view;
+        view.camera.right = axes[0];
+        view.camera.up = axes[1];
+        view.camera.back = axes[2];
+        return seen_in(input, name, description, view);
+    };
+    const Camera& c = input.view.camera;
+    return {camera("the camera's rotation is transposed", "Its matrix is taken for its inverse.",
+                   transpose(glm::dmat3(c.right, c.up, c.back))),
+            camera("the camera looks backwards, upside down",
+                   "Its y and z are negated: axes of computer vision, y down and z ahead.",
+                   glm::dmat3(c.right, -c.up, -c.back)),
+            camera("the camera looks backwards", "Its x and z are negated: it is turned by half a turn.",
+                   glm::dmat3(-c.right, c.up, -c.back)),
+            camera("the camera looks backwards, mirrored", "Its z is negated.",
+                   glm::dmat3(c.right, c.up, -c.back))};
+}
+
+/// The other kind of projection, through a window of the same numbers.
+std::vector<Hypothesis> of_projections(const DiagnosisInput& input) {
+    View view = input.view;
+    Camera& c = view.camera;
+    if (c.projection == Projection::perspective) {
+        if (!std::isfinite(c.far_depth)) return {};
+        c.projection = Projection::parallel;
+        return {seen_in(input, "a perspective is drawn as a parallel view", "Nothing is divided by depth.",
+                        view)};
+    }
+    if (c.near_depth <= 0) return {};
+    c.projection = Projection::perspective;
+    return {
+        seen_in(input, "a parallel view is drawn as a perspective", "x and y are divided by depth.", view)};
+}
+
+/// Vertices of larger index than 16 bits hold.
+std::vector<Hypothesis> of_short_indices(const DiagnosisInput& input) {
+    if (input.scene.vertices.position_world.size() <= 0x10000) return {};
+    const auto scene = std::make_shared<Scene>();
+    scene->vertices.position_world = input.scene.vertices.position_world;
+    for (const glm::uvec3& t : input.scene.triangles) scene->triangles.push_back(t & 0xFFFFu);
+    return {shown_instead(input, "vertex indices keep their low 16 bits",
+                          "Corners are those of the vertices whose index is the right one modulo 2^16.",
+                          scene, input.view)};
+}
+
+}  // namespace
+
+std::vector<Hypothesis> hypotheses_of_window(const DiagnosisInput& input) {
+    std::vector<Hypothesis> all = of_windows(input);
+    for (const auto& more : {of_offsets(input), of_scenes(input), of_cameras(input), of_projections(input),
+                             of_short_indices(input)})
+        all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+}  // namespace zproof

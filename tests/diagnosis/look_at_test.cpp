@@ -1,0 +1,33 @@
+/// Every cause says where in a renderer's code to look first.
+#include "compare/diagnosis/hypotheses/look_at.h"
+
+#include <gtest/gtest.h>
+
+#include "compare/diagnosis/hypotheses/catalogue.h"
+#include "oracle/embree.h"
+#include "rasterizer/rasterizer.h"
+#include "scenes/suite.h"
+
+namespace zproof {
+namespace {
+
+std::vector<Hypothesis> hypotheses_about(const std::string& scene) {
+    const Loaded loaded = generate_suite_scene(scene, 96, 54);
+    const View& view = loaded.views.front();
+    const Frame frame = rasterizer::render(loaded.scene, view);
+    const RenderedFrame ours{frame, rasterizer::precision()}, theirs{frame, oracle::embree_precision()};
+    return all_hypotheses({loaded.scene, view, ours, theirs});
+}
+
+TEST(LookAt, EveryHypothesisHasASentenceAndADescription) {
+    for (const char* scene : {"room", "orthographic", "million_triangles"})
+        for (const Hypothesis& h : hypotheses_about(scene)) {
+            EXPECT_TRUE(h.look_at.starts_with("Look ") && h.look_at.ends_with(".")) << h.name;
+            EXPECT_TRUE(h.description.ends_with(".")) << h.name;
+        }
+}
+
+TEST(LookAt, AnUnknownCauseHasNone) { EXPECT_EQ(look_at("the moon is full"), ""); }
+
+}  // namespace
+}  // namespace zproof

@@ -1,0 +1,35 @@
+/// Wrong frames that people reported of renderers, rebuilt from the reports' numbers.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "frame/frame.h"
+#include "frame/precision.h"
+#include "scenes/scene.h"
+#include "scenes/view.h"
+
+namespace zproof::field {
+
+/// What is put before the judge.
+struct Shown {
+    Scene scene;
+    View view;
+    Frame frame;
+};
+
+struct FieldFrame {
+    std::string name;                 ///< letters, digits and '_'
+    std::vector<std::string> causes;  ///< the right one, in the words of the diagnosis; any of them
+    std::string source;               ///< where it was reported
+    std::function<Shown()> rebuild;
+    Precision declared = RasterPrecision{.transform = Arithmetic::float64};
+};
+
+std::vector<FieldFrame> frames_of_drawing();
+std::vector<FieldFrame> frames_of_place();
+std::vector<FieldFrame> frames_of_depth();
+std::vector<FieldFrame> frames_of_ids();
+
+}  // namespace zproof::field

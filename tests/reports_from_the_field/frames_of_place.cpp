@@ -1,0 +1,340 @@
+/// Pixels that look elsewhere: grids, windows, samples and cameras.
+#include <cmath>
+
+#include "tests/reports_from_the_field/field_frames.h"
+#include "tests/reports_from_the_field/field_scenes.h"
+#include "tests/reports_from_the_field/ray_caster.h"
+
+namespace zproof::field {
+
+namespace {
+
+using Aim = std::function<glm::dvec2(int x, int y)>;
+
+Shown aimed(const View& view, const Aim& aims_at) {
+    const Scene scene = yard();
+    return {scene, view, cast(scene, view, {.aims_at = aims_at})};
+}
+
+std::function<Shown()> aiming(const View& view, const Aim& aims_at) {
+    return [=] { return aimed(view, aims_at); };
+}
+
+/// The yard as another camera sees it.
+std::function<Shown()> seen_by(const View& view, const std::function<void(Camera&)>& change) {
+    return [=] {
+        View other = view;
+        change(other.camera);
+        const Scene scene = yard();
+        return Shown{scene, view, cast(scene, other)};
+    };
+}
+
+/// Every corner of the scene is moved before it is drawn.
+std::function<Shown()> moved(const std::function<glm::vec3(const glm::vec3&)>& move) {
+    return [=] {
+        const Scene scene = yard();
+        Scene other = scene;
+        for (glm::vec3& p : other.vertices.position_world) p = move(p);
+        const View view = view_of_yard();
+        return Shown{scene, view, cast(other, view)};
+    };
+}
+
+Aim beside_the_centre(double dx, double dy) {
+    return [=](int x, int y) { return glm::dvec2(x + 0.5 + dx, y + 0.5 + dy); };
+}
+
+/// Each 2 x 2 pixels show one answer.
+Aim of_quads(double at) {
+    return [=](int x, int y) { return glm::dvec2((x & ~1) + at, (y & ~1) + at); };
+}
+
+/// A rectangle still shows the frame before, in which the camera stood elsewhere.
+Shown torn() {
+    const Scene scene = yard();
+    const View view = view_of_yard();
+    View before = view;
+    before.camera.eye_world += glm::vec3(0.05f, 0.02f, 0.03f);
+    Frame frame = cast(scene, view);
+    const Frame old = cast(scene, before);
+    for (int y = 20; y < 50; ++y)
+        for (int x = 10; x < 70; ++x) {
+            frame.primitive.at(x, y) = old.primitive.at(x, y);
+            frame.camera_depth.at(x, y) = old.camera_depth.at(x, y);
+        }
+    return {scene, view, frame};
+}
+
+void transpose(Camera& c) {
+    const glm::dmat3 rotation = glm::transpose(glm::dmat3(c.right, c.up, c.back));
+    c.right = rotation[0];
+    c.up = rotation[1];
+    c.back = rotation[2];
+}
+
+/// A camera amid the scene whose axes were multiplied.
+std::function<Shown()> turned(double right, double up, double back) {
+    return [=] {
+        View view = view_of_yard();
+        const Camera level = look_at({-1.5, 0.6, 1.2}, {-1.2, 0.5, -5}, {0, 1, 0});
+        view.camera.eye_world = level.eye_world;
+        view.camera.right = level.right;
+        view.camera.up = level.up;
+        view.camera.back = level.back;
+        View other = view;
+        other.camera.right *= right;
+        other.camera.up *= up;
+        other.camera.back *= back;
+        const Scene scene = yard();
+        return Shown{scene, view, cast(scene, other)};
+    };
+}
+
+/// A window whose centre lies (0.11, -0.07) beside the axis.
+std::function<Shown()> offset_taken_for(const glm::dvec2& other) {
+    return [=] {
+        View view = view_of_yard(), drawn = view;
+        const auto move = [](Window& w, const glm::dvec2& by) {
+            w = {w.left + by.x, w.right + by.x, w.bottom + by.y, w.top + by.y};
+        };
+        move(view.camera.window, {0.11, -0.07});
+        move(drawn.camera.window, other);
+        const Scene scene = yard();
+        return Shown{scene, view, cast(scene, drawn)};
+    };
+}
+
+std::vector<FieldFrame> of_grids() {
+    const View small = view_of_yard(64, 48);
+    const double w = small.width, h = small.height;
+    const RayPrecision ray{.arithmetic = Arithmetic::float32};
+    return {
+        {"corner_to_corner",
+         {"the pixel grid is stretched by W/(W - 1)"},
+         "trimesh #758: rays by grid_linspace from side to side of the picture",
+         aiming(small, [=](int x, int y) { return glm::dvec2(x * w / (w - 1), y * h / (h - 1)); })},
+        {"corner_to_corner_inverse",
+         {"the pixel grid is shrunk by (W - 1)/W"},
+         "zproof #43: the inverse of trimesh #758",
+         aiming(small,
+                [=](int x, int y) {
+                    return glm::dvec2((x + 0.5) * (w - 1) / w + 0.5, (y + 0.5) * (h - 1) / h + 0.5);
+                })},
+        {"viewport_one_less",
+         {"the pixel grid is stretched by W/(W - 1) from the top left corner"},
+         "pytorch3d #548: pixels W - 1 and H - 1 are mapped to 1",
+         aiming(small,
+                [=](int x, int y) { return glm::dvec2((x + 0.5) * w / (w - 1), (y + 0.5) * h / (h - 1)); })},
+        {"viewport_one_less_in_x",
+         {"the pixel grid is stretched by W/(W - 1) from the left side"},
+         "pytorch3d #548, in x alone",
+         aiming(small, [=](int x, int y) { return glm::dvec2((x + 0.5) * w / (w - 1), y + 0.5); })},
+        {"pixel_corner",
+         {"the image is shifted by (+1/2, +1/2) px"},
+         "raysect #391, VisRTX #327: rays through the pixel's corner instead of its centre",
+         aiming(view_of_yard(), beside_the_centre(-0.5, -0.5))},
+        {"sample_0_of_4",
+         {"pixels are sampled at sample 0 of 4"},
+         "zproof #43: multisample position (0.375, 0.125) instead of the centre",
+         aiming(view_of_yard(), beside_the_centre(-0.125, -0.375))},
+        {"sample_2_of_8",
+         {"pixels are sampled at sample 2 of 8"},
+         "zproof #43: another multisample position",
+         aiming(view_of_yard(), beside_the_centre(5.0 / 16, 1.0 / 16))},
+        {"sample_0_of_2",
+         {"pixels are sampled at sample 0 of 2"},
+         "zproof #43: another multisample position",
+         aiming(view_of_yard(), beside_the_centre(4.0 / 16, 4.0 / 16))},
+        {"sample_11_of_16_of_a_caster",
+         {"pixels are sampled at sample 11 of 16"},
+         "zproof #43: another multisample position, of a renderer that declares rays",
+         aiming(view_of_yard(), beside_the_centre(-6.0 / 16, 4.0 / 16)),
+         ray},
+        {"corner_to_corner_of_a_caster",
+         {"the pixel grid is stretched by W/(W - 1)"},
+         "trimesh #758, of a renderer that declares rays",
+         aiming(small, [=](int x, int y) { return glm::dvec2(x * w / (w - 1), y * h / (h - 1)); }),
+         ray},
+        {"viewport_one_more",
+         {"the pixel grid is shrunk by (W - 1)/W from the top left corner"},
+         "zproof #43: the inverse of pytorch3d #548",
+         aiming(small,
+                [=](int x, int y) { return glm::dvec2((x + 0.5) * (w - 1) / w, (y + 0.5) * (h - 1) / h); })},
+        {"pixel_to_the_right",
+         {"the image is shifted by (-1, 0) px"},
+         "zproof #43: a whole pixel aside",
+         aiming(view_of_yard(), beside_the_centre(1, 0))},
+        {"rows_from_below",
+         {"the image is flipped in y"},
+         "nvdiffrast #91: row 0 is the lowest",
+         aiming(small, [=](int x, int y) { return glm::dvec2(x + 0.5, h - 0.5 - y); })},
+        {"coarse_pixels_of_a_caster",
+         {"2 x 2 pixels show what belongs to their common corner"},
+         "zproof #43: 2x2 coarse pixels, of a renderer that declares rays",
+         aiming(view_of_yard(), of_quads(1)),
+         ray},
+        {"coarse_pixels_of_4",
+         {"4 x 4 pixels show what belongs to their common corner"},
+         "zproof #43: 4x4 coarse pixels",
+         aiming(view_of_yard(), [](int x, int y) { return glm::dvec2((x & ~3) + 2, (y & ~3) + 2); })},
+        {"shift_of_7_12",
+         {"the image is shifted by a fraction of a pixel"},
+         "zproof #43: a shift of 7/12 px",
+         aiming(view_of_yard(), beside_the_centre(7.0 / 12, -1.0 / 12))},
+        {"coarse_pixels",
+         {"2 x 2 pixels show what belongs to their common corner"},
+         "zproof #43: 2x2 coarse pixels",
+         aiming(view_of_yard(), of_quads(1))},
+        {"coarse_pixels_first",
+         {"2 x 2 pixels show what belongs to the first"},
+         "zproof #43: 2x2 coarse pixels, sampled at the first",
+         aiming(view_of_yard(), of_quads(0.5))},
+        {"tear", {"a rectangle shows another frame"}, "zproof #43: a rectangle of another frame", torn},
+    };
+}
+
+std::vector<FieldFrame> of_windows() {
+    const View wide = parallel_view_of_yard(2, 1, 96, 48), less_wide = parallel_view_of_yard(2, 1.25, 96, 60);
+    const View perspective = view_of_yard();
+    const auto scaled = [](double x, double y) {
+        return [=](Camera& c) {
+            const Window& w = c.window;
+            c.window = {w.left * x, w.right * x, w.bottom * y, w.top * y};
+        };
+    };
+    return {
+        {"xmag_ymag_exchanged",
+         {"the window's width and height are exchanged"},
+         "zproof #43: xmag 2, ymag 1 exchanged",
+         seen_by(wide,
+                 [](Camera& c) {
+                     c.window = {-1, 1, -2, 2};
+                 })},
+        {"mag_halved",
+         {"the window is half as large"},
+         "three.js PR #19221: xmag / -2, xmag / 2 for an orthographic camera of glTF",
+         seen_by(wide, scaled(0.5, 0.5))},
+        {"mag_doubled",
+         {"the window is twice as large"},
+         "three.js #24800: orthographic cameras are twice as big",
+         seen_by(wide, scaled(2, 2))},
+        {"mag_of_y_for_both",
+         {"the window is square: its height is its width as well"},
+         "glTF-Blender-IO #944: xmag = ymag",
+         seen_by(less_wide,
+                 [](Camera& c) {
+                     c.window = {-1.25, 1.25, -1.25, 1.25};
+                 })},
+        {"aspect_of_1",
+         {"the window is square: its height is its width as well"},
+         "OpenJKDF2 #36: the original projects with an aspect of 1",
+         seen_by(perspective,
+                 [](Camera& c) {
+                     c.window = {c.window.bottom, c.window.top, c.window.bottom, c.window.top};
+                 })},
+        {"principal_point_ignored",
+         {"the window's offset is ignored"},
+         "zproof #43: a window that is not centred, drawn centred",
+         offset_taken_for({0, 0})},
+        {"principal_point_on_the_other_side",
+         {"the window's offset has the wrong sign"},
+         "zproof #43: the offset's y counts down",
+         offset_taken_for({0.11, 0.07})},
+        {"parallel_as_perspective",
+         {"a parallel view is drawn as a perspective"},
+         "zproof #43: a matrix of the other kind",
+         seen_by(wide, [](Camera& c) { c.projection = Projection::perspective; })},
+        {"perspective_as_parallel",
+         {"a perspective is drawn as a parallel view"},
+         "zproof #43: a matrix of the other kind",
+         seen_by(perspective, [](Camera& c) { c.projection = Projection::parallel; })},
+        {"twice_as_wide",
+         {"the window is twice as wide"},
+         "zproof #43: the window scaled in x",
+         seen_by(perspective, scaled(2, 1))},
+        {"half_as_wide",
+         {"the window is half as wide"},
+         "zproof #43: the window scaled in x",
+         seen_by(perspective, scaled(0.5, 1))},
+        {"twice_as_high",
+         {"the window is twice as high"},
+         "zproof #43: the window scaled in y",
+         seen_by(less_wide, scaled(1, 2))},
+        {"half_as_high",
+         {"the window is half as high"},
+         "zproof #43: the window scaled in y",
+         seen_by(perspective, scaled(1, 0.5))},
+        {"mag_of_x_for_both",
+         {"the window is square: its width is its height as well"},
+         "glTF-Blender-IO #944: ymag = xmag",
+         seen_by(less_wide,
+                 [](Camera& c) {
+                     c.window = {-2, 2, -2, 2};
+                 })},
+        {"aspect_of_1_of_a_caster",
+         {"the window is square: its height is its width as well"},
+         "OpenJKDF2 #36, of a renderer that declares rays",
+         seen_by(perspective,
+                 [](Camera& c) {
+                     c.window = {c.window.bottom, c.window.top, c.window.bottom, c.window.top};
+                 }),
+         RayPrecision{.arithmetic = Arithmetic::float32}},
+        {"field_of_view_of_the_wider_axis",
+         {"the field of view belongs to the other axis"},
+         "playcanvas #266: horizontal instead of vertical",
+         seen_by(perspective, scaled(4.0 / 3, 4.0 / 3))},
+        {"field_of_view_of_the_other_axis",
+         {"the field of view belongs to the other axis"},
+         "tungsten #23, photon-v2 #46: the angle is taken for the other axis",
+         seen_by(perspective, scaled(0.75, 0.75))},
+    };
+}
+
+std::vector<FieldFrame> of_cameras() {
+    const View view = view_of_yard();
+    return {
+        {"z_up", {"z is up instead of y"}, "zproof #43: y up against z up", moved([](const glm::vec3& p) {
+             return glm::vec3(p.x, -p.z, p.y);
+         })},
+        {"z_up_the_other_way",
+         {"y is up instead of z"},
+         "zproof #43: the same, turned the other way",
+         moved([](const glm::vec3& p) { return glm::vec3(p.x, p.z, -p.y); })},
+        {"left_handed",
+         {"the scene's z is negated: left-handed"},
+         "zproof #43: left-handed",
+         moved([](const glm::vec3& p) { return glm::vec3(p.x, p.y, -p.z); })},
+        {"mirrored_x",
+         {"the scene's x is negated"},
+         "zproof #43: one axis negated",
+         moved([](const glm::vec3& p) { return glm::vec3(-p.x, p.y, p.z); })},
+        {"transposed_rotation",
+         {"the camera's rotation is transposed"},
+         "pytorch3d #1183: cameras do not transpose the rotation matrix",
+         seen_by(view, transpose)},
+        {"mirrored_y",
+         {"the scene's y is negated"},
+         "zproof #43: one axis negated",
+         moved([](const glm::vec3& p) { return glm::vec3(p.x, -p.y, p.z); })},
+        {"looks_backwards_upside_down",
+         {"the camera looks backwards, upside down"},
+         "pyrender #228, pytorch3d #522: OpenCV's axes (y down, z ahead), of a camera amid the scene",
+         turned(1, -1, -1)},
+        {"looks_backwards", {"the camera looks backwards"}, "zproof #43: x and z negated", turned(-1, 1, -1)},
+        {"looks_backwards_mirrored",
+         {"the camera looks backwards, mirrored"},
+         "zproof #43: z negated",
+         turned(1, 1, -1)},
+    };
+}
+
+}  // namespace
+
+std::vector<FieldFrame> frames_of_place() {
+    std::vector<FieldFrame> all = of_grids();
+    for (const auto& more : {of_windows(), of_cameras()}) all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+}  // namespace zproof::field
