@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "frame/printable.h"
+
 namespace zproof::api {
 namespace {
 
@@ -15,7 +17,7 @@ bool is_of_names(char c) {
 void require_name(const std::string& what, const std::string& name) {
     require_no_nul(what, name);
     if (!name.empty() && name.front() != '.' && std::ranges::all_of(name, is_of_names)) return;
-    throw InputError{what + ": the name '" + name +
+    throw InputError{what + ": the name '" + one_line(name) +
                      "' is not usable; expected letters, digits, '-', '_' and '.', which is not the first"};
 }
 

@@ -76,6 +76,8 @@ def run(methods, scene, view=None, *, pictures=None, truth="B", size=None, flick
     with _study_folder(folder) as out, tempfile.TemporaryDirectory() as scratch:
         words = ["filters", "run", *_scene_words(scene, view, size, scratch)]
         words += ["--methods", ",".join(methods), "--truth", truth, "--flicker", str(flicker), "-o", out, "--quiet"]
+        if not isinstance(pictures or {}, dict):
+            raise TypeError(f"pictures is a {type(pictures).__name__}; expected a dict of names and arrays")
         for name, picture in (pictures or {}).items():
             words += ["--picture", f"{name}={_picture_file(picture, scratch, name)}"]
         _program(words, {0})

@@ -90,5 +90,9 @@ def failure_text(verdict):
 
 
 def save_all(verdicts, folder):
-    """One report of many verdicts: {name: Verdict}, each name the scene's in the report. See Verdict.save()."""
+    """One report of many verdicts: {name: Verdict}, each name the scene's in the report. See Verdict.save().
+
+    Raises TypeError for anything but a dict, ValueError for a name that is no file's."""
+    if not isinstance(verdicts, dict):
+        raise TypeError(f"verdicts is a {type(verdicts).__name__}; expected a dict of names and Verdicts")
     _zproof.save_all(list(verdicts.items()), folder)

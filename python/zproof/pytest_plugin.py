@@ -31,10 +31,8 @@ in it adds `--2`, and one with name="back" adds `--back`. DIR must be new, empty
 Folders of tests that are not run again stay there, and are not in the new report. A verdict's folder is
 written as soon as it is judged, and nothing of its arrays is kept.
 
-The program zproof writes the report. It is looked for on PATH, or is the one that ZPROOF_PROGRAM names. It
-asks POV-Ray as well, where that is installed, which takes about half a second for each verdict;
-ZPROOF_ORACLE=none leaves it out. Where a report cannot be written, the session fails (exit status 1) and its
-summary says why.
+The program zproof writes the report. It is looked for on PATH, or is the one that ZPROOF_PROGRAM names. Where
+a report cannot be written, the session fails (exit status 1) and its summary says why.
 
 pytest-xdist: each worker writes the folders of its own verdicts. The main process collects their lines and
 writes the report. DIR must be a folder that all of them see.
@@ -49,7 +47,7 @@ import subprocess
 
 import pytest
 
-from zproof.judging import failure_text, judge, save_all, summary
+from zproof.judging import failure_text, judge, summary
 
 _MARK = ".zproof-pytest"  # in a folder that --zproof-report has made
 _REPORTS = ("report.html", "results.json", "junit.xml")
@@ -161,9 +159,9 @@ def _properties(verdict):
 
 
 def _saved(verdict, name, folder):
-    """Writes folder/name, and beside it a report of it alone. Returns what went wrong, in one line, or ""."""
+    """Writes folder/name. Returns what went wrong, in one line, or ""."""
     try:
-        save_all({name: verdict}, folder)
+        verdict.save(os.path.join(folder, name), name)
     except (RuntimeError, ValueError, OSError) as error:
         return f"{name}: {_one_line(error)}"
     return ""
