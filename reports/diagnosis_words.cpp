@@ -23,13 +23,11 @@ bool is_alike(const Explanation& cause, const Explanation& other) {
     return cause.saved_share > 0 && other.saved_share > cause.saved_share - alike_shares;
 }
 
-/// "likely cause: A, or B, which the frame does not tell apart (explains ...), and C (explains ...). Look at
-/// ..."
+/// "likely cause: A (explains ...); as good: B; of what it leaves: C (explains ...). Look at ..."
 std::string cause_in_words(const Explanation& cause, const Diagnosis& d) {
-    std::string text = "likely cause: " + cause.name;
+    std::string text = "likely cause: " + cause.name + " (explains " + extent_of(cause, d) + ")";
     if (!d.runners_up.empty() && is_alike(cause, d.runners_up.front()))
-        text += ", or " + d.runners_up.front().name + ", which the frame does not tell apart";
-    text += " (explains " + extent_of(cause, d) + ")";
+        text += "; as good: " + d.runners_up.front().name;
     for (const Explanation& further : d.further)
         text +=
             "; of what it leaves: " + further.name + " (explains " + percent(explained_share(further)) + ")";

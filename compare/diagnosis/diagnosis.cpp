@@ -73,7 +73,7 @@ class CellGrid {
     Plane<std::uint8_t> holds_defect_;
 };
 
-/// Claims, each standing for `weight` of the view's pixels.
+/// Claims. Each stands for `weight` of the view's pixels.
 struct Sample {
     std::vector<Claim> claims;
     std::vector<double> weights;

@@ -44,8 +44,13 @@ TEST(Terminal, TellsEachFailureWithItsCommand) {
 
 TEST(Terminal, TellsTheLikelyCause) {
     Results results = sample_results();
-    EXPECT_NE(summary_table(results, Colour::plain)
-                  .find("    2 hole\n    likely cause: a row is <lost> (explains 100% of 2 defects)\n"),
+    EXPECT_NE(
+        summary_table(results, Colour::plain)
+            .find("    2 hole\n    likely cause: a row is <lost> (explains 100% of 2 defects); of what it "
+                  "leaves: a <tile> is lost (explains 100%). Look at <rows>.\n"),
+        std::string::npos);
+    results.views[1].diagnosis->runners_up[0].saved_share = 0.87;
+    EXPECT_NE(summary_table(results, Colour::plain).find("; as good: only 4 sub-pixel bits;"),
               std::string::npos);
     results.views[1].diagnosis->cause.reset();
     EXPECT_NE(
@@ -60,7 +65,7 @@ TEST(Terminal, TellsHowManyDefectsWereTried) {
     diagnosis.defects = 16'000;
     diagnosis.cause->asked = diagnosis.cause->explained = 1000;
     EXPECT_NE(summary_table(results, Colour::plain)
-                  .find("(explains 100% of 1,000 defects tried, of 16,000 in all)\n"),
+                  .find("(explains 100% of 1,000 defects tried, of 16,000 in all)"),
               std::string::npos);
 }
 
