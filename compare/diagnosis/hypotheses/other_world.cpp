@@ -11,6 +11,9 @@ namespace {
 /// How far triangles are looked for around every pixel, px.
 constexpr double searched_px = 1;
 
+/// Pixels of a frame that are looked at before anything is searched.
+constexpr std::size_t most_asked = 512;
+
 const RuleOverride as_it_is;
 
 std::vector<Box> all_tiles(const View& view) {
@@ -73,6 +76,18 @@ bool OtherWorld::may_show(const Claim& claim) const {
     return check_depth(view_, shown_bounds_, p_world, triangle, {claim.x, claim.y}, depth).is_admissible;
 }
 
+bool OtherWorld::might_be_shown_in(const Frame& frame) const {
+    const std::size_t count = frame.primitive.pixels().size(), width = std::size_t(frame.size().width);
+    std::size_t asked = 0, possible = 0;
+    for (std::size_t i = 0; i < count; i += count / most_asked + 1) {
+        const int x = int(i % width), y = int(i / width);
+        if (frame.primitive.at(x, y) == PrimitiveId::none) continue;
+        ++asked;
+        possible += may_show({x, y, {frame.primitive.at(x, y), frame.camera_depth.at(x, y)}});
+    }
+    return 2 * possible >= asked;
+}
+
 bool OtherWorld::admits(const Claim& claim) {
     if (!may_show(claim) || search().by_tile.triangles.empty()) return false;
     QueryResult result;
@@ -107,7 +122,8 @@ Hypothesis shown_instead(const DiagnosisInput& input, std::string name, std::str
                          std::shared_ptr<const Scene> scene, const View& view) {
     const auto world = std::make_shared<OtherWorld>(std::move(scene), view, input.candidate.precision);
     return decided_by(input, std::move(name), std::move(description),
-                      [world](const Claim& claim) { return world->admits(claim); });
+                      [world, is_possible = world->might_be_shown_in(input.candidate.frame)](
+                          const Claim& claim) { return is_possible && world->admits(claim); });
 }
 
 }  // namespace zproof

@@ -22,6 +22,9 @@ class OtherWorld {
     /// Would a faultless renderer of that world be right to claim this? Not where nothing is seen there:
     /// that nothing was drawn is another hypothesis.
     bool admits(const Claim& claim);
+    /// Might a frame show that world? Of pixels, evenly spread, that show a triangle, at least half might,
+    /// each by itself. Cheap: without a search.
+    bool might_be_shown_in(const Frame& frame) const;
     /// All triangles whose image comes within reach_px (at most 1) of the pixel's centre.
     Neighbourhood around(const Claim& claim, double reach_px);
     const ViewBounds& bounds() const { return bounds_; }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "compare/diagnosis/hypotheses/catalogue.h"
@@ -116,28 +117,36 @@ struct FixedPoint {
 /// buffer's.
 constexpr int few_bits = 16;
 
-/// A level is a number of whole steps. `steps_of(depth)` counts them, and `error_of(depth)` is what float32's
-/// roundings of the depth may change of that.
-template <class StepsOf, class ErrorOf>
-void tells_levels_only(Hypothesis& h, StepsOf steps_of, ErrorOf error_of) {
-    h.tellable = [=](const ReportedDepth& range) {
-        return std::max(1.0, std::round(std::abs(steps_of(range.high) - steps_of(range.low))));
+/// A depth as a number of steps of a buffer, and what float32's roundings of the depth may change of it.
+struct Steps {
+    double count, error;
+};
+
+/// A level is a number of whole steps, of any of the buffers whose steps `steps_of(depth)` counts.
+template <class StepsOf>
+void tells_levels_only(Hypothesis& h, StepsOf steps_of) {
+    h.tellable = [steps_of](const ReportedDepth& range) {
+        const auto count = [&](double depth) { return steps_of(depth).front().count; };
+        return std::max(1.0, std::round(std::abs(count(range.high) - count(range.low))));
     };
-    h.restate = [=](const Claim& claim) -> std::optional<Claim> {
+    h.restate = [steps_of](const Claim& claim) -> std::optional<Claim> {
         if (claim.answer.primitive == PrimitiveId::none) return claim;
-        const double depth = double(claim.answer.camera_depth), steps = steps_of(depth);
-        if (!(std::abs(steps - std::round(steps)) <= error_of(depth))) return std::nullopt;
+        const auto is_level = [](const Steps& s) {
+            return std::abs(s.count - std::round(s.count)) <= s.error;
+        };
+        if (std::ranges::none_of(steps_of(double(claim.answer.camera_depth)), is_level)) return std::nullopt;
         return claim;
     };
 }
 
+/// float32 roundings of a depth, as a share.
+const double depth_rounding = gamma(4, unit_roundoff_float32);
+
 void tells_equal_steps_only(Hypothesis& h, const DiagnosisInput& input, double step) {
-    const double near = input.view.camera.near_depth;
-    tells_levels_only(
-        h, [=](double depth) { return (depth - near) / step; },
-        [=](double depth) {
-            return gamma(4, unit_roundoff_float32) * (std::abs(near) + std::abs(depth)) / step;
-        });
+    tells_levels_only(h, [near = input.view.camera.near_depth, step](double depth) {
+        return std::array{
+            Steps{(depth - near) / step, depth_rounding * (std::abs(near) + std::abs(depth)) / step}};
+    });
 }
 
 Hypothesis stored_in(const DiagnosisInput& input, int bits) {
@@ -150,16 +159,21 @@ Hypothesis stored_in(const DiagnosisInput& input, int bits) {
         for (Neighbour& n : around.neighbours)
             n.least_inverse_depth -= step, n.greatest_inverse_depth += step;
     };
-    const Camera& c = input.view.camera;
+    const Camera c = input.view.camera;
     if (bits > few_bits) return h;
     if (c.projection == Projection::parallel) {
         tells_equal_steps_only(h, input, format.step);
         return h;
     }
-    const double step = format.step, at_near = 1 / c.near_depth;
-    tells_levels_only(
-        h, [=](double depth) { return (at_near - 1 / depth) / step; },
-        [=](double depth) { return gamma(4, unit_roundoff_float32) * (at_near + 1 / depth) / step; });
+    // z between near and far; near / depth; and 1 / depth
+    const double step = format.step, at_near = 1 / c.near_depth, most = std::ldexp(1.0, bits);
+    tells_levels_only(h, [=](double depth) {
+        const auto inverse = [&](double scale) {
+            return Steps{scale / depth, depth_rounding * std::abs(scale / depth)};
+        };
+        return std::array{Steps{(at_near - 1 / depth) / step, depth_rounding * (at_near + 1 / depth) / step},
+                          inverse(c.near_depth * (most - 1)), inverse(c.near_depth * most), inverse(most)};
+    });
     return h;
 }
 
@@ -187,9 +201,14 @@ Hypothesis stored_as_float(const DiagnosisInput& input, int bits) {
     h.report = [r](const DepthBound& bound, const Claim&) {
         return ReportedDepth{bound.low - r * std::abs(bound.low), bound.high + r * std::abs(bound.high)};
     };
-    tells_levels_only(
-        h, [bits](double depth) { return depth == 0 ? 0 : std::ldexp(depth, bits - 1 - std::ilogb(depth)); },
-        [](double) { return 0.0; });
+    // the depth, or its reciprocal
+    tells_levels_only(h, [bits](double depth) {
+        const auto significand = [&](double number) {
+            return number == 0 ? 0 : std::ldexp(number, bits - 1 - std::ilogb(number));
+        };
+        const double inverse = significand(1 / depth);
+        return std::array{Steps{significand(depth), 0}, Steps{inverse, depth_rounding * std::abs(inverse)}};
+    });
     return h;
 }
 
