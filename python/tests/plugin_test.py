@@ -225,7 +225,6 @@ def test_a_report_that_fails_at_the_end_fails_the_session(tmp_path):
     tests = GOOD + """
 def test_last():
     import os
-    os.remove("out/report.html")
     os.mkdir("out/report.html")
     open("out/report.html/file", "w").close()
 """
