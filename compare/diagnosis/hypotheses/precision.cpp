@@ -204,7 +204,8 @@ Hypothesis stored_as_float(const DiagnosisInput& input, int bits) {
     // the depth, or its reciprocal
     tells_levels_only(h, [bits](double depth) {
         const auto significand = [&](double number) {
-            return number == 0 ? 0 : std::ldexp(number, bits - 1 - std::ilogb(number));
+            const bool has_steps = number != 0 && std::isfinite(number);
+            return has_steps ? std::ldexp(number, bits - 1 - std::ilogb(number)) : 0.0;
         };
         const double inverse = significand(1 / depth);
         return std::array{Steps{significand(depth), 0}, Steps{inverse, depth_rounding * std::abs(inverse)}};
