@@ -229,11 +229,11 @@ class Diagnoser {
         const double all_bits = bits_of_defects();
         double saved_bits = 0;
         std::vector<Explanation> causes;
-        for (std::vector<HypothesisTest> best = first; !best.empty() && causes.size() < most_causes;
-             best = best_tests()) {
+        for (std::vector<HypothesisTest> best = first; !best.empty(); best = best_tests()) {
             if (best.front().saved_bits < least_part * all_bits) break;
             saved_bits += best.front().saved_bits;
             causes.push_back(best.front().outcome);
+            if (causes.size() == most_causes) break;
             defect_set_.keep(left_by(*best.front().hypothesis));
         }
         if (saved_bits >= least_saved_share * all_bits) name(causes, first, diagnosis);

@@ -162,6 +162,15 @@ TEST(Diagnosis, OfASceneWithoutTrianglesNamesNoCause) {
     EXPECT_FALSE(diagnosis->cause);
 }
 
+/// What a transposed picture does not cover stays blank.
+TEST(Diagnosis, NamesAFurtherCauseOfWhatTheFirstLeaves) {
+    const DiagnosisFixture fixture("room", 0);
+    const auto diagnosis = fixture.diagnosis_of(faulty(fixture, "transposed"));
+    expect_cause(diagnosis, "the image is transposed");
+    ASSERT_EQ(diagnosis->further.size(), 1u) << told(diagnosis);
+    EXPECT_EQ(diagnosis->further[0].name, "columns are missing");
+}
+
 TEST(Diagnosis, OneWrongPixelProvesNoRule) {
     const DiagnosisFixture fixture("room", 0);
     Frame frame = fixture.drawn_by(rasterizer::correct_rules);
