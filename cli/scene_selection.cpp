@@ -24,7 +24,21 @@ namespace fs = std::filesystem;
 SceneSource of_suite(const SuiteEntry& entry) {
     SceneSource source{SceneSource::Kind::suite, entry.name, "suite", entry.reason, entry.expects};
     source.usual_size = entry.size;
+    source.has_own_sizes = entry.has_own_sizes;
     return source;
+}
+
+SceneSource of_thorough_suite(const SuiteEntry& entry) {
+    SceneSource source = of_suite(entry);
+    source.only_thorough = true;
+    return source;
+}
+
+/// All that a word may name.
+std::vector<SuiteEntry> named_scenes() {
+    std::vector<SuiteEntry> entries = suite_manifest();
+    std::ranges::move(thorough_manifest(), std::back_inserter(entries));
+    return entries;
 }
 
 bool is_view_file(const fs::path& file) { return ending_of(file) == ".json"; }
@@ -120,7 +134,8 @@ std::optional<SceneSource> single_scene(const std::string& word, const std::vect
 SceneSelection meant_by(const std::string& word, const std::vector<SuiteEntry>& manifest) {
     if (word == "suite") {
         std::vector<SceneSource> sources;
-        std::ranges::transform(manifest, std::back_inserter(sources), of_suite);
+        std::ranges::transform(suite_manifest(), std::back_inserter(sources), of_suite);
+        std::ranges::transform(thorough_manifest(), std::back_inserter(sources), of_thorough_suite);
         return {sources, {}};
     }
     if (const auto scene = single_scene(word, manifest)) return {{*scene}, {}};
@@ -140,7 +155,7 @@ void make_names_unique(std::vector<SceneSource>& sources) {
 }  // namespace
 
 SceneSelection select_with_counts(const std::vector<std::string>& words, const fs::path& models) {
-    const std::vector<SuiteEntry> manifest = suite_manifest();
+    const std::vector<SuiteEntry> manifest = named_scenes();
     SceneSelection selection;
     std::set<std::string> seen;
     for (const std::string& word : words.empty() ? std::vector<std::string>{"suite"} : words) {
@@ -158,7 +173,9 @@ SceneSelection select_with_counts(const std::vector<std::string>& words, const f
 }
 
 std::vector<SceneSource> select_scenes(const std::vector<std::string>& words, const fs::path& models) {
-    return select_with_counts(words, models).sources;
+    std::vector<SceneSource> sources = select_with_counts(words, models).sources;
+    std::erase_if(sources, &SceneSource::only_thorough);
+    return sources;
 }
 
 std::string in_words(const FileCounts& passed_over) {
@@ -178,7 +195,7 @@ std::string in_words(const FileCounts& passed_over) {
 }
 
 SceneSource select_scene(const std::string& word, const fs::path& models) {
-    if (auto scene = single_scene(word, suite_manifest())) {
+    if (auto scene = single_scene(word, named_scenes())) {
         scene->models = models;
         return *scene;
     }

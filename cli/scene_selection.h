@@ -26,11 +26,14 @@ struct SceneSource {
     std::string suite_name{};          ///< where it goes by another name in the selection
     std::optional<Resolution> usual_size{};  ///< of a suite scene's pictures where a run names no other
     std::optional<Resolution> size{};        ///< of its pictures in this run; nothing: what the run has
+    bool has_own_sizes = false;              ///< its views state their sizes
+    bool only_thorough = false;              ///< the suite's, but of thorough runs alone
 };
 
 /// The scenes that the words mean, in their order, each once: "suite" or no word at all is the whole suite; a
 /// folder is every .gltf, .glb, .obj, .ply and .view.json below it, sorted, where NAME.view.json speaks for a
 /// NAME.gltf, NAME.glb, NAME.obj or NAME.ply beside it. A suite scene's name goes before a file of that name.
+/// The suite's scenes of thorough runs are among them where they are named.
 /// Nothing is opened. Throws SceneError for a word that is none of this.
 std::vector<SceneSource> select_scenes(const std::vector<std::string>& words,
                                        const std::filesystem::path& models = {});
@@ -38,8 +41,8 @@ std::vector<SceneSource> select_scenes(const std::vector<std::string>& words,
 /// How many files, by their ending in lower case.
 using FileCounts = std::map<std::string, std::uint64_t>;
 
-/// The same scenes, and what lies beside them in the folders and is none. A model that a view file speaks for
-/// is not counted.
+/// The same scenes, with the whole suite's of thorough runs, and what lies beside them in the folders and is
+/// none. A model that a view file speaks for is not counted.
 struct SceneSelection {
     std::vector<SceneSource> sources;
     FileCounts passed_over;

@@ -10,36 +10,42 @@
 namespace zproof {
 namespace {
 
-std::vector<std::string> names_of_suite() {
+std::vector<std::string> names_of(const std::vector<SuiteEntry>& entries) {
     std::vector<std::string> names;
-    for (const SuiteEntry& entry : suite_manifest()) names.push_back(entry.name);
+    for (const SuiteEntry& entry : entries) names.push_back(entry.name);
     return names;
 }
 
-void require_known(const std::vector<std::string>& requested, const std::vector<std::string>& suite) {
+void require_known(const std::vector<std::string>& requested) {
+    std::vector<std::string> suite = names_of(suite_manifest());
+    for (const SuiteEntry& entry : thorough_manifest()) suite.push_back(entry.name);
     for (const std::string& name : requested)
         if (std::ranges::find(suite, name) == suite.end())
             throw SceneError{name + ": no such scene in the suite" + did_you_mean(name, suite) +
                              " (zproof list shows it)"};
 }
 
+void print(const SuiteEntry& entry) {
+    std::cout << entry.name << "\n    " << entry.reason << "\n    must show:";
+    for (const std::string& expected : entry.expects) std::cout << " " << expected;
+    std::cout << "\n";
+}
+
 }  // namespace
 
 ExitCode execute(const ListArguments&) {
-    for (const SuiteEntry& entry : suite_manifest()) {
-        std::cout << entry.name << "\n    " << entry.reason << "\n";
-        if (entry.expects.empty()) continue;
-        std::cout << "    must show:";
-        for (const std::string& expected : entry.expects) std::cout << " " << expected;
-        std::cout << "\n";
+    for (const SuiteEntry& entry : suite_manifest()) print(entry);
+    for (const SuiteEntry& entry : thorough_manifest()) {
+        print(entry);
+        std::cout << "    only of a run with --thorough, or where it is named\n";
     }
     return ExitCode::proven;
 }
 
 ExitCode execute(const GenerateArguments& arguments) {
-    const std::vector<std::string> suite = names_of_suite();
-    const std::vector<std::string> names = arguments.names.empty() ? suite : arguments.names;
-    require_known(names, suite);
+    const std::vector<std::string> names =
+        arguments.names.empty() ? names_of(suite_manifest()) : arguments.names;
+    require_known(names);
     return write_scenes(names, arguments.common,
                         [](const std::string& name) { return generate_suite_scene(name); });
 }

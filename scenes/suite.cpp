@@ -41,22 +41,44 @@ constexpr std::array suite_generators{
     SuiteGenerator{"oblique", suite::oblique},
     SuiteGenerator{"textured_ground", suite::textured_ground},
     SuiteGenerator{"room", suite::room},
+    SuiteGenerator{"odd_cameras", suite::odd_cameras},
+    SuiteGenerator{"picture_sizes", suite::picture_sizes},
+    SuiteGenerator{"far_at_infinity", suite::far_at_infinity},
+    SuiteGenerator{"parallel_planes", suite::parallel_planes},
+    SuiteGenerator{"frustum_cuts", suite::frustum_cuts},
+    SuiteGenerator{"clipped_tips", suite::clipped_tips},
+    SuiteGenerator{"high_ids", suite::high_ids},
+    SuiteGenerator{"ids_beyond_float", suite::ids_beyond_float},
+    SuiteGenerator{"far_indices", suite::far_indices},
+    SuiteGenerator{"many_primitives", suite::many_primitives},
+    SuiteGenerator{"one_box", suite::one_box},
+    SuiteGenerator{"one_tile", suite::one_tile},
 };
+
+SuiteEntry entry_of(const nlohmann::json& scene) {
+    SuiteEntry entry{.name = scene.at("name"),
+                     .reason = scene.at("reason"),
+                     .expects = scene.at("expects").get<std::vector<std::string>>(),
+                     .size = {}};
+    if (!scene.contains("size")) return entry;
+    const nlohmann::json& size = scene.at("size");
+    entry.has_own_sizes = size == "own";
+    if (!entry.has_own_sizes) entry.size = {size.at(0), size.at(1)};
+    return entry;
+}
+
+std::vector<SuiteEntry> entries_of(const char* list) {
+    const nlohmann::json manifest = nlohmann::json::parse(suite::manifest_json());
+    std::vector<SuiteEntry> entries;
+    for (const nlohmann::json& scene : manifest.at(list)) entries.push_back(entry_of(scene));
+    return entries;
+}
 
 }  // namespace
 
-std::vector<SuiteEntry> suite_manifest() {
-    const nlohmann::json manifest = nlohmann::json::parse(suite::manifest_json());
-    std::vector<SuiteEntry> entries;
-    for (const nlohmann::json& scene : manifest.at("scenes")) {
-        entries.push_back({.name = scene.at("name"),
-                           .reason = scene.at("reason"),
-                           .expects = scene.at("expects").get<std::vector<std::string>>(),
-                           .size = {}});
-        if (scene.contains("size")) entries.back().size = {scene.at("size").at(0), scene.at("size").at(1)};
-    }
-    return entries;
-}
+std::vector<SuiteEntry> suite_manifest() { return entries_of("scenes"); }
+
+std::vector<SuiteEntry> thorough_manifest() { return entries_of("thorough_scenes"); }
 
 Loaded generate_suite_scene(const std::string& name, int width, int height) {
     if (width < 1 || height < 1)

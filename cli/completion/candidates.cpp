@@ -24,6 +24,7 @@ using Words = std::vector<std::string>;
 Words suite_names() {
     Words names;
     for (const SuiteEntry& entry : suite_manifest()) names.push_back(entry.name);
+    for (const SuiteEntry& entry : thorough_manifest()) names.push_back(entry.name);
     return names;
 }
 

@@ -44,6 +44,28 @@ Loaded closed_surfaces(ImageSize size);
 Loaded off_axis(ImageSize size);
 Loaded orthographic(ImageSize size);
 Loaded oblique(ImageSize size);
+Loaded odd_cameras(ImageSize size);
+
+// sizes.cpp
+Loaded picture_sizes(ImageSize size);
+
+// planes.cpp
+Loaded far_at_infinity(ImageSize size);
+Loaded parallel_planes(ImageSize size);
+
+// cuts.cpp
+Loaded frustum_cuts(ImageSize size);
+Loaded clipped_tips(ImageSize size);
+
+// indices.cpp
+Loaded high_ids(ImageSize size);
+Loaded ids_beyond_float(ImageSize size);
+Loaded far_indices(ImageSize size);
+Loaded many_primitives(ImageSize size);
+
+// stacks.cpp
+Loaded one_box(ImageSize size);
+Loaded one_tile(ImageSize size);
 
 // textured_ground.cpp
 Loaded textured_ground(ImageSize size);

@@ -12,16 +12,21 @@ target_sources(zproof_scenes PRIVATE
     ${suite_dir}/../view_document.cpp
     ${CMAKE_CURRENT_BINARY_DIR}/suite_manifest.cpp
     ${suite_dir}/cracks.cpp
+    ${suite_dir}/cuts.cpp
     ${suite_dir}/density.cpp
     ${suite_dir}/extent.cpp
     ${suite_dir}/facing.cpp
     ${suite_dir}/fill_rule.cpp
+    ${suite_dir}/indices.cpp
     ${suite_dir}/mesh_builder.cpp
     ${suite_dir}/near_plane.cpp
+    ${suite_dir}/planes.cpp
     ${suite_dir}/projections.cpp
     ${suite_dir}/random.cpp
     ${suite_dir}/room.cpp
     ${suite_dir}/shapes.cpp
+    ${suite_dir}/sizes.cpp
+    ${suite_dir}/stacks.cpp
     ${suite_dir}/textured_ground.cpp
     ${suite_dir}/ties.cpp
     ${suite_dir}/tiny.cpp
