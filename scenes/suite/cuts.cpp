@@ -55,7 +55,8 @@ glm::dvec3 meeting(const std::array<glm::dvec3, 2>& ab, const std::array<glm::dv
 }
 
 /// A triangle in NDC that the cube cuts to nine corners: all six planes cut it, and each of its sides cuts a
-/// corner, a share of `cut` of the way to the next ones, off the hexagon that they leave.
+/// corner, a share of `cut` of the way to the next ones, off the hexagon that they leave. Its own corners
+/// keep within z = 3.
 std::array<glm::dvec3, 3> cut_to_nine(const glm::dvec3& normal, double cut) {
     const std::array<glm::dvec3, 6> hexagon = around(hexagon_in_cube(normal), normal);
     std::array<std::array<glm::dvec3, 2>, 3> sides;
@@ -79,7 +80,7 @@ glm::dvec3 hexagons_normal(Random& random) {
 
 /// A triangle in NDC that crosses a few of the six planes.
 std::array<glm::dvec3, 3> crossing(Random& random) {
-    const glm::dvec3 low(-1.6, -1.6, -1.04), high(1.6, 1.6, 1.04);
+    const glm::dvec3 low(-2), high(2);
     return {random.in_box(low, high), random.in_box(low, high), random.in_box(low, high)};
 }
 
@@ -97,7 +98,7 @@ void add_cut_triangles(MeshBuilder& mesh, const Camera& camera, std::uint64_t se
         add(cut_to_nine(normal, random.uniform(0.1, 0.4)));
     }
     mesh.begin_part("across a few planes", {0.3, 0.6, 0.4});
-    for (int i = 0; i < 24; ++i) add(crossing(random));
+    for (int i = 0; i < 60; ++i) add(crossing(random));
 }
 
 /// A triangle of which the plane at camera depth `cut_depth` leaves the tip alone: about two pixels around
@@ -124,7 +125,7 @@ void add_tip_through_side(MeshBuilder& mesh, const glm::dvec2& on_side, const gl
 
 Loaded frustum_cuts(ImageSize size) {
     const View perspective =
-        perspective_view("perspective", size, {}, {.half_height = 0.5, .near_depth = 1, .far_depth = 6});
+        perspective_view("perspective", size, {}, {.half_height = 0.5, .near_depth = 1, .far_depth = 2});
     const View parallel =
         parallel_view("parallel", size, {.eye_world = {64, 0, 0}, .target_world = {64, 0, -1}},
                       {.half_height = 4, .near_depth = 2, .far_depth = 10});

@@ -66,7 +66,7 @@ Loaded ids_beyond_float(ImageSize) {
 
 Loaded far_indices(ImageSize size) {
     constexpr int columns = 512, rows = 640;
-    constexpr std::uint32_t jump = 0x10000, jumps = 4;
+    constexpr std::uint32_t jump = 0x10000;
     MeshBuilder mesh("far_indices");
     mesh.begin_part("cells", {0.4, 0.5, 0.7});
     std::uint32_t first = 0;
@@ -79,10 +79,9 @@ Loaded far_indices(ImageSize size) {
     const auto add_cell = [&](std::uint32_t corner) {
         mesh.quad({corner, corner + columns, corner + columns + 1, corner + 1});
     };
-    for (std::uint32_t corner = 0; corner < jump - columns; corner += 7)
-        for (std::uint32_t k = 0; k < jumps; ++k)
-            if (corner % columns != columns - 1) add_cell(first + corner + k * jump);
-    add_cell(first + columns * (rows - 1) - 2);
+    for (std::uint32_t corner = 0; corner < jump; corner += 2)
+        for (std::uint32_t k = 0; k < columns * rows / jump && corner / columns % 2 == 0; ++k)
+            add_cell(first + corner + k * jump);
     return mesh.finish({facing_cards("ahead", size)});
 }
 
