@@ -101,6 +101,13 @@ struct FitArguments {
     std::string typed;  ///< the command line, quoted for a shell
 };
 
+struct SelfcheckArguments {
+    CommonArguments common;
+    std::vector<std::string> scenes;  ///< empty: the whole suite
+    RendererChoice renderer;
+    RenderSettings settings{.resolution = {480, 270}};
+};
+
 struct ContractCheckArguments {
     CommonArguments common;
     RendererChoice renderer;
@@ -131,13 +138,15 @@ struct Answered {
     std::string text;
 };
 
-using Command = std::variant<
-    RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments, FitArguments,
-    ContractCheckArguments, SelftestArguments, MergeArguments, ReportAgainArguments, DiffResultsArguments,
-    WaiveListArguments, WaiveCheckArguments, WaivePruneArguments, WaiveAddArguments, DoctorArguments,
-    ListArguments, GenerateArguments, ViewsArguments, FiltersRunArguments, FiltersListArguments,
-    FiltersScenesArguments, FiltersTableArguments, FiltersReproduceArguments, FiltersFigureArguments,
-    FiltersCrowArguments, FiltersCheckArguments, FiltersExplainArguments, StudyArguments, Answered>;
+using Command =
+    std::variant<RunArguments, CompareArguments, ExplainArguments, RenderArguments, MeasureArguments,
+                 FitArguments, SelfcheckArguments, ContractCheckArguments, SelftestArguments, MergeArguments,
+                 ReportAgainArguments, DiffResultsArguments, WaiveListArguments, WaiveCheckArguments,
+                 WaivePruneArguments, WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments,
+                 ViewsArguments, FiltersRunArguments, FiltersListArguments, FiltersScenesArguments,
+                 FiltersTableArguments, FiltersReproduceArguments, FiltersFigureArguments,
+                 FiltersCrowArguments, FiltersCheckArguments, FiltersExplainArguments, StudyArguments,
+                 Answered>;
 
 /// What the command shares with every other.
 const CommonArguments& common_of(const Command& command);

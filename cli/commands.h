@@ -30,6 +30,10 @@ ExitCode execute(const MeasureArguments& arguments);
 /// a defect where a pixel is left out. UsageError where it is not clear which view a frame is of.
 ExitCode execute(const FitArguments& arguments);
 
+/// Has a renderer draw each picture once more, told in other ways, and prints where its frames contradict one
+/// another; a defect where one of them is inadmissible.
+ExitCode execute(const SelfcheckArguments& arguments);
+
 /// Has a program draw three small scenes and says in words what is wrong with them.
 ExitCode execute(const ContractCheckArguments& arguments);
 

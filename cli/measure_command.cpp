@@ -4,6 +4,7 @@
 
 #include "cli/commands.h"
 #include "cli/interrupt.h"
+#include "cli/measured_renderer.h"
 #include "cli/renderers/registry.h"
 #include "cli/result_line.h"
 #include "cli/threads.h"
@@ -16,14 +17,6 @@
 
 namespace zproof {
 namespace {
-
-/// The renderer as an instrument reads it: any scene, any view.
-measure::Renderer subject(const RendererChoice& choice) {
-    return {
-        .name = name_of(choice),
-        .render = [choice](const Scene& scene, const View& view) { return open(choice, scene).render(view); },
-        .declared = declared_precision(choice)};
-}
 
 /// Writes the precision that was measured. Throws std::runtime_error, and leaves no file, where there is
 /// none.
@@ -46,7 +39,7 @@ std::string told(const MeasureArguments& arguments, const std::string& renderer,
 }  // namespace
 
 ExitCode execute(const MeasureArguments& arguments) {
-    const measure::Renderer renderer = subject(arguments.renderer);
+    const measure::Renderer renderer = measured_renderer(arguments.renderer);
     note_interrupts();
     measure::Measurement measurement;
     Share instruments{0, measure::instrument_count};

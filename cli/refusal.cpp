@@ -11,6 +11,7 @@ struct Refusal {
     std::string_view operator()(const RenderArguments&) const { return "cannot render"; }
     std::string_view operator()(const MeasureArguments&) const { return "cannot measure"; }
     std::string_view operator()(const FitArguments&) const { return "cannot fit"; }
+    std::string_view operator()(const SelfcheckArguments&) const { return "cannot check the renderer"; }
     std::string_view operator()(const ContractCheckArguments&) const { return "cannot check the contract"; }
     std::string_view operator()(const SelftestArguments&) const { return "cannot test the gate"; }
     std::string_view operator()(const MergeArguments&) const { return "cannot merge"; }

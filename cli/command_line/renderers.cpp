@@ -1,5 +1,5 @@
-// The commands that look at renderers and scenes without judging a run: render, measure, fit, contract-check,
-// selftest, list, scenes.
+// The commands that look at renderers and scenes without judging a run: render, measure, fit, selfcheck,
+// contract-check, selftest, list, scenes.
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
 #include "cli/usage_error.h"
@@ -13,6 +13,9 @@ constexpr const char* measure_remark =
 
 constexpr const char* fit_remark =
     "\nExit status: 0 every pixel is explained, 1 pixels are left out, 2 to 4 as for run.";
+
+constexpr const char* selfcheck_remark =
+    "\nExit status: 0 no frame contradicts another, 1 a frame is wrong, 2 to 4 as for run.";
 
 constexpr const char* contract_remark =
     "\nThree small scenes. Exit status: 0 the contract is kept, 1 a frame is wrong, 3 no frame came.";
@@ -84,6 +87,22 @@ Branch add_fit(CLI::App& parent, CommandWords& words) {
     return {&app, [&words] {
                 words.fit.renderer = candidate_of(words.renderers);
                 return words.fit;
+            }};
+}
+
+Branch add_selfcheck(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand(
+        "selfcheck", "is a renderer at one with itself? the same pictures told in other ways, no reference");
+    SelfcheckArguments& selfcheck = words.selfcheck;
+    app.add_option("SCENE", selfcheck.scenes,
+                   std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
+    add_renderer_options(app, words.renderers);
+    add_common(app, selfcheck.common);
+    add_render_settings(app, selfcheck.settings);
+    app.footer(selfcheck_remark);
+    return {&app, [&words] {
+                words.selfcheck.renderer = candidate_of(words.renderers);
+                return words.selfcheck;
             }};
 }
 

@@ -48,6 +48,7 @@ CommandTree::CommandTree()
                  add_render(*root_, words_),
                  add_measure(*root_, words_),
                  add_fit(*root_, words_),
+                 add_selfcheck(*root_, words_),
                  add_contract_check(*root_, words_),
                  add_selftest(*root_, words_),
                  add_merge(*root_, words_),

@@ -22,6 +22,7 @@ struct CommandWords {
     RenderArguments render;
     MeasureArguments measure;
     FitArguments fit;
+    SelfcheckArguments selfcheck;
     ContractCheckArguments contract_check;
     SelftestArguments selftest;
     GenerateArguments generate;

@@ -80,7 +80,7 @@ Words with(Words words, const Words& more) {
 Candidates scenes(const OutlineCommand& command) {
     if (command.path.starts_with("filters"))
         return {with(filter_scene_names(), suite_names()), Paths::files, Listing::single};
-    if (command.path == "run" || command.path == "fit")
+    if (command.path == "run" || command.path == "fit" || command.path == "selfcheck")
         return {with({"suite"}, suite_names()), Paths::files, Listing::single};
     return {suite_names(), Paths::files, Listing::single};
 }

@@ -84,6 +84,24 @@ std::array<glm::dvec3, 3> crossing(Random& random) {
     return {random.in_box(low, high), random.in_box(low, high), random.in_box(low, high)};
 }
 
+/// Triangles that the near plane or the top cuts through one of their corners, which lies exactly in it. Near
+/// and top must be multiples of 1/2, as the eye must be.
+void add_corners_in_planes(MeshBuilder& mesh, const Camera& camera) {
+    const double n = camera.near_depth, top = camera.window.top;
+    const bool perspective = camera.projection == Projection::perspective;
+    const auto at = [&](double u, double v, double depth) {
+        const double scale = perspective ? depth : 1;
+        return glm::dvec3(camera.eye_world) + glm::dvec3{u * scale, v * scale, -depth};
+    };
+    for (int i = -3; i < 4; ++i) {
+        const double u = 0.25 * i * top, wide = 0.125 * top;
+        mesh.lone_triangle(
+            {at(u, -0.5 * top, n), at(u + wide, -0.75 * top, 1.25 * n), at(u - wide, -0.25 * top, 0.75 * n)});
+        mesh.lone_triangle({at(u, top, 1.125 * n), at(u + wide, 0.5 * top, 1.125 * n),
+                            at(u + 0.5 * wide, 1.5 * top, 1.125 * n)});
+    }
+}
+
 void add_cut_triangles(MeshBuilder& mesh, const Camera& camera, std::uint64_t seed) {
     Random random(seed);
     const auto add = [&](const std::array<glm::dvec3, 3>& ndc) {
@@ -97,6 +115,8 @@ void add_cut_triangles(MeshBuilder& mesh, const Camera& camera, std::uint64_t se
         const glm::dvec3 normal = hexagons_normal(random);
         add(cut_to_nine(normal, random.uniform(0.1, 0.4)));
     }
+    mesh.begin_part("corners in a plane", {0.3, 0.4, 0.7});
+    add_corners_in_planes(mesh, camera);
     mesh.begin_part("across a few planes", {0.3, 0.6, 0.4});
     for (int i = 0; i < 60; ++i) add(crossing(random));
 }

@@ -38,6 +38,7 @@ const std::map<std::string, Call> calls{
     {"render", {{"two.gltf"}}},
     {"measure", {{"zproof"}}},
     {"fit", {{"two.gltf"}}},
+    {"selfcheck", {{"two.gltf"}}},
     {"contract-check", {{program_word, "--precision", "ray"}}},
     {"selftest", {{}, Call::Told::alike, Call::Work::of_seconds}},
     {"merge", {{"shard"}, Call::Told::with_times}},

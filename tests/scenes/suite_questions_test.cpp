@@ -163,6 +163,23 @@ TEST(FrustumCuts, LeaveUpToNineCornersOfTrianglesThatThreeToSixPlanesCut) {
     }
 }
 
+TEST(FrustumCuts, PassThroughCornersThatLieExactlyInAPlane) {
+    const Loaded loaded = generate_suite_scene("frustum_cuts");
+    for (const View& view : loaded.views) {
+        const auto planes = frustum_of(view);
+        for (const std::size_t plane : {0u, 5u}) {
+            int cut_through_a_corner = 0;
+            for (std::size_t i = 0; i < loaded.scene.triangles.size(); ++i) {
+                std::array<double, 3> inside{};
+                std::ranges::transform(corners_in_camera(loaded, view, i), inside.begin(), planes[plane]);
+                std::ranges::sort(inside);
+                cut_through_a_corner += inside[0] < 0 && inside[1] == 0 && inside[2] > 0;
+            }
+            EXPECT_EQ(cut_through_a_corner, 7) << view.name << plane;
+        }
+    }
+}
+
 TEST(ClippedTips, AreOfTwoPixelsAtEverySize) {
     for (const auto& [width, height] : {std::pair{1920, 1080}, {641, 359}}) {
         const Loaded loaded = generate_suite_scene("clipped_tips", width, height);
