@@ -52,24 +52,45 @@ std::optional<Real> entry(const Box& box, const Ray<Real>& ray, const Vec3<Real>
     return reach.low;
 }
 
+/// Nodes that are still to be seen, and where the ray enters them.
+template <class Real>
+class Stack {
+  public:
+    void push(std::uint32_t node, const std::optional<Real>& entered_at) {
+        if (entered_at) entries_[size_++] = {node, *entered_at};
+    }
+    bool is_empty() const { return size_ == 0; }
+    auto pop() { return entries_[--size_]; }
+
+  private:
+    struct Entry {
+        std::uint32_t node;
+        Real entered_at;
+    };
+    std::array<Entry, 64> entries_;
+    std::size_t size_ = 0;
+};
+
 /// meet(triangle, ray) is the t of a hit, or nothing.
 template <class Real, class Meet>
 Hit<Real> nearest_hit(const Bvh& tree, const Ray<Real>& ray, Reach<Real> reach, Meet meet) {
     Hit<Real> best{.t = reach.high};
     const Vec3<Real> inverse{1 / ray.direction[0], 1 / ray.direction[1], 1 / ray.direction[2]};
-    std::array<std::uint32_t, 64> stack;
-    std::size_t size = 0;
-    if (!tree.nodes.empty()) stack[size++] = 0;
-    while (size > 0) {
-        const Node& node = tree.nodes[stack[--size]];
-        if (!entry(node.box, ray, inverse, {reach.low, best.t})) continue;
+    const auto entry_of = [&](std::uint32_t node) {
+        return entry(tree.nodes[node].box, ray, inverse, {reach.low, best.t});
+    };
+    Stack<Real> stack;
+    if (!tree.nodes.empty()) stack.push(0, entry_of(0));
+    while (!stack.is_empty()) {
+        const auto [index, entered_at] = stack.pop();
+        if (entered_at > best.t) continue;
+        const Node& node = tree.nodes[index];
         if (node.count == 0) {
-            const auto first = entry(tree.nodes[node.first].box, ray, inverse, {reach.low, best.t});
-            const auto second = entry(tree.nodes[node.first + 1].box, ray, inverse, {reach.low, best.t});
-            const bool second_is_nearer = first && second && *second < *first;
-            if (second && !second_is_nearer) stack[size++] = node.first + 1;
-            if (first) stack[size++] = node.first;
-            if (second_is_nearer) stack[size++] = node.first + 1;
+            const auto first = entry_of(node.first), second = entry_of(node.first + 1);
+            const bool is_first_nearer = first && second && *first < *second;
+            if (!is_first_nearer) stack.push(node.first, first);
+            stack.push(node.first + 1, second);
+            if (is_first_nearer) stack.push(node.first, first);
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
             const std::optional<Real> t = meet(tree.triangles[i], ray);

@@ -14,10 +14,10 @@ Picture draw_unsnapped(const Mesh& mesh, const Camera& camera);
 /// Float64, edges before the divide (Olano and Greer 1997), and nothing is clipped.
 Picture draw_homogeneous(const Mesh& mesh, const Camera& camera);
 
-/// A ray per pixel through a tree of boxes; float64, Pluecker products.
+/// A ray per pixel through a tree of boxes; float32, Pluecker products.
 Picture cast_pluecker(const Mesh& mesh, const Camera& camera);
 
-/// The same in float32, by Moeller and Trumbore (1997).
+/// The same in float64, by Moeller and Trumbore (1997).
 Picture cast_moeller_trumbore(const Mesh& mesh, const Camera& camera);
 
 }  // namespace plain

@@ -29,8 +29,8 @@ constexpr std::array all_modes{
          "raster,transform=float64,origin=eye,snap=none,edge_functions=homogeneous,edge_arithmetic=float64,"
          "interpolation=float64",
          draw_homogeneous},
-    Mode{"pluecker", "ray,arithmetic=float64", cast_pluecker},
-    Mode{"moeller_trumbore", "ray,test=moeller_trumbore", cast_moeller_trumbore},
+    Mode{"pluecker", "ray", cast_pluecker},
+    Mode{"moeller_trumbore", "ray,arithmetic=float64,test=moeller_trumbore", cast_moeller_trumbore},
 };
 
 }  // namespace
