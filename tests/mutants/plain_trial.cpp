@@ -1,6 +1,6 @@
 // Runs the plain renderer of tests/mutants/plain, for tests/mutants/score_plain.
 //
-//     plain_trial modes        their names, one a line
+//     plain_trial modes        their names, and what they promise, one a line
 //     plain_trial MODE ...     the rest as try_suite says
 #include <algorithm>
 #include <iostream>
@@ -76,7 +76,8 @@ Frame frame_of(const plain::Picture& picture) {
 int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + 1, argv + argc);
     for (const plain::Mode& mode : plain::modes()) {
-        if (words == std::vector<std::string>{"modes"}) std::cout << mode.name << "\n";
+        if (words == std::vector<std::string>{"modes"})
+            std::cout << mode.name << ' ' << mode.precision << '\n';
         if (words.empty() || words[0] != mode.name) continue;
         const auto render = [&](const Scene& scene, const View& view) {
             return frame_of(mode.render(mesh_of(scene), camera_of(view)));

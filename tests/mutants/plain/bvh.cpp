@@ -60,7 +60,9 @@ void Bvh::build(std::size_t node, std::uint32_t first, std::uint32_t count) {
         nodes[node].count = count;
         return;
     }
-    const std::size_t axis = longest_axis(box);
+    Box centres = Box::empty();
+    for (std::uint32_t i = first; i != first + count; ++i) centres.add(doubled_centre(triangles[i], box));
+    const std::size_t axis = longest_axis(centres);
     const auto begin = triangles.begin() + first;
     std::nth_element(begin, begin + count / 2, begin + count, [&](const Triangle& a, const Triangle& b) {
         return doubled_centre(a, box)[axis] < doubled_centre(b, box)[axis];
