@@ -11,7 +11,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 
-Mutant = collections.namedtuple("Mutant", "area sentence name file find put survives")
+Mutant = collections.namedtuple("Mutant", "area sentence name file find put survives mode cause")
 
 
 class Refusal(Exception):
@@ -19,10 +19,11 @@ class Refusal(Exception):
 
 
 def mutant_of(area, lines):
-    """`survives` says why nothing can catch it; empty where something should."""
+    """`survives` says why nothing can catch it; empty where something should. `mode`: of the plain renderer. `cause`: how
+    the diagnosis's right name begins; empty where no hypothesis describes it."""
     fields = {key: value.strip() for key, value in (line.split(":", 1) for line in lines[1:])}
     return Mutant(area, lines[0], fields["name"], fields["file"], fields["find"], fields["put"],
-                  fields.get("survives", ""))
+                  fields.get("survives", ""), fields.get("mode", ""), fields.get("cause", ""))
 
 
 def read_catalogue(name):
@@ -130,7 +131,9 @@ def compile_source(words, folder, header, source, made, what, build):
          build)
 
 
-JUDGES_SECTION = "the judge's own mutants"  # of docs/detection-tables.md
+# Of docs/detection-tables.md.
+PLAINS_SECTION = "the plain renderer's mutants"
+JUDGES_SECTION = "the judge's own mutants"
 
 
 def marks_of(name):

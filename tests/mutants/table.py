@@ -8,7 +8,7 @@ RIVALS = {"idiff": "`idiff`", "idiff_blender": "`idiff`, Blender's settings", "f
 HEAD = """# Detection, row by row
 
 What [detection.md](detection.md) sums up. `tests/mutants/score --table docs/detection-tables.md` writes this page, and
-`tests/mutants/score_judge --table docs/detection-tables.md` its last section.
+`tests/mutants/score_plain --table` and `tests/mutants/score_judge --table` its last two sections.
 
 """
 
@@ -115,3 +115,59 @@ def page(rows, lines, false_alarms, catalogue_size):
     for area, area_rows in areas.items():
         text += f"\n### {area.capitalize()}\n\n" + table(COLUMNS, area_rows)
     return text + "\n## Injected faults\n\n" + table(COLUMNS, [fault_row(line) for line in faults])
+
+
+def named_as(mutant, line):
+    """What the named cause is worth. One that nobody foresaw for the defect is wrong."""
+    cause = line.get("cause")
+    if cause is None:
+        return "none"
+    return "right" if any(name and cause.startswith(name) for name in mutant.cause.split("|")) else "wrong"
+
+
+def plain_row(row):
+    line, mutant = row["line"], row["mutant"]
+    head = f"| `{mutant.name}`: {mutant.sentence} | `{mutant.mode}` |"
+    if not line:
+        return f"{head} **no**: {mutant.survives or 'nobody knows why'} | - | - | - |"
+    cause = f"{line['cause']} ({100 * line['share']:.0f} %)" if "cause" in line else "-"
+    return (f"{head} {line.get('name', 'yes')} at {row['size'][0]} | {line.get('ending') or dominant_class(line)} | "
+            f"{cause} | {named_as(mutant, line)} |")
+
+
+def by_mode(rows):
+    modes = collections.OrderedDict()
+    for row in rows:
+        modes.setdefault(row["mutant"].mode, []).append(row)
+    return table(["mode", "defects", "caught"],
+                 [f"| `{mode}` | {len(of_mode)} | {sum(row['line'] is not None for row in of_mode)} |"
+                  for mode, of_mode in modes.items()])
+
+
+def plain_sums(rows):
+    """How many are caught, and what the named causes are worth."""
+    caught = [row for row in rows if row["line"]]
+    reasons = collections.Counter(row["mutant"].survives.split(":")[0] for row in rows if not row["line"])
+    worth = collections.Counter((bool(row["mutant"].cause), named_as(row["mutant"], row["line"])) for row in caught)
+    described, named = worth[True, "right"], sum(worth[has, word] for has in (True, False) for word in ("right", "wrong"))
+    lines = [f"{share(len(caught), len(rows))} are caught."]
+    lines += [f"Of the others, {count} survive as \"{reason}\"." for reason, count in sorted(reasons.items())]
+    lines += [f"A hypothesis describes {sum(worth[True, word] for word in ('right', 'wrong', 'none'))} of the caught; the "
+              f"diagnosis names {described} of them rightly, {worth[True, 'wrong']} wrongly, and {worth[True, 'none']} not.",
+              f"No hypothesis describes {sum(worth[False, word] for word in ('right', 'wrong', 'none'))}; it names none for "
+              f"{worth[False, 'none']} of them, and a wrong one for {worth[False, 'wrong']}.",
+              f"So of the {named} causes that it names, {described} are right ({100 * described / max(1, named):.0f} %)."]
+    return "\n".join(lines) + "\n"
+
+
+def plain_section(rows):
+    text = ("## A renderer that is not ours\n\n"
+            f"{len(rows)} defects of `tests/mutants/plain.txt` are planted into `tests/mutants/plain/`, one at a time.\n")
+    text += plain_sums(rows) + "\n" + by_mode(rows)
+    areas = collections.OrderedDict()
+    for row in rows:
+        areas.setdefault(row["mutant"].area, []).append(plain_row(row))
+    for area, area_rows in areas.items():
+        text += f"\n### {area.capitalize()}\n\n" + table(
+            ["defect", "mode", "caught", "class", "diagnosed cause (share explained)", "named"], area_rows)
+    return text
