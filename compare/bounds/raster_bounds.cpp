@@ -215,8 +215,8 @@ void RasterBounds::add_weights(TriangleBounds& bounds, const ViewFacts& facts, c
     const bool are_exact = precision_.edge_functions != EdgeFunctions::from_corner;
     const double of_weights = are_exact ? 0 : areas.of_weights;
     const double negative = 2 * (of_weights + 3 * precision_.barycentric_tolerance);
-    bounds.depth_eps_base_px *= 1 + negative;
-    bounds.depth_eps_per_inverse_depth *= 1 + negative;
+    for (double* eps : {&bounds.depth_eps_base_px, &bounds.depth_eps_per_inverse_depth})
+        if (*eps > 0) *eps *= 1 + negative;  // weights may be unlimited
     if (negative > 0) add_reach_beyond_planes(bounds, facts, polygon, negative);
     double of_area = are_exact ? 0 : areas.of_area;
     if (precision_.area_epsilon_px2 > 0)
@@ -234,7 +234,8 @@ void RasterBounds::add_reach_beyond_planes(TriangleBounds& bounds, const ViewFac
     if (polygon.empty()) return;
     const auto [low, high] =
         std::ranges::minmax(polygon, {}, [](const WindowCorner& corner) { return corner.inverse_depth; });
-    const double beyond = negative * (high.inverse_depth - low.inverse_depth);
+    const double range = high.inverse_depth - low.inverse_depth;
+    const double beyond = range > 0 ? negative * range : 0;  // weights may be unlimited
     const Camera& c = facts.view.camera;
     bounds.near_slack += facts.perspective ? beyond * c.near_depth * c.near_depth : beyond;
     if (std::isfinite(c.far_depth))
@@ -253,9 +254,10 @@ void RasterBounds::add_homogeneous(TriangleBounds& bounds, const ViewFacts& fact
     bounds.depth_factor += own.depth_factor;
     // pixels beyond near and far are cut one by one, by their depths
     const auto slack = [&](double depth) {
-        const double of_sum = own.inverse_depth_error * (facts.perspective ? depth : 1 / depth);
-        const double share = compounded(bounds.depth_factor + of_sum);
-        return std::isinf(share) ? share : depth * share;
+        const double e = own.inverse_depth_error;  // of depth itself where the view is parallel
+        const double share = compounded(bounds.depth_factor + (facts.perspective ? e * depth : 0));
+        if (std::isinf(share)) return share;
+        return facts.perspective ? depth * share : (std::abs(depth) + e) * share + e;
     };
     const Camera& c = facts.view.camera;
     bounds.near_slack += slack(c.near_depth);

@@ -90,7 +90,7 @@ TriangleBounds RayBounds::of(const ViewFacts& facts, const TriangleExtent& exten
     if (precision_.world_absolute > 0) add_world_error(bounds, facts);
     const auto slack = [&](double plane_depth) {
         const double share = compounded(unit_ + bounds.depth_factor + bounds.plane_offset * plane_depth);
-        return std::isinf(share) ? share : plane_depth * share + bounds.depth_absolute;
+        return std::isinf(share) ? share : std::abs(plane_depth) * share + bounds.depth_absolute;
     };
     const Camera& c = facts.view.camera;
     bounds.near_slack = slack(c.near_depth);

@@ -109,7 +109,7 @@ Loaded odd_cameras(ImageSize size) {
     View skewed = seen("skewed", street, {.far_depth = 200});
     skewed.camera.right += 4e-13 * skewed.camera.up;
     View beside = seen("beside", {{0, 40, 0}, {0, 40, -1}}, {.far_depth = 1000});
-    beside.camera.window = {7.5, 7.5 + 4.5 * size.aspect(), -12, -7.5};
+    beside.camera.window = {4, 4 + 2 * size.aspect(), -5, -3};
     const Intrinsics tenth_of_a_degree{.half_height = 8.7266e-4, .near_depth = 1000, .far_depth = 3000};
     return mesh.finish(
         {rolled, skewed, beside, seen("narrow", {{1200, 300, 1500}, {0, 3, 0}}, tenth_of_a_degree),
