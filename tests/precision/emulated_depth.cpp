@@ -61,6 +61,7 @@ float EmulatedValue::at(const glm::dvec2& p_raster, const Weights& weights) cons
 EmulatedDepthBuffer::EmulatedDepthBuffer(const View& view, const RasterPrecision& precision)
     : precision_(precision),
       is_perspective_(view.camera.projection == Projection::perspective),
+      is_far_infinite_(std::isinf(view.camera.far_depth)),
       code_(depth_code(view.camera, precision)) {}
 
 EmulatedInterpolation EmulatedDepthBuffer::on(const std::array<EmulatedCorner, 3>& piece,
@@ -90,17 +91,19 @@ double EmulatedDepthBuffer::stored(float z) const {
     if (precision_.depth_buffer == DepthBuffer::camera_depth) return z;
     const float kept = std::clamp(z, 0.0f, 1.0f);
     const double steps = steps_of(precision_.depth_format);
-    return steps > 0 ? std::nearbyint(double{kept} * steps) / steps : kept;
+    if (steps == 0) return kept;
+    const double last = is_far_infinite_ ? steps - 1 : steps;  // infinity is the background's depth
+    return std::min(std::nearbyint(double{kept} * steps), last) / steps;
 }
 
 float EmulatedDepthBuffer::depth_of_stored(double z) const {
     if (precision_.depth_buffer == DepthBuffer::camera_depth) return depth_of_linear(float(z));
     if (precision_.linearization == Arithmetic::float32) {
-        const float above = float(z) - float(code_.offset), slope = float(code_.slope);
-        return is_perspective_ ? slope / above : above / slope;
+        const float below = float(code_.offset) - float(z), slope = -float(code_.slope);
+        return is_perspective_ ? slope / below : below / slope;
     }
-    const double above = z - code_.offset;
-    return float(is_perspective_ ? code_.slope / above : above / code_.slope);
+    const double below = code_.offset - z;  // 0 at an infinite far plane
+    return float(is_perspective_ ? -code_.slope / below : below / -code_.slope);
 }
 
 EmulatedDepth EmulatedInterpolation::at(const glm::dvec2& p_raster, const Weights& weights) const {

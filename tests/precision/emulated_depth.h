@@ -58,7 +58,7 @@ class EmulatedDepthBuffer {
     float depth_of_stored(double z) const;
 
     RasterPrecision precision_;
-    bool is_perspective_;
+    bool is_perspective_, is_far_infinite_;
     EmulatedDepthCode code_;
 };
 

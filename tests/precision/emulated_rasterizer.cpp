@@ -75,7 +75,8 @@ class EmulatedRasterizer {
     }
 
     void write(std::uint32_t triangle, int x, int y, const EmulatedDepth& depth) {
-        if (!(depth.shown > 0)) return;  // a tolerance reaches beyond the horizon
+        const bool has_horizon = view_.camera.projection == Projection::perspective;
+        if (has_horizon && !(depth.shown > 0)) return;  // a tolerance reaches beyond it
         if (!(depth.tested < buffer_.at(x, y))) return;
         buffer_.at(x, y) = depth.tested;
         frame_.primitive.at(x, y) = PrimitiveId{triangle};
