@@ -22,8 +22,8 @@ Resolution resolution_for(RunSize size, Resolution usual);
 std::optional<std::vector<std::string>> oracles_for(RunSize size);
 
 /// The scenes; those that have a usual size have it, unless the run is thorough or has a resolution of its
-/// own. A thorough run has each once more at further resolutions, as "room.641x359". View files state their
-/// own resolution and stand once. Places are counted anew.
+/// own. A thorough run has each once more at further resolutions, as "room.641x359". View files and random
+/// scenes state their own resolution and stand once. Places are counted anew.
 std::vector<SceneSource> sources_for(RunSize size, Resolution resolution,
                                      const std::vector<SceneSource>& named);
 

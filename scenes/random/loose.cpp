@@ -1,0 +1,91 @@
+#include <cmath>
+
+#include "scenes/random/kinds.h"
+
+namespace zproof::random {
+namespace {
+
+/// A place beside another, so many pixels away at most in either direction.
+Place beside(Stage& stage, const Place& place, double pixels, double share_of_depth) {
+    Random& dice = stage.dice();
+    const double x = dice.uniform(-pixels, pixels), y = dice.uniform(-pixels, pixels);
+    return {place.raster + glm::dvec2(x, y), stage.depth_about(place.depth, share_of_depth)};
+}
+
+void add_patch(Stage& stage, const Place& first, double pixels, double share_of_depth) {
+    const Place second = beside(stage, first, pixels, share_of_depth);
+    stage.triangle({first, second, beside(stage, first, pixels, share_of_depth)});
+}
+
+/// A corner that is outside of one or two of the view's planes, or just on near or far.
+Place outside(Stage& stage) {
+    Random& dice = stage.dice();
+    const Camera& c = stage.view().camera;
+    Place place = stage.place();
+    const double away = dice.binade(0, 12);
+    if (stage.once_in(2)) place.raster.x += stage.view().width * (dice.integer(0, 1) ? away : -away);
+    if (stage.once_in(2)) place.raster.y += stage.view().height * (dice.integer(0, 1) ? away : -away);
+    const double span = std::isfinite(c.far_depth) ? c.far_depth - c.near_depth : c.near_depth;
+    switch (dice.integer(0, 5)) {
+        case 0:
+            place.depth = c.near_depth - span * dice.uniform(0, 2);  // also behind the eye
+            break;
+        case 1:
+            if (std::isfinite(c.far_depth)) place.depth = c.far_depth + span * dice.uniform(0, 2);
+            break;
+        case 2:
+            place.depth = c.near_depth;
+            break;
+        case 3:
+            if (std::isfinite(c.far_depth)) place.depth = c.far_depth;
+            break;
+        default:
+            break;
+    }
+    return place;
+}
+
+}  // namespace
+
+void add_soup(Stage& stage, int most) {
+    stage.mesh().begin_part("soup", stage.dice().color());
+    for (int i = 0; i < most; ++i) {
+        const Place first = stage.place();
+        const double pixels = stage.dice().binade(-1, 6);
+        add_patch(stage, first, pixels, stage.once_in(2) ? 0.05 : 1);
+    }
+}
+
+void add_slivers(Stage& stage, int most) {
+    stage.mesh().begin_part("slivers", stage.dice().color());
+    for (int i = 0; i < most; ++i) {
+        Random& dice = stage.dice();
+        const Place first = stage.place();
+        const Place second = beside(stage, first, dice.binade(1, 7), 0.2);
+        const double along = dice.uniform(-0.5, 1.5);
+        Place third{first.raster + along * (second.raster - first.raster),
+                    first.depth + along * (second.depth - first.depth)};
+        stage.triangle({first, second, beside(stage, third, dice.binade(-12, -1), 0)});
+    }
+}
+
+void add_tiny(Stage& stage, int most) {
+    stage.mesh().begin_part("tiny", stage.dice().color());
+    for (int i = 0; i < most; ++i) {
+        Place first = stage.place();
+        if (stage.once_in(2)) first.raster = glm::floor(first.raster) + 0.5;
+        add_patch(stage, first, stage.dice().binade(-8, 0), stage.once_in(2) ? 0 : 0.5);
+    }
+}
+
+void add_clipped(Stage& stage, int most) {
+    stage.mesh().begin_part("clipped", stage.dice().color());
+    for (int i = 0; i < most; ++i) {
+        Corners corners;
+        const int inside = stage.dice().integer(0, 3);
+        for (int k = 0; k < 3; ++k) corners[std::size_t(k)] = k == inside ? stage.place() : outside(stage);
+        stage.triangle(corners);
+    }
+}
+
+}  // namespace zproof::random
