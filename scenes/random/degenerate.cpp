@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "scenes/random/kinds.h"
@@ -45,11 +46,13 @@ void add_flawed(Stage& stage) {
 
 }  // namespace
 
+/// What has no area has large bounds: a crowd of it takes a judge long.
 void add_degenerate(Stage& stage, int most) {
+    const int count = std::min(most, 64);
     stage.mesh().begin_part("degenerate", stage.dice().color());
-    const bool has_wall = most > 2 && stage.once_in(2);
+    const bool has_wall = count > 2 && stage.once_in(2);
     if (has_wall) add_wall(stage);
-    for (int i = has_wall ? 2 : 0; i < most; ++i) add_flawed(stage);
+    for (int i = has_wall ? 2 : 0; i < count; ++i) add_flawed(stage);
 }
 
 }  // namespace zproof::random
