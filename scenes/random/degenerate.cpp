@@ -20,26 +20,25 @@ void add_wall(Stage& stage) {
 
 void add_flawed(Stage& stage) {
     Random& dice = stage.dice();
-    MeshBuilder& mesh = stage.mesh();
     const glm::dvec3 a = stage.world(stage.place()), b = stage.world(stage.place());
     switch (dice.integer(0, 5)) {
         case 0: {
-            const std::uint32_t first = mesh.vertex(a), second = mesh.vertex(b);
-            return mesh.triangle(first, dice.integer(0, 1) ? first : second, second);
+            const std::uint32_t first = stage.mesh().vertex(a), second = stage.mesh().vertex(b);
+            return stage.mesh().triangle(first, dice.integer(0, 1) ? first : second, second);
         }
         case 1:
-            return mesh.lone_triangle({a, b, a});
+            return stage.triangle(std::array{a, b, a});
         case 2:
-            return mesh.lone_triangle({a, a, a});
+            return stage.triangle(std::array{a, a, a});
         case 3:
-            return mesh.lone_triangle({a, b, 0.5 * (a + b)});
+            return stage.triangle(std::array{a, b, 0.5 * (a + b)});
         case 4: {
             const double along = dice.uniform(-1, 2);
-            return mesh.lone_triangle({a, b, a + along * (b - a)});
+            return stage.triangle(std::array{a, b, a + along * (b - a)});
         }
         default: {
             const glm::dvec3 moved = dice.binade(-30, -8) * (b - a), other = dice.binade(-30, -8) * (a - b);
-            return mesh.lone_triangle({a, a + moved, a + other});
+            return stage.triangle(std::array{a, a + moved, a + other});
         }
     }
 }

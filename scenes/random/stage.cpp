@@ -67,7 +67,11 @@ double Stage::depth_about(double depth, double share) {
 }
 
 void Stage::triangle(const Corners& corners) {
-    mesh_.lone_triangle({world(corners[0]), world(corners[1]), world(corners[2])});
+    triangle({world(corners[0]), world(corners[1]), world(corners[2])});
+}
+
+void Stage::triangle(const std::array<glm::dvec3, 3>& p_world) {
+    mesh_.lone_triangle({judged(p_world[0]), judged(p_world[1]), judged(p_world[2])});
 }
 
 }  // namespace zproof::random

@@ -49,6 +49,7 @@ class Stage {
     std::uint32_t vertex(const Place& place) { return mesh_.vertex(world(place)); }
     /// With vertices of its own.
     void triangle(const Corners& corners);
+    void triangle(const std::array<glm::dvec3, 3>& p_world);
 
   private:
     const View& view_;

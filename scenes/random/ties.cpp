@@ -60,9 +60,9 @@ void add_coplanar(Stage& stage, int most) {
         std::array<glm::dvec3, 3> corners;
         for (glm::dvec3& corner : corners) {
             const int across = stage.dice().integer(-8, 8), down = stage.dice().integer(-8, 8);
-            corner = Stage::judged(plane.at(across, down));
+            corner = plane.at(across, down);
         }
-        stage.mesh().lone_triangle(corners);
+        stage.triangle(corners);
     }
 }
 
