@@ -60,10 +60,13 @@ double Stage::depth() {
 }
 
 double Stage::depth_about(double depth, double share) {
-    const double reach = view_.camera.projection == Projection::parallel
-                             ? view_.camera.far_depth - view_.camera.near_depth
-                             : depth;
-    return std::clamp(depth + reach * dice_.uniform(-share, share), nearest_, farthest_);
+    constexpr double most_slope = 32;
+    const Camera& c = view_.camera;
+    const bool is_parallel = c.projection == Projection::parallel;
+    const double seen = std::min(c.window.right - c.window.left, c.window.top - c.window.bottom);
+    const double most = most_slope * seen * (is_parallel ? 1 : depth);
+    const double reach = std::min(most, share * (is_parallel ? c.far_depth - c.near_depth : depth));
+    return std::clamp(depth + reach * dice_.uniform(-1, 1), nearest_, farthest_);
 }
 
 void Stage::triangle(const Corners& corners) {

@@ -37,7 +37,8 @@ class Stage {
     glm::dvec2 raster();
     /// Between near and far; not so near that float32 has few steps there.
     double depth();
-    /// About as deep: within a share of it, and between near and far.
+    /// About as deep: within a share of it, and between near and far. Not much deeper than the view is wide:
+    /// float32 does not know triangles that are seen almost edge-on.
     double depth_about(double depth, double share);
     Place place() {
         const glm::dvec2 at = raster();

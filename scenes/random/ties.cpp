@@ -85,7 +85,7 @@ void add_stacked(Stage& stage, int most) {
     for (int i = 0; i < most; ++i) {
         const int turn = dice.integer(0, 2);
         const auto turned = [&](int k) { return std::size_t((k + turn) % 3); };
-        if (dice.integer(0, 3) == 0) {
+        if (i == 0 || dice.integer(0, 3) == 0) {
             stage.mesh().triangle(shared[turned(0)], shared[turned(1)], shared[turned(2)]);
             continue;
         }
