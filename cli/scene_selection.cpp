@@ -30,7 +30,8 @@ SceneSource of_suite(const SuiteEntry& entry) {
 
 SceneSource of_chance(const RandomScene& scene) {
     const std::string word = word_of(scene);
-    return {SceneSource::Kind::random, word, word, "", {}, 0};
+    const auto kind = std::ranges::find(random_kinds(), scene.kind, &RandomKind::name);
+    return {SceneSource::Kind::random, word, word, std::string(kind->reason), {}, 0};
 }
 
 bool is_view_file(const fs::path& file) { return ending_of(file) == ".json"; }

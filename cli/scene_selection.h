@@ -19,7 +19,7 @@ struct SceneSource {
     Kind kind = Kind::suite;
     std::string name;                  ///< unique within a selection: what the reports call it
     std::string origin;                ///< "suite", "random:KIND:SEED:NUMBER", or the file
-    std::string reason;                ///< why the suite has it; empty for files
+    std::string reason;                ///< why it is there; empty for files
     std::vector<std::string> expects;  ///< classes that must occur; empty for files
     std::uint64_t place = 0;           ///< in the selection, from 0
     std::filesystem::path models{};    ///< where a view file's model may lie; empty: in its own folder only

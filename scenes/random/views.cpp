@@ -179,7 +179,7 @@ bool is_resolved(const View& view) {
     const double reach = std::max({std::abs(w.left), std::abs(w.right), std::abs(w.bottom), std::abs(w.top)});
     const double shear = std::max(std::abs(c.shear.x), std::abs(c.shear.y));
     const double rounded = largest_coordinate(c.eye_world) + scale * reach + depth * (1 + shear);
-    return 0x1p-24 * rounded <= 0.25 * pixel;
+    return 0x1p-24 * rounded <= 0x1p-10 * pixel;
 }
 
 View aligned_view(Random& dice) {

@@ -13,7 +13,7 @@ View any_view(suite::Random& dice);
 /// How far from the world's origin, in scene units.
 double largest_coordinate(const glm::vec3& eye_world);
 
-/// Does float32 know where its rays pass, to a quarter of a pixel at the near plane? Of others each pixel may
+/// Does float32 know where its rays pass, to 2^-10 px at the near plane? Of others each pixel may
 /// show each triangle, which takes a judge long where these are many.
 bool is_resolved(const View& view);
 
