@@ -18,32 +18,38 @@ void add_patch(Stage& stage, const Place& first, double pixels, double share_of_
     stage.triangle({first, second, beside(stage, first, pixels, share_of_depth)});
 }
 
-/// A corner that is outside of one or two of the view's planes, or just on near or far; beside the image by
+/// Nearer than near, also behind the eye; farther than far; just on either; or the depth that is there. A far
+/// plane beyond 2^(2 octaves) times near is left alone.
+double depth_outside(Stage& stage, int octaves, double depth) {
+    Random& dice = stage.dice();
+    const Camera& c = stage.view().camera;
+    const bool is_parallel = c.projection == Projection::parallel;
+    const bool has_far = is_parallel || c.far_depth <= std::ldexp(c.near_depth, 2 * octaves);
+    const double span = has_far ? c.far_depth - c.near_depth : c.near_depth;
+    const double beyond = span * dice.uniform(0, 2);
+    switch (dice.integer(0, 5)) {
+        case 0:
+            return c.near_depth - beyond;
+        case 1:
+            return has_far ? c.far_depth + beyond : depth;
+        case 2:
+            return c.near_depth;
+        case 3:
+            return has_far ? c.far_depth : depth;
+        default:
+            return depth;
+    }
+}
+
+/// A corner that is outside of one to three of the view's planes, or just on near or far; beside the image by
 /// up to 2^octaves of its size.
 Place outside(Stage& stage, int octaves) {
     Random& dice = stage.dice();
-    const Camera& c = stage.view().camera;
     Place place = stage.place();
     const double away = dice.binade(0, octaves - 1);
     if (stage.once_in(2)) place.raster.x += stage.view().width * (dice.integer(0, 1) ? away : -away);
     if (stage.once_in(2)) place.raster.y += stage.view().height * (dice.integer(0, 1) ? away : -away);
-    const double span = std::isfinite(c.far_depth) ? c.far_depth - c.near_depth : c.near_depth;
-    switch (dice.integer(0, 5)) {
-        case 0:
-            place.depth = c.near_depth - span * dice.uniform(0, 2);  // also behind the eye
-            break;
-        case 1:
-            if (std::isfinite(c.far_depth)) place.depth = c.far_depth + span * dice.uniform(0, 2);
-            break;
-        case 2:
-            place.depth = c.near_depth;
-            break;
-        case 3:
-            if (std::isfinite(c.far_depth)) place.depth = c.far_depth;
-            break;
-        default:
-            break;
-    }
+    place.depth = depth_outside(stage, octaves, place.depth);
     return place;
 }
 
