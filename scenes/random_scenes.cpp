@@ -79,6 +79,11 @@ std::string_view next_part(std::string_view& text) {
     return part;
 }
 
+bool is_kind(std::string_view word) {
+    return word == any_random_kind ||
+           std::ranges::find(kinds_of_chance, word, &RandomKind::name) != kinds_of_chance.end();
+}
+
 std::string names_of_kinds() {
     std::string names;
     for (const RandomKind& kind : kinds_of_chance) names += std::string(kind.name) + ", ";
@@ -88,11 +93,6 @@ std::string names_of_kinds() {
 }  // namespace
 
 std::span<const RandomKind> random_kinds() { return kinds_of_chance; }
-
-bool is_random_kind(std::string_view word) {
-    return word == any_random_kind ||
-           std::ranges::find(kinds_of_chance, word, &RandomKind::name) != kinds_of_chance.end();
-}
 
 RandomScene random_scene(std::string_view kind, std::uint64_t seed, std::uint64_t number) {
     const std::string_view own =
@@ -110,7 +110,7 @@ std::optional<RandomScene> random_scene_from(std::string_view word) {
     next_part(rest);
     const std::string_view kind = next_part(rest);
     const auto seed = number_in(next_part(rest)), number = number_in(rest);
-    if (!is_random_kind(kind) || !seed || !number)
+    if (!is_kind(kind) || !seed || !number)
         throw SceneError(std::string(word) + ": expected random:KIND:SEED:NUMBER with a kind of " +
                          names_of_kinds() + " and two whole numbers, such as random:soup:1:0");
     return random_scene(kind, *seed, *number);

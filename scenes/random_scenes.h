@@ -23,7 +23,6 @@ std::span<const RandomKind> random_kinds();
 
 /// "any" takes turns: number n is of kind n modulo their count.
 inline constexpr std::string_view any_random_kind = "any";
-bool is_random_kind(std::string_view word);  ///< a kind's name, or "any"
 
 /// Which one is meant.
 struct RandomScene {

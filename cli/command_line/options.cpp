@@ -29,14 +29,11 @@ void add_out(CLI::App& app, CommonArguments& common, const std::string& made) {
 }  // namespace
 
 std::array<CLI::Option*, 2> add_random_choice(CLI::App& app, RandomChoice& random) {
-    std::string names{any_random_kind};
-    for (const RandomKind& kind : random_kinds()) names += ", " + std::string(kind.name);
-    const auto known = [names](const std::string& word) {
-        return is_random_kind(word) ? "" : "expected one of " + names + "; found '" + word + "'";
-    };
+    std::vector<std::string> names{std::string(any_random_kind)};
+    for (const RandomKind& kind : random_kinds()) names.emplace_back(kind.name);
     auto* seed = app.add_option("--seed", random.seed, "of the random scenes")->capture_default_str();
-    auto* kind = app.add_option("--kind", random.kind, "of the random scenes: " + names)
-                     ->check(CLI::Validator(known, ""))
+    auto* kind = app.add_option("--kind", random.kind, "of the random scenes; any: each in turn")
+                     ->check(CLI::IsMember(names))
                      ->capture_default_str();
     return {seed, kind};
 }

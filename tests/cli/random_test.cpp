@@ -62,7 +62,7 @@ TEST(RandomRun, RefusesWhatMeansNothing) {
     EXPECT_EQ(run(folder, {"run", "room", "--random", "2"}).exit_code, 2);
     const Ran kind = run(folder, {"run", "--random", "2", "--kind", "fog"});
     EXPECT_EQ(kind.exit_code, 2);
-    EXPECT_THAT(kind.err, HasSubstr("any, soup, surface"));
+    EXPECT_THAT(kind.err, HasSubstr("any,soup,surface"));
     const Ran word = run(folder, {"run", "random:fog:1:2"});
     EXPECT_EQ(word.exit_code, 3);
     EXPECT_THAT(word.err, HasSubstr("random:KIND:SEED:NUMBER"));
