@@ -11,6 +11,7 @@
 #include "cli/settings/apply.h"
 #include "cli/usage_error.h"
 #include "frame/printable.h"
+#include "scenes/random_scenes.h"
 
 namespace zproof {
 namespace {
@@ -62,6 +63,13 @@ const CommonArguments& common_in(const Arguments& arguments) {
 const CommonArguments& common_of(const Command& command) {
     return std::visit([](const auto& arguments) -> const CommonArguments& { return common_in(arguments); },
                       command);
+}
+
+std::vector<std::string> RandomChoice::words() const {
+    std::vector<std::string> words;
+    for (std::uint64_t number = 0; number < count; ++number)
+        words.push_back(word_of(random_scene(kind, seed, number)));
+    return words;
 }
 
 int available_threads() { return std::clamp(int(std::thread::hardware_concurrency()), 1, 1024); }

@@ -1,6 +1,7 @@
 /// The command line as typed values.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -44,6 +45,14 @@ struct ReportArguments {
     GateArguments gate{};
     std::string typed{};              ///< the command line, quoted for a shell
     std::vector<std::string> argv{};  ///< the same, word by word
+};
+
+/// Scenes drawn by chance (scenes/random_scenes.h).
+struct RandomChoice {
+    std::uint64_t count = 0, seed = 1;
+    std::string kind = "any";
+
+    std::vector<std::string> words() const;  ///< numbers from 0 on
 };
 
 struct RunArguments {
@@ -132,6 +141,11 @@ struct GenerateArguments {
     std::vector<std::string> names;  ///< empty: the whole suite
 };
 
+struct RandomScenesArguments {
+    CommonArguments common{.output = Output::folder, .out = "zproof-scenes"};
+    RandomChoice random{.count = 12};
+};
+
 /// Text that the command line asked for: --help, --version, a completion, the manual page.
 struct Answered {
     CommonArguments common;
@@ -143,10 +157,10 @@ using Command =
                  FitArguments, SelfcheckArguments, ContractCheckArguments, SelftestArguments, MergeArguments,
                  ReportAgainArguments, DiffResultsArguments, WaiveListArguments, WaiveCheckArguments,
                  WaivePruneArguments, WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments,
-                 ViewsArguments, FiltersRunArguments, FiltersListArguments, FiltersScenesArguments,
-                 FiltersTableArguments, FiltersReproduceArguments, FiltersFigureArguments,
-                 FiltersCrowArguments, FiltersCheckArguments, FiltersExplainArguments, StudyArguments,
-                 Answered>;
+                 RandomScenesArguments, ViewsArguments, FiltersRunArguments, FiltersListArguments,
+                 FiltersScenesArguments, FiltersTableArguments, FiltersReproduceArguments,
+                 FiltersFigureArguments, FiltersCrowArguments, FiltersCheckArguments, FiltersExplainArguments,
+                 StudyArguments, Answered>;
 
 /// What the command shares with every other.
 const CommonArguments& common_of(const Command& command);

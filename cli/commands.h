@@ -73,6 +73,9 @@ ExitCode execute(const ListArguments& arguments);
 /// anything is written.
 ExitCode execute(const GenerateArguments& arguments);
 
+/// Writes random scenes as files of the same kinds, named by their words with "-" for ":".
+ExitCode execute(const RandomScenesArguments& arguments);
+
 /// Writes a view file of a model from another program's cameras, and prints by how much they had to be
 /// changed. SceneError where they are no pinholes or no rotations.
 ExitCode execute(const ViewsArguments& arguments);

@@ -7,6 +7,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress.h"
 #include "cli/published.h"
+#include "cli/shrinker.h"
 #include "cli/supervision.h"
 #include "cli/threads.h"
 #include "cli/version.h"
@@ -68,13 +69,15 @@ ExitCode judge_and_report(const RunRequest& request) {
         Progress progress{std::cerr, progress_of(report.common), expected_work(sources, report.common.out)};
         const RunConfig config{settings.resolution, out.working(), names,           progress,
                                renderers,           gate,          report.pictures, report.evidence,
-                               settings.samples,    views,         report.typed};
+                               settings.samples,    views,         report.typed,    report.common.out};
         scenes_left = judge_supervised(sources, config, report.common.threads, results);
     }
     on_threads(report.common.threads, [&] { write_reports(out.working(), results, report.formats); });
     ReportArguments published = report;
     published.common.out = publish(
         out, report.common, results.ending == Ending::complete ? Completeness::full : Completeness::partial);
+    if (!report.common.is_quiet())
+        std::cout << shrunk_in_words(results, report.common.out, published.common.out);
     const ExitCode code = announce(results, published);
     if (code != ExitCode::interrupted) return code;
     return say_interrupted(judged_of(results, scenes_left), "view", "judged and written");

@@ -45,6 +45,12 @@ void gather_evidence(const std::vector<fs::path>& evidence, const fs::path& fold
     }
 }
 
+/// Scenes have names of their own, and so have the files.
+void gather_shrunk(const std::vector<fs::path>& folders, const fs::path& folder) {
+    for (const fs::path& shard : folders)
+        if (fs::exists(shard / "shrunk")) copy_evidence(shard / "shrunk", folder / "shrunk");
+}
+
 }  // namespace
 
 ExitCode execute(const MergeArguments& arguments) {
@@ -65,6 +71,7 @@ ExitCode execute(const MergeArguments& arguments) {
     whole.command = shell_line(whole.argv);
     OutputFolder out{common.out};
     gather_evidence(evidence_of(shards, folders), out.working(), whole);
+    gather_shrunk(folders, out.working());
     on_threads(common.threads, [&] { write_reports(out.working(), whole, arguments.report.formats); });
     publish(out, common);
     return announce(whole, arguments.report);

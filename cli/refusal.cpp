@@ -24,6 +24,7 @@ struct Refusal {
     std::string_view operator()(const DoctorArguments&) const { return "cannot examine"; }
     std::string_view operator()(const ListArguments&) const { return "cannot list the suite"; }
     std::string_view operator()(const GenerateArguments&) const { return "cannot generate"; }
+    std::string_view operator()(const RandomScenesArguments&) const { return "cannot write the scenes"; }
     std::string_view operator()(const ViewsArguments&) const { return "cannot import the views"; }
     std::string_view operator()(const FiltersRunArguments&) const { return "cannot study the filters"; }
     std::string_view operator()(const FiltersListArguments&) const { return "cannot list the filters"; }

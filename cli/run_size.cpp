@@ -20,10 +20,6 @@ SceneSource at(const SceneSource& source, const Resolution& size) {
     return one;
 }
 
-bool states_its_sizes(const SceneSource& source) {
-    return source.kind == SceneSource::Kind::view_file || source.has_own_sizes;
-}
-
 }  // namespace
 
 Resolution resolution_for(RunSize size, Resolution usual) {
@@ -44,7 +40,7 @@ std::vector<SceneSource> sources_for(RunSize size, Resolution resolution,
         sources.push_back(source);
         if (size == RunSize::usual && resolution == default_resolution)
             sources.back().size = source.usual_size;
-        if (size != RunSize::thorough || states_its_sizes(source)) continue;
+        if (size != RunSize::thorough || states_its_size(source)) continue;
         for (const Resolution& further : further_resolutions) sources.push_back(at(source, further));
     }
     for (std::size_t i = 0; i < sources.size(); ++i) sources[i].place = i;

@@ -23,7 +23,8 @@ std::optional<std::vector<std::string>> oracles_for(RunSize size);
 
 /// The scenes; those that have a usual size have it, unless the run is thorough or has a resolution of its
 /// own. A thorough run has each once more at further resolutions, as "room.641x359", and the suite's scenes
-/// that are its own. View files and some scenes state their sizes and stand once. Places are counted anew.
+/// that are its own. View files, random scenes and some of the suite state their sizes and stand once. Places
+/// are counted anew.
 std::vector<SceneSource> sources_for(RunSize size, Resolution resolution,
                                      const std::vector<SceneSource>& named);
 

@@ -138,13 +138,6 @@ ViewResult unjudged(const SceneSource& source, const View& view, Outcome outcome
     return result;
 }
 
-/// The view's projection, where it is none of those that the renderer has.
-std::string refused_projection(const Projections& has, const Camera& camera) {
-    if (camera.projection == Projection::perspective) return has.perspective ? "" : "perspective";
-    if (camera.shear == glm::dvec2(0)) return has.orthographic ? "" : "orthographic";
-    return has.oblique ? "" : "oblique";
-}
-
 /// Attributes that the candidate gives and nobody can judge; told once in a run.
 std::vector<std::string> remark_on_attributes(const ViewRun& view_run, const Attributes& given) {
     const Renderer& candidate = view_run.opened.candidate;
@@ -348,6 +341,12 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
 }
 
 }  // namespace
+
+std::string refused_projection(const Projections& has, const Camera& camera) {
+    if (camera.projection == Projection::perspective) return has.perspective ? "" : "perspective";
+    if (camera.shear == glm::dvec2(0)) return has.orthographic ? "" : "orthographic";
+    return has.oblique ? "" : "oblique";
+}
 
 ViewResult ended_by_fault(const SceneSource& source, const RunConfig& config, const std::string& how,
                           const std::string& stage) {

@@ -35,8 +35,12 @@ struct RunConfig {
     Evidence evidence;
     const std::vector<Sample>& samples;  ///< of every view
     ViewChoice views{};
-    const std::string& command;  ///< as typed
+    const std::string& command;        ///< as typed
+    const std::filesystem::path& out;  ///< where run_folder will be
 };
+
+/// The view's projection, where it is none of those that the renderer has.
+std::string refused_projection(const Projections& has, const Camera& camera);
 
 /// Stands in for a scene that an interrupt kept from being begun.
 ViewResult left_by_interrupt(const SceneSource& source);

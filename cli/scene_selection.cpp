@@ -12,6 +12,7 @@
 #include "reports/wording.h"
 #include "scenes/judged_ranges.h"
 #include "scenes/model_file.h"
+#include "scenes/random_scenes.h"
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
 #include "scenes/view_file.h"
@@ -39,6 +40,12 @@ std::vector<SuiteEntry> named_scenes() {
     std::vector<SuiteEntry> entries = suite_manifest();
     std::ranges::move(thorough_manifest(), std::back_inserter(entries));
     return entries;
+}
+
+SceneSource of_chance(const RandomScene& scene) {
+    const std::string word = word_of(scene);
+    const auto kind = std::ranges::find(random_kinds(), scene.kind, &RandomKind::name);
+    return {SceneSource::Kind::random, word, word, std::string(kind->reason), {}, 0};
 }
 
 bool is_view_file(const fs::path& file) { return ending_of(file) == ".json"; }
@@ -121,6 +128,7 @@ SceneError unknown_word(const std::string& word, const std::vector<SuiteEntry>& 
 std::optional<SceneSource> single_scene(const std::string& word, const std::vector<SuiteEntry>& manifest) {
     const auto entry = std::ranges::find(manifest, word, &SuiteEntry::name);
     if (entry != manifest.end()) return of_suite(*entry);
+    if (const auto scene = random_scene_from(word)) return of_chance(*scene);
     std::error_code failure;
     if (fs::is_directory(word, failure)) return std::nullopt;
     if (fs::status(word, failure).type() == fs::file_type::not_found) throw unknown_word(word, manifest);
@@ -205,13 +213,19 @@ SceneSource select_scene(const std::string& word, const fs::path& models) {
 
 namespace {
 
+bool is_file(const SceneSource& source) {
+    return source.kind == SceneSource::Kind::model || source.kind == SceneSource::Kind::view_file;
+}
+
 Loaded loaded_as_it_is(const SceneSource& source, Resolution resolution) {
     std::error_code ignored;  // a loop of links is no folder, and is refused when it is read
-    if (source.kind != SceneSource::Kind::suite && fs::is_directory(source.origin, ignored))
+    if (is_file(source) && fs::is_directory(source.origin, ignored))
         throw SceneError{source.origin + ": folder cannot be read; expected one that may be listed (ls -l)"};
     switch (source.kind) {
         case SceneSource::Kind::suite:
             return generate_suite_scene(word_for(source), resolution.width, resolution.height);
+        case SceneSource::Kind::random:
+            return generate(random_scene_from(source.origin).value());
         case SceneSource::Kind::model:
             return load_model(source.origin, resolution.width, resolution.height);
         case SceneSource::Kind::view_file:
@@ -232,6 +246,11 @@ std::string names_of(const std::vector<View>& views) {
     std::string names;
     for (const View& view : views) names += (names.empty() ? "" : ", ") + view.name;
     return names;
+}
+
+bool states_its_size(const SceneSource& source) {
+    return source.kind == SceneSource::Kind::view_file || source.kind == SceneSource::Kind::random ||
+           source.has_own_sizes;
 }
 
 std::string word_for(const SceneSource& source) {

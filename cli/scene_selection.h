@@ -15,11 +15,11 @@ namespace zproof {
 
 /// A scene that is known of, not yet loaded.
 struct SceneSource {
-    enum class Kind { suite, model, view_file };
+    enum class Kind { suite, random, model, view_file };
     Kind kind = Kind::suite;
     std::string name;                  ///< unique within a selection: what the reports call it
-    std::string origin;                ///< "suite", or the file
-    std::string reason;                ///< why the suite has it; empty for files
+    std::string origin;                ///< "suite", "random:KIND:SEED:NUMBER", or the file
+    std::string reason;                ///< why it is there; empty for files
     std::vector<std::string> expects;  ///< classes that must occur; empty for files
     std::uint64_t place = 0;           ///< in the selection, from 0
     std::filesystem::path models{};    ///< where a view file's model may lie; empty: in its own folder only
@@ -32,8 +32,8 @@ struct SceneSource {
 
 /// The scenes that the words mean, in their order, each once: "suite" or no word at all is the whole suite; a
 /// folder is every .gltf, .glb, .obj, .ply and .view.json below it, sorted, where NAME.view.json speaks for a
-/// NAME.gltf, NAME.glb, NAME.obj or NAME.ply beside it. A suite scene's name goes before a file of that name.
-/// The suite's scenes of thorough runs are among them where they are named.
+/// NAME.gltf, NAME.glb, NAME.obj or NAME.ply beside it. A suite scene's name and random:KIND:SEED:NUMBER go
+/// before a file of that name. The suite's scenes of thorough runs are among them where they are named.
 /// Nothing is opened. Throws SceneError for a word that is none of this.
 std::vector<SceneSource> select_scenes(const std::vector<std::string>& words,
                                        const std::filesystem::path& models = {});
@@ -56,8 +56,12 @@ std::string in_words(const FileCounts& passed_over);
 /// The one scene that the word means; a folder is not one. Throws SceneError.
 SceneSource select_scene(const std::string& word, const std::filesystem::path& models = {});
 
-/// Loads or generates it. The resolution does not touch view files. Throws SceneError, also for a scene
-/// beyond the judged ranges; each view is to be held to them before it is rendered (scenes/judged_ranges.h).
+/// Do its views state how large their pictures are? A run's resolution is not for them.
+bool states_its_size(const SceneSource& source);
+
+/// Loads or generates it. The resolution does not touch views that state their own. Throws SceneError, also
+/// for a scene beyond the judged ranges; each view is to be held to them before it is rendered
+/// (scenes/judged_ranges.h).
 Loaded load(const SceneSource& source, Resolution resolution);
 
 /// "door, floor": for messages.

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/nearest_word.h"
 #include "cli/written_scenes.h"
+#include "scenes/random_scenes.h"
 #include "scenes/scene_error.h"
 #include "scenes/suite.h"
 
@@ -48,6 +49,18 @@ ExitCode execute(const GenerateArguments& arguments) {
     require_known(names);
     return write_scenes(names, arguments.common,
                         [](const std::string& name) { return generate_suite_scene(name); });
+}
+
+ExitCode execute(const RandomScenesArguments& arguments) {
+    std::vector<std::string> names = arguments.random.words();
+    for (std::string& name : names) std::ranges::replace(name, ':', '-');
+    return write_scenes(names, arguments.common, [](const std::string& name) {
+        std::string word = name;
+        std::ranges::replace(word, '-', ':');
+        Loaded loaded = generate(random_scene_from(word).value());
+        loaded.scene.name = name;
+        return loaded;
+    });
 }
 
 ExitCode execute(const Answered& answered) {

@@ -103,14 +103,16 @@ std::string explain_command_for(const ViewContext& context, const RendererChoice
     const bool is_view_file = context.source.kind == SceneSource::Kind::view_file;
     if (is_view_file && !context.source.models.empty())
         command += " --models " + shell_quoted(context.source.models.string());
-    return is_view_file ? command : command + size_options({context.view.width, context.view.height});
+    return states_its_size(context.source)
+               ? command
+               : command + size_options({context.view.width, context.view.height});
 }
 
 std::string judging_command_for(const SceneSource& source, const ChosenRenderers& renderers,
                                 Resolution resolution, const std::string& typed) {
     if (std::holds_alternative<StoredFrame>(renderers.candidate.who)) return typed;
     std::string command = "zproof run " + shell_quoted(word_for(source)) + options_for(renderers.candidate) +
-                          size_options(resolution);
+                          (states_its_size(source) ? "" : size_options(resolution));
     for (const OracleChoice& oracle : renderers.oracles)
         if (oracle.need == OracleChoice::Need::required) command += " --oracle " + name_of(oracle.renderer);
     return renderers.oracles.empty() ? command + " --oracle none" : command;

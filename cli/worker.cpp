@@ -18,6 +18,7 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/renderers/registry.h"
+#include "cli/shrinker.h"
 #include "cli/threads.h"
 #include "cli/usage_error.h"
 #include "oracle/embree.h"
@@ -57,8 +58,10 @@ struct Work {
     }
 
     void judge_scenes() const {
+        Shrinker shrinker(config);
         for (std::size_t i = first; i < sources.size() && !interrupted(); ++i) {
             SceneReport report = run_scene(sources[i], config);
+            for (ViewResult& view : report.views) shrinker.look_at(sources[i], view);
             Results results;
             results.ending = report.ending;
             results.views = std::move(report.views);

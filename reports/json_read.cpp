@@ -201,6 +201,19 @@ void read_oracles(const Json& json, ViewResult& v) {
     require_all_compared(v);
 }
 
+SceneSize scene_size(const Json& json) {
+    return {count(json.at("triangles")), whole_number<int>(json.at("width")),
+            whole_number<int>(json.at("height"))};
+}
+
+ShrunkView shrunk(const Json& json) {
+    return {.file = json.at("file"),
+            .before = scene_size(json.at("before")),
+            .after = scene_size(json.at("after")),
+            .tries = whole_number<int>(json.at("tries")),
+            .command = json.at("command")};
+}
+
 ViewResult view(const Json& json) {
     ViewResult v{.scene = json.at("scene"),
                  .source = json.at("source"),
@@ -231,6 +244,7 @@ ViewResult view(const Json& json) {
     for (const Json& finding : json.at("worst")) v.worst.push_back(reported(finding));
     read_oracles(json, v);
     read_gate(json, v);
+    if (json.contains("shrunk")) v.shrunk = shrunk(json.at("shrunk"));
     return v;
 }
 

@@ -162,38 +162,52 @@ Json waiver_uses(const std::vector<WaiverUse>& uses) {
     return list;
 }
 
+Json scene_size(const SceneSize& size) {
+    return {{"triangles", size.triangles}, {"width", size.width}, {"height", size.height}};
+}
+
+Json shrunk(const ShrunkView& shrunk) {
+    return {{"file", shrunk.file},
+            {"before", scene_size(shrunk.before)},
+            {"after", scene_size(shrunk.after)},
+            {"tries", shrunk.tries},
+            {"command", shrunk.command}};
+}
+
 Json view_object(const ViewResult& v) {
-    return {{"scene", v.scene},
-            {"source", v.source},
-            {"view", v.view},
-            {"reason", v.reason},
-            {"outcome", name_of(v.outcome)},
-            {"message", v.message},
-            {"width", v.width},
-            {"height", v.height},
-            {"triangles", v.triangles},
-            {"candidate", v.candidate},
-            {"reference", v.reference},
-            {"defects", defect_count(v)},
-            {"counts", counts_by_name(v.counts)},
-            {"waived", waived_by_name(v.waived)},
-            {"waivers", waiver_uses(v.waivers)},
-            {"candidate_depth", bound_record(v.candidate_depth)},
-            {"reference_depth", bound_record(v.reference_depth)},
-            {"candidate_edges", bound_record(v.candidate_edges)},
-            {"reference_edges", bound_record(v.reference_edges)},
-            {"reference_defects", v.reference_defects},
-            {"adjudicated", v.adjudicated},
-            {"exact", v.exact},
-            {"diagnosis", diagnosis(v.diagnosis)},
-            {"oracles", oracles(v.oracles)},
-            {"id_agreement", {{"same", v.id_agreement.same}, {"unanimous", v.id_agreement.unanimous}}},
-            {"worst", reported(v.worst)},
-            {"notes", v.notes},
-            {"folder", v.folder},
-            {"place", v.place},
-            {"scene_sha256", v.scene_sha256},
-            {"times", stage_times(v.times)}};
+    Json object = {{"scene", v.scene},
+                   {"source", v.source},
+                   {"view", v.view},
+                   {"reason", v.reason},
+                   {"outcome", name_of(v.outcome)},
+                   {"message", v.message},
+                   {"width", v.width},
+                   {"height", v.height},
+                   {"triangles", v.triangles},
+                   {"candidate", v.candidate},
+                   {"reference", v.reference},
+                   {"defects", defect_count(v)},
+                   {"counts", counts_by_name(v.counts)},
+                   {"waived", waived_by_name(v.waived)},
+                   {"waivers", waiver_uses(v.waivers)},
+                   {"candidate_depth", bound_record(v.candidate_depth)},
+                   {"reference_depth", bound_record(v.reference_depth)},
+                   {"candidate_edges", bound_record(v.candidate_edges)},
+                   {"reference_edges", bound_record(v.reference_edges)},
+                   {"reference_defects", v.reference_defects},
+                   {"adjudicated", v.adjudicated},
+                   {"exact", v.exact},
+                   {"diagnosis", diagnosis(v.diagnosis)},
+                   {"oracles", oracles(v.oracles)},
+                   {"id_agreement", {{"same", v.id_agreement.same}, {"unanimous", v.id_agreement.unanimous}}},
+                   {"worst", reported(v.worst)},
+                   {"notes", v.notes},
+                   {"folder", v.folder},
+                   {"place", v.place},
+                   {"scene_sha256", v.scene_sha256},
+                   {"times", stage_times(v.times)}};
+    if (v.shrunk) object["shrunk"] = shrunk(*v.shrunk);
+    return object;
 }
 
 Json renderers(const std::vector<RendererFacts>& all) {

@@ -87,6 +87,20 @@ struct OracleResult {
     std::optional<SampledPixels> sample{};  ///< nothing: it was asked about all pixels
 };
 
+/// How large a scene and its picture are.
+struct SceneSize {
+    std::uint64_t triangles = 0;
+    int width = 0, height = 0;
+};
+
+/// A smaller scene that fails as the view does (docs/random.md).
+struct ShrunkView {
+    std::string file;  ///< its view file, relative to results.json
+    SceneSize before{}, after{};
+    int tries = 0;        ///< smaller scenes that were rendered
+    std::string command;  ///< that shows it
+};
+
 /// One view of one scene, judged.
 struct ViewResult {
     std::string scene;   ///< scene name
@@ -113,6 +127,7 @@ struct ViewResult {
     std::string folder;          ///< scenes/NAME, relative to results.json; empty: no evidence was left
     std::uint64_t place = 0;     ///< of its scene among those that the command line selected
     std::string scene_sha256{};  ///< sha256_of(Scene); empty where it was not read
+    std::optional<ShrunkView> shrunk{};  ///< of a random scene that fails in a way of its own
 };
 
 /// Has the judge seen it? Only then do counts and depth records say something.

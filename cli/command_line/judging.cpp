@@ -44,6 +44,21 @@ void add_run_size(CLI::App& app, RunSize& size) {
         for (const char* other : {"--width", "--height"}) one->excludes(app.get_option(other));
 }
 
+/// They take the place of the suite, and nobody is asked beside Embree: 1000 take seconds.
+void add_random(CLI::App& app, RandomChoice& random) {
+    auto* count = app.add_option("--random", random.count,
+                                 "judge so many random scenes, and shrink the first that fail")
+                      ->check(CLI::Range(std::uint64_t{1}, most_random_scenes))
+                      ->excludes(app.get_option("SCENE"));
+    for (CLI::Option* option : add_random_choice(app, random)) option->needs(count);
+}
+
+/// What is not typed, where random scenes are asked for.
+void choose_random(const RandomChoice& random, RunArguments& run, RendererWords& renderers) {
+    run.scenes = random.words();
+    if (!renderers.oracles) renderers.oracles = {{"none"}};
+}
+
 }  // namespace
 
 Branch add_run(CLI::App& parent, CommandWords& words) {
@@ -56,6 +71,7 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     add_oracle_options(app, words.renderers);
     add_render_settings(app, words.run.settings);
     add_run_size(app, words.run.size);
+    add_random(app, words.random);
     add_samples(app, words.run.settings);
     add_report(app, words.run.report);
     add_evidence(app, words.run.report);
@@ -65,6 +81,7 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
         "hash:NUMBER/COUNT: judge this share of the scenes only (zproof merge puts shards together)");
     add_settings_choice(app, words.settings);
     return {&app, [&words] {
+                if (words.random.count > 0) choose_random(words.random, words.run, words.renderers);
                 words.run.settings.resolution = resolution_for(words.run.size, words.run.settings.resolution);
                 if (!words.renderers.oracles) words.renderers.oracles = oracles_for(words.run.size);
                 words.run.renderers = chosen_renderers(words.renderers);

@@ -3,6 +3,7 @@
 #include "cli/samples.h"
 #include "cli/usage_error.h"
 #include "math/processor.h"
+#include "scenes/random_scenes.h"
 
 namespace zproof {
 namespace {
@@ -26,6 +27,16 @@ void add_out(CLI::App& app, CommonArguments& common, const std::string& made) {
 }
 
 }  // namespace
+
+std::array<CLI::Option*, 2> add_random_choice(CLI::App& app, RandomChoice& random) {
+    std::vector<std::string> names{std::string(any_random_kind)};
+    for (const RandomKind& kind : random_kinds()) names.emplace_back(kind.name);
+    auto* seed = app.add_option("--seed", random.seed, "of the random scenes")->capture_default_str();
+    auto* kind = app.add_option("--kind", random.kind, "of the random scenes; any: each in turn")
+                     ->check(CLI::IsMember(names))
+                     ->capture_default_str();
+    return {seed, kind};
+}
 
 void add_models(CLI::App& app, std::filesystem::path& models) {
     app.add_option("--models", models, "folder beneath which the models of view files may lie")

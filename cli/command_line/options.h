@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -12,7 +13,10 @@
 namespace zproof {
 
 inline constexpr const char* scene_words =
-    "suite scene, model (.gltf, .glb, .obj, .ply), or view file (.json)";
+    "suite scene, random:KIND:SEED:NUMBER, model (.gltf, .glb, .obj, .ply), or view file (.json)";
+
+/// As many as a command line may ask for.
+inline constexpr std::uint64_t most_random_scenes = 100'000;
 
 /// Binds a word from a fixed list; the help shows the list, an unknown word is a usage error.
 template <class T>
@@ -26,6 +30,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, T& value,
         ->check(CLI::IsMember(words))
         ->default_str("auto");
 }
+
+/// --seed, --kind. Returns them, in this order.
+std::array<CLI::Option*, 2> add_random_choice(CLI::App& app, RandomChoice& random);
 
 /// --models
 void add_models(CLI::App& app, std::filesystem::path& models);

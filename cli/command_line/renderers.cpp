@@ -20,6 +20,16 @@ constexpr const char* selfcheck_remark =
 constexpr const char* contract_remark =
     "\nThree small scenes. Exit status: 0 the contract is kept, 1 a frame is wrong, 3 no frame came.";
 
+CLI::App& add_random_scenes(CLI::App& scenes, RandomScenesArguments& drawn) {
+    CLI::App& app = *scenes.add_subcommand("random", "write random scenes as .glb and .view.json");
+    app.add_option("--count", drawn.random.count, "numbers from 0 on")
+        ->check(CLI::Range(std::uint64_t{1}, most_random_scenes))
+        ->capture_default_str();
+    add_random_choice(app, drawn.random);
+    add_common(app, drawn.common, "folder for the files");
+    return app;
+}
+
 }  // namespace
 
 Branch add_render(CLI::App& parent, CommandWords& words) {
@@ -139,15 +149,16 @@ Branch add_list(CLI::App& parent, CommandWords& words) {
 }
 
 Branch add_scenes(CLI::App& parent, CommandWords& words) {
-    CLI::App& app = *parent.add_subcommand("scenes", "the built-in suite as files");
+    CLI::App& app = *parent.add_subcommand("scenes", "the built-in suite, or random scenes, as files");
     CLI::App& generate = *app.add_subcommand("generate", "write suite scenes as .glb and .view.json");
     app.require_subcommand(0, 1);
     generate.add_option("NAME", words.generate.names, "suite scenes (zproof list); none: all");
     add_common(generate, words.generate.common, "folder for the files");
-    return {&app, [&words, &generate] {
-                if (!generate.parsed())
-                    throw UsageError{"scenes: 'generate' expected (see: zproof scenes --help)"};
-                return words.generate;
+    CLI::App& drawn = add_random_scenes(app, words.random_scenes);
+    return {&app, [&words, &generate, &drawn]() -> Command {
+                if (generate.parsed()) return words.generate;
+                if (drawn.parsed()) return words.random_scenes;
+                throw UsageError{"scenes: 'generate' or 'random' expected (see: zproof scenes --help)"};
             }};
 }
 

@@ -17,6 +17,7 @@ namespace zproof {
 struct CommandWords {
     RendererWords renderers;
     RunArguments run;
+    RandomChoice random;
     CompareArguments compare;
     ExplainArguments explain;
     RenderArguments render;
@@ -26,6 +27,7 @@ struct CommandWords {
     ContractCheckArguments contract_check;
     SelftestArguments selftest;
     GenerateArguments generate;
+    RandomScenesArguments random_scenes;
     ViewsArguments views;
     glm::ivec2 image_size{0, 0};  ///< --width, --height of views
     MergeArguments merge;

@@ -184,20 +184,53 @@ auto AdmissibleSet<Number>::pieces_inside(size_t index) -> std::vector<Piece> {
 template <class Number>
 auto AdmissibleSet<Number>::edge_on_pieces(size_t index) -> std::vector<Piece> {
     const Corners<Number> p_world = corners<Number>(around_.neighbours[index].p_world);
+    std::vector<SegmentImage<Number>> edges;
+    for (size_t i = 0; i < 3; ++i)
+        if (const auto segment = segment_image(ray_, p_world[i], p_world[(i + 1) % 3]))
+            edges.push_back(*segment);
     std::vector<Piece> pieces;
-    for (size_t i = 0; i < 3; ++i) {
-        const auto segment = segment_image(ray_, p_world[i], p_world[(i + 1) % 3]);
-        if (!segment) continue;
-        std::optional<Region<Number>> region = square();
-        const LinePointer line = new_line(segment->line);
-        const LinePointer other_side =
-            takes_nothing_for_granted<Number> ? new_line(-line->f) : reversed(line);
-        for (const LinePointer side :
-             {line, other_side, new_line(segment->after_start), new_line(segment->before_end)})
-            if (region) region = region->inside(*side);
-        push_clipped(pieces, std::move(region), segment->inverse_depth, index);
-    }
+    for (const SegmentImage<Number>& edge : edges)
+        push_clipped(pieces, inside(edge), edge.inverse_depth, index);
+    if (may_be_clipped(around_.view.camera, around_.neighbours[index])) push_near_cut(pieces, edges, index);
     return pieces;
+}
+
+/// The segment's part in the square.
+template <class Number>
+std::optional<Region<Number>> AdmissibleSet<Number>::inside(const SegmentImage<Number>& segment) {
+    std::optional<Region<Number>> region = square();
+    const LinePointer line = new_line(segment.line);
+    const LinePointer other_side = takes_nothing_for_granted<Number> ? new_line(-line->f) : reversed(line);
+    for (const LinePointer side :
+         {line, other_side, new_line(segment.after_start), new_line(segment.before_end)})
+        if (region) region = region->inside(*side);
+    return region;
+}
+
+/// Where the near plane cuts the triangle's inside: beyond it lies one edge, before it another, or the eye
+/// within the triangle. The edges may lie before near and beyond far while what is between them does not.
+template <class Number>
+void AdmissibleSet<Number>::push_near_cut(std::vector<Piece>& pieces,
+                                          const std::vector<SegmentImage<Number>>& edges, size_t index) {
+    const Neighbour& n = around_.neighbours[index];
+    const auto clip = [&](std::optional<Region<Number>>& region, const Affine<Number>& f) {
+        if (region) region = region->inside(*new_line(f));
+    };
+    const bool begins_at_eye = holds_eye(ray_, corners<Number>(n.p_world));
+    for (const SegmentImage<Number>& farther : edges) {
+        const auto near = plane(ClipSide::near, farther.inverse_depth, n, Slack::admit);
+        if (!near) return;
+        const Affine<Number> at_near = (*near)->f + farther.inverse_depth;
+        std::optional<Region<Number>> beyond = inside(farther);
+        if (beyond) beyond = beyond->inside(**near);
+        if (begins_at_eye) push_clipped(pieces, beyond, at_near, index);
+        for (const SegmentImage<Number>& nearer : edges) {
+            std::optional<Region<Number>> between = beyond;
+            for (const auto& f : {nearer.after_start, nearer.before_end, nearer.inverse_depth - at_near})
+                clip(between, f);
+            push_clipped(pieces, std::move(between), at_near, index);
+        }
+    }
 }
 
 template <class Number>

@@ -98,6 +98,9 @@ class AdmissibleSet {
     const std::vector<Piece>& seen_pieces(size_t index);
     std::vector<Piece> pieces_inside(size_t index);
     std::vector<Piece> edge_on_pieces(size_t index);
+    std::optional<Region<Number>> inside(const SegmentImage<Number>& segment);
+    void push_near_cut(std::vector<Piece>& pieces, const std::vector<SegmentImage<Number>>& edges,
+                       size_t index);
     /// The image is drawn when it is first asked for: most occluders are never reached.
     const NeighbourImage& drawn(size_t index);
     LinePointer edge_of(size_t index, int edge_id);

@@ -59,6 +59,16 @@ SegmentImage<Number> parallel_segment(const ViewRay<Number>& ray, const Vector3<
 
 }  // namespace detail
 
+/// Does the triangle, seen edge-on, hold the view ray's origin? That of a parallel view is in no triangle.
+template <class Number>
+bool holds_eye(const ViewRay<Number>& ray, const Corners<Number>& p_world) {
+    if (ray.projection == Projection::parallel) return false;
+    const Vector3<Number> v0 = p_world[0] - ray.origin, v1 = p_world[1] - ray.origin,
+                          v2 = p_world[2] - ray.origin;
+    const Vector3<Number> m0 = cross(v0, v1), m1 = cross(v1, v2), m2 = cross(v2, v0);
+    return sign(dot(m0, m1)) >= 0 && sign(dot(m1, m2)) >= 0 && sign(dot(m2, m0)) >= 0;
+}
+
 /// The image of the segment from a to b (world space), or nothing where it is seen end-on.
 template <class Number>
 std::optional<SegmentImage<Number>> segment_image(const ViewRay<Number>& ray, const Vector3<Number>& a_world,

@@ -51,6 +51,7 @@ const std::map<std::string, Call> calls{
     {"doctor", {{}}},
     {"list", {{}}},
     {"scenes generate", {{"guard_band"}}},
+    {"scenes random", {{"--count", "2"}}},
     {"views", {{"colmap", "colmap", "two.gltf", "--near", "0.1", "-o", "v.view.json"}}},
     {"filters run", {{"worked", "--view", "phi-0", "--methods", "nearest"}, Call::Told::with_times}},
     {"filters list", {{}}},

@@ -35,6 +35,31 @@ TEST_P(EdgeOn, AFinThroughTheCentreMayBeAnsweredAtAnyOfItsDepths) {
     for (const double depth : {2.0, 5.0, 8.0}) expect_reach({GetParam(), 4, 4, {fin(1.5)}}, depth);
 }
 
+/// To a rasterizer, whose eps is small where corners are far away.
+void expect_raster_reach(const Triangle& triangle, Projection projection) {
+    TestScene t(projection, 4, 4, {triangle});
+    answer(t.candidate, 1, 1, 0, 8);
+    EXPECT_EQ(t.class_at(1, 1), PixelClass::edge);
+    answer_background(t.candidate, 1, 1);
+    answer(t.candidate, 2, 1, 0, 8);
+    EXPECT_EQ(t.class_at(2, 1), PixelClass::outside);
+}
+
+TEST_P(EdgeOn, AFinWhoseEdgesLieBeforeNearAndBeyondFarMayBeAnswered) {
+    expect_raster_reach({{{1.5, 1.5, 0.125}, {1.5, -4096, 8192}, {1.5, 4096, 8192}}}, GetParam());
+}
+
+TEST_P(EdgeOn, AFinWhoseEdgesAreAllBeforeNearHereMayNot) {
+    TestScene t(GetParam(), 4, 4, {{{{1.5, 1.5, 0.125}, {1.5, -64, 0.0625}, {1.5, 64, 0.125}}}});
+    answer(t.candidate, 1, 1, 0, 8);
+    EXPECT_FALSE(passes(t.class_at(1, 1)));
+}
+
+/// Corners at depths below 0 are seen through the eye, upside down.
+TEST(EdgeOnPerspective, AFinThatHoldsTheEyeMayBeAnswered) {
+    expect_raster_reach({{{1.5, 1.5, -4}, {1.5, -4096, 8192}, {1.5, 4096, 8192}}}, Projection::perspective);
+}
+
 TEST_P(EdgeOn, AFinHidesNothing) {
     TestScene t(GetParam(), 4, 4, {wall(16), fin(1.5)});
     answer_everywhere(t.reference, 0, 16);

@@ -75,6 +75,23 @@ TEST(Json, KeepsAWrongAttribute) {
     EXPECT_EQ(back->high, 0.75);
 }
 
+TEST(Json, KeepsWhatAViewWasShrunkTo) {
+    Results original = sample_results();
+    original.views[1].shrunk = {.file = "shrunk/a.view.json",
+                                .before = {.triangles = 500, .width = 64, .height = 48},
+                                .after = {.triangles = 2, .width = 1, .height = 3},
+                                .tries = 113,
+                                .command = "zproof explain shrunk/a.view.json 0 2"};
+    const std::string text = to_json(original);
+    EXPECT_EQ(objections(Json::parse(text)), "");
+    EXPECT_EQ(to_json(results_from_json(text)), text);
+    const auto back = results_from_json(text).views[1].shrunk;
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->before.triangles, 500u);
+    EXPECT_EQ(back->after.height, 3);
+    EXPECT_EQ(back->tries, 113);
+}
+
 TEST(Json, KeepsEveryBitOfHardNumbers) {
     const Results original = sample_results();
     const Results back = results_from_json(to_json(original));
