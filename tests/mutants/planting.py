@@ -123,11 +123,11 @@ def prepare_headers(build, work, words, room):
     return header
 
 
-def compile_source(words, folder, header, source, made, what, build):
-    """What lies in the folder goes before what has its name elsewhere. -O1, since bits do not depend on it."""
+def compile_source(words, folder, header, source, made, what, build, level="-O1"):
+    """What lies in the folder goes before what has its name elsewhere. Bits do not depend on the level."""
     at = next(i for i, word in enumerate(words) if word.startswith("-I"))
     headers = ["-include", str(header)] if header else []
-    call([*words[:at], f"-I{folder}", *words[at:], "-w", "-O1", *headers, "-o", str(made), "-c", str(source)], what,
+    call([*words[:at], f"-I{folder}", *words[at:], "-w", level, *headers, "-o", str(made), "-c", str(source)], what,
          build)
 
 

@@ -129,7 +129,7 @@ def plain_row(row):
     line, mutant = row["line"], row["mutant"]
     head = f"| `{mutant.name}`: {mutant.sentence} | `{mutant.mode}` |"
     if not line:
-        return f"{head} **no**: {mutant.survives or 'nobody knows why'} | - | - | - |"
+        return f"{head} **no**, up to {row['size'][0]}: {mutant.survives or 'nobody knows why'} | - | - | - |"
     cause = f"{line['cause']} ({100 * line['share']:.0f} %)" if "cause" in line else "-"
     return (f"{head} {line.get('name', 'yes')} at {row['size'][0]} | {line.get('ending') or dominant_class(line)} | "
             f"{cause} | {named_as(mutant, line)} |")
@@ -151,7 +151,7 @@ def plain_sums(rows):
     worth = collections.Counter((bool(row["mutant"].cause), named_as(row["mutant"], row["line"])) for row in caught)
     described, named = worth[True, "right"], sum(worth[has, word] for has in (True, False) for word in ("right", "wrong"))
     lines = [f"{share(len(caught), len(rows))} are caught."]
-    lines += [f"Of the others, {count} survive as \"{reason}\"." for reason, count in sorted(reasons.items())]
+    lines += [f"Of those that survive, {count}: {reason or 'nobody knows why'}." for reason, count in sorted(reasons.items())]
     lines += [f"A hypothesis describes {sum(worth[True, word] for word in ('right', 'wrong', 'none'))} of the caught; the "
               f"diagnosis names {described} of them rightly, {worth[True, 'wrong']} wrongly, and {worth[True, 'none']} not.",
               f"No hypothesis describes {sum(worth[False, word] for word in ('right', 'wrong', 'none'))}; it names none for "
@@ -160,9 +160,11 @@ def plain_sums(rows):
     return "\n".join(lines) + "\n"
 
 
-def plain_section(rows):
+def plain_section(rows, catalogue_size):
     text = ("## A renderer that is not ours\n\n"
             f"{len(rows)} defects of `tests/mutants/plain.txt` are planted into `tests/mutants/plain/`, one at a time.\n")
+    if len(rows) < catalogue_size:
+        text += f"**Not complete:** nothing is said of the {catalogue_size - len(rows)} others.\n"
     text += plain_sums(rows) + "\n" + by_mode(rows)
     areas = collections.OrderedDict()
     for row in rows:
