@@ -29,16 +29,17 @@ void add_town(MeshBuilder& mesh, Random& random) {
     }
 }
 
-/// Cards before an eye at p_world that looks along -z, from camera depth 2e-6 to 0.1.
-void add_close_cards(MeshBuilder& mesh, const glm::dvec3& eye_world) {
+/// Cards side by side, from camera depth 2e-6 to 0.1.
+void add_close_cards(MeshBuilder& mesh, const Camera& camera) {
     mesh.begin_part("close cards", {0.7, 0.3, 0.5});
     double depth = 2e-6;
     for (int i = 0; i < 8; ++i, depth *= 4.5) {
         const double u = 0.2 * i - 0.8;
-        mesh.lone_quad(
-            {{eye_world + depth * glm::dvec3{u, -0.1, -1}, eye_world + depth * glm::dvec3{u + 0.15, -0.1, -1},
-              eye_world + depth * glm::dvec3{u + 0.15, 0.3, -1.5},
-              eye_world + depth * glm::dvec3{u, 0.3, -1.5}}});
+        const auto at = [&](double right, double up, double ahead) {
+            return glm::dvec3(camera.eye_world) +
+                   depth * (right * camera.right + up * camera.up - ahead * camera.back);
+        };
+        mesh.lone_quad({{at(u, -0.1, 1), at(u + 0.15, -0.1, 1), at(u + 0.15, 0.3, 1.5), at(u, 0.3, 1.5)}});
     }
 }
 
@@ -98,8 +99,9 @@ Loaded odd_cameras(ImageSize size) {
     MeshBuilder mesh("odd_cameras");
     Random random(19);
     add_town(mesh, random);
-    const glm::dvec3 close_eye{0, 0x1p-10, 0};
-    add_close_cards(mesh, close_eye);
+    const View close = perspective_view("close", size, {{0, 0x1p-10, 0}, {0, 1, -0.5}},
+                                        {.half_height = 0.5, .near_depth = 1e-6, .far_depth = 1000});
+    add_close_cards(mesh, close.camera);
     const CameraPose street{.eye_world = {3, 6, 50}, .target_world = {0, 4, 0}};
     const auto seen = [&](const char* name, CameraPose pose, const Intrinsics& intrinsics) {
         return perspective_view(name, size, pose, intrinsics);
@@ -113,9 +115,7 @@ Loaded odd_cameras(ImageSize size) {
     const Intrinsics tenth_of_a_degree{.half_height = 8.7266e-4, .near_depth = 1000, .far_depth = 3000};
     return mesh.finish(
         {rolled, skewed, beside, seen("narrow", {{1200, 300, 1500}, {0, 3, 0}}, tenth_of_a_degree),
-         seen("wide", {{0.5, 2, 0.5}, {0.3, 1, 0}}, {.half_height = 114.59, .near_depth = 0.01}),
-         seen("close", {close_eye, close_eye - glm::dvec3{0, 0, 1}},
-              {.half_height = 0.5, .near_depth = 1e-6, .far_depth = 1000})});
+         seen("wide", {{0.5, 2, 0.5}, {0.3, 1, 0}}, {.half_height = 114.59, .near_depth = 0.01}), close});
 }
 
 }  // namespace zproof::suite
