@@ -26,14 +26,14 @@ std::vector<std::uint32_t> ids_of_every_bit(int first, int last, std::uint32_t e
 }
 
 /// `end` triangles in one part. Those with these ids are cards side by side at depth 4 of a view along -z;
-/// all others are a point behind it.
+/// all others are a point far behind them: who sorts by depth has the cards last.
 void add_visible_ids(MeshBuilder& mesh, const std::vector<std::uint32_t>& ids, std::uint32_t end) {
     constexpr int columns = 20;
     mesh.begin_part("ids", {0.6, 0.6, 0.3});
     const MeshBuilder::Room room = mesh.room_for(3 * ids.size() + 1, end);
     const std::uint32_t nowhere = room.first_vertex + std::uint32_t(3 * ids.size());
     std::ranges::fill(room.triangles, glm::uvec3(nowhere));
-    room.p_world[3 * ids.size()] = {0, 0, 8};
+    room.p_world[3 * ids.size()] = {0, 0, -200};
     for (std::size_t i = 0; i < ids.size(); ++i) {
         const double x = 0.34 * double(i % columns) - 3.4, y = 1.7 - 0.25 * double(i / columns);
         const std::array<glm::vec3, 3> corners{

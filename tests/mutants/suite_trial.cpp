@@ -19,8 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// Cheap scenes first: most mutants are found by the first.
-std::vector<std::string> scenes_in_order_of_cost() {
+/// Cheap scenes first: most mutants are found by the first. What survives all of them meets the scenes of
+/// thorough runs with the large pictures.
+std::vector<std::string> scenes_in_order_of_cost(Resolution size) {
     std::vector<std::string> names;
     for (const SuiteEntry& entry : suite_manifest()) names.push_back(entry.name);
     const auto is_cheap = [](const std::string& name) {
@@ -28,6 +29,8 @@ std::vector<std::string> scenes_in_order_of_cost() {
                name != "degenerate" && name != "slivers" && name != "coplanar";
     };
     std::stable_partition(names.begin(), names.end(), is_cheap);
+    if (size.width >= 1920)
+        for (const SuiteEntry& entry : thorough_manifest()) names.push_back(entry.name);
     return names;
 }
 
@@ -77,7 +80,7 @@ class SuiteTrial {
 
     /// No view named: every view.
     void run(const std::set<std::string>& named) {
-        for (const std::string& name : scenes_in_order_of_cost()) {
+        for (const std::string& name : scenes_in_order_of_cost(size_)) {
             const auto is_of_scene = [&](const std::string& view) { return view.starts_with(name + "/"); };
             if (!named.empty() && std::ranges::none_of(named, is_of_scene)) continue;
             const Loaded loaded = generate_suite_scene(name, size_.width, size_.height);
