@@ -28,6 +28,7 @@ constexpr std::array suite_generators{
     SuiteGenerator{"degenerate", suite::degenerate},
     SuiteGenerator{"fan_at_pixel_centre", suite::fan_at_pixel_centre},
     SuiteGenerator{"shared_edges", suite::shared_edges},
+    SuiteGenerator{"beside_pixel_centres", suite::beside_pixel_centres},
     SuiteGenerator{"coplanar", suite::coplanar},
     SuiteGenerator{"interpenetrating", suite::interpenetrating},
     SuiteGenerator{"t_junctions", suite::t_junctions},
@@ -53,6 +54,7 @@ constexpr std::array suite_generators{
     SuiteGenerator{"many_primitives", suite::many_primitives},
     SuiteGenerator{"one_box", suite::one_box},
     SuiteGenerator{"one_tile", suite::one_tile},
+    SuiteGenerator{"million_in_one_tile", suite::million_in_one_tile},
 };
 
 SuiteEntry entry_of(const nlohmann::json& scene) {

@@ -1,4 +1,5 @@
 #include <array>
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -82,7 +83,51 @@ class FanMosaic {
     std::map<std::pair<int, int>, std::uint32_t> border_;
 };
 
+/// Integers p and q without a common factor, and r, s with p s - q r = 1 on the other side of the origin.
+struct ClosePair {
+    std::int64_t p, q, r, s;
+};
+
+ClosePair close_pair(Random& random) {
+    for (;;) {
+        const std::int64_t p = random.integer(20'000, 60'000), q = random.integer(20'000, 60'000);
+        std::int64_t a = p, b = q, of_a = 1, of_b = 0;  // Euclid: a = of_a p (modulo q)
+        while (b != 0) {
+            const std::int64_t times = a / b;
+            a = std::exchange(b, a - times * b);
+            of_a = std::exchange(of_b, of_a - times * of_b);
+        }
+        if (a != 1) continue;
+        const std::int64_t s = of_a, r = (p * s - 1) / q, turns = s > 0 ? s / q + 1 : 0;
+        return {p, q, r - turns * p, s - turns * q};
+    }
+}
+
+/// Two triangles whose common edge passes a pixel's centre at a distance below 2^-29 px.
+void add_beside(MeshBuilder& mesh, Random& random, ImageSize size, const glm::dvec2& centre) {
+    constexpr double unit = 0x1p-15;  // of a pixel; float32 holds it up to 256 px from the origin
+    const ClosePair pair = close_pair(random);
+    const auto vertex = [&](double x, double y) {
+        return mesh.vertex(at_raster(size, centre + glm::dvec2{x, -y}, 0));
+    };
+    const std::uint32_t a = vertex(unit * double(pair.p), unit * double(pair.q)),
+                        b = vertex(unit * double(pair.r), unit * double(pair.s));
+    const double first = random.integer(0, 1) == 0 ? 1.5 : -1.5;
+    for (const double aside : {first, -first}) mesh.triangle(a, b, vertex(aside, -aside));
+}
+
 }  // namespace
+
+Loaded beside_pixel_centres(ImageSize size) {
+    MeshBuilder mesh("beside_pixel_centres");
+    Random random(36);
+    mesh.begin_part("triangles", {0.5, 0.4, 0.7});
+    for (int row = -10; row < 10; ++row)
+        for (int column = -20; column < 20; ++column)
+            add_beside(mesh, random, size,
+                       {size.width / 2 + 6 * column + 0.5, size.height / 2 + 6 * row + 0.5});
+    return mesh.finish({pixel_exact_view(size)});
+}
 
 Loaded fan_at_pixel_centre(ImageSize size) {
     MeshBuilder mesh("fan_at_pixel_centre");

@@ -23,6 +23,7 @@ Loaded degenerate(ImageSize size);
 // fill_rule.cpp
 Loaded fan_at_pixel_centre(ImageSize size);
 Loaded shared_edges(ImageSize size);
+Loaded beside_pixel_centres(ImageSize size);
 
 // ties.cpp
 Loaded coplanar(ImageSize size);
@@ -66,6 +67,7 @@ Loaded many_primitives(ImageSize size);
 // stacks.cpp
 Loaded one_box(ImageSize size);
 Loaded one_tile(ImageSize size);
+Loaded million_in_one_tile(ImageSize size);
 
 // textured_ground.cpp
 Loaded textured_ground(ImageSize size);

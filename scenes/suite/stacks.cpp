@@ -1,4 +1,5 @@
 #include <array>
+#include <string>
 
 #include "scenes/suite/mesh_builder.h"
 #include "scenes/suite/random.h"
@@ -30,19 +31,42 @@ void add_book(MeshBuilder& mesh, int pages) {
         {{ahead - spine - wide, ahead - spine + wide, ahead + spine + wide, ahead + spine - wide}});
 }
 
-/// Triangles of about four pixels within one tile, each before all that came earlier.
-void add_pile(MeshBuilder& mesh, Random& random, const glm::dvec2& corner_world, int count) {
+/// Triangles of about four pixels within one tile, each `step` before all that came earlier.
+struct Pile {
+    int count;
+    double step;
+};
+
+void add_pile(MeshBuilder& mesh, const glm::dvec2& corner_world, Pile pile) {
+    Random random(35);
     const auto corner = [&](const glm::dvec2& middle, double z) {
         const glm::dvec2 p = glm::clamp(middle + glm::dvec2{random.uniform(-2, 2), random.uniform(-2, 2)},
                                         0.0, double(tile_px));
         return glm::dvec3{corner_world.x + p.x, corner_world.y - p.y, z};
     };
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < pile.count; ++i) {
         const glm::dvec2 middle{random.uniform(0, tile_px), random.uniform(0, tile_px)};
-        const double z = i / 128.0;
+        const double z = i * pile.step;
         const glm::dvec3 a = corner(middle, z), b = corner(middle, z), c = corner(middle, z);
         mesh.lone_triangle({a, b, c});
     }
+}
+
+/// The pile in the tile at the picture's middle, before a wall of waves.
+Loaded pile_before_wall(const std::string& name, ImageSize size, Pile pile) {
+    const int left = size.width / (2 * tile_px) * tile_px, top = size.height / (2 * tile_px) * tile_px;
+    MeshBuilder mesh(name);
+    mesh.begin_part("pile", {0.6, 0.4, 0.4});
+    add_pile(mesh, {left - 0.5 * size.width, 0.5 * size.height - top}, pile);
+    mesh.begin_part("wall", {0.5, 0.5, 0.6});
+    add_sheet(mesh, {.across = 48, .down = 32}, [&](double s, double t) {
+        const glm::dvec2 wave = unit_circle(3 * s + 2 * t);
+        return glm::dvec3{(1.25 * s - 0.625) * size.width + 9 * wave.y,
+                          (0.625 - 1.25 * t) * size.height + 5 * wave.x, 200 * wave.x - 400};
+    });
+    return mesh.finish(
+        {parallel_view("ahead", size, {.eye_world = {0, 0, 1024}, .target_world = {0, 0, 0}},
+                       {.half_height = 0.5 * size.height, .near_depth = 1, .far_depth = 4096})});
 }
 
 }  // namespace
@@ -59,20 +83,12 @@ Loaded one_box(ImageSize size) {
 }
 
 Loaded one_tile(ImageSize size) {
-    const int left = size.width / (2 * tile_px) * tile_px, top = size.height / (2 * tile_px) * tile_px;
-    MeshBuilder mesh("one_tile");
-    Random random(35);
-    mesh.begin_part("pile", {0.6, 0.4, 0.4});
-    add_pile(mesh, random, {left - 0.5 * size.width, 0.5 * size.height - top}, 100'000);
-    mesh.begin_part("wall", {0.5, 0.5, 0.6});
-    add_sheet(mesh, {.across = 48, .down = 32}, [&](double s, double t) {
-        const glm::dvec2 wave = unit_circle(3 * s + 2 * t);
-        return glm::dvec3{(1.25 * s - 0.625) * size.width + 9 * wave.y,
-                          (0.625 - 1.25 * t) * size.height + 5 * wave.x, 200 * wave.x - 400};
-    });
-    View view = parallel_view("ahead", size, {.eye_world = {0, 0, 1024}, .target_world = {0, 0, 0}},
-                              {.half_height = 0.5 * size.height, .near_depth = 1, .far_depth = 4096});
-    return mesh.finish({view});
+    return pile_before_wall("one_tile", size, {.count = 100'000, .step = 0x1p-7});
+}
+
+Loaded million_in_one_tile(ImageSize) {
+    return pile_before_wall("million_in_one_tile", {.width = 480, .height = 270},
+                            {.count = (1 << 20) + 4096, .step = 0x1p-11});
 }
 
 }  // namespace zproof::suite

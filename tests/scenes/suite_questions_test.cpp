@@ -273,6 +273,30 @@ TEST(OneTile, HoldsAHundredThousandTrianglesTheLastOnesInFront) {
     }
 }
 
+TEST(BesidePixelCentres, LieSharedEdgesCloserThanABillionthOfAPixelSquared) {
+    const Scene scene = generate_suite_scene("beside_pixel_centres", 480, 270).scene;
+    ASSERT_EQ(scene.triangles.size(), 1600u);
+    const auto cross = [](const glm::dvec2& p, const glm::dvec2& q) { return p.x * q.y - p.y * q.x; };
+    int outside_of_the_first = 0;
+    for (std::size_t i = 0; i < 800; ++i) {  // world units are pixels
+        const glm::dvec2 centre{-119.5 + 6 * double(i % 40), 59.5 - 6 * double(i / 40)};
+        const glm::uvec3 first = scene.triangles[2 * i], second = scene.triangles[2 * i + 1];
+        const auto corner = [&](std::uint32_t vertex) {
+            return glm::dvec2(scene.vertices.position_world[vertex]) - centre;
+        };
+        EXPECT_EQ(glm::uvec2(first), glm::uvec2(second));
+        const glm::dvec2 a = corner(first.x), b = corner(first.y);
+        EXPECT_EQ(cross(a, b), 0x1p-30);
+        EXPECT_LT(glm::dot(a, b), 0);
+        const double of_first = cross(b - a, corner(first.z) - a),
+                     of_second = cross(b - a, corner(second.z) - a);
+        EXPECT_LT(of_first * of_second, 0);
+        outside_of_the_first += of_first < 0;
+    }
+    EXPECT_GT(outside_of_the_first, 300);
+    EXPECT_LT(outside_of_the_first, 500);
+}
+
 TEST(OddCameras, HaveTheFieldsOfViewPlanesAndAxesThatTheReasonNames) {
     const Loaded loaded = generate_suite_scene("odd_cameras");
     const auto degrees = [&](const char* name) {
