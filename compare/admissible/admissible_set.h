@@ -24,10 +24,9 @@ struct Rules {
     EdgeRule edges = EdgeRule::watertight;
 };
 
-/// Thrown where a decision would take more than most_work: work per pixel is bounded. It is counted in cuts
-/// of a region by a half-plane.
+/// Thrown where a decision would take more than Neighbourhood::most_work: work per pixel is bounded. It is
+/// counted in cuts of a region by a half-plane.
 struct TooMuchWork {};
-inline constexpr std::size_t most_work = 500'000;
 
 /// Decides by the signs of Number: exactly with rationals; with Interval, throws UndecidedSign where double
 /// precision is not enough. With double, an estimate. Throws TooMuchWork.

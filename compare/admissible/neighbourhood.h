@@ -50,6 +50,7 @@ struct Neighbourhood {
         0;  ///< half-side of the square: the largest eps of the answer and the triangles around it
     bool is_watertight = true;          ///< does the renderer move triangles that share an edge alike?
     std::vector<Neighbour> neighbours;  ///< in triangle order
+    std::size_t most_work = 500'000;    ///< a decision that would take more is left open (TooMuchWork)
 
     /// The triangle's place among the neighbours, if it is there.
     std::optional<std::size_t> index_of(PrimitiveId triangle) const;

@@ -34,12 +34,13 @@ class DepthOfLast {
 };
 
 /// A depth within the bound, if float32 has one and it is easily found.
-float depth_within(const TriangleDepth& of, const PixelCoord& pixel, float of_reference) {
+float depth_within(const TriangleDepth& of, const PixelCoord& pixel, float of_reference,
+                   Projection projection) {
     const DepthBound bound = of.at(pixel.x, pixel.y);
     const auto truth = float(bound.truth);
     if (of.certainly_holds(bound, truth)) return truth;
     if (of.certainly_holds(bound, of_reference)) return of_reference;
-    const bool is_depth = std::isfinite(truth) && truth >= 0;
+    const bool is_depth = std::isfinite(truth) && (truth >= 0 || projection == Projection::parallel);
     return is_depth ? truth : 0;
 }
 
@@ -60,7 +61,8 @@ Frame with_own_depths(const Scene& scene, const View& view, const Plane<Primitiv
             else if (std::size_t(id) >= scene.triangles.size())
                 own = 0;
             else
-                own = depth_within(depth.of(id), {x, y}, reference.camera_depth.at(x, y));
+                own = depth_within(depth.of(id), {x, y}, reference.camera_depth.at(x, y),
+                                   view.camera.projection);
         }
     });
     return frame;

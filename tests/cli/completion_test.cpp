@@ -74,7 +74,7 @@ TEST_F(Shells, AcceptTheScripts) {
 TEST_F(Shells, BashOffersCommands) {
     EXPECT_THAT(bash({"r"}), ElementsAre("run", "render", "report"));
     EXPECT_THAT(bash({"filters", "c"}), ElementsAre("check", "crow"));
-    EXPECT_THAT(bash({"scenes", ""}), ElementsAre("generate"));
+    EXPECT_THAT(bash({"scenes", ""}), ElementsAre("generate", "random"));
     EXPECT_THAT(bash({"frobnicate", ""}), ElementsAre());
 }
 

@@ -71,7 +71,7 @@ Hypothesis of_float(const DiagnosisInput& input, int bits) {
 std::vector<Hypothesis> of_lost_bits(const DiagnosisInput& input) {
     const int bits = int(std::bit_width(input.scene.triangles.size()));
     std::vector<Hypothesis> all;
-    for (const int kept : {24, 16, 12, 8})
+    for (const int kept : {24, 20, 16, 12, 8})
         if (kept < bits) all.push_back(of_low_bits(input, kept));
     for (const int kept : {24, 11})
         if (kept < bits) all.push_back(of_float(input, kept));

@@ -93,8 +93,9 @@ std::vector<Hypothesis> hypotheses_of_parts(const DiagnosisInput& input) {
         blank(input, "rows are missing", "Whole rows are background.", {size.width, 1}),
         blank(input, "columns are missing", "Whole columns are background.", {1, size.height})};
     for (const int side : tile_sides)
-        all.push_back(blank(input, "tiles of " + std::to_string(side) + " px are missing",
-                            "Whole squares of the grid are background.", {side, side}));
+        if (side < std::max(size.width, size.height))  // else there is one tile, and it is the picture
+            all.push_back(blank(input, "tiles of " + std::to_string(side) + " px are missing",
+                                "Whole squares of the grid are background.", {side, side}));
     for (const auto& more : {moved_rows(input), moved_tiles(input)})
         all.insert(all.end(), more.begin(), more.end());
     return all;
