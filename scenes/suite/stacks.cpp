@@ -88,7 +88,7 @@ Loaded one_tile(ImageSize size) {
 
 Loaded million_in_one_tile(ImageSize) {
     return pile_before_wall("million_in_one_tile", {.width = 480, .height = 270},
-                            {.count = (1 << 20) + 4096, .step = 0x1p-11});
+                            {.count = (1 << 20) + (1 << 16), .step = 0x1p-11});
 }
 
 }  // namespace zproof::suite
