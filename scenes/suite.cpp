@@ -54,7 +54,7 @@ constexpr std::array suite_generators{
     SuiteGenerator{"many_primitives", suite::many_primitives},
     SuiteGenerator{"one_box", suite::one_box},
     SuiteGenerator{"one_tile", suite::one_tile},
-    SuiteGenerator{"million_in_one_tile", suite::million_in_one_tile},
+    SuiteGenerator{"pile_of_a_million", suite::pile_of_a_million},
 };
 
 SuiteEntry entry_of(const nlohmann::json& scene) {

@@ -67,7 +67,7 @@ Loaded many_primitives(ImageSize size);
 // stacks.cpp
 Loaded one_box(ImageSize size);
 Loaded one_tile(ImageSize size);
-Loaded million_in_one_tile(ImageSize size);
+Loaded pile_of_a_million(ImageSize size);
 
 // textured_ground.cpp
 Loaded textured_ground(ImageSize size);

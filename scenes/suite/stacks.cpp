@@ -86,8 +86,8 @@ Loaded one_tile(ImageSize size) {
     return pile_before_wall("one_tile", size, {.count = 100'000, .step = 0x1p-7});
 }
 
-Loaded million_in_one_tile(ImageSize) {
-    return pile_before_wall("million_in_one_tile", {.width = 480, .height = 270},
+Loaded pile_of_a_million(ImageSize) {
+    return pile_before_wall("pile_of_a_million", {.width = 480, .height = 270},
                             {.count = (1 << 20) + (1 << 16), .step = 0x1p-11});
 }
 
