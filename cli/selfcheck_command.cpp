@@ -22,7 +22,7 @@ struct SelfcheckTally {
     Share views{0, 0};
     std::uint64_t pairs = 0;    ///< of a view and a variant
     std::uint64_t defects = 0;  ///< of these, with a frame that is wrong
-    int missing = 0;            ///< views and scenes that cannot be drawn or read
+    int missing = 0;            ///< scenes, views and variants that cannot be read or drawn
 };
 
 std::uint64_t pixels_that_differ(const ClassCounts& counts) {
@@ -82,13 +82,19 @@ class Selfcheck {
         const Frame original = renderer_.render(scene, view);
         for (const measure::Variant& variant : measure::variants()) {
             if (interrupted()) return;
-            const auto result = measure::check_variant(renderer_, scene, view, original, variant);
-            const bool is_wrong = result.defects + result.original_defects > 0;
-            tally_.pairs += result.was_drawn;
-            tally_.defects += is_wrong;
-            if (!arguments_.common.is_quiet())
-                progress_.say(std::cout, name + ", " + variant.name + ": " + in_words(result) + "\n");
+            const std::string pair = name + ", " + variant.name;
+            try {
+                tell(pair, measure::check_variant(renderer_, scene, view, original, variant));
+            } catch (const OracleError& e) {
+                tell_missing(pair, e.what());
+            }
         }
+    }
+
+    void tell(const std::string& pair, const measure::VariantResult& result) {
+        tally_.pairs += result.was_drawn;
+        tally_.defects += result.defects + result.original_defects > 0;
+        if (!arguments_.common.is_quiet()) progress_.say(std::cout, pair + ": " + in_words(result) + "\n");
     }
 
     void tell_missing(const std::string& name, const std::string& why) {
