@@ -8,6 +8,7 @@
 
 #include "cli/command_line/misspelling.h"
 #include "cli/command_line/tree.h"
+#include "cli/plan/typed_out.h"
 #include "cli/settings/apply.h"
 #include "cli/usage_error.h"
 #include "frame/printable.h"
@@ -74,6 +75,38 @@ std::vector<std::string> RandomChoice::words() const {
 
 int available_threads() { return std::clamp(int(std::thread::hardware_concurrency()), 1, 1024); }
 
+RunArguments planned_run(const std::vector<std::string>& argv) {
+    std::vector<const char*> words{"zproof"};
+    for (const std::string& word : argv) words.push_back(word.c_str());
+    const Environment nothing = [](const std::string&) -> const char* { return nullptr; };
+    return std::get<RunArguments>(parse_command_line(int(words.size()), words.data(), nothing));
+}
+
+namespace {
+
+/// The run that is planned for, with the settings of this profile.
+RunWords words_of_run(int argc, const char* const* argv, const Environment& environment,
+                      const std::string& profile) {
+    CommandTree tree;
+    tree.root().parse(argc, argv);
+    tree.words().settings.profile = profile;
+    take_settings(tree, environment);
+    return {profile, run_typed_out(leaf_of(tree.root()))};
+}
+
+/// One per profile that was named. A plan of one run needs no name for it.
+std::vector<RunWords> planned_runs(int argc, const char* const* argv, const Environment& environment,
+                                   const std::vector<std::string>& profiles) {
+    if (profiles.empty()) return {words_of_run(argc, argv, environment, "")};
+    std::vector<RunWords> runs;
+    for (const std::string& profile : profiles)
+        runs.push_back(words_of_run(argc, argv, environment, profile));
+    if (runs.size() == 1) runs.front().name.clear();
+    return runs;
+}
+
+}  // namespace
+
 Command parse_command_line(int argc, const char* const* argv, const Environment& environment) {
     CommandTree tree;
     CommandWords& words = tree.words();
@@ -88,7 +121,11 @@ Command parse_command_line(int argc, const char* const* argv, const Environment&
     } catch (const CLI::ParseError& e) {
         return answer_or_throw(tree.root(), e);
     }
-    take_settings(tree, environment);
+    words.environment = environment;
+    if (leaf_of(tree.root()).get_name() == "plan")
+        words.plan.runs = planned_runs(argc, argv, environment, words.plan_profiles);
+    else
+        take_settings(tree, environment);
     return tree.chosen();
 }
 

@@ -12,11 +12,14 @@
 #include "cli/filter_choice.h"
 #include "cli/filters/arguments.h"
 #include "cli/gate/arguments.h"
+#include "cli/gate/shard.h"
+#include "cli/plan/arguments.h"
 #include "cli/renderers/choice.h"
 #include "cli/report_files.h"
 #include "cli/run_size.h"
 #include "cli/study/arguments.h"
 #include "cli/views_arguments.h"
+#include "oracle/reference_cache.h"
 
 namespace zproof {
 
@@ -59,7 +62,10 @@ struct RunArguments {
     RunSize size = RunSize::usual;
     std::vector<std::string> scenes;  ///< empty: the whole suite
     std::filesystem::path models;     ///< where view files' models may lie; empty: beside them only
+    std::filesystem::path plan;       ///< that says all of this but the shard; empty: there is none
     Shard shard;
+    EmptyShard empty_shard = EmptyShard::is_nothing;
+    oracle::ReferenceCacheChoice reference_cache;
     ChosenRenderers renderers;
     RenderSettings settings;
     ReportArguments report;
@@ -126,9 +132,17 @@ struct SelftestArguments {
     CommonArguments common;
 };
 
+/// What becomes of a plan's shards that are not there.
+enum class Missing {
+    is_refused,
+    is_not_judged,  ///< each of their views says so, and nothing is proven
+};
+
 /// Shards of one run, put together.
 struct MergeArguments {
     std::vector<std::filesystem::path> shards;  ///< output folders
+    std::filesystem::path plan;                 ///< of which they are; empty: shards by hash
+    Missing missing = Missing::is_refused;      ///< of a plan's shards
     ReportArguments report;
 };
 
@@ -157,13 +171,16 @@ using Command =
                  FitArguments, SelfcheckArguments, ContractCheckArguments, SelftestArguments, MergeArguments,
                  ReportAgainArguments, DiffResultsArguments, WaiveListArguments, WaiveCheckArguments,
                  WaivePruneArguments, WaiveAddArguments, DoctorArguments, ListArguments, GenerateArguments,
-                 RandomScenesArguments, ViewsArguments, FiltersRunArguments, FiltersListArguments,
-                 FiltersScenesArguments, FiltersTableArguments, FiltersReproduceArguments,
-                 FiltersFigureArguments, FiltersCrowArguments, FiltersCheckArguments, FiltersExplainArguments,
-                 StudyArguments, Answered>;
+                 RandomScenesArguments, PlanArguments, ViewsArguments, FiltersRunArguments,
+                 FiltersListArguments, FiltersScenesArguments, FiltersTableArguments,
+                 FiltersReproduceArguments, FiltersFigureArguments, FiltersCrowArguments,
+                 FiltersCheckArguments, FiltersExplainArguments, StudyArguments, Answered>;
 
 /// What the command shares with every other.
 const CommonArguments& common_of(const Command& command);
+
+/// The run that a plan's words mean; they hold all its settings. Throws as parse_command_line() does.
+RunArguments planned_run(const std::vector<std::string>& argv);
 
 /// What is not typed is taken from the settings (docs/gate.md). Throws UsageError, and ReportError where a
 /// settings file that is named cannot be read.

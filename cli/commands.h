@@ -41,6 +41,9 @@ ExitCode execute(const ContractCheckArguments& arguments);
 /// all of them and passes the good frames.
 ExitCode execute(const SelftestArguments& arguments);
 
+/// Gives each view of one or more runs to a shard, writes the plan, and prints each shard's command.
+ExitCode execute(const PlanArguments& arguments);
+
 /// Puts the shards of one run together: the files of one run of them all, and its verdict. ReportError where
 /// they are not the shards of one run.
 ExitCode execute(const MergeArguments& arguments);

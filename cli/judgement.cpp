@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 
 #include "cli/announcement.h"
 #include "cli/interrupt.h"
@@ -43,7 +44,8 @@ Share judged_of(const Results& results, std::size_t scenes_left) {
 }  // namespace
 
 ExitCode judge_and_report(const RunRequest& request) {
-    const auto& [sources, renderers, settings, report, selection, shard, views] = request;
+    const auto& [sources, renderers, settings, report, selection, shard, empty_shard, reference_cache,
+                 views] = request;
     const Gate gate = open_gate(report.gate);
     Results results{.version = version_number(),
                     .commit = commit(),
@@ -63,13 +65,25 @@ ExitCode judge_and_report(const RunRequest& request) {
     OutputFolder out{report.common.out};
     note_interrupts();
 
+    std::optional<oracle::ReferenceCache> cache;
+    if (!reference_cache.folder.empty()) cache.emplace(reference_cache);
     FolderNames names;
     std::size_t scenes_left = 0;
     {
         Progress progress{std::cerr, progress_of(report.common), expected_work(sources, report.common.out)};
-        const RunConfig config{settings.resolution, out.working(), names,           progress,
-                               renderers,           gate,          report.pictures, report.evidence,
-                               settings.samples,    views,         report.typed,    report.common.out};
+        const RunConfig config{settings.resolution,
+                               out.working(),
+                               names,
+                               progress,
+                               renderers,
+                               gate,
+                               report.pictures,
+                               report.evidence,
+                               settings.samples,
+                               views,
+                               report.typed,
+                               report.common.out,
+                               cache ? &*cache : nullptr};
         scenes_left = judge_supervised(sources, config, report.common.threads, results);
     }
     on_threads(report.common.threads, [&] { write_reports(out.working(), results, report.formats); });
@@ -79,6 +93,8 @@ ExitCode judge_and_report(const RunRequest& request) {
     if (!report.common.is_quiet())
         std::cout << shrunk_in_words(results, report.common.out, published.common.out);
     const ExitCode code = announce(results, published);
+    if (results.views.empty() && results.ending == Ending::complete && empty_shard == EmptyShard::is_ok)
+        return ExitCode::proven;
     if (code != ExitCode::interrupted) return code;
     return say_interrupted(judged_of(results, scenes_left), "view", "judged and written");
 }

@@ -18,6 +18,8 @@ struct RunRequest {
     const ReportArguments& report;
     Selection selection;
     Shard shard{};
+    EmptyShard empty_shard = EmptyShard::is_nothing;
+    oracle::ReferenceCacheChoice reference_cache{};
     ViewChoice views{};  ///< of every scene
 };
 

@@ -12,11 +12,18 @@ ExitCode exit_code_of(const Results& results) {
     };
     if (any(Outcome::internal_error)) return ExitCode::internal;
     if (results.ending == Ending::interrupted) return ExitCode::interrupted;
-    if (any(Outcome::unreadable)) return ExitCode::cannot_judge;
+    if (results.ending == Ending::partial || any(Outcome::unreadable)) return ExitCode::cannot_judge;
     if (any(Outcome::defective)) return ExitCode::defect;
     if (any(Outcome::undecided)) return ExitCode::cannot_judge;
     if (!any(Outcome::proven)) return ExitCode::nothing;
     return waivers_fail(results) ? ExitCode::defect : ExitCode::proven;
+}
+
+ExitCode worst_of(const std::vector<ExitCode>& codes) {
+    using enum ExitCode;
+    for (const ExitCode code : {internal, interrupted, cannot_judge, defect, proven, nothing})
+        if (std::ranges::count(codes, code) > 0) return code;
+    return nothing;
 }
 
 std::string_view in_words(ExitCode code) {

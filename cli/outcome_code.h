@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "cli/exit_code.h"
 #include "reports/results.h"
@@ -11,6 +12,9 @@ namespace zproof {
 /// then cannot_judge, then nothing, then defect. A waiver that fails the gate (reports/waiver_status.h) is a
 /// defect.
 ExitCode exit_code_of(const Results& results);
+
+/// Of several runs, by the same order, but ExitCode::nothing only where nothing was judged in any of them.
+ExitCode worst_of(const std::vector<ExitCode>& codes);
 
 /// The verdict on a whole run: "proven", "defect", "cannot judge everything", ...
 std::string_view in_words(ExitCode code);

@@ -14,6 +14,7 @@ struct Refusal {
     std::string_view operator()(const SelfcheckArguments&) const { return "cannot check the renderer"; }
     std::string_view operator()(const ContractCheckArguments&) const { return "cannot check the contract"; }
     std::string_view operator()(const SelftestArguments&) const { return "cannot test the gate"; }
+    std::string_view operator()(const PlanArguments&) const { return "cannot plan"; }
     std::string_view operator()(const MergeArguments&) const { return "cannot merge"; }
     std::string_view operator()(const ReportAgainArguments&) const { return "cannot report"; }
     std::string_view operator()(const DiffResultsArguments&) const { return "cannot compare the results"; }

@@ -8,10 +8,10 @@
 #include <span>
 #include <stdexcept>
 
-#include "cli/expectations.h"
 #include "cli/interrupt.h"
 #include "cli/memory.h"
 #include "cli/oracle_answers.h"
+#include "cli/renderers/cached_reference.h"
 #include "cli/samples.h"
 #include "cli/shaded_pictures.h"
 #include "cli/stage_clock.h"
@@ -23,6 +23,7 @@
 #include "compare/judge.h"
 #include "oracle/oracle_error.h"
 #include "reports/evidence.h"
+#include "reports/expectations.h"
 #include "scenes/judged_ranges.h"
 #include "scenes/scene_error.h"
 #include "scenes/scene_hash.h"
@@ -52,13 +53,18 @@ struct OpenedScene {
 };
 
 /// Hashing keeps one thread busy, and building trees keeps any number: they go side by side.
-OpenedScene open_scene(const ChosenRenderers& renderers, const Scene& scene, const std::vector<View>& views) {
+OpenedScene open_scene(const RunConfig& config, const Scene& scene, const std::vector<View>& views) {
+    const ChosenRenderers& renderers = config.renderers;
     OpenedScene opened_scene;
     tbb::task_group beside;
     beside.run([&] { opened_scene.scene_sha256 = sha256_of(scene); });
-    opened_scene.opened = {open(renderers.candidate, scene), open(renderers.reference, scene),
-                           open_oracles(renderers.oracles, scene, views)};
+    if (!config.reference_cache) opened_scene.opened.reference = open(renderers.reference, scene);
+    opened_scene.opened.candidate = open(renderers.candidate, scene);
+    opened_scene.opened.oracles = open_oracles(renderers.oracles, scene, views);
     beside.wait();
+    if (config.reference_cache)
+        opened_scene.opened.reference =
+            open_with_cache(renderers.reference, scene, opened_scene.scene_sha256, *config.reference_cache);
     return opened_scene;
 }
 
@@ -252,9 +258,11 @@ class Record {
         results_.push_back(std::move(result));
     }
 
-    /// All the views from this one on.
-    void leave(const SceneSource& source, std::span<const View> views) {
-        for (const View& view : views) add(unjudged(source, view, Outcome::not_judged, left_words));
+    /// What came of the view at this place among all of them.
+    void add(ViewResult result, std::size_t place, const std::vector<View>& views) {
+        result.view_place = place;
+        result.scene_views = views.size();
+        add(std::move(result));
     }
 
   private:
@@ -262,47 +270,70 @@ class Record {
     std::vector<ViewResult>& results_;
 };
 
-/// A result per view, or one that says that there is nothing to see.
-Ending run_views(const SceneSource& source, const RunConfig& config, StageClock& clock, Record& record) {
+/// What one scene is judged with, and where that is told.
+struct SceneRun {
+    const SceneSource& source;
+    const RunConfig& config;
+    StageClock& clock;
+    Record& record;
+
+    void leave(std::span<const std::size_t> places, const std::vector<View>& views) const {
+        for (const std::size_t i : places)
+            record.add(unjudged(source, views[i], Outcome::not_judged, left_words), i, views);
+    }
+};
+
+/// Of these views. A place is counted among all of the scene's views, whoever judges the others.
+Ending run_places(const SceneRun& run, const Scene& scene, const std::vector<View>& views,
+                  std::span<const std::size_t> places) {
+    const auto& [source, config, clock, record] = run;
+    config.progress.begin_stage("build");
+    clock.begin(&StageTimes::reference_build);
+    auto [opened, scene_sha256] = open_scene(config, scene, views);
+    while (!places.empty()) {
+        const std::size_t i = places.front();
+        const ViewContext context{source, scene, scene_sha256, views[i], config.renderers};
+        std::optional<ViewResult> result;
+        if (!interrupted())
+            result = run_view_or_say_why_not({.context = context,
+                                              .opened = opened,
+                                              .config = config,
+                                              .clock = clock,
+                                              .place = i,
+                                              .is_last = places.size() == 1});
+        if (!result) return run.leave(places, views), Ending::interrupted;
+        result->times = clock.take();
+        config.progress.end_view();
+        record.add(std::move(*result), i, views);
+        places = places.subspan(1);
+    }
+    return Ending::complete;
+}
+
+/// A result per view of the share, or one that says that there is nothing to see.
+Ending run_views(const SceneRun& run) {
+    const auto& [source, config, clock, record] = run;
     config.progress.begin_stage("load");
     const Loaded loaded = load(source, resolution_of(source, config));
     if (loaded.scene.triangles.empty()) {
-        record.add(without_triangles(source, loaded.scene));
+        if (source.share.has_the_first()) record.add(without_triangles(source, loaded.scene));
         return Ending::complete;
     }
     const std::vector<View> views = at_samples(wanted_views(loaded, config.views), config.samples);
-    config.progress.expect_views(views.size());
-    const auto leave = [&](std::size_t from) {
-        record.leave(source, std::span{views}.subspan(from));
-        return Ending::interrupted;
-    };
-    if (interrupted()) return leave(0);
-
-    config.progress.begin_stage("build");
-    clock.begin(&StageTimes::reference_build);
-    auto [opened, scene_sha256] = open_scene(config.renderers, loaded.scene, views);
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        if (interrupted()) return leave(i);
-        const ViewContext context{source, loaded.scene, scene_sha256, views[i], config.renderers};
-        std::optional<ViewResult> result = run_view_or_say_why_not({.context = context,
-                                                                    .opened = opened,
-                                                                    .config = config,
-                                                                    .clock = clock,
-                                                                    .place = i,
-                                                                    .is_last = i + 1 == views.size()});
-        if (!result) return leave(i);
-        result->times = clock.take();
-        config.progress.end_view();
-        record.add(std::move(*result));
-    }
-    return Ending::complete;
+    const std::vector<std::size_t> places = places_in(source.share, views);
+    if (places.empty()) return Ending::complete;
+    config.progress.expect_views(places.size());
+    if (interrupted()) return run.leave(places, views), Ending::interrupted;
+    return run_places(run, loaded.scene, views, places);
 }
 
 /// Tells again of a view that was told proven, and is not for want of what the suite expects.
 void hold_to_expectations(const SceneSource& source, const RunConfig& config,
                           std::vector<ViewResult>& views) {
+    if (views.empty()) return;
+    for (ViewResult& view : views) view.expects = source.expects;
     const Outcome told = views.back().outcome;
-    hold_to_expectations(source, views);
+    hold_to_expectations(views);
     if (views.back().outcome != told) config.progress.tell(views.back());
 }
 
@@ -324,7 +355,7 @@ Ending run_views_or_say_why_not(const SceneSource& source, const RunConfig& conf
         return end_with(ended_by_fault(source, config, e.what(), ""));
     };
     try {
-        const Ending ending = run_views(source, config, clock, record);
+        const Ending ending = run_views({source, config, clock, record});
         if (ending == Ending::complete && has_expectations(source, config) &&
             std::ranges::all_of(config.samples, is_centre) && are_the_usual(config.renderers))
             hold_to_expectations(source, config, results);

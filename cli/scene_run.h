@@ -12,6 +12,7 @@
 #include "cli/progress.h"
 #include "cli/renderers/choice.h"
 #include "cli/scene_selection.h"
+#include "oracle/reference_cache.h"
 #include "reports/results.h"
 
 namespace zproof {
@@ -35,8 +36,9 @@ struct RunConfig {
     Evidence evidence;
     const std::vector<Sample>& samples;  ///< of every view
     ViewChoice views{};
-    const std::string& command;        ///< as typed
-    const std::filesystem::path& out;  ///< where run_folder will be
+    const std::string& command;                         ///< as typed
+    const std::filesystem::path& out;                   ///< where run_folder will be
+    oracle::ReferenceCache* reference_cache = nullptr;  ///< nothing: reference frames are not kept
 };
 
 /// The view's projection, where it is none of those that the renderer has.

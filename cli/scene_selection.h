@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/view_share.h"
 #include "frame/plane.h"
 #include "scenes/loaded.h"
 
@@ -28,6 +29,7 @@ struct SceneSource {
     std::optional<Resolution> size{};        ///< of its pictures in this run; nothing: what the run has
     bool has_own_sizes = false;              ///< its views state their sizes
     bool only_thorough = false;              ///< the suite's, but of thorough runs alone
+    ViewShare share{};                       ///< which of its views are judged
 };
 
 /// The scenes that the words mean, in their order, each once: "suite" or no word at all is the whole suite; a

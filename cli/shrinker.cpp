@@ -106,7 +106,7 @@ std::string command_for(const RunConfig& config, const std::filesystem::path& fi
                                config.renderers.candidate, pixel.x, pixel.y);
 }
 
-std::string in_words(const SceneSize& size) {
+std::string scene_size_in_words(const SceneSize& size) {
     return counted(size.triangles, "triangle") + " at " + std::to_string(size.width) + " x " +
            std::to_string(size.height);
 }
@@ -148,8 +148,9 @@ std::string shrunk_in_words(const Results& results, const std::filesystem::path&
         const std::string written = (planned / file).generic_string();
         if (const std::size_t at = command.find(written); at != command.npos)
             command.replace(at, written.size(), (folder / file).generic_string());
-        text += one_line(view.scene) + ": " + in_words(before) + ", shrunk to " + in_words(after) + " in " +
-                grouped(std::uint64_t(tries)) + " tries\n    " + one_line(command) + "\n";
+        text += one_line(view.scene) + ": " + scene_size_in_words(before) + ", shrunk to " +
+                scene_size_in_words(after) + " in " + grouped(std::uint64_t(tries)) + " tries\n    " +
+                one_line(command) + "\n";
     }
     return text;
 }

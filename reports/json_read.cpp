@@ -49,6 +49,12 @@ Outcome outcome_named(const std::string& name) {
     refuse("no outcome is named \"" + name + "\"");
 }
 
+Ending ending_named(const std::string& name) {
+    for (const Ending ending : all_endings)
+        if (name_of(ending) == name) return ending;
+    refuse("no ending is named \"" + name + "\"");
+}
+
 PrimitiveId id(const Json& json) {
     return json.is_null() ? PrimitiveId::none : PrimitiveId(whole_number<std::uint32_t>(json));
 }
@@ -177,6 +183,9 @@ void read_gate(const Json& json, ViewResult& v) {
         v.waived[std::size_t(class_named(name))] = count(pixels);
     for (const Json& one : json.at("waivers")) v.waivers.push_back(waiver_use_from(one));
     v.place = count(json.at("place"));
+    if (json.contains("view_place")) v.view_place = count(json.at("view_place"));
+    if (json.contains("scene_views")) v.scene_views = count(json.at("scene_views"));
+    v.expects = json.value("expects", v.expects);
     v.scene_sha256 = json.at("scene_sha256");
 }
 
@@ -252,8 +261,11 @@ void read_gate(const Json& root, Results& results) {
     const Json& run = root.at("run");
     results.argv = run.at("argv");
     const Json& shard = run.at("shard");
-    results.shard = {whole_number<int>(shard.at("number")), whole_number<int>(shard.at("count"))};
-    results.ending = run.at("ending") == "complete" ? Ending::complete : Ending::interrupted;
+    results.shard = {.number = whole_number<int>(shard.at("number")),
+                     .count = whole_number<int>(shard.at("count")),
+                     .plan = shard.value("plan", ""),
+                     .taken_from = shard.value("taken_from", "")};
+    results.ending = ending_named(run.at("ending"));
     results.today = run.at("today");
     const Json& selection = root.at("selection");
     results.selection = {count(selection.at("scenes")), selection.at("sha256"), {}};

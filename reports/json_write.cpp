@@ -204,8 +204,11 @@ Json view_object(const ViewResult& v) {
                    {"notes", v.notes},
                    {"folder", v.folder},
                    {"place", v.place},
+                   {"view_place", v.view_place},
+                   {"scene_views", v.scene_views},
                    {"scene_sha256", v.scene_sha256},
                    {"times", stage_times(v.times)}};
+    if (!v.expects.empty()) object["expects"] = v.expects;
     if (v.shrunk) object["shrunk"] = shrunk(*v.shrunk);
     return object;
 }
@@ -220,6 +223,13 @@ Json renderers(const std::vector<RendererFacts>& all) {
     return list;
 }
 
+Json shard_object(const Shard& shard) {
+    Json object{{"number", shard.number}, {"count", shard.count}};
+    if (!shard.plan.empty()) object["plan"] = shard.plan;
+    if (!shard.taken_from.empty()) object["taken_from"] = shard.taken_from;
+    return object;
+}
+
 Json run_object(const Results& r) {
     return {{"version", r.version},
             {"commit", r.commit},
@@ -229,8 +239,8 @@ Json run_object(const Results& r) {
             {"embree", r.embree},
             {"threads", r.threads},
             {"isa", r.isa},
-            {"shard", {{"number", r.shard.number}, {"count", r.shard.count}}},
-            {"ending", r.ending == Ending::complete ? "complete" : "interrupted"},
+            {"shard", shard_object(r.shard)},
+            {"ending", name_of(r.ending)},
             {"today", r.today},
             {"renderers", renderers(r.renderers)}};
 }

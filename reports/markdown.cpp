@@ -45,7 +45,8 @@ std::string markdown_headline(const Results& results) {
         if (outcome != Outcome::proven && count(outcome) > 0)
             text += ", " + std::to_string(count(outcome)) + " " + std::string(in_words(outcome));
     if (waived > 0) text += "; " + counted(waived, "pixel") + " waived";
-    return text + (results.ending == Ending::interrupted ? "; interrupted" : "") + "\n\n";
+    if (results.ending != Ending::complete) text += "; " + std::string(name_of(results.ending));
+    return text + "\n\n";
 }
 
 std::string row(const ViewResult& v) {

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <tuple>
+#include <utility>
 
+#include "reports/expectations.h"
 #include "reports/report_error.h"
 #include "reports/waiver_json.h"
 
@@ -42,6 +46,7 @@ const std::vector<Common>& common_things() {
          "give all shards the same scenes, --width and --height"},
         {"the number of shards", [](const Results& r) { return std::to_string(r.shard.count); },
          "run all shards with the same count"},
+        {"the plan", [](const Results& r) { return r.shard.plan; }, "run all shards of one plan"},
         {"the waivers", waivers_of, "give all shards the same waiver file"},
         {"the day of the waivers", [](const Results& r) { return r.today; }, "give all shards one --now"},
         {"--strict", [](const Results& r) { return std::to_string(int(r.strictness)); },
@@ -54,50 +59,53 @@ const std::vector<Common>& common_things() {
     throw ReportError(name + ": " + why);
 }
 
-std::string word_of(const Shard& shard) {
-    return "hash:" + std::to_string(shard.number) + "/" + std::to_string(shard.count);
+std::string in_words(const Shard& shard) {
+    const std::string number = std::to_string(shard.number), count = std::to_string(shard.count);
+    return shard.plan.empty() ? "hash:" + number + "/" + count : number + " of " + count;
 }
 
-void require_one_run(const std::vector<Results>& shards, const std::vector<std::string>& names) {
-    for (std::size_t i = 0; i < shards.size(); ++i) {
-        if (shards[i].selection.sha256.empty())
-            refuse(names[i], "was written by an older zproof, or is no run; run that shard again");
-        if (shards[i].ending == Ending::interrupted)
-            refuse(names[i], "was interrupted; run shard " + word_of(shards[i].shard) + " again");
-        for (const Common& thing : common_things())
-            if (const std::string here = thing.of(shards[i]), first = thing.of(shards[0]); here != first)
-                refuse(names[i], std::string{thing.what} + " differs from that of " + names[0] + " (" +
-                                     here.substr(0, 200) + ", not " + first.substr(0, 200) + "); " +
-                                     thing.remedy);
+/// A scene's place, and then the view's: what stands for a whole scene goes first.
+bool is_before(const ViewResult& a, const ViewResult& b) {
+    return std::pair{a.place, a.view_place} < std::pair{b.place, b.view_place};
+}
+
+bool stand_for_the_same(const ViewResult& a, const ViewResult& b) {
+    return std::tuple{a.place, a.view_place, a.scene_views} ==
+           std::tuple{b.place, b.view_place, b.scene_views};
+}
+
+/// The views of each scene together.
+template <class Work>
+void for_each_scene(std::vector<ViewResult>& views, const Work& work) {
+    for (auto begin = views.begin(); begin != views.end();) {
+        const auto end =
+            std::find_if(begin, views.end(), [&](const ViewResult& v) { return v.place != begin->place; });
+        work(std::span{begin, end});
+        begin = end;
     }
 }
 
-void require_each_once(const std::vector<Results>& shards, const std::vector<std::string>& names) {
-    const int count = shards[0].shard.count;
-    std::vector<std::string> holder(std::size_t(count) + 1);
-    for (std::size_t i = 0; i < shards.size(); ++i) {
-        const int number = shards[i].shard.number;
-        if (number < 1 || number > count) refuse(names[i], "there is no shard " + word_of(shards[i].shard));
-        std::string& before = holder[std::size_t(number)];
-        if (!before.empty())
-            refuse(names[i], "is shard " + word_of(shards[i].shard) + ", and so is " + before +
-                                 "; name every shard once");
-        before = names[i];
-    }
-    for (int number = 1; number <= count; ++number)
-        if (holder[std::size_t(number)].empty())
-            refuse(names[0], "shard " + word_of({number, count}) + " is missing; name all " +
-                                 std::to_string(count) + " of them");
+/// Of one scene. What stands for a whole scene that could not be read has no views, and none is missing.
+std::size_t missing_views(std::span<const ViewResult> views) {
+    const std::size_t all = std::ranges::max(views, {}, &ViewResult::scene_views).scene_views;
+    const auto there = std::size_t(std::ranges::count(views, all, &ViewResult::scene_views));
+    return all == 0 ? 0 : all - there;
 }
 
-/// Are all scenes of the selection there?
-void require_all_scenes(const Results& whole, const std::string& name) {
-    std::vector<bool> seen(whole.selection.scenes);
-    for (const ViewResult& view : whole.views)
-        if (view.place < seen.size()) seen[view.place] = true;
-    if (const auto missing = std::ranges::count(seen, false); missing > 0)
-        refuse(name, "of the " + std::to_string(seen.size()) + " scenes that were selected, " +
-                         std::to_string(missing) + " are in no shard; run the shards again");
+/// Are all views of all scenes there?
+void require_all_views(Results& whole, const std::string& name) {
+    std::size_t scenes = 0, views = 0;
+    for_each_scene(whole.views, [&](std::span<const ViewResult> some) {
+        ++scenes;
+        views += missing_views(some);
+    });
+    if (scenes < whole.selection.scenes)
+        refuse(name, "of the " + std::to_string(whole.selection.scenes) + " scenes that were selected, " +
+                         std::to_string(whole.selection.scenes - scenes) +
+                         " are in no shard; run the shards again");
+    if (views > 0)
+        refuse(name, std::to_string(views) +
+                         " views of scenes that were judged are in no shard; run the shards again");
 }
 
 bool is_option_with_value(const std::string& word) {
@@ -111,17 +119,71 @@ bool is_option_and_value(const std::string& word) {
 
 }  // namespace
 
-Results merged(const std::vector<Results>& shards, const std::vector<std::string>& names) {
-    if (shards.empty()) throw ReportError("merge: no shard was named");
-    require_one_run(shards, names);
-    require_each_once(shards, names);
-    Results whole = shards[0];
+void Merging::require_same_run(const Results& shard, const std::string& name) const {
+    if (shard.selection.sha256.empty())
+        refuse(name, "was written by an older zproof, or is no run; run that shard again");
+    if (shard.ending == Ending::interrupted)
+        refuse(name, "was interrupted; run shard " + in_words(shard.shard) + " again");
+    if (first_.empty()) return;
+    for (const Common& thing : common_things())
+        if (const std::string here = thing.of(shard), first = thing.of(all_); here != first)
+            refuse(name, std::string{thing.what} + " differs from that of " + first_ + " (" +
+                             here.substr(0, 200) + ", not " + first.substr(0, 200) + "); " + thing.remedy);
+}
+
+void Merging::hold(const Shard& shard, const std::string& name) {
+    if (shard.number < 1 || shard.number > shard.count) refuse(name, "there is no shard " + in_words(shard));
+    holders_.resize(std::size_t(shard.count) + 1);
+    std::string& before = holders_[std::size_t(shard.number)];
+    if (!before.empty())
+        refuse(name, "is shard " + in_words(shard) + ", and so is " + before + "; name every shard once");
+    before = name;
+}
+
+void Merging::add(Results shard, const std::string& name) {
+    require_same_run(shard, name);
+    hold(shard.shard, name);
+    std::vector<ViewResult> views = std::move(shard.views);
+    if (first_.empty()) {
+        first_ = name;
+        all_ = std::move(shard);
+        all_.views.clear();
+    }
+    std::ranges::move(views, std::back_inserter(all_.views));
+}
+
+void Merging::require_all_shards() const {
+    if (holders_.empty()) throw ReportError("merge: no shard was named");
+    const int count = int(holders_.size()) - 1;
+    for (int number = 1; number <= count; ++number)
+        if (!has(number))
+            refuse(first_, "shard " + in_words({number, count, all_.shard.plan}) + " is missing; name all " +
+                               std::to_string(count) + " of them");
+}
+
+Results Merging::put_together() && {
+    Results whole = std::move(all_);
     whole.shard = {};
     whole.argv = without_shard_words(whole.argv);
-    whole.views.clear();
-    for (const Results& shard : shards) std::ranges::copy(shard.views, std::back_inserter(whole.views));
-    std::ranges::stable_sort(whole.views, {}, &ViewResult::place);
-    require_all_scenes(whole, names[0]);
+    std::ranges::stable_sort(whole.views, is_before);
+    const auto repeated = std::ranges::unique(whole.views, stand_for_the_same);
+    whole.views.erase(repeated.begin(), repeated.end());
+    for_each_scene(whole.views, [](std::span<ViewResult> views) { hold_to_expectations(views); });
+    return whole;
+}
+
+Results Merging::whole() && {
+    require_all_shards();
+    const std::string first = first_;
+    Results whole = std::move(*this).put_together();
+    require_all_views(whole, first);
+    return whole;
+}
+
+Results Merging::partial(std::vector<ViewResult> missing) && {
+    std::ranges::move(missing, std::back_inserter(all_.views));
+    Results whole = std::move(*this).put_together();
+    whole.ending = Ending::partial;
     return whole;
 }
 

@@ -28,6 +28,18 @@ const OutcomeRow& row_of(Outcome outcome) {
 
 }  // namespace
 
+std::string_view name_of(Ending ending) {
+    switch (ending) {
+        case Ending::complete:
+            return "complete";
+        case Ending::interrupted:
+            return "interrupted";
+        case Ending::partial:
+            return "partial";
+    }
+    return "";
+}
+
 std::string_view name_of(Outcome outcome) { return row_of(outcome).name; }
 std::string_view in_words(Outcome outcome) { return row_of(outcome).words; }
 std::string_view glyph_of(Outcome outcome) { return row_of(outcome).glyph; }

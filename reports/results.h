@@ -124,10 +124,13 @@ struct ViewResult {
     std::vector<ReportedFinding> worst;  ///< defects first, then by error/bound; at most 200
     std::vector<std::string> notes;      ///< of the scene
     StageTimes times;
-    std::string folder;          ///< scenes/NAME, relative to results.json; empty: no evidence was left
-    std::uint64_t place = 0;     ///< of its scene among those that the command line selected
-    std::string scene_sha256{};  ///< sha256_of(Scene); empty where it was not read
-    std::optional<ShrunkView> shrunk{};  ///< of a random scene that fails in a way of its own
+    std::string folder;       ///< scenes/NAME, relative to results.json; empty: no evidence was left
+    std::uint64_t place = 0;  ///< of its scene among those that the command line selected
+    std::uint64_t view_place = 0, scene_views = 0;  ///< among its scene's views, and how many these are; 0, 0
+                                                    ///< of what stands for the whole scene
+    std::vector<std::string> expects{};             ///< classes of which its scene's views must have a pixel
+    std::string scene_sha256{};                     ///< sha256_of(Scene); empty where it was not read
+    std::optional<ShrunkView> shrunk{};             ///< of a random scene that fails in a way of its own
 };
 
 /// Has the judge seen it? Only then do counts and depth records say something.
@@ -150,9 +153,11 @@ double seconds(const StageTimes& times);
 /// Does a waiver that does less than it says fail the gate?
 enum class Strictness { lenient, strict };
 
-/// Which share of the selected scenes a run judged: "hash:2/3".
+/// Which share of the selected views a run judged.
 struct Shard {
     int number = 1, count = 1;  ///< 1 <= number <= count; the whole is 1/1
+    std::string plan{};         ///< the SHA-256 of the plan that says which; empty: by hash
+    std::string taken_from{};   ///< the environment variable that told the number; empty: it was typed
 };
 
 /// What the command line selected, of which a shard judges a part.
@@ -162,7 +167,16 @@ struct Selection {
     std::map<std::string, std::uint64_t> passed_over{};  ///< files in folders that are no scenes, by ending
 };
 
-enum class Ending { complete, interrupted };
+enum class Ending {
+    complete,
+    interrupted,
+    partial,  ///< shards that were put together, and some were missing
+};
+
+inline constexpr std::array all_endings{Ending::complete, Ending::interrupted, Ending::partial};
+
+/// The ending's name in results.json: "interrupted".
+std::string_view name_of(Ending ending);
 
 /// A whole run.
 struct Results {

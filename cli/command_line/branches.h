@@ -15,6 +15,7 @@ Branch add_selfcheck(CLI::App& parent, CommandWords& words);
 Branch add_contract_check(CLI::App& parent, CommandWords& words);
 Branch add_selftest(CLI::App& parent, CommandWords& words);
 Branch add_merge(CLI::App& parent, CommandWords& words);
+Branch add_plan(CLI::App& parent, CommandWords& words);
 Branch add_report_again(CLI::App& parent, CommandWords& words);
 Branch add_diff_results(CLI::App& parent, CommandWords& words);
 Branch add_waive(CLI::App& parent, CommandWords& words);

@@ -84,8 +84,13 @@ Command chosen_waive_command(const CLI::App& app, const CommandWords& words) {
 
 Branch add_merge(CLI::App& parent, CommandWords& words) {
     CLI::App& app = *parent.add_subcommand("merge", "put the shards of one run together");
-    app.add_option("SHARD", words.merge.shards, "output folders of zproof run --shard, all of them")
-        ->required();
+    MergeArguments& merge = words.merge;
+    app.add_option("SHARD", merge.shards, "output folders of zproof run --shard, all of them")->required();
+    auto* plan = app.add_option("--plan", merge.plan, "the plan whose shards they are");
+    app.add_flag_callback(
+           "--partial", [&merge] { merge.missing = Missing::is_not_judged; },
+           "what is missing of the plan is not judged; ends with 3")
+        ->needs(plan);
     add_report(app, words.merge.report);
     add_settings_choice(app, words.settings);
     app.footer(merge_remark);

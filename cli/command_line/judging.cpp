@@ -2,6 +2,7 @@
 #include "cli/command_line/branches.h"
 #include "cli/command_line/options.h"
 #include "cli/gate/shard.h"
+#include "cli/plan/typed_out.h"
 #include "cli/run_size.h"
 
 namespace zproof {
@@ -9,6 +10,9 @@ namespace {
 
 constexpr const char* compare_remark = R"(
 The frames' own resolution is taken. Exit status as for run.)";
+
+constexpr const char* plan_remark = R"(
+Every view of every scene is given to one shard, longest first. Exit status: 0 written.)";
 
 /// SCENE, or a second frame where --scene names the scene.
 void add_frames(CLI::App& app, CompareArguments& compare, RendererWords& words) {
@@ -59,10 +63,8 @@ void choose_random(const RandomChoice& random, RunArguments& run, RendererWords&
     if (!renderers.oracles) renderers.oracles = {{"none"}};
 }
 
-}  // namespace
-
-Branch add_run(CLI::App& parent, CommandWords& words) {
-    CLI::App& app = *parent.add_subcommand("run", "render, ask the reference, judge, write the reports");
+/// What is judged, and by whom: all that a plan fixes.
+void add_run_words(CLI::App& app, CommandWords& words) {
     app.add_option("SCENE", words.run.scenes,
                    std::string{"'suite', a folder, or a "} + scene_words + "; none: the whole suite");
     add_models(app, words.run.models);
@@ -73,20 +75,68 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
     add_run_size(app, words.run.size);
     add_random(app, words.random);
     add_samples(app, words.run.settings);
-    add_report(app, words.run.report);
     add_evidence(app, words.run.report);
     add_gate(app, words.run.report.gate);
-    app.add_option_function<std::string>(
-        "--shard", [&words](const std::string& word) { words.run.shard = shard_from(word); },
-        "hash:NUMBER/COUNT: judge this share of the scenes only (zproof merge puts shards together)");
+}
+
+void add_shard(CLI::App& app, CommandWords& words) {
+    RunArguments& run = words.run;
+    app.add_option("--plan", run.plan, "judge a shard of this plan (zproof plan), which states all the rest");
+    app.add_option("--shard", words.shard,
+                   "the share of the views to judge: K of a plan, hash:K/N without one, or auto: the "
+                   "environment says which (zproof merge puts shards together)");
+    add_choice(app, "--empty-shard", run.empty_shard,
+               {{"nothing", EmptyShard::is_nothing}, {"ok", EmptyShard::is_ok}})
+        ->default_str("nothing")
+        ->description("a shard without views ends with 4 (nothing), or with 0 (ok)");
+}
+
+}  // namespace
+
+Branch add_run(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("run", "render, ask the reference, judge, write the reports");
+    add_run_words(app, words);
+    add_report(app, words.run.report);
+    add_shard(app, words);
+    add_reference_cache(app, words.run.reference_cache);
     add_settings_choice(app, words.settings);
-    return {&app, [&words] {
-                if (words.random.count > 0) choose_random(words.random, words.run, words.renderers);
-                words.run.settings.resolution = resolution_for(words.run.size, words.run.settings.resolution);
-                if (!words.renderers.oracles) words.renderers.oracles = oracles_for(words.run.size);
-                words.run.renderers = chosen_renderers(words.renderers);
-                return words.run;
+    return {&app, [&words, &app] {
+                RunArguments& run = words.run;
+                if (!run.plan.empty()) require_machine_words(app);
+                if (words.random.count > 0) choose_random(words.random, run, words.renderers);
+                run.settings.resolution = resolution_for(run.size, run.settings.resolution);
+                if (!words.renderers.oracles) words.renderers.oracles = oracles_for(run.size);
+                run.renderers = chosen_renderers(words.renderers);
+                run.shard = shard_from(words.shard, !run.plan.empty(), words.environment);
+                return run;
             }};
+}
+
+Branch add_plan(CLI::App& parent, CommandWords& words) {
+    CLI::App& app = *parent.add_subcommand("plan", "share a run out among many machines");
+    PlanArguments& plan = words.plan;
+    add_run_words(app, words);
+    add_common(app, plan.common, "the plan");
+    app.add_option("--of", plan.shards, "how many shards")->required()->check(CLI::Range(1, most_shards));
+    app.add_option("--from", plan.earlier,
+                   "results of an earlier run, which tell how long each view takes; several: of other "
+                   "renderers or scenes")
+        ->allow_extra_args(false);
+    add_choice(app, "--format", plan.format,
+               {{"lines", PlanFormat::lines},
+                {"slurm", PlanFormat::slurm},
+                {"github", PlanFormat::github},
+                {"gitlab", PlanFormat::gitlab}})
+        ->default_str("lines")
+        ->description("how the shards' commands are printed");
+    app.add_option("--config", words.settings.file,
+                   "settings file; default: zproof.toml, where it is; or none");
+    app.add_option(
+           "--profile", words.plan_profiles,
+           "the table [profiles.NAME] of the settings file; several: a run of each, one renderer each")
+        ->allow_extra_args(false);
+    app.footer(plan_remark);
+    return {&app, [&words] { return words.plan; }};
 }
 
 Branch add_compare(CLI::App& parent, CommandWords& words) {

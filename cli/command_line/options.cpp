@@ -140,6 +140,17 @@ void add_gate(CLI::App& app, GateArguments& gate) {
         "waivers that are not needed, or allow too much, fail as well");
 }
 
+void add_reference_cache(CLI::App& app, oracle::ReferenceCacheChoice& choice) {
+    auto* folder = app.add_option("--reference-cache", choice.folder,
+                                  "folder where Embree's frames are kept for other runs; many may share it")
+                       ->type_name("FOLDER");
+    app.add_option("--reference-cache-size", choice.most_bytes,
+                   "the most that it may hold, such as 500MB; what was not used the longest goes")
+        ->transform(CLI::AsSizeValue(false))
+        ->default_str("10GB")
+        ->needs(folder);
+}
+
 void add_settings_choice(CLI::App& app, SettingsChoice& settings) {
     app.add_option("--config", settings.file, "settings file; default: zproof.toml, where it is; or none");
     app.add_option("--profile", settings.profile, "the table [profiles.NAME] of the settings file");

@@ -45,9 +45,11 @@ void add_isa(CLI::App& app);
 void add_render_settings(CLI::App& app, RenderSettings& settings);  ///< --width, --height, --isa
 void add_samples(CLI::App& app, RenderSettings& settings);          ///< --sample
 void add_report(CLI::App& app, ReportArguments& report);  ///< the common ones, --report, --progress, --times
-void add_evidence(CLI::App& app, ReportArguments& report);          ///< --evidence, --pictures
-void add_gate(CLI::App& app, GateArguments& gate);                  ///< --waivers, --strict, --now
-void add_waiver_file(CLI::App& app, GateArguments& gate);           ///< --waivers, --now
+void add_evidence(CLI::App& app, ReportArguments& report);  ///< --evidence, --pictures
+void add_gate(CLI::App& app, GateArguments& gate);          ///< --waivers, --strict, --now
+void add_waiver_file(CLI::App& app, GateArguments& gate);   ///< --waivers, --now
+/// --reference-cache, --reference-cache-size
+void add_reference_cache(CLI::App& app, oracle::ReferenceCacheChoice& choice);
 void add_settings_choice(CLI::App& app, SettingsChoice& settings);  ///< --config, --profile
 
 }  // namespace zproof

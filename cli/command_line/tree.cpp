@@ -42,14 +42,17 @@ CommandTree::CommandTree()
     root_->footer(statuses);
     root_->set_version_flag("--version", version_line);
     root_->require_subcommand(0, 1);  // none is answered by chosen(), in words that name what is missing
-    branches_ = {
-        add_run(*root_, words_),       add_compare(*root_, words_),        add_explain(*root_, words_),
-        add_render(*root_, words_),    add_measure(*root_, words_),        add_fit(*root_, words_),
-        add_selfcheck(*root_, words_), add_contract_check(*root_, words_), add_selftest(*root_, words_),
-        add_merge(*root_, words_),     add_report_again(*root_, words_),   add_diff_results(*root_, words_),
-        add_waive(*root_, words_),     add_doctor(*root_, words_),         add_list(*root_, words_),
-        add_scenes(*root_, words_),    add_views(*root_, words_),          add_filters(*root_, words_),
-        add_study(*root_, words_),     add_completion(*root_, words_),     add_man(*root_, words_)};
+    branches_ = {add_run(*root_, words_),          add_compare(*root_, words_),
+                 add_explain(*root_, words_),      add_render(*root_, words_),
+                 add_measure(*root_, words_),      add_fit(*root_, words_),
+                 add_selfcheck(*root_, words_),    add_contract_check(*root_, words_),
+                 add_selftest(*root_, words_),     add_plan(*root_, words_),
+                 add_merge(*root_, words_),        add_report_again(*root_, words_),
+                 add_diff_results(*root_, words_), add_waive(*root_, words_),
+                 add_doctor(*root_, words_),       add_list(*root_, words_),
+                 add_scenes(*root_, words_),       add_views(*root_, words_),
+                 add_filters(*root_, words_),      add_study(*root_, words_),
+                 add_completion(*root_, words_),   add_man(*root_, words_)};
 }
 
 CommandTree::~CommandTree() = default;

@@ -31,6 +31,10 @@ struct CommandWords {
     ViewsArguments views;
     glm::ivec2 image_size{0, 0};  ///< --width, --height of views
     MergeArguments merge;
+    PlanArguments plan;
+    std::vector<std::string> plan_profiles;
+    std::string shard;        ///< of run; empty: all of it
+    Environment environment;  ///< that `--shard auto` asks
     ReportAgainArguments report_again;
     DiffResultsArguments diff_results;
     WaiveListArguments waive_list;

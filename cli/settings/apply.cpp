@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "cli/plan/typed_out.h"
 #include "cli/usage_error.h"
 
 namespace zproof {
@@ -15,8 +16,14 @@ bool is_of_waive(const CLI::App& app) {
 bool bears_on_all(const CLI::App& app) {
     const std::string name = app.get_name();
     const CLI::App* parent = app.get_parent();
-    return name == "compare" || name == "merge" || is_of_waive(app) ||
+    return name == "compare" || name == "merge" || name == "plan" || is_of_waive(app) ||
            (name == "run" && parent != nullptr && parent->get_parent() == nullptr);
+}
+
+/// A shard of a plan, which states all that bears on the judgement.
+bool has_plan(const CLI::App& app) {
+    const CLI::Option* plan = app.get_option_no_throw("--plan");
+    return app.get_name() == "run" && plan != nullptr && plan->count() > 0;
 }
 
 bool concerns(const CLI::App& app, const std::string& setting) {
@@ -24,8 +31,10 @@ bool concerns(const CLI::App& app, const std::string& setting) {
     const auto for_all = {"threads", "isa", "color", "progress"};
     const bool renders = app.get_option_no_throw("--isa") != nullptr;
     if (std::ranges::find(for_all, setting) != for_all.end()) return renders || bears_on_all(app);
-    if (setting == "out") return bears_on_all(app) && !is_of_waive(app);  // a folder of reports
-    return bears_on_all(app) && (setting != "scenes" || app.get_name() == "run");
+    const std::string command = app.get_name();
+    if (has_plan(app) && !is_of_the_machine(option_name(setting))) return false;
+    if (setting == "out") return bears_on_all(app) && !is_of_waive(app) && command != "plan";  // of reports
+    return bears_on_all(app) && (setting != "scenes" || command == "run" || command == "plan");
 }
 
 void give_to(CLI::Option& option, const SettingValue& request) {

@@ -1,4 +1,4 @@
-#include "cli/expectations.h"
+#include "reports/expectations.h"
 
 #include <algorithm>
 #include <string>
@@ -20,12 +20,13 @@ std::string in_a_row(const std::vector<std::string>& words) {
 
 }  // namespace
 
-void hold_to_expectations(const SceneSource& source, std::vector<ViewResult>& views) {
+void hold_to_expectations(std::span<ViewResult> views) {
+    if (views.empty() || views.size() != views.front().scene_views) return;
     std::vector<std::string> missing;
-    for (const std::string& expected : source.expects)
+    for (const std::string& expected : views.front().expects)
         if (std::ranges::none_of(views, [&](const ViewResult& view) { return occurs(expected, view); }))
             missing.push_back(expected);
-    if (missing.empty() || views.empty()) return;
+    if (missing.empty()) return;
     views.back().outcome = Outcome::defective;
     views.back().message = "the suite expects pixels of class " + in_a_row(missing) +
                            " in this scene, and there are none: it no longer tests what it is there for";

@@ -1,0 +1,22 @@
+/// Who judges which views, so that all shards end at about the same time.
+#pragma once
+
+#include <vector>
+
+#include "cli/plan/plan.h"
+
+namespace zproof {
+
+/// Gives every view of every run its shard, longest first, each to the shard that would end it earliest
+/// (Graham, "Bounds on Multiprocessing Timing Anomalies", 1969). A shard that has a view of the scene already
+/// does not set it up again. Of equal shards the first: the same plan for the same seconds.
+void assign(Plan& plan);
+
+/// The expected seconds of each shard, the first one's first.
+std::vector<double> shard_seconds(const Plan& plan);
+
+/// No assignment ends before this: the longest view with its scene's set-up, or the sum of all over the
+/// number of shards.
+double least_makespan_s(const Plan& plan);
+
+}  // namespace zproof

@@ -1,0 +1,66 @@
+#include "cli/plan/typed_out.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+
+#include "cli/gate/gate.h"
+#include "cli/usage_error.h"
+
+namespace zproof {
+namespace {
+
+constexpr std::array machine_options{"--help",
+                                     "--plan",
+                                     "--shard",
+                                     "--empty-shard",
+                                     "--out",
+                                     "--threads",
+                                     "--color",
+                                     "--quiet",
+                                     "--progress",
+                                     "--times",
+                                     "--isa",
+                                     "--report",
+                                     "--config",
+                                     "--profile",
+                                     "--reference-cache",
+                                     "--reference-cache-size"};
+constexpr std::array plan_options{"--of", "--from", "--format"};
+
+bool is_among(const auto& options, const std::string& name) {
+    return std::ranges::find(options, name) != options.end();
+}
+
+bool is_flag(const CLI::Option& option) { return option.get_expected_max() == 0; }
+
+void type_out(const CLI::Option& option, std::vector<std::string>& words) {
+    for (const std::string& result : option.results())
+        if (option.get_positional())
+            words.push_back(result);
+        else
+            words.push_back(option.get_name() + (is_flag(option) && result == "true" ? "" : "=" + result));
+}
+
+}  // namespace
+
+bool is_of_the_machine(const std::string& option_name) { return is_among(machine_options, option_name); }
+
+std::vector<std::string> run_typed_out(const CLI::App& app) {
+    std::vector<std::string> words{"run"};
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string name = option->get_name();
+        if (!is_of_the_machine(name) && !is_among(plan_options, name)) type_out(*option, words);
+    }
+    if (app.get_option("--now")->count() == 0) words.push_back("--now=" + in_words(this_day()));
+    words.emplace_back("--config=none");
+    return words;
+}
+
+void require_machine_words(const CLI::App& run) {
+    for (const CLI::Option* option : run.get_options())
+        if (option->count() > 0 && !is_of_the_machine(option->get_name()))
+            throw UsageError{option->get_name() + ": the plan states it; leave it out, or make another plan"};
+}
+
+}  // namespace zproof

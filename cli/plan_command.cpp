@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <iostream>
+#include <new>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/plan/assignment.h"
+#include "cli/plan/expected_seconds.h"
+#include "cli/plan/plan.h"
+#include "cli/plan/shard_commands.h"
+#include "cli/report_files.h"
+#include "cli/samples.h"
+#include "cli/selected_scenes.h"
+#include "cli/version.h"
+#include "frame/whole_file.h"
+#include "scenes/scene_error.h"
+
+namespace zproof {
+namespace {
+
+/// Of several earlier runs, the one that judged this renderer; else the first.
+EarlierRun earlier_run(const std::vector<Results>& all, const RendererChoice& candidate) {
+    for (const Results& results : all)
+        if (!results.renderers.empty() && results.renderers.front().name == name_of(candidate))
+            return EarlierRun{results};
+    return all.empty() ? EarlierRun{} : EarlierRun{all.front()};
+}
+
+/// Scenes that nobody has judged are read, for their views and how large they are.
+PlannedScene planned_scene(const SceneSource& source, const RenderSettings& settings,
+                           const EarlierRun& earlier) {
+    if (auto known = earlier.scene(source.name)) return *known;
+    try {
+        const Loaded loaded = load(source, source.size.value_or(settings.resolution));
+        if (!loaded.scene.triangles.empty())
+            return expected_of(source.name, loaded.scene, at_samples(loaded.views, settings.samples),
+                               earlier.slowness());
+    } catch (const SceneError&) {  // its shard says why
+    } catch (const std::bad_alloc&) {
+    }
+    return expected_of_none(source.name, earlier.slowness());
+}
+
+PlannedRun planned(const RunWords& words, const std::vector<Results>& earlier_runs) {
+    const RunArguments run = planned_run(words.argv);
+    const SelectedScenes selected = selected_scenes(run);
+    const EarlierRun earlier = earlier_run(earlier_runs, run.renderers.candidate);
+    PlannedRun planned{.name = words.name, .argv = words.argv, .selection = selected.selection, .scenes = {}};
+    for (const SceneSource& source : selected.sources) {
+        planned.scenes.push_back(planned_scene(source, run.settings, earlier));
+        planned.scenes.back().shards.assign(planned.scenes.back().view_s.size(), 1);
+    }
+    return planned;
+}
+
+void say_makespan(const Plan& plan) {
+    const std::vector<double> seconds = shard_seconds(plan);
+    std::cerr << "zproof: " << plan.shards << " shards; expected to end after " << std::ranges::max(seconds)
+              << " s, no plan before " << least_makespan_s(plan) << " s\n";
+}
+
+}  // namespace
+
+ExitCode execute(const PlanArguments& arguments) {
+    std::vector<Results> earlier;
+    for (const std::filesystem::path& results : arguments.earlier) earlier.push_back(read_results(results));
+    Plan plan{.version = version_number(), .commit = commit(), .shards = arguments.shards, .runs = {}};
+    for (const RunWords& run : arguments.runs) plan.runs.push_back(planned(run, earlier));
+    assign(plan);
+    write_whole_file(arguments.common.out, to_json(plan));
+    std::cout << shard_commands(plan, arguments.common.out, arguments.format);
+    if (!arguments.common.is_quiet()) say_makespan(plan);
+    return ExitCode::proven;
+}
+
+}  // namespace zproof
