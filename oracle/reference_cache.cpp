@@ -47,18 +47,19 @@ std::string sum_of(const std::string& key, std::string_view ids, std::string_vie
 }
 
 /// What a file says before the planes.
-std::string header_of(const std::string& key, const std::string& sum) {
-    return std::string{first_line} + key + "\n" + sum + "\n";
+std::string header_of(const std::string& key, Resolution size, const std::string& sum) {
+    return std::string{first_line} + key + "\n" + std::to_string(size.width) + " x " +
+           std::to_string(size.height) + "\n" + sum + "\n";
 }
 
 /// The frame in these bytes; nothing where they are not what was kept under this key.
 std::optional<Frame> frame_in(std::string_view bytes, const std::string& key, Resolution size) {
-    const std::size_t header_bytes = header_of(key, std::string(sum_digits, '0')).size();
+    const std::size_t header_bytes = header_of(key, size, std::string(sum_digits, '0')).size();
     const std::size_t plane_bytes = size.pixel_count() * 4;
     if (bytes.size() != header_bytes + 2 * plane_bytes) return std::nullopt;
     const std::string_view ids = bytes.substr(header_bytes, plane_bytes),
                            depths = bytes.substr(header_bytes + plane_bytes);
-    if (bytes.substr(0, header_bytes) != header_of(key, sum_of(key, ids, depths))) return std::nullopt;
+    if (bytes.substr(0, header_bytes) != header_of(key, size, sum_of(key, ids, depths))) return std::nullopt;
     Frame frame = Frame::unwritten(size);
     std::memcpy(frame.primitive.pixels().data(), ids.data(), plane_bytes);
     std::memcpy(frame.camera_depth.pixels().data(), depths.data(), plane_bytes);
@@ -124,7 +125,7 @@ std::optional<Frame> ReferenceCache::find(const std::string& key, Resolution siz
 
 void ReferenceCache::keep(const std::string& key, const Frame& frame) {
     const std::string_view ids = bytes_of(frame.primitive), depths = bytes_of(frame.camera_depth);
-    const std::string header = header_of(key, sum_of(key, ids, depths));
+    const std::string header = header_of(key, frame.size(), sum_of(key, ids, depths));
     const std::scoped_lock lock(keeping_);
     try {
         WholeFile file(file_of(key));

@@ -14,6 +14,13 @@ The frames' own resolution is taken. Exit status as for run.)";
 constexpr const char* plan_remark = R"(
 Every view of every scene is given to one shard, longest first. Exit status: 0 written.)";
 
+const std::map<std::string, EmptyShard> empty_shards{{"nothing", EmptyShard::is_nothing},
+                                                     {"ok", EmptyShard::is_ok}};
+const std::map<std::string, PlanFormat> plan_formats{{"lines", PlanFormat::lines},
+                                                     {"slurm", PlanFormat::slurm},
+                                                     {"github", PlanFormat::github},
+                                                     {"gitlab", PlanFormat::gitlab}};
+
 /// SCENE, or a second frame where --scene names the scene.
 void add_frames(CLI::App& app, CompareArguments& compare, RendererWords& words) {
     app.add_option(
@@ -85,8 +92,7 @@ void add_shard(CLI::App& app, CommandWords& words) {
     app.add_option("--shard", words.shard,
                    "the share of the views to judge: K of a plan, hash:K/N without one, or auto: the "
                    "environment says which (zproof merge puts shards together)");
-    add_choice(app, "--empty-shard", run.empty_shard,
-               {{"nothing", EmptyShard::is_nothing}, {"ok", EmptyShard::is_ok}})
+    add_choice(app, "--empty-shard", run.empty_shard, empty_shards)
         ->default_str("nothing")
         ->description("a shard without views ends with 4 (nothing), or with 0 (ok)");
 }
@@ -122,11 +128,7 @@ Branch add_plan(CLI::App& parent, CommandWords& words) {
                    "results of an earlier run, which tell how long each view takes; several: of other "
                    "renderers or scenes")
         ->allow_extra_args(false);
-    add_choice(app, "--format", plan.format,
-               {{"lines", PlanFormat::lines},
-                {"slurm", PlanFormat::slurm},
-                {"github", PlanFormat::github},
-                {"gitlab", PlanFormat::gitlab}})
+    add_choice(app, "--format", plan.format, plan_formats)
         ->default_str("lines")
         ->description("how the shards' commands are printed");
     app.add_option("--config", words.settings.file,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -10,22 +11,35 @@
 namespace zproof {
 namespace {
 
-/// One view of one scene for one renderer.
-struct Unit {
+/// Views of one scene for one renderer that stay together.
+struct Piece {
     PlannedScene* scene;
-    std::size_t view;
+    std::size_t first, count;
+    double views_s;
 
-    double seconds() const { return scene->view_s[view]; }
-    double seconds_alone() const { return scene->setup_s + seconds(); }
-    int& shard() const { return scene->shards[view]; }
+    double alone_s() const { return scene->setup_s + views_s; }
+    void give_to(int shard) const { std::fill_n(scene->shards.begin() + long(first), count, shard); }
 };
 
-std::vector<Unit> units_of(Plan& plan) {
-    std::vector<Unit> units;
+/// Cuts a scene into pieces that take no longer than `most_s` alone, but for single views.
+void cut(PlannedScene& scene, double most_s, std::vector<Piece>& pieces) {
+    const std::size_t before = pieces.size();
+    for (std::size_t view = 0; view < scene.view_s.size(); ++view) {
+        const double view_s = scene.view_s[view];
+        if (pieces.size() == before || pieces.back().alone_s() + view_s > most_s)
+            pieces.push_back({&scene, view, 0, 0});
+        ++pieces.back().count;
+        pieces.back().views_s += view_s;
+    }
+}
+
+/// The longest first.
+std::vector<Piece> pieces_of(Plan& plan, double most_s) {
+    std::vector<Piece> pieces;
     for (PlannedRun& run : plan.runs)
-        for (PlannedScene& scene : run.scenes)
-            for (std::size_t view = 0; view < scene.view_s.size(); ++view) units.push_back({&scene, view});
-    return units;
+        for (PlannedScene& scene : run.scenes) cut(scene, most_s, pieces);
+    std::ranges::stable_sort(pieces, std::greater{}, &Piece::alone_s);
+    return pieces;
 }
 
 /// Shards by the time at which they end, the earliest first.
@@ -36,6 +50,7 @@ class Shards {
     }
 
     int first_to_end() const { return by_end_.begin()->second; }
+    double last_end_s() const { return by_end_.rbegin()->first; }
     double end_s(int number) const { return end_s_[std::size_t(number - 1)]; }
 
     void add(int number, double seconds) {
@@ -49,30 +64,39 @@ class Shards {
     std::set<std::pair<double, int>> by_end_;
 };
 
-/// Where the unit would end earliest: on the shard that ends first, or on one that has set its scene up.
-int best_shard(const Unit& unit, const Shards& shards, const std::set<int>& set_up) {
+/// Where the piece would end earliest: on the shard that ends first, or on one that has set its scene up.
+int best_shard(const Piece& piece, const Shards& shards, const std::set<int>& set_up) {
     int best = shards.first_to_end();
     const auto end_on = [&](int number) {
-        return shards.end_s(number) + (set_up.contains(number) ? unit.seconds() : unit.seconds_alone());
+        return shards.end_s(number) + (set_up.contains(number) ? piece.views_s : piece.alone_s());
     };
     for (const int number : set_up)
         if (end_on(number) <= end_on(best)) best = number;
     return best;
 }
 
+/// Returns when the last shard ends.
+double assign_pieces(Plan& plan, double most_s) {
+    Shards shards(plan.shards);
+    std::map<const PlannedScene*, std::set<int>> set_up;
+    for (const Piece& piece : pieces_of(plan, most_s)) {
+        std::set<int>& those = set_up[piece.scene];
+        const int number = best_shard(piece, shards, those);
+        shards.add(number, those.insert(number).second ? piece.alone_s() : piece.views_s);
+        piece.give_to(number);
+    }
+    return shards.last_end_s();
+}
+
 }  // namespace
 
 void assign(Plan& plan) {
-    std::vector<Unit> units = units_of(plan);
-    std::ranges::stable_sort(units, std::greater{}, &Unit::seconds_alone);
-    Shards shards(plan.shards);
-    std::map<const PlannedScene*, std::set<int>> set_up;
-    for (const Unit& unit : units) {
-        std::set<int>& those = set_up[unit.scene];
-        const int number = best_shard(unit, shards, those);
-        shards.add(number, those.insert(number).second ? unit.seconds_alone() : unit.seconds());
-        unit.shard() = number;
-    }
+    constexpr int halvings = 7;
+    double best_s = std::numeric_limits<double>::infinity(), best_cut_s = 0, cut_s = least_makespan_s(plan);
+    for (int i = 0; i <= halvings; ++i, cut_s = i < halvings ? cut_s / 2 : 0)
+        if (const double makespan_s = assign_pieces(plan, cut_s); makespan_s < best_s)
+            best_s = makespan_s, best_cut_s = cut_s;
+    assign_pieces(plan, best_cut_s);
 }
 
 std::vector<double> shard_seconds(const Plan& plan) {

@@ -7,9 +7,11 @@
 
 namespace zproof {
 
-/// Gives every view of every run its shard, longest first, each to the shard that would end it earliest
-/// (Graham, "Bounds on Multiprocessing Timing Anomalies", 1969). A shard that has a view of the scene already
-/// does not set it up again. Of equal shards the first: the same plan for the same seconds.
+/// Gives every view of every run its shard: longest first, each to the shard that would end it earliest
+/// (Graham, "Bounds on Multiprocessing Timing Anomalies", 1969). Each shard that has a view of a scene sets it
+/// up, once. So a scene's views are kept together in pieces; of several lengths of pieces, from whole scenes
+/// down to single views, the one is taken by which all shards end earliest. The same seconds give the same
+/// plan.
 void assign(Plan& plan);
 
 /// The expected seconds of each shard, the first one's first.

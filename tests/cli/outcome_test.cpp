@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/expectations.h"
-
 namespace zproof {
 namespace {
 
@@ -31,27 +29,20 @@ TEST(ExitCode, IsOfTheOutcomeThatProvedLeast) {
     EXPECT_EQ(exit_code_of(interrupted), ExitCode::interrupted);
 }
 
-ViewResult view_showing(std::initializer_list<PixelClass> classes) {
-    ViewResult view;
-    for (const PixelClass c : classes) view.counts[std::size_t(c)] = 1;
-    return view;
+TEST(ExitCode, OfSeveralRunsIsTheOneThatProvesLeast) {
+    using enum ExitCode;
+    EXPECT_EQ(worst_of({proven, defect, proven}), defect);
+    EXPECT_EQ(worst_of({defect, cannot_judge}), cannot_judge);
+    EXPECT_EQ(worst_of({interrupted, internal, cannot_judge}), internal);
+    EXPECT_EQ(worst_of({nothing, proven}), proven);  // a shard may have nothing to judge of one renderer
+    EXPECT_EQ(worst_of({nothing, nothing}), nothing);
+    EXPECT_EQ(worst_of({}), nothing);
 }
 
-const SceneSource expects_edge_and_clip{
-    .name = "s", .origin = "suite", .reason = "r", .expects = {"edge", "clip"}};
-
-TEST(Expectations, AreMetByAllViewsTogether) {
-    std::vector<ViewResult> views{view_showing({PixelClass::edge}), view_showing({PixelClass::clip})};
-    hold_to_expectations(expects_edge_and_clip, views);
-    EXPECT_EQ(views[0].outcome, Outcome::proven);
-    EXPECT_EQ(views[1].outcome, Outcome::proven);
-}
-
-TEST(Expectations, FailTheSceneThatNoLongerShowsAClass) {
-    std::vector<ViewResult> views{view_showing({PixelClass::edge}), view_showing({PixelClass::agree})};
-    hold_to_expectations(expects_edge_and_clip, views);
-    EXPECT_EQ(views[1].outcome, Outcome::defective);
-    EXPECT_NE(views[1].message.find("class clip "), std::string::npos) << views[1].message;
+TEST(ExitCode, OfAPartialMergeProvesNothing) {
+    Results partial = run_of({Outcome::proven});
+    partial.ending = Ending::partial;
+    EXPECT_EQ(exit_code_of(partial), ExitCode::cannot_judge);
 }
 
 }  // namespace

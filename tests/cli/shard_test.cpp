@@ -1,13 +1,15 @@
 // Shards put together are one run, byte for byte but for times.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-#include <regex>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "cli/gate/shard.h"
 #include "cli/usage_error.h"
+#include "scenes/scene_error.h"
 #include "tests/cli/program.h"
+#include "tests/cli/same_run.h"
 
 namespace zproof::test {
 namespace {
@@ -19,36 +21,6 @@ Words run_words(const Words& more) {
                 "32",  "--oracle",   "none",     "--config", "none",    "-q"};
     words.insert(words.end(), more.begin(), more.end());
     return words;
-}
-
-/// Every file below the folder, by its relative name.
-std::set<std::string> files_in(const fs::path& folder) {
-    std::set<std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator{folder})
-        if (entry.is_regular_file()) files.insert(fs::relative(entry.path(), folder).generic_string());
-    return files;
-}
-
-/// The file with every time struck out: seconds in results.json, of cases in junit.xml and on the page. The
-/// list of files keeps their names alone, for their lengths and sums hold the times.
-std::string without_times(const std::string& text, const std::string& name) {
-    if (name == "results.json") {
-        auto results = nlohmann::ordered_json::parse(text);
-        for (auto& view : results.at("views"))
-            for (auto& time : view.at("times")) time = 0;
-        return results.dump(1);
-    }
-    if (name == "junit.xml") return std::regex_replace(text, std::regex{"time=\"[0-9.]+\""}, "time=\"\"");
-    if (name == ".zproof-out") return std::regex_replace(text, std::regex{"[0-9]+ [0-9a-f]+ "}, "- ");
-    if (name != "report.html") return text;
-    return std::regex_replace(text, std::regex{"[0-9]+\\.[0-9]{2}( s</span>|</td></tr>)"}, "-$1");
-}
-
-void expect_same_files(const Folder& a, const Folder& b) {
-    ASSERT_EQ(files_in(a.path() / "out"), files_in(b.path() / "out"));
-    for (const std::string& name : files_in(a.path() / "out"))
-        EXPECT_TRUE(without_times(a.read("out/" + name), name) == without_times(b.read("out/" + name), name))
-            << name;
 }
 
 /// Suite scenes, and two files whose evidence would go into one folder.
@@ -81,7 +53,7 @@ TEST(Shards, PutTogetherAreOneRunByteForByteButForTimes) {
         const Ran merged = run(parts, merge);
         EXPECT_EQ(merged.exit_code, one.exit_code) << merged.err;
         EXPECT_EQ(merged.out, one.out);
-        expect_same_files(whole, parts);
+        expect_same_run(whole.path() / "out", parts.path() / "out");
     }
 }
 
@@ -108,26 +80,154 @@ std::vector<SceneSource> scenes(int count) {
     return sources;
 }
 
-TEST(Shards, HoldEverySceneOnceAndDoNotDependOnTheSelection) {
-    const auto all = scenes(60);
-    for (const int count : {1, 2, 3, 7, 100}) {
-        std::multiset<std::string> seen;
-        for (int number = 1; number <= count; ++number)
-            for (const SceneSource& s : share_of(all, {number, count})) seen.insert(s.name);
-        EXPECT_EQ(seen.size(), all.size());
-        EXPECT_EQ(std::set<std::string>(seen.begin(), seen.end()).size(), all.size());
-    }
-    const auto few = share_of(scenes(10), {2, 3}), many = share_of(all, {2, 3});
-    ASSERT_LT(few.size(), many.size());
-    for (std::size_t i = 0; i < few.size(); ++i) EXPECT_EQ(few[i].name, many[i].name);
+std::vector<View> views(int count) {
+    std::vector<View> all(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) all[std::size_t(i)].name = "v" + std::to_string(i);
+    return all;
 }
 
+TEST(Shards, HoldEveryViewOnceAndSpreadASceneEvenly) {
+    const auto all = scenes(60);
+    for (const int count : {1, 2, 3, 7, 100}) {
+        std::multiset<std::pair<std::string, std::size_t>> seen;
+        for (int number = 1; number <= count; ++number)
+            for (const SceneSource& s : share_of(all, {.number = number, .count = count})) {
+                const auto places = places_in(s.share, views(9));
+                EXPECT_LE(places.size(), std::size_t(9 / count + 1));
+                for (const std::size_t place : places) seen.emplace(s.name, place);
+            }
+        EXPECT_EQ(seen.size(), all.size() * 9) << count;
+        EXPECT_EQ((std::set(seen.begin(), seen.end()).size()), all.size() * 9) << count;
+    }
+}
+
+TEST(Shards, DoNotDependOnTheSelection) {
+    const auto few = share_of(scenes(10), {.number = 2, .count = 3}),
+               many = share_of(scenes(60), {.number = 2, .count = 3});
+    for (std::size_t i = 0; i < few.size(); ++i)
+        EXPECT_EQ(places_in(few[i].share, views(5)), places_in(many[i].share, views(5)));
+}
+
+TEST(Shards, OfAPlanRefuseASceneThatHasOtherViews) {
+    const ViewShare share{.planned = PlannedViews{.all = {"v0", "v1"}, .wanted = {1}}};
+    EXPECT_EQ(places_in(share, views(2)), std::vector<std::size_t>{1});
+    EXPECT_THROW(places_in(share, views(3)), SceneError);
+}
+
+const Environment nowhere = [](const std::string&) -> const char* { return nullptr; };
+
 TEST(Shards, AreNamedInOneWay) {
-    EXPECT_EQ(shard_from("hash:2/3").number, 2);
-    EXPECT_EQ(shard_from("hash:2/3").count, 3);
-    for (const char* word : {"", "2/3", "hash:0/3", "hash:4/3", "hash:1/0", "hash:1/x", "hash:1", "hash:-1/3",
-                             "hash:1/10001", "hash: 1/3"})
-        EXPECT_THROW(shard_from(word), UsageError) << word;
+    EXPECT_EQ(shard_from("hash:2/3", false, nowhere).number, 2);
+    EXPECT_EQ(shard_from("hash:2/3", false, nowhere).count, 3);
+    EXPECT_EQ(shard_from("", false, nowhere).count, 1);
+    for (const char* word : {"2", "2/3", "hash:0/3", "hash:4/3", "hash:1/0", "hash:1/x", "hash:1",
+                             "hash:-1/3", "hash:1/10001", "hash: 1/3", "auto"})
+        EXPECT_THROW(shard_from(word, false, nowhere), UsageError) << word;
+}
+
+TEST(Shards, OfAPlanAreNamedByTheirNumbers) {
+    EXPECT_EQ(shard_from("2", true, nowhere).number, 2);
+    EXPECT_EQ(shard_from("2", true, nowhere).count, 0);
+    EXPECT_EQ(shard_from("2/3", true, nowhere).count, 3);
+    for (const char* word : {"", "0", "hash:2/3", "4/3", "x", "-1", "auto"})
+        EXPECT_THROW(shard_from(word, true, nowhere), UsageError) << word;
+}
+
+using Variables = std::map<std::string, std::string>;
+
+Environment environment_of(const Variables& variables) {
+    return [variables](const std::string& name) -> const char* {
+        const auto found = variables.find(name);
+        return found == variables.end() ? nullptr : found->second.c_str();
+    };
+}
+
+TEST(Shards, AreTakenFromTheEnvironmentEachWithItsOwnOrigin) {
+    struct Case {
+        Variables variables;
+        int number, count;
+        const char* taken_from;
+    };
+    const std::vector<Case> cases{
+        {{{"SLURM_ARRAY_TASK_ID", "7"}, {"SLURM_ARRAY_TASK_MIN", "5"}, {"SLURM_ARRAY_TASK_COUNT", "4"}},
+         3,
+         4,
+         "SLURM_ARRAY_TASK_ID"},
+        {{{"SLURM_ARRAY_TASK_ID", "20"},
+          {"SLURM_ARRAY_TASK_MIN", "0"},
+          {"SLURM_ARRAY_TASK_STEP", "10"},
+          {"SLURM_ARRAY_TASK_COUNT", "3"}},
+         3,
+         3,
+         "SLURM_ARRAY_TASK_ID"},
+        {{{"CI_NODE_INDEX", "1"}, {"CI_NODE_TOTAL", "2"}}, 1, 2, "CI_NODE_INDEX"},
+        {{{"TEST_SHARD_INDEX", "0"}, {"TEST_TOTAL_SHARDS", "2"}}, 1, 2, "TEST_SHARD_INDEX"},
+        {{{"PMI_RANK", "3"}, {"PMI_SIZE", "4"}}, 4, 4, "PMI_RANK"},
+        {{{"OMPI_COMM_WORLD_RANK", "0"}, {"OMPI_COMM_WORLD_SIZE", "4"}}, 1, 4, "OMPI_COMM_WORLD_RANK"},
+        {{{"CI_NODE_INDEX", "2"}, {"CI_NODE_TOTAL", "2"}, {"PMI_RANK", "0"}, {"PMI_SIZE", "9"}},
+         2,
+         2,
+         "CI_NODE_INDEX"},
+    };
+    for (const auto& [variables, number, count, taken_from] : cases)
+        for (const bool has_plan : {false, true}) {
+            const Shard shard = shard_from("auto", has_plan, environment_of(variables));
+            EXPECT_EQ(shard.number, number) << taken_from;
+            EXPECT_EQ(shard.count, count) << taken_from;
+            EXPECT_EQ(shard.taken_from, taken_from);
+        }
+}
+
+TEST(Shards, WithoutACountInTheEnvironmentNeedAPlan) {
+    const Environment kubernetes = environment_of({{"JOB_COMPLETION_INDEX", "4"}});
+    EXPECT_EQ(shard_from("auto", true, kubernetes).number, 5);
+    EXPECT_THROW(shard_from("auto", false, kubernetes), UsageError);
+}
+
+TEST(Shards, OutsideTheirCountAreRefused) {
+    for (const Variables& variables :
+         {Variables{{"CI_NODE_INDEX", "0"}, {"CI_NODE_TOTAL", "2"}},
+          Variables{{"CI_NODE_INDEX", "3"}, {"CI_NODE_TOTAL", "2"}},
+          Variables{{"PMI_RANK", "2"}, {"PMI_SIZE", "2"}}, Variables{{"PMI_RANK", "x"}, {"PMI_SIZE", "2"}},
+          Variables{{"PMI_RANK", "-1"}, {"PMI_SIZE", "2"}},
+          Variables{
+              {"SLURM_ARRAY_TASK_ID", "9"}, {"SLURM_ARRAY_TASK_MIN", "3"}, {"SLURM_ARRAY_TASK_COUNT", "2"}}})
+        EXPECT_THROW(shard_from("auto", false, environment_of(variables)), UsageError)
+            << variables.begin()->first << " " << variables.begin()->second;
+}
+
+TEST(Shards, TellBazelThatTheyAreListenedTo) {
+    const Folder folder;
+    const fs::path file = folder.path() / "status";
+    shard_from("auto", false,
+               environment_of({{"TEST_SHARD_INDEX", "0"},
+                               {"TEST_TOTAL_SHARDS", "2"},
+                               {"TEST_SHARD_STATUS_FILE", file.string()}}));
+    EXPECT_TRUE(fs::exists(file));
+}
+
+TEST(Shards, WithoutAViewMayEndWithZero) {
+    const Folder folder;
+    for (const char* number : {"1", "2", "3"}) {
+        const Words words{"run",
+                          "degenerate",
+                          "--width",
+                          "16",
+                          "--height",
+                          "16",
+                          "--oracle",
+                          "none",
+                          "--config",
+                          "none",
+                          "-q",
+                          "--shard",
+                          std::string{"hash:"} + number + "/3"};
+        const int plain = run(folder, words).exit_code;
+        Words ok = words;
+        ok.insert(ok.end(), {"--empty-shard", "ok"});
+        EXPECT_TRUE(plain == 0 || plain == 4) << plain;
+        EXPECT_EQ(run(folder, ok).exit_code, 0);
+    }
 }
 
 }  // namespace

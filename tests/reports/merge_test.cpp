@@ -10,43 +10,58 @@ namespace zproof {
 
 namespace {
 
-ViewResult view_at(std::uint64_t place, const std::string& name) {
+ViewResult view_at(std::uint64_t place, std::uint64_t view_place, std::uint64_t scene_views) {
     ViewResult v;
     v.scene = "s" + std::to_string(place);
-    v.view = name;
+    v.view = "v" + std::to_string(view_place);
     v.place = place;
+    v.view_place = view_place;
+    v.scene_views = scene_views;
+    return v;
+}
+
+/// Stands for a scene that could not be read.
+ViewResult unreadable_at(std::uint64_t place) {
+    ViewResult v;
+    v.scene = "s" + std::to_string(place);
+    v.place = place;
+    v.outcome = Outcome::unreadable;
     return v;
 }
 
 Results whole() {
     Results r = waived_run();
     r.selection.scenes = 4;
-    r.views = {view_at(0, "a"), view_at(0, "b"), view_at(1, "a"), view_at(2, "a"), view_at(3, "a")};
+    r.views = {view_at(0, 0, 3), view_at(0, 1, 3), view_at(0, 2, 3),
+               view_at(1, 0, 1), unreadable_at(2), view_at(3, 0, 1)};
     return r;
 }
 
-/// The scenes dealt round; of more than four shards some are empty.
+/// The views dealt round; of many shards some are empty.
 std::vector<Results> shards_of(const Results& r, int count) {
     std::vector<Results> shards;
     for (int number = 1; number <= count; ++number) {
         Results shard = r;
         shard.shard = {number, count};
         shard.argv = {"run", "room", "--shard", "hash:" + std::to_string(number), "-o", "x"};
-        std::erase_if(shard.views, [&](const ViewResult& v) { return int(v.place) % count != number - 1; });
+        std::erase_if(shard.views,
+                      [&](const ViewResult& v) { return int(v.place + v.view_place) % count != number - 1; });
         shards.insert(shards.begin(), shard);
     }
     return shards;
 }
 
-std::vector<std::string> names(std::size_t count) {
-    std::vector<std::string> all;
-    for (std::size_t i = 0; i < count; ++i) all.push_back("shard-" + std::to_string(i));
-    return all;
+Merging merging_of(const std::vector<Results>& shards) {
+    Merging merging;
+    for (std::size_t i = 0; i < shards.size(); ++i) merging.add(shards[i], "shard-" + std::to_string(i));
+    return merging;
 }
 
-std::string refusal(std::vector<Results> shards) {
+Results merged(const std::vector<Results>& shards) { return merging_of(shards).whole(); }
+
+std::string refusal(const std::vector<Results>& shards) {
     try {
-        merged(shards, names(shards.size()));
+        merged(shards);
     } catch (const ReportError& e) {
         return e.what();
     }
@@ -58,7 +73,7 @@ std::string refusal(std::vector<Results> shards) {
 TEST(Merge, GivesWhatOneRunWouldHaveGiven) {
     for (const int count : {1, 2, 3, 4, 7}) {
         const auto shards = shards_of(whole(), count);
-        EXPECT_EQ(to_json(merged(shards, names(shards.size()))), to_json(whole())) << count;
+        EXPECT_EQ(to_json(merged(shards)), to_json(whole())) << count;
     }
 }
 
@@ -102,8 +117,51 @@ TEST(Merge, RefusesMissingAndDoubledShards) {
 
 TEST(Merge, RefusesAShardThatLostAScene) {
     auto shards = shards_of(whole(), 2);
-    shards[0].views.pop_back();
+    std::erase_if(shards[0].views, [](const ViewResult& v) { return v.place == 3; });
+    std::erase_if(shards[1].views, [](const ViewResult& v) { return v.place == 3; });
     EXPECT_NE(refusal(shards).find("1 are in no shard"), std::string::npos) << refusal(shards);
+}
+
+TEST(Merge, RefusesAShardThatLostAView) {
+    auto shards = shards_of(whole(), 2);
+    for (Results& shard : shards)
+        std::erase_if(shard.views, [](const ViewResult& v) { return v.place == 0 && v.view_place == 1; });
+    EXPECT_NE(refusal(shards).find("1 views of scenes"), std::string::npos) << refusal(shards);
+}
+
+TEST(Merge, TakesWhatSeveralShardsSayOfAWholeSceneOnce) {
+    auto shards = shards_of(whole(), 3);
+    for (Results& shard : shards)
+        if (std::ranges::count(shard.views, std::uint64_t{2}, &ViewResult::place) == 0)
+            shard.views.push_back(unreadable_at(2));
+    EXPECT_EQ(to_json(merged(shards)), to_json(whole()));
+}
+
+TEST(Merge, HoldsASceneToItsExpectationsWhoeverJudgedItsViews) {
+    Results one = whole();
+    for (ViewResult& view : one.views)
+        if (view.place == 0) view.expects = {"edge"};
+    EXPECT_EQ(merged(shards_of(one, 3)).views[2].outcome, Outcome::defective);
+    one.views[0].counts[std::size_t(PixelClass::edge)] = 1;
+    EXPECT_EQ(merged(shards_of(one, 3)).views[2].outcome, Outcome::proven);
+}
+
+TEST(Merge, OfSomeShardsPutsTheMissingViewsInTheirPlaces) {
+    auto shards = shards_of(whole(), 3);
+    std::vector<ViewResult> missing = shards[1].views;
+    for (ViewResult& view : missing) view.outcome = Outcome::not_judged;
+    ASSERT_FALSE(missing.empty());
+    shards.erase(shards.begin() + 1);
+    Results some = merging_of(shards).partial(missing);
+    EXPECT_EQ(some.ending, Ending::partial);
+    ASSERT_EQ(some.views.size(), whole().views.size());
+    std::size_t not_judged = 0;
+    for (std::size_t i = 0; i < some.views.size(); ++i) {
+        EXPECT_EQ(some.views[i].scene, whole().views[i].scene);
+        EXPECT_EQ(some.views[i].view, whole().views[i].view);
+        if (some.views[i].outcome == Outcome::not_judged) ++not_judged;
+    }
+    EXPECT_EQ(not_judged, missing.size());
 }
 
 }  // namespace zproof
