@@ -64,7 +64,7 @@ struct RunArguments {
     std::filesystem::path models;     ///< where view files' models may lie; empty: beside them only
     std::filesystem::path plan;       ///< that says all of this but the shard; empty: there is none
     Shard shard;
-    EmptyShard empty_shard = EmptyShard::is_nothing;
+    ShardStatus shard_status = ShardStatus::is_the_verdict;
     oracle::ReferenceCacheChoice reference_cache;
     ChosenRenderers renderers;
     RenderSettings settings;

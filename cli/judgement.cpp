@@ -41,10 +41,17 @@ Share judged_of(const Results& results, std::size_t scenes_left) {
             std::size_t(extent_of(results).views), scenes_left};
 }
 
+/// Does the status leave the verdict to whoever merges the shards?
+bool may_pass(const Results& results, ExitCode code, ShardStatus status) {
+    if (code == ExitCode::internal || code == ExitCode::interrupted) return false;
+    return status == ShardStatus::ok_where_written ||
+           (status == ShardStatus::ok_where_empty && results.views.empty());
+}
+
 }  // namespace
 
 ExitCode judge_and_report(const RunRequest& request) {
-    const auto& [sources, renderers, settings, report, selection, shard, empty_shard, reference_cache,
+    const auto& [sources, renderers, settings, report, selection, shard, shard_status, reference_cache,
                  views] = request;
     const Gate gate = open_gate(report.gate);
     Results results{.version = version_number(),
@@ -93,8 +100,7 @@ ExitCode judge_and_report(const RunRequest& request) {
     if (!report.common.is_quiet())
         std::cout << shrunk_in_words(results, report.common.out, published.common.out);
     const ExitCode code = announce(results, published);
-    if (results.views.empty() && results.ending == Ending::complete && empty_shard == EmptyShard::is_ok)
-        return ExitCode::proven;
+    if (may_pass(results, code, shard_status)) return ExitCode::proven;
     if (code != ExitCode::interrupted) return code;
     return say_interrupted(judged_of(results, scenes_left), "view", "judged and written");
 }

@@ -18,7 +18,7 @@ struct RunRequest {
     const ReportArguments& report;
     Selection selection;
     Shard shard{};
-    EmptyShard empty_shard = EmptyShard::is_nothing;
+    ShardStatus shard_status = ShardStatus::is_the_verdict;
     oracle::ReferenceCacheChoice reference_cache{};
     ViewChoice views{};  ///< of every scene
 };

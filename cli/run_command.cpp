@@ -28,7 +28,7 @@ ExitCode execute(const RunArguments& arguments) {
                              .report = arguments.report,
                              .selection = std::move(selected.selection),
                              .shard = arguments.shard,
-                             .empty_shard = arguments.empty_shard,
+                             .shard_status = arguments.shard_status,
                              .reference_cache = arguments.reference_cache});
 }
 

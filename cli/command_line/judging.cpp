@@ -4,6 +4,7 @@
 #include "cli/gate/shard.h"
 #include "cli/plan/typed_out.h"
 #include "cli/run_size.h"
+#include "cli/usage_error.h"
 
 namespace zproof {
 namespace {
@@ -14,8 +15,8 @@ The frames' own resolution is taken. Exit status as for run.)";
 constexpr const char* plan_remark = R"(
 Every view of every scene is given to one shard, longest first. Exit status: 0 written.)";
 
-const std::map<std::string, EmptyShard> empty_shards{{"nothing", EmptyShard::is_nothing},
-                                                     {"ok", EmptyShard::is_ok}};
+const std::map<std::string, ShardStatus> empty_shards{{"nothing", ShardStatus::is_the_verdict},
+                                                      {"ok", ShardStatus::ok_where_empty}};
 const std::map<std::string, PlanFormat> plan_formats{{"lines", PlanFormat::lines},
                                                      {"slurm", PlanFormat::slurm},
                                                      {"github", PlanFormat::github},
@@ -92,9 +93,12 @@ void add_shard(CLI::App& app, CommandWords& words) {
     app.add_option("--shard", words.shard,
                    "the share of the views to judge: K of a plan, hash:K/N without one, or auto: the "
                    "environment says which (zproof merge puts shards together)");
-    add_choice(app, "--empty-shard", run.empty_shard, empty_shards)
-        ->default_str("nothing")
-        ->description("a shard without views ends with 4 (nothing), or with 0 (ok)");
+    auto* empty = add_choice(app, "--empty-shard", run.shard_status, empty_shards);
+    empty->default_str("nothing")->description("a shard without views ends with 4 (nothing), or with 0 (ok)");
+    app.add_flag_callback(
+           "--exit-zero", [&run] { run.shard_status = ShardStatus::ok_where_written; },
+           "of a shard: end with 0 once its results are written, since merged ones tell the verdict")
+        ->excludes(empty);
 }
 
 }  // namespace
@@ -114,6 +118,8 @@ Branch add_run(CLI::App& parent, CommandWords& words) {
                 if (!words.renderers.oracles) words.renderers.oracles = oracles_for(run.size);
                 run.renderers = chosen_renderers(words.renderers);
                 run.shard = shard_from(words.shard, !run.plan.empty(), words.environment);
+                if (words.shard.empty() && run.shard_status == ShardStatus::ok_where_written)
+                    throw UsageError{"--exit-zero: is of shards; expected --shard beside it"};
                 return run;
             }};
 }

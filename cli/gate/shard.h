@@ -12,10 +12,11 @@ namespace zproof {
 
 inline constexpr int most_shards = 10'000;
 
-/// How a run ends that has no view at all to judge, since others judge them all.
-enum class EmptyShard {
-    is_nothing,  ///< with ExitCode::nothing
-    is_ok,       ///< with ExitCode::proven
+/// The exit status of a shard, of which others judge the rest.
+enum class ShardStatus {
+    is_the_verdict,    ///< as of any run; ExitCode::nothing where it has no view at all
+    ok_where_empty,    ///< ExitCode::proven where it has no view at all
+    ok_where_written,  ///< ExitCode::proven, whatever its results are: merged, they tell the verdict
 };
 
 /// What is typed after --shard. Of a plan: "2" or "2/3", the second (of three). Without one: "hash:2/3".

@@ -60,8 +60,8 @@ std::vector<ViewResult> MissingShards::views() const {
 
 std::string shard_command(const std::filesystem::path& plan, int number,
                           const std::filesystem::path& folder) {
-    return shell_line({"run", "--plan", plan.string(), "--shard", std::to_string(number), "--report", "json",
-                       "-o", folder.string()});
+    return shell_line({"run", "--plan", plan.string(), "--shard", std::to_string(number), "--exit-zero",
+                       "--report", "json", "-o", folder.string()});
 }
 
 std::filesystem::path folder_of(const PlannedRun& run, const std::filesystem::path& folder) {

@@ -72,7 +72,7 @@ ExitCode judge(const PlannedRun& run, const Shard& shard, const RunArguments& ar
                              .report = planned.report,
                              .selection = run.selection,
                              .shard = shard,
-                             .empty_shard = arguments.empty_shard,
+                             .shard_status = arguments.shard_status,
                              .reference_cache = arguments.reference_cache});
 }
 

@@ -27,7 +27,7 @@ std::string slurm_script(const Plan& plan, const fs::path& file) {
            "#SBATCH --requeue\n"
            "zproof run --plan " +
            shell_quoted(file.string()) +
-           " --shard \"$SLURM_ARRAY_TASK_ID\" --report json -o \"shards/$SLURM_ARRAY_TASK_ID\"\n";
+           " --shard \"$SLURM_ARRAY_TASK_ID\" --exit-zero --report json -o \"shards/$SLURM_ARRAY_TASK_ID\"\n";
 }
 
 /// For strategy.matrix: ${{ fromJSON(...) }}.
@@ -45,7 +45,7 @@ std::string gitlab_job(const Plan& plan, const fs::path& file) {
            "  script:\n"
            "    - zproof run --plan " +
            shell_quoted(file.string()) +
-           " --shard auto --report json -o \"shards/$CI_NODE_INDEX\"\n"
+           " --shard auto --exit-zero --report json -o \"shards/$CI_NODE_INDEX\"\n"
            "  artifacts:\n"
            "    paths: [shards]\n"
            "    when: always\n";

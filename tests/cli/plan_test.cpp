@@ -267,8 +267,9 @@ TEST(Plans, NameWhatIsMissingWithTheCommandThatMakesIt) {
     const Ran refused = run(folder, merge_words(folder, {}));
     EXPECT_EQ(refused.exit_code, 3);
     EXPECT_NE(
-        refused.err.find("shard 2 is missing; to make it: zproof run --plan plan.json --shard 2 --report "
-                         "json -o shards/2"),
+        refused.err.find(
+            "shard 2 is missing; to make it: zproof run --plan plan.json --shard 2 --exit-zero --report "
+            "json -o shards/2"),
         std::string::npos)
         << refused.err;
     EXPECT_FALSE(fs::exists(folder.path() / "out"));
@@ -354,8 +355,8 @@ TEST(Plans, PrintCommandsForEachEngine) {
     write_models(folder);
     const Ran lines = run(folder, plan_words({"--of", "2", "-o", "my plan.json"}));
     EXPECT_EQ(lines.out,
-              "zproof run --plan 'my plan.json' --shard 1 --report json -o shards/1\n"
-              "zproof run --plan 'my plan.json' --shard 2 --report json -o shards/2\n");
+              "zproof run --plan 'my plan.json' --shard 1 --exit-zero --report json -o shards/1\n"
+              "zproof run --plan 'my plan.json' --shard 2 --exit-zero --report json -o shards/2\n");
     EXPECT_NE(run(folder, plan_words({"--of", "9", "--format", "slurm"})).out.find("#SBATCH --array=1-9\n"),
               std::string::npos);
     EXPECT_EQ(run(folder, plan_words({"--of", "3", "--format", "github"})).out, "{\"shard\":[1,2,3]}\n");

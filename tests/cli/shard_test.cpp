@@ -230,5 +230,19 @@ TEST(Shards, WithoutAViewMayEndWithZero) {
     }
 }
 
+TEST(Shards, MayEndWithZeroWhateverTheirResultsAre) {
+    const Folder folder;
+    folder.write("broken.gltf", "{");
+    const Words words{"run", "broken.gltf", "--oracle", "none", "--config", "none", "-q", "-o", "out"};
+    const auto ends = [&](Words more) {
+        more.insert(more.begin(), words.begin(), words.end());
+        return run(folder, more).exit_code;
+    };
+    EXPECT_EQ(ends({"--shard", "hash:1/1"}), 3);
+    EXPECT_EQ(ends({"--shard", "hash:1/1", "--exit-zero"}), 0);
+    EXPECT_EQ(ends({"--shard", "hash:1/1", "--exit-zero", "--waivers", "none.toml"}), 3);  // nothing written
+    EXPECT_EQ(ends({"--exit-zero"}), 2);
+}
+
 }  // namespace
 }  // namespace zproof::test
