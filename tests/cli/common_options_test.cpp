@@ -41,6 +41,7 @@ const std::map<std::string, Call> calls{
     {"selfcheck", {{"two.gltf"}}},
     {"contract-check", {{program_word, "--precision", "ray"}}},
     {"selftest", {{}, Call::Told::alike, Call::Work::of_seconds}},
+    {"plan", {{"two.gltf", "--of", "2"}}},
     {"merge", {{"shard"}, Call::Told::with_times}},
     {"report", {{"shard"}}},
     {"diff-results", {{"shard", "shard"}}},
