@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "reports/json.h"
 #include "reports/result_file.h"
@@ -295,10 +298,47 @@ Results results_from(const Json& root) {
     return results;
 }
 
+/// What is wrong with view number `i`, and where.
+std::string fault_in_view(const Json::exception& e, std::size_t i) {
+    const std::string fault = json_fault(e), place = "(/views/" + std::to_string(i);
+    return place + (fault.starts_with("(/") ? fault.substr(1) : ") " + fault);
+}
+
+/// Takes each view from the parser as soon as it is read: all of them as JSON would take many times the room.
+class ViewReader {
+  public:
+    /// The parser's callback; false: the parser forgets what it has read.
+    bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
+        if (depth == 1 && event == Json::parse_event_t::key) key_ = parsed;
+        if (depth == 1 && event == Json::parse_event_t::value && key_ == "schema_version")
+            require_known_version(parsed);
+        if (depth != 2 || event != Json::parse_event_t::object_end || key_ != "views") return true;
+        take(Json(std::move(parsed)));  // without the parser's array around it, which is always at 0
+        return false;
+    }
+
+    std::vector<ViewResult> views;
+
+  private:
+    void take(const Json& one) {
+        try {
+            views.push_back(view(one));
+        } catch (const Json::exception& e) {
+            refuse(fault_in_view(e, views.size()));
+        }
+    }
+
+    std::string key_;  ///< of the root, that the parser is at
+};
+
 }  // namespace
 
 Results results_from_json(const std::string& text) try {
-    return results_from(Json::parse(text));
+    ViewReader reader;
+    const Json root = Json::parse(text, std::ref(reader));
+    Results results = results_from(root);
+    std::ranges::move(reader.views, std::back_inserter(results.views));
+    return results;
 } catch (const Json::exception& e) {
     refuse(json_fault(e));
 }
