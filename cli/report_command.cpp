@@ -3,6 +3,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/threads.h"
@@ -67,7 +68,7 @@ Results all_of(const ReportAgainArguments& arguments, const fs::path& report_fol
     if (read.empty())
         throw UsageError{
             "report: expected the results of a run beside the studies, which have pages of their own"};
-    Results results = read.front();
+    Results results = std::move(read.front());
     for (std::size_t i = 1; i < read.size(); ++i)
         std::ranges::move(read[i].views, std::back_inserter(results.views));
     return results;

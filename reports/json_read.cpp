@@ -2,7 +2,6 @@
 #include <bit>
 #include <charconv>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -276,7 +275,8 @@ void require_known_version(const std::string& version) {
                "x; use the zproof that wrote it");
 }
 
-Results results_from(const Json& root) {
+/// `views`: those that are no longer in `root`.
+Results results_from(const Json& root, std::vector<ViewResult> views) {
     require_known_version(root.at("schema_version"));
     const Json& run = root.at("run");
     Results results{.version = run.at("version"),
@@ -287,7 +287,7 @@ Results results_from(const Json& root) {
                     .threads = whole_number<int>(run.at("threads")),
                     .isa = run.value("isa", ""),
                     .renderers = {},
-                    .views = {}};
+                    .views = std::move(views)};
     for (const Json& one : run.at("renderers"))
         results.renderers.push_back({.name = one.at("name"),
                                      .version = one.at("version"),
@@ -336,15 +336,13 @@ class ViewReader {
 Results results_from_json(const std::string& text) try {
     ViewReader reader;
     const Json root = Json::parse(text, std::ref(reader));
-    Results results = results_from(root);
-    std::ranges::move(reader.views, std::back_inserter(results.views));
-    return results;
+    return results_from(root, std::move(reader.views));
 } catch (const Json::exception& e) {
     refuse(json_fault(e));
 }
 
 Results results_from_message_pack(const std::string& bytes) try {
-    return results_from(Json::from_msgpack(bytes));
+    return results_from(Json::from_msgpack(bytes), {});
 } catch (const Json::exception& e) {
     refuse(json_fault(e));
 }
