@@ -29,7 +29,6 @@ h3 { font-size: 0.8rem; font-weight: 600; color: var(--quiet); margin: 0 0 0.5re
 p { margin: 0 0 0.6rem; }
 a { color: var(--link); text-decoration-thickness: 1px; text-underline-offset: 2px; }
 code { font: 0.86em/1.5 ui-monospace, "SF Mono", "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
-#sections > section { content-visibility: auto; contain-intrinsic-size: auto 50rem; }
 section { border-top: 1px solid var(--line); margin-top: 2.5rem; padding-top: 1.5rem; }
 .facts, .fine { color: var(--quiet); font-size: 0.86rem; margin-bottom: 0.3rem; overflow-wrap: anywhere; }
 .reason { max-width: 48rem; }

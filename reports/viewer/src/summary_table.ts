@@ -89,7 +89,7 @@ export class SummaryTable {
             await this.show();
         }
         const row = this.table.tBodies[0].rows[this.found.indexOf(index) % this.run.inMarkup];
-        (document.getElementById(location.hash.slice(1)) ?? row).scrollIntoView();
+        await bringIntoView(document.getElementById(location.hash.slice(1)) ?? row);
     }
 
     private row(index: number): HTMLTableRowElement {
@@ -104,6 +104,14 @@ export class SummaryTable {
             element('td', {}, element('span', {class: 'outcome ' + view.outcome}, textsOf(view)[0])),
             element('td', {}, ...this.sections.has(index) ? [element('a', {href: '#' + view.anchor}, ...name)] : name),
             ...cells, element('td', {class: 'n'}, view.seconds));
+    }
+}
+
+/// What comes into view is laid out only then, and may push away what was scrolled to.
+async function bringIntoView(target: HTMLElement): Promise<void> {
+    for (let frame = 0; frame < 3; ++frame) {
+        target.scrollIntoView();
+        await new Promise(requestAnimationFrame);
     }
 }
 
