@@ -81,11 +81,13 @@ std::string waiver_row(const WaiverStatus& s) {
            plain(s.waiver->reason) + " | " + plain(s.waiver->link) + " |\n";
 }
 
-/// Lines as long as there is room for them, and how many there was none for.
-class BoundedSummary {
+/// Lines of at most so many bytes together, and how many lines more there were.
+class BoundedLines {
   public:
+    explicit BoundedLines(std::size_t most_bytes) : room_(most_bytes - room_for_remark) {}
+
     void add(const std::string& line) {
-        if (left_out_ > 0 || text_.size() + line.size() > largest_summary - room_for_remark)
+        if (left_out_ > 0 || text_.size() + line.size() > room_)
             ++left_out_;
         else
             text_ += line;
@@ -98,33 +100,34 @@ class BoundedSummary {
     }
 
   private:
+    std::size_t room_, left_out_ = 0;
     std::string text_;
-    std::size_t left_out_ = 0;
 };
 
-void add_waivers(BoundedSummary& summary, const Results& results) {
+void add_waivers(BoundedLines& lines, const Results& results) {
     const std::vector<WaiverStatus> statuses = waiver_statuses(results);
     if (statuses.empty()) return;
-    summary.add(
+    lines.add(
         "\n### Waivers\n\n| waiver | state | scene | pixels let pass | until | reason | link |\n"
         "|---|---|---|---:|---|---|---|\n");
-    for (const WaiverStatus& status : statuses) summary.add(waiver_row(status));
+    for (const WaiverStatus& status : statuses) lines.add(waiver_row(status));
 }
 
 }  // namespace
 
 std::string to_markdown(const Results& results) {
     const std::vector<const ViewResult*> views = failed_first(results);
-    BoundedSummary summary;
-    summary.add(markdown_headline(results) +
-                "| verdict | scene | view | pixels | defects | waived | error / bound |\n"
-                "|---|---|---|---:|---:|---:|---:|\n");
-    for (const ViewResult* v : views) summary.add(row(*v));
-    add_waivers(summary, results);
-    summary.add("\n");
+    BoundedLines stories{largest_summary / 2};
+    add_waivers(stories, results);
+    stories.add("\n");
     for (const ViewResult* v : views)
-        if (v->outcome != Outcome::proven) summary.add(view_story(*v));
-    return summary.text();
+        if (v->outcome != Outcome::proven) stories.add(view_story(*v));
+    BoundedLines table{largest_summary - stories.text().size()};
+    table.add(markdown_headline(results) +
+              "| verdict | scene | view | pixels | defects | waived | error / bound |\n"
+              "|---|---|---|---:|---:|---:|---:|\n");
+    for (const ViewResult* v : views) table.add(row(*v));
+    return table.text() + stories.text();
 }
 
 }  // namespace zproof
