@@ -127,11 +127,12 @@ class PageRoom {
 /// What readers of a page must know that does not show all views at once; empty where it does.
 std::string remark_on_length(std::size_t views, std::size_t listed, std::size_t with_section) {
     if (views <= views_in_markup) return "";
-    std::string text = "These are the first " + grouped(views_in_markup) + " of " + counted(views, "view") +
-                       ", failed ones first. Where scripts run, the table ";
-    text += listed == views ? "turns its pages over all of them"
-                            : "turns its pages over the first " + grouped(listed);
-    text += ", and is searched and sorted as a whole.";
+    std::string text =
+        "<span class=\"without-scripts\">These are the first " + grouped(views_in_markup) + " of " +
+        counted(views, "view") +
+        ", failed ones first. Where scripts run, the table turns its pages over the others, and "
+        "is searched and sorted as a whole.</span>";
+    if (listed < views) text += " The table has the first " + grouped(listed) + " views alone.";
     if (with_section < views)
         text += " The first " + grouped(with_section) +
                 " have a section below; those of the others were left out to keep this page small.";

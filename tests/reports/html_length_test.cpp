@@ -59,7 +59,7 @@ TEST(HtmlLength, OfTwentyThousandViewsAllAreListedWithinFiveMegabytes) {
     EXPECT_EQ(facts[200].at(place_of("outcome")), "proven") << "failed views first";
     EXPECT_EQ(facts[19'999].at(place_of("source")), "models/model-2499.glb");
     EXPECT_EQ(occurrences(page, "These are the first 200 of 20,000 views, failed ones first."), 1u);
-    EXPECT_EQ(occurrences(page, "turns its pages over all of them"), 1u);
+    EXPECT_EQ(occurrences(page, "The table has the first "), 0u);
 }
 
 TEST(HtmlLength, TheFirstViewsStandInThePageAndTheNextOnesArePacked) {
@@ -87,8 +87,9 @@ TEST(HtmlLength, WhatHasNoRoomIsLeftOutFromTheEndAndThePageSaysSo) {
     const std::size_t listed = facts_of(page).size();
     EXPECT_GT(listed, 1'000u);
     EXPECT_LT(listed, 20'000u);
-    EXPECT_EQ(occurrences(page, "turns its pages over the first " + std::to_string(listed / 1000) + ",000"),
-              1u);
+    EXPECT_EQ(
+        occurrences(page, "The table has the first " + std::to_string(listed / 1000) + ",000 views alone."),
+        1u);
     EXPECT_EQ(occurrences(page, "those of the others were left out to keep this page small"), 1u);
 }
 
