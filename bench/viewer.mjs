@@ -1,7 +1,7 @@
 // How long report.html takes in a browser: viewer.mjs FOLDER of a run. Prints; judges nothing.
 import {readFileSync, readdirSync, statSync} from 'node:fs';
 import {join, resolve} from 'node:path';
-import {openBrowser, viewerShows} from '../tests/viewer/stage.mjs';
+import {isReady, openBrowser, viewerShows} from '../tests/viewer/stage.mjs';
 
 const folder = resolve(process.argv[2] ?? 'zproof-out'), file = join(folder, 'report.html'), loads = 5;
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
@@ -21,7 +21,7 @@ function renderersMemory() {
     return Math.max(...processes.filter((one) => one.words.includes('--type=renderer') && isOurs(one)).map((one) => one.memory));
 }
 
-const browser = await openBrowser(), paints = [], loaded = [];
+const browser = await openBrowser(), paints = [], loaded = [], ready = [];
 let page;
 for (let i = 0; i < loads; ++i) {
     await page?.close();
@@ -29,6 +29,8 @@ for (let i = 0; i < loads; ++i) {
     page.setDefaultTimeout(120_000);
     await page.goto('file://' + file);
     paints.push(await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime));
+    await isReady(page);
+    ready.push(await page.evaluate(() => performance.now()));
     loaded.push(await page.evaluate(() => performance.getEntriesByType('navigation')[0].loadEventEnd));
 }
 await page.keyboard.press('v');
@@ -44,6 +46,7 @@ const memory = renderersMemory();
 console.log(`page           ${(statSync(file).size / 1e6).toFixed(1)} MB, ${views} views`);
 console.log(`first paint    ${ms(paints)}`);
 console.log(`loaded         ${ms(loaded)}`);
+console.log(`ready          ${ms(ready)}`);
 console.log(`first view     ${Math.round(opened[0])} ms`);
 if (opened.length > 1) console.log(`view switch    ${ms(opened.slice(1))}`);
 console.log(`memory         ${(memory / 1e6).toFixed(0)} MB of the largest page process, after all that`);

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/threads.h"
@@ -10,7 +11,6 @@
 #include "frame/printable.h"
 #include "frame/whole_file.h"
 #include "reports/document/folder.h"
-#include "reports/html.h"
 #include "reports/report_error.h"
 
 namespace zproof {
@@ -68,7 +68,7 @@ Results all_of(const ReportAgainArguments& arguments, const fs::path& report_fol
     if (read.empty())
         throw UsageError{
             "report: expected the results of a run beside the studies, which have pages of their own"};
-    Results results = read.front();
+    Results results = std::move(read.front());
     for (std::size_t i = 1; i < read.size(); ++i)
         std::ranges::move(read[i].views, std::back_inserter(results.views));
     return results;
@@ -85,16 +85,16 @@ ExitCode execute(const ReportAgainArguments& arguments) {
         to_stdout || !arguments.common.out.has_parent_path() ? "." : arguments.common.out.parent_path();
     const std::vector<document::Document> studies = studies_of(arguments, format);
     const Results results = all_of(arguments, folder);
-    std::string text;
-    on_threads(arguments.common.threads, [&] {
-        text = format == ReportFormat::html ? to_html(results, folder, page_budget, studies)
-                                            : report_text(format, results, folder);
-    });
+    const auto write = [&](const TextSink& out) {
+        on_threads(arguments.common.threads, [&] { write_report(out, format, results, folder, studies); });
+    };
     if (to_stdout) {
-        std::cout << text;
+        write([](std::string_view text) { std::cout << text; });
         return ExitCode::proven;
     }
-    write_whole_file(arguments.common.out, text);
+    WholeFile file{arguments.common.out};
+    write([&](std::string_view text) { file.append(text); });
+    file.finish();
     std::cout << one_line(arguments.common.out.string()) << "\n";
     return ExitCode::proven;
 }

@@ -39,12 +39,10 @@ std::string file_of(ReportFormat format) {
     return "";
 }
 
-void write_report(const fs::path& folder, const Results& results, ReportFormat format) {
-    const fs::path file = folder / file_of(format);
-    if (format == ReportFormat::html)
-        write_page(file, html_page(results, folder));
-    else
-        write_whole_file(file, report_text(format, results, folder));
+void write_file(const fs::path& folder, const Results& results, ReportFormat format) {
+    WholeFile file{folder / file_of(format)};
+    write_report([&](std::string_view text) { file.append(text); }, format, results, folder);
+    file.finish();
 }
 
 fs::path file_of_results(const fs::path& file_or_folder) {
@@ -86,25 +84,25 @@ void write_reports(const fs::path& folder, const Results& results, const std::ve
     for (const ReportFormat format : formats)
         if (!file_of(format).empty() && std::ranges::count(with_files, format) == 0)
             with_files.push_back(format);
-    tbb::parallel_for_each(with_files, [&](ReportFormat format) { write_report(folder, results, format); });
+    tbb::parallel_for_each(with_files, [&](ReportFormat format) { write_file(folder, results, format); });
 }
 
-std::string report_text(ReportFormat format, const Results& results, const fs::path& run_folder) {
+void write_report(const TextSink& out, ReportFormat format, const Results& results,
+                  const fs::path& run_folder, std::span<const document::Document> studies) {
     switch (format) {
         case ReportFormat::html:
-            return to_html(results, run_folder);
+            return write_page(out, html_page(results, run_folder, page_budget, studies));
         case ReportFormat::json:
-            return to_json(results);
+            return write_json(out, results);
         case ReportFormat::junit:
-            return to_junit(results);
+            return write_junit(out, results);
         case ReportFormat::md:
-            return to_markdown(results);
+            return out(to_markdown(results));
         case ReportFormat::github:
-            return to_github(results);
+            return out(to_github(results));
         case ReportFormat::csv:
-            return to_csv(results);
+            return write_csv(out, results);
     }
-    return "";
 }
 
 Results read_results(const fs::path& file_or_folder) {

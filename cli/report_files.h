@@ -2,10 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "reports/document/document.h"
 #include "reports/results.h"
+#include "reports/text_sink.h"
 
 namespace zproof {
 
@@ -30,8 +33,10 @@ ReportFormat format_from(const std::string& word);
 void write_reports(const std::filesystem::path& folder, const Results& results,
                    const std::vector<ReportFormat>& formats);
 
-/// The report as text; run_folder is where evidence is found, and what its links are relative to.
-std::string report_text(ReportFormat format, const Results& results, const std::filesystem::path& run_folder);
+/// Puts the report out; run_folder is where evidence is found, and what its links are relative to. Studies
+/// have a place in the page only.
+void write_report(const TextSink& out, ReportFormat format, const Results& results,
+                  const std::filesystem::path& run_folder, std::span<const document::Document> studies = {});
 
 /// The results that a file, or the folder around it, holds. Throws ReportError naming it.
 Results read_results(const std::filesystem::path& file_or_folder);

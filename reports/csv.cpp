@@ -47,12 +47,14 @@ std::string rows_of(const ViewResult& v) {
 
 }  // namespace
 
+void write_csv(const TextSink& out, const Results& results) {
+    out("scene,view,source,scene_sha256,candidate,reference,width,height,triangles,outcome,class,gate,pixels,"
+        "waived,message\n");
+    for (const ViewResult& view : results.views) out(rows_of(view));
+}
+
 std::string to_csv(const Results& results) {
-    std::string text =
-        "scene,view,source,scene_sha256,candidate,reference,width,height,triangles,outcome,class,gate,pixels,"
-        "waived,message\n";
-    for (const ViewResult& view : results.views) text += rows_of(view);
-    return text;
+    return collected([&](const TextSink& out) { write_csv(out, results); });
 }
 
 }  // namespace zproof

@@ -16,7 +16,8 @@ namespace zproof {
 
 namespace {
 
-constexpr std::size_t reserve_per_view = 2'000;  // for what the page says of it to the viewer
+constexpr std::size_t room_for_remarks =
+    10'000;  // on what is left out, and what it tells the viewer of classes
 
 std::ptrdiff_t number_of(const Results& results, Outcome outcome) {
     return std::ranges::count(results.views, outcome, &ViewResult::outcome);
@@ -66,66 +67,6 @@ std::string provenance(const Results& r) {
            (r.command.empty() ? "" : "<p class=\"facts\"><code>" + escaped(r.command) + "</code></p>\n");
 }
 
-std::string count_cell(const ViewResult& v, PixelClass c) {
-    const std::uint64_t count = v.counts[std::size_t(c)];
-    return "<td class=\"n" + std::string(count == 0 ? " zero" : "") + "\">" + grouped(count) + "</td>";
-}
-
-/// The columns of measured_cells(): two before the classes, three behind.
-int measured_columns() {
-    int columns = 5;
-    for (int i = 0; i < pixel_class_count; ++i) columns += has_column(PixelClass(i));
-    return columns;
-}
-
-std::string measured_cells(const ViewResult& v) {
-    const std::uint64_t pixels = std::uint64_t(v.width) * std::uint64_t(v.height),
-                        defects = unwaived_defects(v);
-    std::string cells =
-        "<td class=\"n\">" + grouped(v.triangles) + "</td><td class=\"n\">" + grouped(pixels) + "</td>";
-    for (int i = 0; i < pixel_class_count; ++i)
-        if (has_column(PixelClass(i))) cells += count_cell(v, PixelClass(i));
-    return cells + "<td class=\"n defects" + (defects == 0 ? " zero" : "") + "\">" + grouped(defects) +
-           (waived_count(v) == 0 ? "" : "<br>" + grouped(waived_count(v)) + " waived") +
-           "</td><td class=\"n\">" + rounded(v.candidate_depth.max_error_over_bound) +
-           "</td><td class=\"n\">" + rounded(v.reference_depth.max_error_over_bound) + "</td>";
-}
-
-std::string summary_row(const PageView& page) {
-    const ViewResult& v = *page.view;
-    return "<tr><td>" + outcome_badge(v.outcome) + "</td><td><a href=\"#" + page.anchor + "\">" +
-           escaped(v.scene) + " <span class=\"view\">" + escaped(v.view) + "</span></a></td>" +
-           (was_judged(v) ? measured_cells(v)
-                          : "<td colspan=\"" + std::to_string(measured_columns()) + "\" class=\"message\">" +
-                                escaped(v.message) + "</td>") +
-           "<td class=\"n\">" + fixed(seconds(v.times), 2) + "</td></tr>\n";
-}
-
-/// The class's name, broken at each underscore.
-std::string heading_of(PixelClass c) {
-    std::string name;
-    for (const char letter : name_of(c)) name += letter == '_' ? std::string("<br>") : std::string(1, letter);
-    return "<th class=\"n\">" + name + "</th>";
-}
-
-std::string summary(const std::vector<PageView>& pages) {
-    if (pages.empty()) return "";
-    std::string rows;
-    for (const PageView& page : pages) rows += summary_row(page);
-    std::string classes;
-    for (int i = 0; i < pixel_class_count; ++i)
-        if (has_column(PixelClass(i))) classes += heading_of(PixelClass(i));
-    classes += "<th class=\"n\">defects</th>";
-    return "<div class=\"wide\"><table class=\"summary sortable\"><thead><tr><th>verdict</th><th>scene, "
-           "view</th>"
-           "<th class=\"n\">triangles</th><th class=\"n\">pixels</th>" +
-           classes +
-           "<th class=\"n\" title=\"largest depth error / bound, candidate\">error / bound,<br>candidate</th>"
-           "<th class=\"n\" title=\"largest depth error / bound, reference\">error / bound,<br>reference</th>"
-           "<th class=\"n\">seconds</th></tr></thead><tbody>\n" +
-           rows + "</tbody></table></div>\n";
-}
-
 std::string legend_rows(const std::string& heading, std::initializer_list<GateEffect> effects) {
     std::string rows;
     for (int i = 0; i < pixel_class_count; ++i)
@@ -170,6 +111,40 @@ std::string links_to(std::span<const document::Document> studies) {
     return "<h2>Studies</h2>\n<ul>\n" + links + "</ul>\n";
 }
 
+/// How many bytes a page may still grow by.
+class PageRoom {
+  public:
+    PageRoom(std::size_t budget, std::size_t taken) : left_(budget) { take(taken); }
+
+    void take(std::size_t bytes) { left_ -= std::min(left_, bytes); }
+    std::size_t left() const { return left_; }
+    std::size_t half() const { return left_ / 2; }
+
+  private:
+    std::size_t left_;
+};
+
+/// What readers of a page must know that does not show all views at once; empty where it does.
+std::string remark_on_length(std::size_t views, std::size_t listed, std::size_t with_section) {
+    if (views <= views_in_markup) return "";
+    std::string text =
+        "<span class=\"without-scripts\">These are the first " + grouped(views_in_markup) + " of " +
+        counted(views, "view") +
+        ", failed ones first. Where scripts run, the table turns its pages over the others, and "
+        "is searched and sorted as a whole.</span>";
+    if (listed < views) text += " The table has the first " + grouped(listed) + " views alone.";
+    if (with_section < views)
+        text += " The first " + grouped(with_section) +
+                " have a section below; those of the others were left out to keep this page small.";
+    return "<p class=\"facts\" id=\"length\">" + text + " results.json has everything.</p>\n";
+}
+
+std::string sections_of(std::span<const PageView> views) {
+    std::string text = "<div id=\"sections\">\n";
+    for (const PageView& view : views) text += html_view(view);
+    return text + "</div>\n";
+}
+
 std::string study_section(const document::Document& study, const std::string& anchor) {
     std::string text = "<article id=\"" + anchor + "\">\n<h1>" + escaped(study.title) + "</h1>\n";
     for (const std::string& one : study.introduction)
@@ -178,24 +153,39 @@ std::string study_section(const document::Document& study, const std::string& an
            document::page_sections(study, anchor + "-") + "</article>\n";
 }
 
+std::string studies_of(std::span<const document::Document> studies) {
+    std::string text;
+    for (std::size_t i = 0; i < studies.size(); ++i) text += study_section(studies[i], anchor_of_study(i));
+    return text;
+}
+
 }  // namespace
 
 Page html_page(const Results& results, const std::filesystem::path& run_folder, std::size_t budget,
                std::span<const document::Document> studies) {
-    const std::vector<PageView> pages = page_views(results, run_folder, picture_budget(budget));
+    std::vector<PageView> views = page_views(results, run_folder);
+    const std::span<PageView> in_markup{views.data(), std::min(views.size(), views_in_markup)};
     const std::string script = script_element(viewer_script());
-    std::string sections;
-    for (const PageView& one : pages) sections += html_view(one);
-    for (std::size_t i = 0; i < studies.size(); ++i)
-        sections += study_section(studies[i], anchor_of_study(i));
     std::string begin = head(results) + "<body>\n<header>\n<h1>" + escaped(headline(results)) + "</h1>\n" +
-                        provenance(results) + "</header>\n<main>\n" + summary(pages) + links_to(studies);
-    std::string end = html_renderers(results) + legend() + sections + "</main>\n";
-    const std::size_t spent =
-        begin.size() + end.size() + script.size() + (1 + pages.size()) * reserve_per_view;
-    PagePlanes planes = page_planes(pages, run_folder, budget > spent ? budget - spent : 0);
+                        provenance(results) + "</header>\n<main>\n" + html_summary(in_markup);
+    std::string middle = links_to(studies) + html_renderers(results) + legend(),
+                end = studies_of(studies) + "</main>\n";
+    PageRoom room{budget, begin.size() + middle.size() + end.size() + script.size() + room_for_remarks +
+                              sections_of(in_markup).size()};
+    PackedViews facts = packed_facts(views, room.half());
+    room.take(facts.bytes);
+    PackedViews sections = packed_sections(std::span{views}.subspan(in_markup.size()), room.half());
+    room.take(sections.bytes);
+    room.take(take_pictures(in_markup, run_folder, std::min(room.half(), picture_budget(budget))));
+    middle += sections_of(in_markup);
+    PagePlanes planes = page_planes(views, run_folder, room.left());
+
     Page page;
-    for (std::string* text : {&begin, &planes.omissions, &end}) page.emplace_back(std::move(*text));
+    std::string remark = remark_on_length(views.size(), facts.views, in_markup.size() + sections.views);
+    for (std::string* text : {&begin, &remark, &planes.omissions, &middle, &end})
+        page.emplace_back(std::move(*text));
+    for (PackedViews* packed : {&facts, &sections})
+        std::ranges::move(packed->elements, std::back_inserter(page));
     std::ranges::move(planes.elements, std::back_inserter(page));
     page.emplace_back(script + "</body>\n</html>\n");
     return page;

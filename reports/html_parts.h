@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,7 @@ struct PagePicture {
     std::string name;       ///< "class": its files are class.png and class-small.png
     std::string caption;    ///< one sentence
     std::string data;       ///< data URI; empty where the picture is absent
-    bool left_out = false;  ///< there is a picture, but the budget is spent
+    bool left_out = false;  ///< there is a picture, but it is not in the page
 };
 
 /// A view and what its section shows of it.
@@ -28,11 +29,52 @@ struct PageView {
     const ViewResult* view = nullptr;
     std::string anchor;  ///< fragment of its section
     std::vector<PagePicture> pictures;
+    bool has_planes = false;  ///< is there a planes.zvp?
 };
 
-/// The views, failed first, with pictures read from run_folder as far as the budget (bytes as text) goes.
-std::vector<PageView> page_views(const Results& results, const std::filesystem::path& run_folder,
-                                 std::size_t budget);
+/// So many views stand in the page as markup, rows and sections; so many the script shows at once of a page
+/// that has more. The built-in suite and most runs of a user's own scenes have fewer.
+inline constexpr std::size_t views_in_markup = 200;
+
+/// The views, failed first, and what evidence run_folder has of them; their pictures are left out as yet.
+std::vector<PageView> page_views(const Results& results, const std::filesystem::path& run_folder);
+
+/// Reads pictures as far as the budget (bytes as text) goes; returns what they take of it.
+std::size_t take_pictures(std::span<PageView> views, const std::filesystem::path& run_folder,
+                          std::size_t budget);
+
+enum class Zeros { plain, quiet };
+
+/// A column of the summary behind verdict and name.
+struct SummaryColumn {
+    std::string heading;     ///< markup
+    std::string kind = "n";  ///< the classes of its cells
+    Zeros zeros = Zeros::plain;
+    std::string meaning = {};  ///< a hint at the heading
+};
+std::vector<SummaryColumn> summary_columns();
+
+/// What stands in these columns for a view that was judged; a line break is a '\n'.
+std::vector<std::string> summary_texts(const ViewResult& view);
+
+/// The table of views, in their order; empty where there are none.
+std::string html_summary(std::span<const PageView> views);
+
+/// The first of some views as elements of the page that its script unpacks: deflated (RFC 1950), in base64.
+struct PackedViews {
+    std::vector<std::string> elements;
+    std::size_t views = 0, bytes = 0;
+};
+
+/// What the script lists, searches and sorts, as many views as the budget (bytes) allows: elements "facts-0",
+/// "facts-1" ... with a JSON array of arrays each, whose values are named by fact_names().
+PackedViews packed_facts(std::span<const PageView> views, std::size_t budget);
+std::vector<std::string> fact_names();
+
+/// The sections of views, as many as the budget allows: elements "sections-0", "sections-1" ... with
+/// sections_in_pack of them each.
+PackedViews packed_sections(std::span<const PageView> views, std::size_t budget);
+inline constexpr std::size_t sections_in_pack = 20;
 
 /// What the viewer reads, as elements of the page: the run, and of each view's planes.zvp as much as the
 /// budget (bytes of the page) allows.
@@ -40,7 +82,7 @@ struct PagePlanes {
     Page elements;
     std::string omissions;  ///< a paragraph about what the page does not hold; empty where it holds all
 };
-PagePlanes page_planes(const std::vector<PageView>& pages, const std::filesystem::path& run_folder,
+PagePlanes page_planes(std::span<const PageView> views, const std::filesystem::path& run_folder,
                        std::size_t budget);
 
 /// The section of one view.

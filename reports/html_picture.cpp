@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "frame/whole_file.h"
 #include "reports/base64.h"
 #include "reports/html.h"
@@ -29,31 +31,50 @@ std::vector<Kind> kinds_of(const ViewResult& view) {
     return kinds;
 }
 
-PagePicture picture(const Kind& kind, const std::filesystem::path& folder, std::size_t budget) {
-    PagePicture result{.name = kind.name, .caption = kind.caption, .data = {}};
-    const std::string png = content_of(folder / (result.name + "-small.png"));
-    if (png.empty()) return result;
-    result.data = "data:image/png;base64," + base64(png);
-    result.left_out = result.data.size() > budget;
-    if (result.left_out) result.data.clear();
-    return result;
+std::filesystem::path file_of(const PagePicture& picture, const std::filesystem::path& folder) {
+    return folder / (picture.name + "-small.png");
+}
+
+std::vector<PagePicture> pictures_of(const ViewResult& view, const std::filesystem::path& folder) {
+    std::vector<PagePicture> pictures;
+    for (Kind& kind : kinds_of(view)) {
+        pictures.push_back({.name = std::move(kind.name), .caption = std::move(kind.caption), .data = {}});
+        pictures.back().left_out = std::filesystem::exists(file_of(pictures.back(), folder));
+    }
+    return pictures;
+}
+
+/// Reads the picture where it fits; returns its bytes in the page.
+std::size_t take(PagePicture& picture, const std::filesystem::path& folder, std::size_t budget) {
+    const std::string png = content_of(file_of(picture, folder));
+    std::string data = png.empty() ? "" : "data:image/png;base64," + base64(png);
+    picture.left_out = data.size() > budget;
+    if (!picture.left_out) picture.data = std::move(data);
+    return picture.data.size();
 }
 
 }  // namespace
 
-std::vector<PageView> page_views(const Results& results, const std::filesystem::path& run_folder,
-                                 std::size_t budget) {
+std::vector<PageView> page_views(const Results& results, const std::filesystem::path& run_folder) {
     std::vector<PageView> pages;
     for (const ViewResult* view : failed_first(results)) {
         PageView page{.view = view, .anchor = "view-" + std::to_string(pages.size() + 1), .pictures = {}};
-        if (!view->folder.empty())
-            for (const Kind& kind : kinds_of(*view)) {
-                page.pictures.push_back(picture(kind, run_folder / view->folder, budget));
-                budget -= page.pictures.back().data.size();
-            }
+        if (const std::filesystem::path folder = run_folder / view->folder; !view->folder.empty()) {
+            page.pictures = pictures_of(*view, folder);
+            page.has_planes = std::filesystem::exists(folder / "planes.zvp");
+        }
         pages.push_back(std::move(page));
     }
     return pages;
+}
+
+std::size_t take_pictures(std::span<PageView> views, const std::filesystem::path& run_folder,
+                          std::size_t budget) {
+    std::size_t taken = 0;
+    for (PageView& page : views)
+        for (PagePicture& picture : page.pictures)
+            taken += take(picture, run_folder / page.view->folder, budget - taken);
+    return taken;
 }
 
 }  // namespace zproof

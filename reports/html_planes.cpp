@@ -1,11 +1,9 @@
 #include <algorithm>
 
 #include "reports/class_colour.h"
-#include "reports/deep_link.h"
 #include "reports/html_parts.h"
 #include "reports/page_parts.h"
 #include "reports/planes/embedded.h"
-#include "reports/wording.h"
 
 namespace zproof {
 
@@ -14,6 +12,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int tiers = 5;
+constexpr std::size_t reserve_per_view = 2'000;  // for the names of what is left out
 
 /// The round in which a block asks for room in the page: what finds a defect, who was seen there, how deep,
 /// what oracles say, colours.
@@ -22,27 +21,6 @@ int tier_of(const std::string& block) {
     if (block.starts_with("oracle.")) return 3;
     if (block.ends_with(".depth") || block == "reference.error") return 2;
     return block.find('.') == std::string::npos ? 0 : 1;
-}
-
-json facts_of(const PageView& page, const planes::EmbeddedPlanes& embedded, std::size_t i) {
-    const ViewResult& v = *page.view;
-    json facts{{"anchor", page.anchor},
-               {"link", link_name(v)},
-               {"folder", v.folder},
-               {"scene", one_line(v.scene)},
-               {"view", one_line(v.view)},
-               {"outcome", name_of(v.outcome)},
-               {"message", one_line(v.message)},
-               {"candidate", one_line(v.candidate)},
-               {"reference", one_line(v.reference)},
-               {"width", v.width},
-               {"height", v.height},
-               {"triangles", v.triangles},
-               {"counts", v.counts},
-               {"leftOut", embedded.left_out(i)},
-               {"planes", embedded.has_planes(i)}};
-    if (v.diagnosis && v.diagnosis->cause) facts["cause"] = one_line(v.diagnosis->cause->name);
-    return facts;
 }
 
 json classes() {
@@ -58,22 +36,31 @@ json classes() {
     return all;
 }
 
+json columns() {
+    json all = json::array();
+    for (const SummaryColumn& column : summary_columns())
+        all.push_back({{"kind", column.kind}, {"quietZeros", column.zeros == Zeros::quiet}});
+    return all;
+}
+
 }  // namespace
 
-PagePlanes page_planes(const std::vector<PageView>& pages, const std::filesystem::path& run_folder,
+PagePlanes page_planes(std::span<const PageView> views, const std::filesystem::path& run_folder,
                        std::size_t budget) {
     std::vector<planes::PlanesFile> files;
-    for (const PageView& page : pages) {
-        const ViewResult& view = *page.view;
-        files.push_back({page.anchor, view.folder.empty() ? "" : run_folder / view.folder / "planes.zvp",
-                         view.outcome == Outcome::defective});
-    }
-    const planes::EmbeddedPlanes embedded(std::move(files), {tiers, tier_of}, budget);
-    json views = json::array();
-    for (std::size_t i = 0; i < pages.size(); ++i) views.push_back(facts_of(pages[i], embedded, i));
+    for (const PageView& page : views)
+        if (page.has_planes)
+            files.push_back({page.anchor, run_folder / page.view->folder / "planes.zvp",
+                             page.view->outcome == Outcome::defective});
+    const std::size_t reserved = files.size() * reserve_per_view;
+    const planes::EmbeddedPlanes embedded(std::move(files), {tiers, tier_of},
+                                          budget - std::min(budget, reserved));
     PagePlanes planes{{}, embedded.omissions()};
-    planes.elements.emplace_back(
-        planes::json_element("run", {{"views", std::move(views)}, {"classes", classes()}}));
+    planes.elements.emplace_back(planes::json_element("run", {{"classes", classes()},
+                                                              {"columns", columns()},
+                                                              {"facts", fact_names()},
+                                                              {"inMarkup", views_in_markup},
+                                                              {"inPack", sections_in_pack}}));
     embedded.append_to(planes.elements);
     return planes;
 }

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "reports/json.h"
 #include "reports/result_file.h"
@@ -285,7 +287,8 @@ void require_known_version(const std::string& version) {
                "x; use the zproof that wrote it");
 }
 
-Results results_from(const Json& root) {
+/// `views`: those that are no longer in `root`.
+Results results_from(const Json& root, std::vector<ViewResult> views) {
     require_known_version(root.at("schema_version"));
     const Json& run = root.at("run");
     Results results{.version = run.at("version"),
@@ -296,7 +299,7 @@ Results results_from(const Json& root) {
                     .threads = whole_number<int>(run.at("threads")),
                     .isa = run.value("isa", ""),
                     .renderers = {},
-                    .views = {}};
+                    .views = std::move(views)};
     for (const Json& one : run.at("renderers"))
         results.renderers.push_back({.name = one.at("name"),
                                      .version = one.at("version"),
@@ -307,16 +310,51 @@ Results results_from(const Json& root) {
     return results;
 }
 
+/// What is wrong with view number `i`, and where.
+std::string fault_in_view(const Json::exception& e, std::size_t i) {
+    const std::string fault = json_fault(e), place = "(/views/" + std::to_string(i);
+    return place + (fault.starts_with("(/") ? fault.substr(1) : ") " + fault);
+}
+
+/// Takes each view from the parser as soon as it is read: all of them as JSON would take many times the room.
+class ViewReader {
+  public:
+    /// The parser's callback; false: the parser forgets what it has read.
+    bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
+        if (depth == 1 && event == Json::parse_event_t::key) key_ = parsed;
+        if (depth == 1 && event == Json::parse_event_t::value && key_ == "schema_version")
+            require_known_version(parsed);
+        if (depth != 2 || event != Json::parse_event_t::object_end || key_ != "views") return true;
+        take(Json(std::move(parsed)));  // without the parser's array around it, which is always at 0
+        return false;
+    }
+
+    std::vector<ViewResult> views;
+
+  private:
+    void take(const Json& one) {
+        try {
+            views.push_back(view(one));
+        } catch (const Json::exception& e) {
+            refuse(fault_in_view(e, views.size()));
+        }
+    }
+
+    std::string key_;  ///< of the root, that the parser is at
+};
+
 }  // namespace
 
 Results results_from_json(const std::string& text) try {
-    return results_from(Json::parse(text));
+    ViewReader reader;
+    const Json root = Json::parse(text, std::ref(reader));
+    return results_from(root, std::move(reader.views));
 } catch (const Json::exception& e) {
     refuse(json_fault(e));
 }
 
 Results results_from_message_pack(const std::string& bytes) try {
-    return results_from(Json::from_msgpack(bytes));
+    return results_from(Json::from_msgpack(bytes), {});
 } catch (const Json::exception& e) {
     refuse(json_fault(e));
 }

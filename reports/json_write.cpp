@@ -2,6 +2,8 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 
 #include "reports/json.h"
 #include "reports/waiver_json.h"
@@ -263,9 +265,8 @@ Json summary_object(const Results& results) {
     return summary;
 }
 
-Json root_object(const Results& results) {
-    Json views = Json::array();
-    for (const ViewResult& view : results.views) views.push_back(view_object(view));
+/// All of it, with those views.
+Json root_object(const Results& results, Json views) {
     return {{"schema_version", Results::schema_version},
             {"run", run_object(results)},
             {"selection",
@@ -274,18 +275,43 @@ Json root_object(const Results& results) {
               {"passed_over", results.selection.passed_over}}},
             {"summary", summary_object(results)},
             {"waivers", waivers(results)},
-            {"views", views}};
+            {"views", std::move(views)}};
+}
+
+std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace); }
+
+/// A view as an element of the root's last array: its lines stand two steps further in. A line break stands
+/// between tokens only.
+std::string element_text(const ViewResult& view) {
+    std::string text = "\n  ";
+    for (const char c : text_of(view_object(view))) {
+        text += c;
+        if (c == '\n') text += "  ";
+    }
+    return text;
 }
 
 }  // namespace
 
+void write_json(const TextSink& out, const Results& results) {
+    constexpr std::string_view end = "]\n}";
+    std::string text = text_of(root_object(results, Json::array()));
+    text.resize(text.size() - end.size());
+    out(text);
+    for (const ViewResult& view : results.views)
+        out((&view == results.views.data() ? "" : ",") + element_text(view));
+    out((results.views.empty() ? "" : "\n ") + std::string{end} + "\n");
+}
+
 std::string to_json(const Results& results) {
-    return root_object(results).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return collected([&](const TextSink& out) { write_json(out, results); });
 }
 
 std::string to_message_pack(const Results& results) {
     std::string bytes;
-    Json::to_msgpack(root_object(results), bytes);
+    Json views = Json::array();
+    for (const ViewResult& view : results.views) views.push_back(view_object(view));
+    Json::to_msgpack(root_object(results, std::move(views)), bytes);
     return bytes;
 }
 

@@ -106,19 +106,23 @@ std::string test_case(const ViewResult& v) {
            "    </testcase>\n";
 }
 
-std::string test_suite(const Suite& suite) {
-    std::string text = "  <testsuite" + attribute("name", suite.name) + totals(suite.cases) + ">\n";
-    for (const ViewResult* v : suite.cases) text += test_case(*v);
-    return text + "  </testsuite>\n";
+void write_suite(const TextSink& out, const Suite& suite) {
+    out("  <testsuite" + attribute("name", suite.name) + totals(suite.cases) + ">\n");
+    for (const ViewResult* v : suite.cases) out(test_case(*v));
+    out("  </testsuite>\n");
 }
 
 }  // namespace
 
+void write_junit(const TextSink& out, const Results& results) {
+    out("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + attribute("name", "zproof") +
+        totals(failed_first(results)) + ">\n");
+    for (const Suite& suite : suites_of(results)) write_suite(out, suite);
+    out("</testsuites>\n");
+}
+
 std::string to_junit(const Results& results) {
-    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" +
-                       attribute("name", "zproof") + totals(failed_first(results)) + ">\n";
-    for (const Suite& suite : suites_of(results)) text += test_suite(suite);
-    return text + "</testsuites>\n";
+    return collected([&](const TextSink& out) { write_junit(out, results); });
 }
 
 }  // namespace zproof

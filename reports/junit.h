@@ -4,6 +4,7 @@
 #include <string>
 
 #include "reports/results.h"
+#include "reports/text_sink.h"
 
 namespace zproof {
 
@@ -12,6 +13,7 @@ namespace zproof {
 /// unreadable input is an <error>. Waived pixels fail nothing; the case says how many there are and by which
 /// waiver. Cases with evidence name class.png in the attachment notation of Jenkins
 /// and GitLab.
-std::string to_junit(const Results& results);
+void write_junit(const TextSink& out, const Results& results);
+std::string to_junit(const Results& results);  ///< the same, in memory
 
 }  // namespace zproof

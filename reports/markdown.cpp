@@ -82,41 +82,53 @@ std::string waiver_row(const WaiverStatus& s) {
            plain(s.waiver->reason) + " | " + plain(s.waiver->link) + " |\n";
 }
 
-std::vector<std::string> waiver_lines(const Results& results) {
-    const std::vector<WaiverStatus> statuses = waiver_statuses(results);
-    if (statuses.empty()) return {};
-    std::vector<std::string> parts{
-        "\n### Waivers\n\n| waiver | state | scene | pixels let pass | until | reason | link |\n"
-        "|---|---|---|---:|---|---|---|\n"};
-    for (const WaiverStatus& status : statuses) parts.push_back(waiver_row(status));
-    return parts;
-}
+/// Lines of at most so many bytes together, and how many lines more there were.
+class BoundedLines {
+  public:
+    explicit BoundedLines(std::size_t most_bytes) : room_(most_bytes - room_for_remark) {}
 
-/// All of it, in pieces that may be left out one by one from the end.
-std::vector<std::string> parts_of(const Results& results) {
-    std::vector<std::string> parts{markdown_headline(results) +
-                                   "| verdict | scene | view | pixels | defects | waived | error / bound |\n"
-                                   "|---|---|---|---:|---:|---:|---:|\n"};
-    for (const ViewResult* v : failed_first(results)) parts.push_back(row(*v));
-    std::ranges::move(waiver_lines(results), std::back_inserter(parts));
-    parts.emplace_back("\n");
-    for (const ViewResult* v : failed_first(results))
-        if (v->outcome != Outcome::proven) parts.push_back(view_story(*v));
-    return parts;
+    void add(const std::string& line) {
+        if (left_out_ > 0 || text_.size() + line.size() > room_)
+            ++left_out_;
+        else
+            text_ += line;
+    }
+
+    std::string text() const {
+        if (left_out_ == 0) return text_;
+        return text_ + "\n" + counted(left_out_, "line") +
+               " left out, for a summary has its limits; results.json has everything.\n";
+    }
+
+  private:
+    std::size_t room_, left_out_ = 0;
+    std::string text_;
+};
+
+void add_waivers(BoundedLines& lines, const Results& results) {
+    const std::vector<WaiverStatus> statuses = waiver_statuses(results);
+    if (statuses.empty()) return;
+    lines.add(
+        "\n### Waivers\n\n| waiver | state | scene | pixels let pass | until | reason | link |\n"
+        "|---|---|---|---:|---|---|---|\n");
+    for (const WaiverStatus& status : statuses) lines.add(waiver_row(status));
 }
 
 }  // namespace
 
 std::string to_markdown(const Results& results) {
-    std::string text;
-    const std::vector<std::string> parts = parts_of(results);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (text.size() + parts[i].size() > largest_summary - room_for_remark)
-            return text + "\n" + counted(parts.size() - i, "line") +
-                   " left out, for a summary has its limits; results.json has everything.\n";
-        text += parts[i];
-    }
-    return text;
+    const std::vector<const ViewResult*> views = failed_first(results);
+    BoundedLines stories{largest_summary / 2};
+    add_waivers(stories, results);
+    stories.add("\n");
+    for (const ViewResult* v : views)
+        if (v->outcome != Outcome::proven) stories.add(view_story(*v));
+    BoundedLines table{largest_summary - stories.text().size()};
+    table.add(markdown_headline(results) +
+              "| verdict | scene | view | pixels | defects | waived | error / bound |\n"
+              "|---|---|---|---:|---:|---:|---:|\n");
+    for (const ViewResult* v : views) table.add(row(*v));
+    return table.text() + stories.text();
 }
 
 }  // namespace zproof

@@ -13,7 +13,8 @@ inline constexpr std::size_t largest_summary = 1'000'000;
 
 /// Verdict in a sentence, a table of the views (failed first), the story of those that fail, and what the
 /// waivers did. Text only: names are escaped, so that a scene can neither write markup nor break the table.
-/// Never larger than largest_summary bytes; what was left out is said.
+/// Never larger than largest_summary bytes, of which the table takes what stories and waivers leave, at least
+/// half; what was left out is said.
 std::string to_markdown(const Results& results);
 
 }  // namespace zproof

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
-#include <ostream>
-#include <sstream>
-#include <utility>
+#include <string_view>
 
 #include "reports/base64.h"
 
@@ -63,10 +61,10 @@ class PieceReader {
     std::uint64_t done_ = 0;  ///< of that range
 };
 
-void write(std::ostream& out, const std::string& text) { out << text; }
+void write(const TextSink& out, const std::string& text) { out(text); }
 
 /// While one thread writes a piece, others make the next ones.
-void write(std::ostream& out, const FileAsBase64& source) {
+void write(const TextSink& out, const FileAsBase64& source) {
     PieceReader reader(source);
     const auto read = [&](tbb::flow_control& flow) {
         std::string piece = reader.next();
@@ -80,25 +78,23 @@ void write(std::ostream& out, const FileAsBase64& source) {
             tbb::make_filter<std::string, std::string>(
                 filter_mode::parallel, [](const std::string& piece) { return base64(piece); }) &
             tbb::make_filter<std::string, void>(filter_mode::serial_in_order,
-                                                [&](const std::string& text) { out << text; }));
-}
-
-void write(std::ostream& out, const Page& page) {
-    for (const PagePiece& piece : page) std::visit([&](const auto& content) { write(out, content); }, piece);
+                                                [&](const std::string& text) { out(text); }));
 }
 
 }  // namespace
 
+void write_page(const TextSink& out, const Page& page) {
+    for (const PagePiece& piece : page) std::visit([&](const auto& content) { write(out, content); }, piece);
+}
+
 void write_page(const std::filesystem::path& file, const Page& page) {
     std::ofstream out(file, std::ios::binary);
-    write(out, page);
+    write_page([&](std::string_view text) { out << text; }, page);
     if (!out.flush()) throw ReportError(file.string() + ": cannot be written; is the disk full?");
 }
 
 std::string text_of(const Page& page) {
-    std::ostringstream out;
-    write(out, page);
-    return std::move(out).str();
+    return collected([&](const TextSink& out) { write_page(out, page); });
 }
 
 }  // namespace zproof

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reports/report_error.h"
+#include "reports/text_sink.h"
 
 namespace zproof {
 
@@ -29,8 +30,11 @@ using PagePiece = std::variant<std::string, FileAsBase64>;
 /// Its pieces one after another are its text.
 using Page = std::vector<PagePiece>;
 
-/// Replaces `file`; base64 is made on the threads of the surrounding tbb::task_arena. Throws ReportError
-/// where one of the files cannot be read, or `file` be written.
+/// Puts the page out; base64 is made on the threads of the surrounding tbb::task_arena. Throws ReportError
+/// where one of the files cannot be read.
+void write_page(const TextSink& out, const Page& page);
+
+/// The same, in place of `file`. Throws ReportError where it cannot be written.
 void write_page(const std::filesystem::path& file, const Page& page);
 
 /// The text of the page that write_page() writes.

@@ -233,7 +233,6 @@ nlohmann::json study_facts(const StudyResults& results, const planes::EmbeddedPl
                          {"message", ""},
                          {"width", view.width},
                          {"height", view.height},
-                         {"leftOut", embedded.left_out(i)},
                          {"planes", embedded.has_planes(i)}});
     }
     for (const RegionCard& region : results.regions)

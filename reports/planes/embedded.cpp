@@ -48,6 +48,7 @@ void EmbeddedPlanes::take(Choice& choice, int tier, const Tiers& tiers, std::siz
 FileAsBase64 EmbeddedPlanes::taken_from(const Choice& choice) {
     FileAsBase64 bytes{.front = {}, .file = choice.source.file, .ranges = {}};
     Directory kept{choice.directory.header, {}};
+    if (const nlohmann::json names = left_out(choice); !names.empty()) kept.header["leftOut"] = names;
     for (std::size_t i = 0; i < choice.taken.size(); ++i) {
         if (!choice.taken[i]) continue;
         kept.blocks.push_back(choice.directory.blocks[i]);
@@ -66,8 +67,8 @@ void EmbeddedPlanes::append_to(Page& page) const {
     }
 }
 
-nlohmann::json EmbeddedPlanes::left_out(std::size_t view) const {
-    const Choice& choice = choices_[view];
+/// Names of blocks.
+nlohmann::json EmbeddedPlanes::left_out(const Choice& choice) {
     nlohmann::json names = nlohmann::json::array();
     for (std::size_t i = 0; i < choice.taken.size(); ++i)
         if (!choice.taken[i]) names.push_back(choice.directory.blocks[i].name);

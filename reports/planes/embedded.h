@@ -31,7 +31,7 @@ class EmbeddedPlanes {
     EmbeddedPlanes(std::vector<PlanesFile> files, const Tiers& tiers, std::size_t budget);
 
     bool has_planes(std::size_t view) const { return !choices_[view].taken.empty(); }
-    nlohmann::json left_out(std::size_t view) const;  ///< names of blocks
+    /// The containers of what it takes; the headers of those that lack blocks name them in "leftOut".
     void append_to(Page& page) const;
     /// What a reader must know of what the page does not hold; empty where it holds all.
     std::string omissions() const;
@@ -47,6 +47,7 @@ class EmbeddedPlanes {
     static bool has_guess(const Choice& choice, std::size_t i);
     static void take(Choice& choice, int tier, const Tiers& tiers, std::size_t& budget);
     static FileAsBase64 taken_from(const Choice& choice);
+    static nlohmann::json left_out(const Choice& choice);
 
     std::vector<Choice> choices_;
 };

@@ -121,6 +121,16 @@ TEST(Markdown, StaysBelowTheLimitAndSaysWhatItLeftOut) {
     EXPECT_EQ(to_markdown(many(3)).find("left out"), std::string::npos);
 }
 
+TEST(Markdown, TellsWhatFailsHoweverManyViewsAreProven) {
+    Results r = waived_run();
+    const ViewResult proven = sample_results().views[0];
+    r.views.insert(r.views.end(), 40'000, proven);
+    const std::string few = to_markdown(waived_run()), text = to_markdown(r);
+    EXPECT_LE(text.size(), largest_summary);
+    EXPECT_EQ(occurrences(text, " left out, for a summary has its limits"), 1u);
+    EXPECT_TRUE(text.ends_with(few.substr(few.find("\n### Waivers")))) << "waivers and stories";
+}
+
 TEST(Csv, HasARowPerViewAndClassAndAsManyFieldsInEach) {
     const auto lines = lines_of(to_csv(waived_run()));
     ASSERT_EQ(lines.size(), std::size_t(1 + pixel_class_count));

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -59,6 +60,19 @@ TEST(Json, OfARunWithWaiversFitsTheSchema) { EXPECT_EQ(objections(Json::parse(to
 TEST(Json, ReadsBackToTheSameResults) {
     const std::string text = to_json(sample_results());
     EXPECT_EQ(to_json(results_from_json(text)), text);
+}
+
+TEST(Json, HasTheBytesOfOneDocumentThoughItIsPutOutViewByView) {
+    Results results = sample_results();
+    for (const std::size_t count : {4u, 1u, 0u}) {
+        results.views.resize(count);
+        std::vector<std::string> pieces;
+        write_json([&](std::string_view piece) { pieces.emplace_back(piece); }, results);
+        EXPECT_EQ(pieces.size(), count + 2) << "what stands before the views, each view, and the end";
+        const std::string text = to_json(results);
+        EXPECT_EQ(std::accumulate(pieces.begin(), pieces.end(), std::string{}), text);
+        EXPECT_EQ(nlohmann::ordered_json::parse(text).dump(1) + "\n", text);
+    }
 }
 
 TEST(Json, KeepsAWrongAttribute) {

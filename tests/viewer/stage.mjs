@@ -43,8 +43,14 @@ export async function openReport(browser, folder, hash = '', options = {}, name 
         if (!url.startsWith(`file://${folder}/${name}`) && !/^(data|blob):/.test(url)) page.trouble.push('request: ' + url);
     });
     await page.goto(`file://${folder}/${name}${hash}`);
+    if (options.javaScriptEnabled !== false) await isReady(page);
     if (hash) await viewerShows(page);
     return page;
+}
+
+/// Waits until a page with a viewer has read what it says of its views.
+export async function isReady(page) {
+    await page.waitForFunction(() => 'ready' in document.documentElement.dataset || !document.querySelector('#run, #study'));
 }
 
 /// Waits until the viewer shows a view (any, or the named one) with all that it decodes.

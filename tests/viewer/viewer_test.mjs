@@ -4,7 +4,7 @@ import {readFileSync, readdirSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, describe, it} from 'node:test';
 import {readExr, writeExr} from './exr.mjs';
-import {choose, countColour, crc32, frames, makeFolder, openBrowser, openReport, paneDigest, pixelShown, press, removeFolder,
+import {choose, countColour, crc32, frames, isReady, makeFolder, openBrowser, openReport, paneDigest, pixelShown, press, removeFolder,
         says, shell, viewerShows, zproof} from './stage.mjs';
 
 const small = ['--width', '480', '--height', '270'];
@@ -271,6 +271,7 @@ describe('a single wrong pixel of two million', () => {
         await viewerShows(page);
         assert.equal(await countColour(page, 0, [255, 255, 255]) >= 9, true, 'a dot of 3 x 3');
         await page.reload();
+        await isReady(page);
         await press(page, 'n');
         await viewerShows(page);
         assert.deepEqual(await pixelShown(page), [1234, 700]);

@@ -115,10 +115,11 @@ export class App {
         this.subject.inspector.show(null, -1, -1);
         if (planes) await this.subject.open(planes);
         this.subject.drawer.show();
-        if (!planes) return this.notice.tell(view.message || 'This page holds no planes of this view.');
+        if (!planes) return this.notice.tell(view.message || 'This page holds no planes of this view' +
+            (view.planes ? `: they are in ${view.folder}/planes.zvp, which O opens.` : '.'));
         current.look.fit(this.panes.size);
         await Promise.all([
-            this.panes.open(planes, this.subject.layers(planes, view), current.look),
+            this.panes.open(planes, this.subject.layers(planes), current.look),
             ...this.subject.atOnce(planes).filter((name) => planes.has(name)).map((name) => planes.plane(name)),
         ]);
         const ticket = ++this.completing;
@@ -143,7 +144,7 @@ export class App {
         const ticket = ++this.completing;
         delete this.root.dataset.complete;
         await this.subject.open(planes);
-        await this.panes.setLayers(this.subject.layers(planes, entry));
+        await this.panes.setLayers(this.subject.layers(planes));
         if (ticket !== this.completing) return;
         this.subject.drawer.show();
         this.subject.drawer.clearFilter();
@@ -156,8 +157,7 @@ export class App {
         const anchor = this.current.entry?.anchor;
         this.root.hidden = true;
         document.body.classList.remove('viewing');
-        history.replaceState(null, '', '#' + (anchor ?? ''));
-        if (anchor) document.getElementById(anchor)?.scrollIntoView();
+        location.replace('#' + (anchor ?? ''));  // whoever shows sections listens to the address
     }
 
     /// The viewer where the summary is, and the other way round.

@@ -21,7 +21,7 @@ export type Study = {truth: string; regions: {name: string; definition: string}[
 export const studyLayers = ['method', 'truth', 'signed', 'other'];
 
 const entryStyle: EntryStyle = {
-    words: () => '',
+    words: (view) => `${view.scene} ${view.view}`,
     mark: () => ({text: '·', kind: 'quiet', title: 'studied'}),
     line: (view) => ({kind: 'quiet', text: `${view.width} × ${view.height}`}),
     bar: () => null,
@@ -109,7 +109,7 @@ export function filterStudyOf(study: Study, stage: Stage): Subject {
             }
             await Promise.all([choice.method, choice.other].map((label) => open!.need(label)));
         },
-        layers: (planes, view) => open ? filterLayers(open, choice.method, choice.other, new Set([...planes.names(), ...view.leftOut])) : [],
+        layers: (planes) => open ? filterLayers(open, choice.method, choice.other, new Set([...planes.names(), ...planes.leftOut])) : [],
         atOnce: () => ['half_width', 'major', 'minor', 'lod'],
         later: (planes) => [`method.${choice.method}.flip`].filter((name) => planes.has(name)),
         place: () => ({method: choice.method, other: choice.other}),

@@ -30,6 +30,8 @@ export class Planes {
     get width(): number { return this.header.width; }
     get height(): number { return this.header.height; }
     get pixelCount(): number { return this.width * this.height; }
+    /// Names of what the page does not hold of it.
+    get leftOut(): string[] { return this.header.leftOut ?? []; }
     names(): string[] { return [...this.container.blocks.keys()].filter((name) => this.has(name)); }
     /// Can it be decoded?
     has(name: string): boolean {

@@ -1,7 +1,11 @@
 // The list of views in the page's order, searched by name, filtered by what its subject offers.
 import {element, replaceChildren} from './element';
+import {grouped} from './numbers';
 import type {ViewEntry} from './run';
+import {Search} from './search';
 import type {EntryStyle} from './subject';
+
+const mostShown = 200;  // a browser takes long over a list of thousands
 
 export class SceneList {
     readonly search = element('input', {type: 'search', placeholder: 'Search  /', 'aria-label': 'search views'});
@@ -9,10 +13,12 @@ export class SceneList {
     private readonly list = element('ul', {class: 'views'});
     readonly root = element('nav', {class: 'scenes', 'aria-label': 'views'}, this.search, this.chips, this.list);
     private readonly wanted = new Set<number>();
+    private readonly names: Search;
     private current = -1;
 
     constructor(private readonly views: ViewEntry[], private readonly style: EntryStyle,
                 private readonly open: (index: number) => void) {
+        this.names = new Search(views.length, (i) => style.words(views[i]));
         this.search.addEventListener('input', () => this.fill());
         this.search.addEventListener('keydown', (event) => {
             if (event.key === 'Enter' && this.visible().length) this.open(this.visible()[0]);
@@ -40,18 +46,18 @@ export class SceneList {
     }
 
     visible(): number[] {
-        const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
-        return this.views.map((_, i) => i).filter((i) => {
-            const view = this.views[i], text = `${view.scene} ${view.view} ${this.style.words(view)}`.toLowerCase();
-            return words.every((word) => text.includes(word)) &&
-                (!this.wanted.size || [...this.wanted].some((chip) => this.style.chips[chip].holds(view)));
-        });
+        return this.names.matching(this.search.value).filter((i) =>
+            !this.wanted.size || [...this.wanted].some((chip) => this.style.chips[chip].holds(this.views[i])));
     }
 
+    /// Of many, those around the current one.
     private fill(): void {
-        const shown = this.visible();
+        const all = this.visible(), at = Math.max(0, all.indexOf(this.current) - mostShown / 2);
+        const shown = all.slice(Math.min(at, Math.max(0, all.length - mostShown))).slice(0, mostShown);
+        const others = all.length - shown.length;
         replaceChildren(this.list, ...shown.map((i) => this.entry(this.views[i], i)),
-            shown.length === 0 && element('li', {class: 'quiet'}, 'No view matches.'));
+            all.length === 0 && element('li', {class: 'quiet'}, 'No view matches.'),
+            others > 0 && element('li', {class: 'quiet'}, `${grouped(others)} more: search for them.`));
     }
 
     private entry(view: ViewEntry, i: number): HTMLElement {

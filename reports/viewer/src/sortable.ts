@@ -3,6 +3,7 @@
 //   <table class="sortable">: the last row of its thead holds the headings. A cell's key is its data-key or data-value, else its
 //   text; keys that are numbers ("1,234", "0.93", "41 %", "1.2e+07") sort as numbers. Rows without a key stay last.
 //   <th class="unsortable">: not this column. <th data-first="ascending">: the first click sorts so; else it is descending.
+//   A table of which the page shows a part only listens to `sort` events, and prevents what they do by default.
 
 type Key = {number: number; text: string};
 
@@ -14,10 +15,9 @@ export function leadingNumber(text: string): number {
     return /inf/i.test(plain) ? (plain.startsWith('-') ? -Infinity : Infinity) : Number(plain);
 }
 
-function keyOf(row: HTMLTableRowElement, column: number): Key {
+function keyTextOf(row: HTMLTableRowElement, column: number): string {
     const cell = row.cells[column];
-    const text = (cell?.dataset.key ?? cell?.dataset.value ?? cell?.textContent ?? '').trim();
-    return {number: leadingNumber(text), text};
+    return (cell?.dataset.key ?? cell?.dataset.value ?? cell?.textContent ?? '').trim();
 }
 
 function compare(a: Key, b: Key): number {
@@ -27,14 +27,21 @@ function compare(a: Key, b: Key): number {
     return a.text.localeCompare(b.text);
 }
 
-function sortBy(table: HTMLTableElement, column: number, direction: 1 | -1): void {
+export type SortOrder = {column: number; direction: 1 | -1};
+
+/// The places of cells, by their texts; those without one come last.
+export function sortedPlaces(texts: string[], direction: 1 | -1): number[] {
+    const keys = texts.map((text) => ({number: leadingNumber(text), text}));
+    return keys.map((_, place) => place).sort((a, b) => {
+        if (!keys[a].text || !keys[b].text) return keys[a].text ? -1 : keys[b].text ? 1 : a - b;
+        return direction * compare(keys[a], keys[b]) || a - b;
+    });
+}
+
+function sortRows(table: HTMLTableElement, {column, direction}: SortOrder): void {
     for (const body of table.tBodies) {
-        const keyed = [...body.rows].map((row, place) => ({row, place, key: keyOf(row, column)}));
-        keyed.sort((a, b) => {
-            if (!a.key.text || !b.key.text) return a.key.text ? -1 : b.key.text ? 1 : a.place - b.place;
-            return direction * compare(a.key, b.key) || a.place - b.place;
-        });
-        body.append(...keyed.map((entry) => entry.row));
+        const rows = [...body.rows], texts = rows.map((row) => keyTextOf(row, column));
+        body.append(...sortedPlaces(texts, direction).map((place) => rows[place]));
     }
 }
 
@@ -43,7 +50,8 @@ function activate(table: HTMLTableElement, headings: HTMLTableCellElement[], hea
     const direction = (now ? now === 'descending' : first === 'ascending') ? 1 : -1;
     for (const other of headings) other.removeAttribute('aria-sort');
     heading.setAttribute('aria-sort', direction === 1 ? 'ascending' : 'descending');
-    sortBy(table, heading.cellIndex, direction);
+    const detail: SortOrder = {column: heading.cellIndex, direction};
+    if (table.dispatchEvent(new CustomEvent('sort', {detail, cancelable: true}))) sortRows(table, detail);
 }
 
 function prepare(table: HTMLTableElement): void {

@@ -60,7 +60,7 @@ export type Subject = {
     entries: EntryStyle;
     facts(view: ViewEntry): string;                     // for the title
     open(planes: Planes): Promise<void>;                // what the parts ask of every view
-    layers(planes: Planes, view: ViewEntry): Layer[];
+    layers(planes: Planes): Layer[];
     atOnce(planes: Planes): string[];                   // planes to decode before the view is shown
     later(planes: Planes): string[];                    // and soon after
     place(): Partial<LinkTarget>;                       // its own part of a link

@@ -31,15 +31,20 @@ function linkTop(views: ViewEntry[], key: string, meaning: string): void {
             element('kbd', {}, '?'), ' all keys')]);
 }
 
+/// The section of a view, where the viewer can show it.
+export function linkSection(section: HTMLElement, view: ViewEntry): void {
+    if (!view.planes) return;
+    section.querySelector('h2')?.append(' ',
+        element('a', {class: 'inspect', href: hashOf({view: view.link})}, 'Open in the viewer'));
+    linkRows(section, view);
+    linkPictures(section, view);
+}
+
 /// `key` and `meaning`: the key that goes to what is worth a look first.
 export function linkSummary(views: ViewEntry[], key: string, meaning: string): void {
     linkTop(views, key, meaning);
     for (const view of views) {
         const section = document.getElementById(view.anchor);
-        if (!section || !view.planes) continue;
-        section.querySelector('h2')?.append(' ',
-            element('a', {class: 'inspect', href: hashOf({view: view.link})}, 'Open in the viewer'));
-        linkRows(section, view);
-        linkPictures(section, view);
+        if (section) linkSection(section, view);
     }
 }

@@ -6,22 +6,40 @@ import {linkCrops} from './crops';
 import {buildFrame} from './frame';
 import {filterStudyOf, studyLayers} from './filter_study';
 import type {Study} from './filter_study';
-import {readFacts} from './run';
+import {readFacts, readRun} from './run';
 import type {Run} from './run';
+import {Sections} from './sections';
 import {makeTablesSortable} from './sortable';
-import {linkSummary} from './summary';
+import {linkSection, linkSummary} from './summary';
+import {SummaryTable} from './summary_table';
 import {firstLayers as visibilityLayers, visibilityOf} from './visibility';
 
-makeTablesSortable(document);
-linkCrops(document);
-linkCharts(document);
-const run = readFacts<Run>('run'), study = readFacts<Study>('study');
-if (run?.views.some((view) => view.planes)) {
-    linkSummary(run.views, 'N', 'the first defect');
-    start(new App(run.views, visibilityLayers, (stage) => visibilityOf(run, stage)));
-} else if (study?.views.some((view) => view.planes)) {
-    linkSummary(study.views, 'N', 'the worst pixel');
-    start(new App(study.views, studyLayers, (stage) => filterStudyOf(study, stage)));
+void main();
+
+async function main(): Promise<void> {
+    makeTablesSortable(document);
+    linkCrops(document);
+    linkCharts(document);
+    const run = await readRun(), study = readFacts<Study>('study');
+    if (run?.views.some((view) => view.planes)) {
+        linkSummary(run.views, 'N', 'the first defect');
+        start(new App(run.views, visibilityLayers, (stage) => visibilityOf(run, stage)));
+    } else if (study?.views.some((view) => view.planes)) {
+        linkSummary(study.views, 'N', 'the worst pixel');
+        start(new App(study.views, studyLayers, (stage) => filterStudyOf(study, stage)));
+    }
+    if (run) turnPages(run);
+    document.documentElement.dataset.ready = '';  // for whoever drives the page
+}
+
+/// A run that the page cannot show at once.
+function turnPages(run: Run): void {
+    const table = document.querySelector<HTMLTableElement>('table.summary.sortable');
+    if (!table || run.views.length <= run.inMarkup) return;
+    new SummaryTable(table, run, new Sections(run, (section, view) => {
+        makeTablesSortable(section);
+        linkSection(section, view);
+    }));
 }
 
 function start(app: App): void {

@@ -6,7 +6,7 @@ import {Inspector} from './inspector';
 import {layersOf} from './layers';
 import {counted, grouped, rounded} from './numbers';
 import type {Planes} from './planes';
-import {defects, differing} from './run';
+import {defects, differing, outcomeInWords, outcomeMarks, wordsOf} from './run';
 import type {JudgedView, Run, ViewEntry} from './run';
 import type {EntryStyle, Stage, Subject} from './subject';
 import {Walk} from './walk';
@@ -14,16 +14,13 @@ import {WorstTable} from './worst';
 
 export const firstLayers = ['class', 'candidate.id', 'candidate.error', 'reference.id'];
 
-const marks: Record<string, string> = {proven: '✓', defective: '✗', undecided: '?', unreadable: '!', not_judged: '?',
-    internal_error: '!'};
-
 /// Every view of a run is judged.
 function judged(view: ViewEntry): JudgedView { return view as JudgedView; }
 
 function entryStyle(run: Run): EntryStyle {
     return {
-        words: (view) => `${judged(view).outcome} ${judged(view).cause ?? ''}`,
-        mark: (view) => ({text: marks[judged(view).outcome] ?? '?', kind: judged(view).outcome, title: judged(view).outcome.replace('_', ' ')}),
+        words: (view) => wordsOf(judged(view), run.classes),
+        mark: (view) => ({text: outcomeMarks[judged(view).outcome], kind: judged(view).outcome, title: outcomeInWords(judged(view))}),
         line(view) {
             const wrong = defects(judged(view), run.classes);
             return {kind: wrong ? 'defective' : 'quiet', text: wrong ? counted(wrong, 'defect')
@@ -70,7 +67,7 @@ export function visibilityOf(run: Run, stage: Stage): Subject {
         facts: (view) => `${judged(view).candidate} against ${judged(view).reference}, ${view.width} × ${view.height}, ` +
             counted(judged(view).triangles, 'triangle'),
         open: async () => {},
-        layers: (planes, view) => layersOf(run.classes, new Set([...planes.names(), ...view.leftOut]), planes.judged.oracles),
+        layers: (planes) => layersOf(run.classes, new Set([...planes.names(), ...planes.leftOut]), planes.judged.oracles),
         atOnce: () => ['candidate.id', 'reference.id', 'candidate.error'],
         later: (planes: Planes) => planes.names().filter((name) => /^oracle\..*\.(id|depth)$|^reference\.error$/.test(name)),
         place: () => ({}),
