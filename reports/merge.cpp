@@ -69,9 +69,21 @@ bool is_before(const ViewResult& a, const ViewResult& b) {
     return std::pair{a.place, a.view_place} < std::pair{b.place, b.view_place};
 }
 
-bool stand_for_the_same(const ViewResult& a, const ViewResult& b) {
+bool have_one_place(const ViewResult& a, const ViewResult& b) {
     return std::tuple{a.place, a.view_place, a.scene_views} ==
            std::tuple{b.place, b.view_place, b.scene_views};
+}
+
+/// Of a scene that could not be read, each of its shards says so.
+bool stand_for_one_scene(const ViewResult& a, const ViewResult& b) {
+    return have_one_place(a, b) && a.scene_views == 0;
+}
+
+void require_each_view_once(const std::vector<ViewResult>& views, const std::string& name) {
+    const auto twice = std::ranges::adjacent_find(views, have_one_place);
+    if (twice != views.end())
+        refuse(name,
+               "view " + twice->view + " of " + twice->scene + " is in two shards; run the shards again");
 }
 
 /// The views of each scene together.
@@ -166,8 +178,9 @@ Results Merging::put_together() && {
     whole.shard = {};
     whole.argv = without_shard_words(whole.argv);
     std::ranges::stable_sort(whole.views, is_before);
-    const auto repeated = std::ranges::unique(whole.views, stand_for_the_same);
+    const auto repeated = std::ranges::unique(whole.views, stand_for_one_scene);
     whole.views.erase(repeated.begin(), repeated.end());
+    require_each_view_once(whole.views, first_);
     for_each_scene(whole.views, [](std::span<ViewResult> views) { hold_to_expectations(views); });
     return whole;
 }

@@ -129,6 +129,12 @@ TEST(Merge, RefusesAShardThatLostAView) {
     EXPECT_NE(refusal(shards).find("1 views of scenes"), std::string::npos) << refusal(shards);
 }
 
+TEST(Merge, RefusesAViewThatTwoShardsJudged) {
+    auto shards = shards_of(whole(), 2);
+    shards[0].views.push_back(shards[1].views.front());
+    EXPECT_NE(refusal(shards).find("is in two shards"), std::string::npos) << refusal(shards);
+}
+
 TEST(Merge, TakesWhatSeveralShardsSayOfAWholeSceneOnce) {
     auto shards = shards_of(whole(), 3);
     for (Results& shard : shards)
