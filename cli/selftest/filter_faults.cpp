@@ -87,6 +87,13 @@ Footprint wrapped_before_differencing(Footprint f, const glm::dvec2& size) {
     return f;
 }
 
+Distortion cones_by(double factor) {
+    return [=](Footprint f, const glm::dvec2&) {
+        f.cone.along *= factor, f.cone.across *= factor;
+        return f;
+    };
+}
+
 Footprint at_the_pixels_corner(Footprint f, const glm::dvec2&) {
     f.centre_raster -= 0.5;
     f.centre = f.at(f.centre_raster);
@@ -178,6 +185,15 @@ std::vector<FilterFault> faults_of_steps() {
          }),
          {},
          Ground::odd_sizes},
+        {"cone_by_its_whole_angle", "the cone's width is 2 t tan(alpha) instead of 2 t tan(alpha / 2)",
+         "trilinear-ray-cone", told(cones_by(2))},
+        {"gradients_of_half_the_axes", "g1 and g2 are the gradients instead of 2 g1 and 2 g2",
+         "aniso-ray-cone", told(cones_by(0.5))},
+        {"root_of_the_cosine", "the cone's LOD has the root of the cosine", "trilinear-ray-cone",
+         told([](Footprint f, const glm::dvec2&) {
+             f.cone.cosine = 1;
+             return f;
+         })},
         {"differences_for_derivatives",
          "steps are differences within 2 x 2 pixels, although exact ones are promised", "trilinear-gl",
          [](const FilterFixture& fixture, const Texturing& right) {

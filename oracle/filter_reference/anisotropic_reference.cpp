@@ -94,6 +94,19 @@ std::vector<Line> along_ellipse(const PixelFootprint& f, int most) {
     return lines;
 }
 
+/// The pixel's steps are the ellipse's whole axes, 2 g1 and 2 g2 (erratum of Akenine-Moller et al. 2021).
+PermittedColours by_cone(const Levels& levels, const FilterQuery& q) {
+    const auto [width, along, across] = q.seen.cone(q.x, q.y);
+    const auto whole = [](const TexelInterval& semi_axis) {
+        return TexelInterval{Interval{2} * semi_axis.u, Interval{2} * semi_axis.v};
+    };
+    const PixelFootprint f{q.footprint().centre, whole(along), whole(across)};
+    PermittedColours all;
+    for (const Line& line : along_longer_step(f, levels.settings().max_anisotropy))
+        all.push_back(read_linear(levels, q, line, midpoints));
+    return all;
+}
+
 using Lines = std::vector<Line> (*)(const PixelFootprint&, int);
 using ReadLine = ColourRange (*)(const Levels&, const FilterQuery&, const Line&, Placement);
 
@@ -153,6 +166,7 @@ std::vector<Definition> anisotropic_definitions() {
             anisotropic_definition("vulkan-linear", by_vulkan, to_the_letter),
             anisotropic_definition("midpoint", along_longer_step, midpoints),
             anisotropic_definition("d3d11", along_ellipse, midpoints),
+            {"aniso-ray-cone", over_levels(by_cone)},
             {"aniso-feline", over_levels(feline)}};
 }
 

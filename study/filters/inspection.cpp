@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "rasterizer/texel_map.h"
+#include "rasterizer/triangle_footprints.h"
 #include "rasterizer/wrap_mode.h"
 
 namespace zproof::study {
@@ -153,10 +153,10 @@ Inspector::Seen Inspector::seen_at(const ConfiguredMethod& method, const PixelCo
     const Material& material = rasterizer::material_of(scene_, std::uint32_t(id));
     one.factor = glm::dvec3{glm::dvec4{material.base_color_factor}};
     one.result = one.factor;
-    const auto map = rasterizer::texels_from_raster(scene_, view_, std::uint32_t(id));
-    if (!map) return seen;
+    const auto footprints = rasterizer::footprints_of(scene_, view_, std::uint32_t(id));
+    if (!footprints) return seen;
     seen.material = int(&material - scene_.materials.data());
-    one.footprint = texture::footprint(*map, pixel.x, pixel.y, method.texturing.derivatives);
+    one.footprint = footprints->at(pixel.x, pixel.y, method.texturing.derivatives);
     one.ellipse = texture::ellipse(one.footprint);
     const texture::LinearImage& image = sources_[std::size_t(seen.material)]->image;
     one.texture_width = image.width, one.texture_height = image.height;
