@@ -272,6 +272,8 @@ std::vector<FilterFault> faults_of_taps() {
              set([](FilterOptions& o) { o.max_anisotropy = 1; })},
             {"line_of_half_the_length", "probes reach half as far", "aniso-feline",
              set([](FilterOptions& o) { o.max_anisotropy = 8; })},
+            {"one_lookup", "one anisotropic lookup, wherever it should be five", "aniso-elliptical",
+             by("aniso-d3d11")},
             {"fewer_supersamples", "3 x 3 samples instead of 4 x 4", "supersample-bilinear",
              set([](FilterOptions& o) { o.subdivisions = 3; })},
             {"fewer_strips", "at most 8 strips instead of 16", "sat-strips",

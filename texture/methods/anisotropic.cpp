@@ -80,6 +80,37 @@ struct ProjectiveTaps {
     }
 };
 
+/// The elliptical filter by anisotropic lookups: the pixel's own steps, at places along the longer axis.
+struct EllipseOfLookups {
+    static constexpr int spaces = 5, each_side = 2;
+
+    void operator()(const MipReads& mips, const Footprint& footprint, auto&& read) const {
+        const int limit = mips.options.max_anisotropy;
+        const Line lookup = ellipse_axis(footprint, limit);
+        const double lod = mips.in_chain(std::log2(lookup.width));
+        const glm::dvec2 step = between_lookups(footprint, limit);
+        const int reach = step == glm::dvec2{0} ? 0 : each_side;
+        double sum = 0;
+        for (int i = -reach; i <= reach; ++i) sum += weight(i);
+        for (int i = -reach; i <= reach; ++i)
+            for (int tap = 0; tap < lookup.taps; ++tap) {
+                const double along = (tap + midpoints.first) / (lookup.taps + midpoints.more) - 0.5;
+                const glm::dvec2 place = footprint.centre + double(i) * step + along * lookup.whole;
+                mips.trilinear(lod, place, weight(i) / sum / lookup.taps, read);
+            }
+    }
+
+  private:
+    static double weight(int i) { return std::exp(-double(std::abs(i)) / spaces); }
+
+    /// 0 where one lookup reaches far enough, or where the ellipse is not finite.
+    static glm::dvec2 between_lookups(const Footprint& f, int max_anisotropy) {
+        const Ellipse axes = ellipse(f);
+        const double line = 2 * (axes.major - max_anisotropy * axes.minor / 2);
+        return std::isfinite(line) && line > 0 ? line / spaces * axes.major_direction : glm::dvec2{0};
+    }
+};
+
 constexpr auto extension_line = longer_step<RatioInLod::rounded_up>;
 constexpr auto vulkan_line = longer_step<RatioInLod::as_it_is>;
 
@@ -151,6 +182,21 @@ std::vector<Method> anisotropic_methods() {
                           "number and places to the implementation: these are ours.",
                   .source = "Direct3D 11.3 functional specification, 7.18.11"},
          .prepare = prepare_bilinear<LinearTaps<ellipse_axis, midpoints>>},
+        {.name = "aniso-elliptical",
+         .card =
+             {.footprint = "The ellipse of the Jacobian's singular values R >= r. Lookups stand on a line of "
+                           "length L = "
+                           "2 (R - a r / 2) along its longer axis, a: maximum anisotropy; where L is not "
+                           "above 0 or not "
+                           "finite there is one.",
+              .lod = "That of aniso-d3d11, in each lookup.",
+              .taps =
+                  "Five lookups of aniso-d3d11 with the pixel's own steps, at i L / 5, i = -2 to 2, linear "
+                  "about the centre; weight exp(-|i| / 5), divided by the sum.",
+              .source =
+                  "Mavridis and Papaioannou 2011, as their demonstration program 0.6 has it (approximate "
+                  "EWA, 6 probes, of which it takes 5); there a is 16 and the lookup the hardware's"},
+         .prepare = prepare_bilinear<EllipseOfLookups>},
         {.name = "aniso-ray-cone",
          .card =
              {.footprint =
