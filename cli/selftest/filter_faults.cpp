@@ -289,6 +289,10 @@ std::vector<FilterFault> faults_of_tables() {
              by(summed_box({.least = 0x1p-6}))},
             {"sat_in_float32", "sums are stored as float32", "sat-moment",
              set([](FilterOptions& o) { o.sat_storage = texture::SatStorage::float32; })},
+            {"box_for_triangle", "a box of the same variance, where a triangle is promised", "triangle-sat",
+             by("sat-moment")},
+            {"triangle_for_quadratic", "the sums are added up twice, where three times are promised",
+             "quadratic-sat", by("triangle-sat")},
             {"sat_quad_for_affine", "the box of the true quadrilateral, where the affine one is promised",
              "sat-affine", by("sat-quad")}};
 }

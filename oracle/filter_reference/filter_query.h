@@ -55,6 +55,7 @@ std::vector<Definition> anisotropic_definitions();
 std::vector<Definition> openimageio_definitions();
 std::vector<Definition> ewa_definitions();
 std::vector<Definition> sat_definitions();
+std::vector<Definition> repeated_sat_definitions();
 std::vector<Definition> supersample_definitions();
 std::vector<Definition> stochastic_definitions();
 
