@@ -22,7 +22,8 @@ oracle::FilterSettings reference_settings(const texture::FilterOptions& o) {
             .lod_max = o.lod_max,
             .max_anisotropy = o.max_anisotropy,
             .subdivisions = o.subdivisions,
-            .samples = o.samples};
+            .samples = o.samples,
+            .seed = o.seed};
 }
 
 FilterPrecision filter_precision(const texture::FilterOptions& o) {

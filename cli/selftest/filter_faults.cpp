@@ -309,6 +309,13 @@ std::vector<FilterFault> faults_of_draws() {
              "stochastic-bilinear",
              set([](FilterOptions& o) { o.samples = 1; }),
              {.samples = 4}},
+            {"white_noise_for_interleaved", "every decision has a number of its own, white noise",
+             "stochastic-interleaved", by("stochastic-trilinear")},
+            {"one_frame_late",
+             "the frames of the accumulation begin with the second",
+             "stochastic-interleaved",
+             set([](FilterOptions& o) { o.seed += 1; }),
+             {.samples = 4}},
             {"drawn_lod_half_too_large", "every LOD is a half too large", "stochastic-trilinear",
              set([](FilterOptions& o) { o.lod_bias = 0.5; })}};
 }

@@ -19,7 +19,8 @@ struct Settings {
     double lod_min = 0, lod_max = 1000;  ///< clamp of the biased LOD
     int max_anisotropy = 16;
     int subdivisions = 4;
-    int samples = 1;  ///< a pixel's, of stochastic methods
+    int samples = 1;         ///< a pixel's, of stochastic methods
+    std::uint32_t seed = 0;  ///< the first frame, of a method whose numbers are defined
     double texel_error =
         0;  ///< stored texels of level 0 are rounded by at most this much (a table of integers)
 };
