@@ -23,7 +23,8 @@ oracle::FilterSettings reference_settings(const texture::FilterOptions& o) {
             .max_anisotropy = o.max_anisotropy,
             .subdivisions = o.subdivisions,
             .samples = o.samples,
-            .seed = o.seed};
+            .seed = o.seed,
+            .given_levels = o.given_levels};
 }
 
 FilterPrecision filter_precision(const texture::FilterOptions& o) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "frame/colour_draw.h"
 #include "oracle/filter_reference/interval_image.h"
@@ -21,6 +22,8 @@ struct Settings {
     int subdivisions = 4;
     int samples = 1;         ///< a pixel's, of stochastic methods
     std::uint32_t seed = 0;  ///< the first frame, of a method whose numbers are defined
+    std::shared_ptr<const std::vector<texture::LinearImage>>
+        given_levels{};  ///< 1 and on; null: made by kernel
     double texel_error =
         0;  ///< stored texels of level 0 are rounded by at most this much (a table of integers)
 };

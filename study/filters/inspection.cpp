@@ -114,6 +114,11 @@ std::vector<WeightFinding> findings_of(const texture::Ellipse& ellipse, const te
 
 namespace {
 
+/// Not of a sampler of others, and not where levels are given: what they are made of nobody says.
+bool has_known_weights(const ConfiguredMethod& method) {
+    return !method.paint && !method.texturing.options.given_levels;
+}
+
 /// What a method keeps of one texture, made when first asked for.
 class MethodSamplers {
   public:
@@ -186,12 +191,12 @@ std::vector<PixelInspection> Inspector::at(const ConfiguredMethod& method,
     MethodSamplers samplers(method, sources_);
     for (const PixelCoord& pixel : pixels) all.push_back(seen_at(method, pixel));
     for (const Seen& seen : all)
-        if (seen.material >= 0 && !method.paint) samplers.of(seen.material);
+        if (seen.material >= 0 && has_known_weights(method)) samplers.of(seen.material);
     tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t i) {
         Seen& seen = all[i];
         if (seen.material < 0) return;
         const SourceTexture& source = *sources_[std::size_t(seen.material)];
-        if (!method.paint)
+        if (has_known_weights(method))
             seen.inspection.reading =
                 reading_of(samplers.of(seen.material), seen.inspection.footprint, source);
         weigh(seen);

@@ -117,6 +117,25 @@ TEST(TapPlacement, OnThePictureIsHeldToItsBits) {
     EXPECT_GT(outside(9), 0u);
 }
 
+/// A chain made of stored codes instead of light: right for a picture that promises it, wrong for one that
+/// promises zproof's own.
+TEST(GivenLevels, AreWhatAPictureIsHeldTo) {
+    const FilterFixture fixture = filter_fixture(Ground::noise);
+    const Image& image = fixture.scene.images.front();
+    std::vector<texture::LinearImage> levels =
+        averaged_as_stored(texture::linear_image({image.width, image.height, image.texels}));
+    levels.erase(levels.begin());
+    const texture::FilterOptions options{
+        .given_levels = std::make_shared<const std::vector<texture::LinearImage>>(levels)};
+    for (const char* name : {"trilinear-gl", "aniso-midpoint", "ewa-pbrt", "stochastic-interleaved"}) {
+        const Picture picture =
+            rasterizer::filtered(fixture.scene, fixture.view, fixture.frame,
+                                 {.method = *texture::find_method(name), .options = options});
+        EXPECT_FALSE(conformance_of(picture, fixture, name, options).is_caught()) << name;
+        EXPECT_TRUE(conformance_of(picture, fixture, name, {}).is_caught()) << name;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Filters, Clean,
                          testing::Values(Ground::noise, Ground::odd_sizes, Ground::mirrored, Ground::turned));
 

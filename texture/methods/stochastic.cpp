@@ -95,7 +95,7 @@ Sampler prepare_stochastic_bilinear(const LinearImage& image, const FilterOption
 
 template <class Noise>
 Sampler prepare_stochastic_trilinear(const LinearImage& image, const FilterOptions& options) {
-    return sampler(OneTexelRule<Noise>{mip_chain(image, options.mip_kernel, options.addressing), options},
+    return sampler(OneTexelRule<Noise>{mip_chain(image, options), options},
                    stored_mip_chain(image, options.mip_kernel, options.addressing));
 }
 
@@ -133,18 +133,15 @@ std::vector<Method> stochastic_methods() {
              {.footprint = "The longer of the pixel's two steps.",
               .lod = "log2 of its length in texels.",
               .taps =
-                  "The mean of spp samples, the frames of an accumulation. A sample is one texel, decided by "
-                  "one "
-                  "number: frac(52.9829189 frac(0.06711056 (x + o) + 0.00583715 (y + o))) of pixel (x, y), o "
-                  "= "
-                  "5.588238 ((seed + sample) mod 64), interleaved gradient noise. Level, column and row are "
-                  "decided in this order: a number q below the second one's share s takes it and leaves q / "
-                  "s "
-                  "for the next decision, else the first one and (q - s) / (1 - s). Averaged over frames and "
-                  "neighbouring pixels it nears trilinear-gl.",
+                  "The mean of spp samples, the frames of an accumulation. A sample is one texel, decided "
+                  "by one number: frac(52.9829189 frac(0.06711056 (x + o) + 0.00583715 (y + o))) of pixel "
+                  "(x, y), o = 5.588238 ((seed + sample) mod 64), interleaved gradient noise. Level, "
+                  "column and row are decided in this order. A number q below the second one's share s "
+                  "takes it and leaves q / s for the next decision; any other takes the first one and "
+                  "leaves (q - s) / (1 - s). Averaged over frames and neighbouring pixels it nears "
+                  "trilinear-gl.",
               .source = "Jimenez 2014, Next Generation Post Processing in Call of Duty; Fajardo, Wronski, "
-                        "Salvi and "
-                        "Pharr 2023, Stochastic Texture Filtering, for one number for all"},
+                        "Salvi and Pharr 2023, Stochastic Texture Filtering, for one number for all"},
          .prepare = prepare_stochastic_trilinear<InterleavedNoise>}};
 }
 
