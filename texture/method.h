@@ -38,6 +38,7 @@ struct StoredImage {
     int width = 0, height = 0;
     std::size_t bytes_per_texel = 0;
     /// The level-0 texels that a stored value is made of: what the weight recorder expands a tap to.
+    /// Empty where nobody is told.
     std::function<std::vector<Share>(int column, int row)> made_of;
 };
 

@@ -54,16 +54,18 @@ glm::dvec4 RepeatedSums::sum(const std::vector<SumTerm>& columns, const std::vec
 }
 
 StoredImage RepeatedSums::stored_image(const LinearImage& image, const Addressing& addressing) const {
+    StoredImage table{columns_.stored(), rows_.stored(), sizeof(Units), {}};
+    if (sums_.size() > most_told) return table;
     const glm::ivec2 size{image.width, image.height};
-    return {columns_.stored(), rows_.stored(), sizeof(Units),
-            [order = order_, size, addressing](int column, int row) {
-                std::vector<Share> shares;
-                for (int j = 0; j <= row; ++j)
-                    for (int i = 0; i <= column; ++i)
-                        shares.push_back({wrapped(addressing.u, i, size.x), wrapped(addressing.v, j, size.y),
-                                          times_stored(column - i, order) * times_stored(row - j, order)});
-                return shares;
-            }};
+    table.made_of = [order = order_, size, addressing](int column, int row) {
+        std::vector<Share> shares;
+        for (int j = 0; j <= row; ++j)
+            for (int i = 0; i <= column; ++i)
+                shares.push_back({wrapped(addressing.u, i, size.x), wrapped(addressing.v, j, size.y),
+                                  times_stored(column - i, order) * times_stored(row - j, order)});
+        return shares;
+    };
+    return table;
 }
 
 }  // namespace zproof::texture

@@ -22,7 +22,10 @@ class RepeatedSums {
     /// The sum over stored sums, each as often as its column's and its row's term say.
     glm::dvec4 sum(const std::vector<SumTerm>& columns, const std::vector<SumTerm>& rows) const;
 
-    /// The table; what a stored sum is made of.
+    /// Every texel before it has a part in a stored sum, so that of larger tables nobody is told them.
+    static constexpr std::size_t most_told = 1 << 14;
+
+    /// The table, and what a stored sum is made of where it has at most most_told sums.
     StoredImage stored_image(const LinearImage& image, const Addressing& addressing) const;
 
   private:

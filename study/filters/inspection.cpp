@@ -119,6 +119,11 @@ bool has_known_weights(const ConfiguredMethod& method) {
     return !method.paint && !method.texturing.options.given_levels;
 }
 
+/// Of a large table of repeated sums it is not told.
+bool tells_what_it_keeps(const Sampler& sampler) {
+    return std::ranges::all_of(sampler.stored, [](const auto& image) { return bool(image.made_of); });
+}
+
 /// What a method keeps of one texture, made when first asked for.
 class MethodSamplers {
   public:
@@ -196,7 +201,7 @@ std::vector<PixelInspection> Inspector::at(const ConfiguredMethod& method,
         Seen& seen = all[i];
         if (seen.material < 0) return;
         const SourceTexture& source = *sources_[std::size_t(seen.material)];
-        if (has_known_weights(method))
+        if (has_known_weights(method) && tells_what_it_keeps(samplers.of(seen.material)))
             seen.inspection.reading =
                 reading_of(samplers.of(seen.material), seen.inspection.footprint, source);
         weigh(seen);

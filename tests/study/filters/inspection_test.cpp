@@ -104,6 +104,10 @@ TEST_F(OnTheWorkedPlane, SumsOfATableAreNoLevels) {
     EXPECT_FALSE(found.reading->images[0].level);
 }
 
+TEST_F(OnTheWorkedPlane, WhatManySumsOfSumsAreMadeOfIsNotTold) {
+    EXPECT_FALSE(inspector_.at(method("quadratic-sat"), {{31, 30}}).front().reading);
+}
+
 TEST_F(OnTheWorkedPlane, WhatGivenLevelsAreMadeOfIsNotTold) {
     ConfiguredMethod own = method("trilinear-gl");
     own.texturing.options.given_levels = std::make_shared<const std::vector<texture::LinearImage>>();
