@@ -32,7 +32,8 @@ std::vector<Footprint> footprints() {
     std::vector<Footprint> seen;
     for (int y = first_row; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            seen.push_back(texture::footprint(map, x, y, texture::Derivatives::analytic));
+            seen.push_back(texture::with_cone_of_its_steps(
+                texture::footprint(map, x, y, texture::Derivatives::analytic)));
     return seen;
 }
 

@@ -81,7 +81,8 @@ Piece looking_up(const texture::Method& method) {
             std::vector<glm::dvec4> colours(seen.size());
             for (int y = texture::worked::first_row; y < texture::worked::side; y += 4) {
                 for (int x = 0; x < texture::worked::side; ++x)
-                    seen[std::size_t(x)] = texture::footprint(map, x, y, texture::Derivatives::analytic);
+                    seen[std::size_t(x)] = texture::with_cone_of_its_steps(
+                        texture::footprint(map, x, y, texture::Derivatives::analytic));
                 texture::look_up(sampler, seen, colours);
             }
         });

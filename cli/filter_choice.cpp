@@ -7,6 +7,7 @@
 #include <sstream>
 #include <vector>
 
+#include "cli/given_levels.h"
 #include "cli/nearest_word.h"
 #include "cli/usage_error.h"
 #include "texture/catalogue.h"
@@ -79,6 +80,12 @@ const std::vector<MethodSetting>& method_settings() {
          }},
         {"mip", "box, polyphase or lanczos3", "how smaller levels are made (polyphase)",
          [](Texturing& t, const std::string& s) { return set_word(t.options.mip_kernel, s, mip_words); }},
+        {"levels", "a file name with {level} in it, of which level 1 exists",
+         "files of levels 1 and on, instead of made ones",
+         [](Texturing& t, const std::string& s) {
+             t.options.given_levels = given_levels(s);
+             return t.options.given_levels != nullptr;
+         }},
         {"sat", "integer, float64, float32 or float32-less-mean", "how summed-area tables are kept (float64)",
          [](Texturing& t, const std::string& s) { return set_word(t.options.sat_storage, s, sat_words); }},
         {"derivatives", "analytic or quad", "quad: differences within 2 x 2 pixels",

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "cli/usage_error.h"
+
 namespace zproof {
 namespace {
 
@@ -29,6 +31,14 @@ std::string did_you_mean(const std::string& word, std::span<const std::string> k
     const auto edits = [&](const std::string& candidate) { return edits_between(word, candidate); };
     const auto nearest = std::ranges::min_element(known, {}, edits);
     return nearest != known.end() && edits(*nearest) <= 2 ? "; did you mean '" + *nearest + "'?" : "";
+}
+
+void require_known(const std::string& word, const KnownWords& known) {
+    if (std::ranges::find(known.words, word) != known.words.end()) return;
+    std::string list;
+    for (const std::string& name : known.words) list += (list.empty() ? "" : ", ") + name;
+    throw UsageError{known.place + " '" + word + "': no such " + known.kind +
+                     did_you_mean(word, known.words) + " (known: " + list + ")"};
 }
 
 }  // namespace zproof

@@ -17,7 +17,7 @@ std::vector<std::string> names_of(const std::vector<SuiteEntry>& entries) {
     return names;
 }
 
-void require_known(const std::vector<std::string>& requested) {
+void require_in_the_suite(const std::vector<std::string>& requested) {
     std::vector<std::string> suite = names_of(suite_manifest());
     for (const SuiteEntry& entry : thorough_manifest()) suite.push_back(entry.name);
     for (const std::string& name : requested)
@@ -46,7 +46,7 @@ ExitCode execute(const ListArguments&) {
 ExitCode execute(const GenerateArguments& arguments) {
     const std::vector<std::string> names =
         arguments.names.empty() ? names_of(suite_manifest()) : arguments.names;
-    require_known(names);
+    require_in_the_suite(names);
     return write_scenes(names, arguments.common,
                         [](const std::string& name) { return generate_suite_scene(name); });
 }

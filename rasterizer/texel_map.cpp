@@ -5,33 +5,11 @@
 #include <vector>
 
 #include "rasterizer/surface.h"
+#include "rasterizer/textured_corners.h"
 
 namespace zproof::rasterizer {
 
 namespace {
-
-/// A corner with the eye as the origin, world axes, and its place on the texture.
-struct TexturedCorner {
-    glm::dvec3 from_eye{0};
-    glm::dvec2 texel{0};
-};
-
-std::optional<std::array<TexturedCorner, 3>> textured_corners(const Scene& scene, const View& view,
-                                                              std::uint32_t triangle) {
-    const Texture& texture = material_of(scene, triangle).base_color;
-    if (texture.image == Texture::none || std::size_t(texture.uv_set) >= scene.vertices.uv.size()) return {};
-    const auto& uv = scene.vertices.uv[std::size_t(texture.uv_set)];
-    const Image& image = scene.images[std::size_t(texture.image)];
-    const glm::dvec2 size{image.width, image.height};
-    std::array<TexturedCorner, 3> corners;
-    for (int i = 0; i < 3; ++i) {
-        const std::uint32_t vertex = scene.triangles[triangle][i];
-        corners[std::size_t(i)] = {
-            glm::dvec3{scene.vertices.position_world[vertex]} - glm::dvec3{view.camera.eye_world},
-            (texture.transform.translation + texture.transform.linear * glm::dvec2{uv[vertex]}) * size};
-    }
-    return corners;
-}
 
 /// The weight of the corner opposite to p and q, dot(cross(p - from, q - from), to), as a functional of the
 /// raster position. One of from and to is the same for all positions, so it is affine.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "rasterizer/triangle_footprints.h"
 #include "rasterizer/wrap_mode.h"
 
 namespace zproof::rasterizer {
@@ -36,8 +37,8 @@ struct Run {
 
 LinearRgb rgb(const glm::dvec4& colour) { return {float(colour.r), float(colour.g), float(colour.b)}; }
 
-/// Reads a row of pixels; a run of one triangle finds its map once, a run of one material is looked up at
-/// once.
+/// Reads a row of pixels; a run of one triangle finds its footprints once, a run of one material is looked up
+/// at once.
 class Reader {
   public:
     Reader(const Scene& scene, const View& view, const Texturing& texturing)
@@ -45,30 +46,31 @@ class Reader {
 
     void read_row(int y, std::span<const PrimitiveId> ids, std::span<LinearRgb> colours) const {
         PrimitiveId mapped = PrimitiveId::none;
-        std::optional<Homography<double>> map;
+        std::optional<TriangleFootprints> footprints;
         Run run;
         for (int x = 0; x < int(ids.size()); ++x) {
             const PrimitiveId id = ids[std::size_t(x)];
             if (id == PrimitiveId::none) continue;
             if (id != mapped || texturing_.uv == UvInterpolation::affine)
-                map = map_of(std::uint32_t(id), x, y);
+                footprints = footprints_at(std::uint32_t(id), x, y);
             mapped = id;
             const Material& material = material_of(scene_, std::uint32_t(id));
             colours[std::size_t(x)] = rgb(glm::dvec4{material.base_color_factor});
-            if (!map) continue;
+            if (!footprints) continue;
             if (&material != run.material) look_up(run, colours);
             run.material = &material;
             run.columns.push_back(x);
-            run.seen.push_back(texture::footprint(*map, x, y, texturing_.derivatives));
+            run.seen.push_back(footprints->at(x, y, texturing_.derivatives));
         }
         look_up(run, colours);
     }
 
   private:
-    std::optional<Homography<double>> map_of(std::uint32_t id, int x, int y) const {
-        if (texturing_.uv == UvInterpolation::affine)
-            return affine_texels_from_raster(scene_, view_, id, {x + 0.5, y + 0.5});
-        return texels_from_raster(scene_, view_, id);
+    std::optional<TriangleFootprints> footprints_at(std::uint32_t id, int x, int y) const {
+        if (texturing_.uv == UvInterpolation::perspective) return footprints_of(scene_, view_, id);
+        const auto map = affine_texels_from_raster(scene_, view_, id, {x + 0.5, y + 0.5});
+        if (!map) return {};
+        return TriangleFootprints{*map, RayCones{view_, *textured_corners(scene_, view_, id)}};
     }
 
     /// Leaves the run empty.

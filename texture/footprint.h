@@ -15,10 +15,20 @@ enum class Derivatives {
                        ///< and column
 };
 
+/// What the cone about the pixel's ray covers of the surface's plane, as an ellipse: Akenine-Moller, Crassin,
+/// Boksansky, Belcour, Panteleev and Wright 2021, with their erratum. A footprint that knows of no ray has
+/// none: both axes are 0.
+struct ConeEllipse {
+    glm::dvec2 along{0};   ///< semi-axis along the ray's projection onto the surface, texels
+    glm::dvec2 across{0};  ///< semi-axis at right angles to that on the surface: the cone's radius, texels
+    double cosine = 1;     ///< of the angle between the ray and the surface's normal, in (0, 1]
+};
+
 struct Footprint {
     glm::dvec2 centre{0};  ///< seen through the pixel's centre, texels
     glm::dvec2 per_x{0},
         per_y{0};                 ///< texels per step of one pixel in raster x and y: the Jacobian's columns
+    ConeEllipse cone{};           ///< of the pixel's ray
     glm::dvec2 centre_raster{0};  ///< the pixel's centre, pixels
     Homography<double> texels_from_raster{};  ///< all of the surface's plane, for methods that ask for more
 
@@ -29,7 +39,7 @@ struct Footprint {
     }
 };
 
-/// The footprint of pixel (x, y).
+/// The footprint of pixel (x, y), without the cone of its ray.
 Footprint footprint(const Homography<double>& texels_from_raster, int x, int y, Derivatives derivatives);
 
 /// The pixel's corners on the texture, round the pixel: (x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1).

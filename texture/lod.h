@@ -28,6 +28,11 @@ double lod_chebyshev(const Footprint& footprint);
 /// One more than Chebyshev: pbrt takes twice the largest entry (pbrt-v4, MIPMap::Filter).
 double lod_pbrt(const Footprint& footprint);
 
+/// log2(w sqrt(t_a / p_a) / |n . d|): Akenine-Moller et al. 2021. The cone is w wide where it meets the
+/// surface, t_a / p_a are the texels on a unit of the surface's area, |n . d| is the cone's cosine. The
+/// ellipse's axes span (t_a / p_a) (w / 2)^2 / |n . d|. -infinity of a footprint without a cone.
+double lod_ray_cone(const Footprint& footprint);
+
 /// The user's bias is added first, then the user's clamp, then that of the chain: a value within [0, levels -
 /// 1]. What is no number (a footprint that is not finite) is the last level.
 double lod_in_chain(double lod, const FilterOptions& options, std::size_t levels);

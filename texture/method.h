@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,6 +38,7 @@ struct StoredImage {
     int width = 0, height = 0;
     std::size_t bytes_per_texel = 0;
     /// The level-0 texels that a stored value is made of: what the weight recorder expands a tap to.
+    /// Empty where nobody is told.
     std::function<std::vector<Share>(int column, int row)> made_of;
 };
 
@@ -77,6 +79,8 @@ struct FilterOptions {
     int subdivisions = 4;                ///< n of n x n sub-quads, strips or supersamples
     int samples = 1;                     ///< a pixel's, of stochastic methods; 1 to 1024
     std::uint32_t seed = 0;              ///< of their noise
+    /// Levels 1 and on of a chain that is given, as mip_chain() requires them; null: made by mip_kernel.
+    std::shared_ptr<const std::vector<LinearImage>> given_levels{};
 };
 
 /// The definition as a reader needs it; docs/texture-filters.md is made of these.

@@ -135,6 +135,25 @@ std::vector<LinearImage> mip_chain(const LinearImage& image, MipKernel kernel, c
     return levels;
 }
 
+std::vector<LinearImage> mip_chain(const LinearImage& image, const FilterOptions& options) {
+    if (!options.given_levels) return mip_chain(image, options.mip_kernel, options.addressing);
+    std::vector<LinearImage> levels{image};
+    for (const LinearImage& level : *options.given_levels) {
+        const LinearImage& finer = levels.back();
+        const int width = std::max(1, finer.width / 2), height = std::max(1, finer.height / 2);
+        if (finer.width == 1 && finer.height == 1)
+            throw MipChainError{"mip level " + std::to_string(levels.size()) +
+                                " is given, behind a level of 1 x 1 texels"};
+        if (level.width != width || level.height != height)
+            throw MipChainError{"mip level " + std::to_string(levels.size()) + " that is given has " +
+                                std::to_string(level.width) + " x " + std::to_string(level.height) +
+                                " texels: expected " + std::to_string(width) + " x " +
+                                std::to_string(height)};
+        levels.push_back(level);
+    }
+    return levels;
+}
+
 StoredImage stored_image(const AxisWeights& columns, const AxisWeights& rows) {
     const auto runs = std::make_shared<const std::pair<AxisRuns, AxisRuns>>(in_runs(columns), in_runs(rows));
     return {int(columns.size()), int(rows.size()), sizeof(glm::vec4), [runs](int column, int row) {

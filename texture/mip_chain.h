@@ -2,6 +2,8 @@
 /// made of.
 #pragma once
 
+#include <stdexcept>
+
 #include "texture/method.h"
 
 namespace zproof::texture {
@@ -37,8 +39,19 @@ LinearImage resampled(const LinearImage& image, const AxisWeights& columns, cons
 std::vector<LinearImage> mip_chain(const LinearImage& image, MipKernel kernel,
                                    const Addressing& addressing = {});
 
+/// A level that is given has not the size of its place in the chain.
+struct MipChainError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The chain that the options ask for: level 0 is the image, the others are made of it or given. A given one
+/// has max(1, floor(size / 2)) texels of the one before it on either side, else this throws MipChainError. It
+/// may end early.
+std::vector<LinearImage> mip_chain(const LinearImage& image, const FilterOptions& options);
+
 /// The levels of that chain as a sampler's stored images, made of level 0 by the exact weights of the chain
-/// (the rounding of each level to float32 apart).
+/// (the rounding of each level to float32 apart). What levels that are given are made of is not known: of
+/// these, too, it is told as if the kernel had made them.
 std::vector<StoredImage> stored_mip_chain(const LinearImage& image, MipKernel kernel,
                                           const Addressing& addressing = {});
 

@@ -10,6 +10,7 @@
 #include "cli/command_line/options.h"
 #include "cli/filters/precision_words.h"
 #include "cli/usage_error.h"
+#include "study/filters/published.h"
 #include "texture/catalogue.h"
 
 namespace zproof {
@@ -227,6 +228,14 @@ std::vector<PictureChoice> chosen_pictures(const FiltersWords& words) {
     return pictures;
 }
 
+/// "crow-1984, hensley-2005, ..."
+std::string reproducible_names() {
+    std::string names;
+    for (const study::PublishedResult& result : study::published_results())
+        names += (names.empty() ? "" : ", ") + std::string{result.name};
+    return names;
+}
+
 }  // namespace
 
 void add_filters(CLI::App& app, FiltersWords& words) {
@@ -238,9 +247,7 @@ void add_filters(CLI::App& app, FiltersWords& words) {
     add_common(scenes, words.scenes.common, "folder for the files");
     CLI::App& reproduce =
         *app.add_subcommand("reproduce", "published results, computed again beside the published figures");
-    reproduce.add_option(
-        "NAME", words.reproduce.names,
-        "crow-1984, hensley-2005, sigg-hadwiger-2005, stochastic-variance, worked; none: all");
+    reproduce.add_option("NAME", words.reproduce.names, reproducible_names() + "; none: all");
     add_common(reproduce, words.reproduce.common);
     add_table(*app.add_subcommand("table", "print a study's table"), words);
     add_figure(*app.add_subcommand("figure", "make a study's plots, crops and page again"), words);

@@ -5,7 +5,6 @@
 #include "cli/commands.h"
 #include "cli/nearest_word.h"
 #include "cli/threads.h"
-#include "cli/usage_error.h"
 #include "reports/filters/tables.h"
 #include "reports/wording.h"
 #include "study/filters/published.h"
@@ -16,14 +15,10 @@ namespace {
 using study::PublishedFigure;
 using study::PublishedResult;
 
-void require_known(const std::string& name) {
+std::vector<std::string> names_of_results() {
     std::vector<std::string> names;
     for (const PublishedResult& result : study::published_results()) names.emplace_back(result.name);
-    if (std::ranges::find(names, name) != names.end()) return;
-    std::string list;
-    for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
-    throw UsageError{"filters reproduce: '" + name + "': no such result" + did_you_mean(name, names) +
-                     " (known: " + list + ")"};
+    return names;
 }
 
 /// As it is shown: no "-0.00".
@@ -46,7 +41,9 @@ std::string table_of(const PublishedResult& result) {
 }  // namespace
 
 ExitCode execute(const FiltersReproduceArguments& arguments) {
-    for (const std::string& name : arguments.names) require_known(name);
+    const std::vector<std::string> known = names_of_results();
+    for (const std::string& name : arguments.names)
+        require_known(name, {.words = known, .place = "filters reproduce:", .kind = "result"});
     const char* gap = "";
     for (const PublishedResult& result : study::published_results()) {
         if (!arguments.names.empty() &&

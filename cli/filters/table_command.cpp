@@ -1,9 +1,7 @@
-#include <algorithm>
 #include <iostream>
 
 #include "cli/commands.h"
 #include "cli/nearest_word.h"
-#include "cli/usage_error.h"
 #include "frame/printable.h"
 #include "reports/filters/folder.h"
 #include "reports/filters/pooled.h"
@@ -15,11 +13,7 @@ namespace {
 using study::StudyResults;
 
 void require_one_of(const std::vector<std::string>& names, const std::string& word, const std::string& what) {
-    if (std::ranges::find(names, word) != names.end()) return;
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    throw UsageError{"--" + what + " '" + word + "': no such " + what + did_you_mean(word, names) +
-                     " (known: " + list + ")"};
+    require_known(word, {.words = names, .place = "--" + what, .kind = what});
 }
 
 template <class Card>

@@ -22,7 +22,9 @@ oracle::FilterSettings reference_settings(const texture::FilterOptions& o) {
             .lod_max = o.lod_max,
             .max_anisotropy = o.max_anisotropy,
             .subdivisions = o.subdivisions,
-            .samples = o.samples};
+            .samples = o.samples,
+            .seed = o.seed,
+            .given_levels = o.given_levels};
 }
 
 FilterPrecision filter_precision(const texture::FilterOptions& o) {

@@ -87,6 +87,13 @@ Footprint wrapped_before_differencing(Footprint f, const glm::dvec2& size) {
     return f;
 }
 
+Distortion cones_by(double factor) {
+    return [=](Footprint f, const glm::dvec2&) {
+        f.cone.along *= factor, f.cone.across *= factor;
+        return f;
+    };
+}
+
 Footprint at_the_pixels_corner(Footprint f, const glm::dvec2&) {
     f.centre_raster -= 0.5;
     f.centre = f.at(f.centre_raster);
@@ -178,6 +185,15 @@ std::vector<FilterFault> faults_of_steps() {
          }),
          {},
          Ground::odd_sizes},
+        {"cone_by_its_whole_angle", "the cone's width is 2 t tan(alpha) instead of 2 t tan(alpha / 2)",
+         "trilinear-ray-cone", told(cones_by(2))},
+        {"gradients_of_half_the_axes", "g1 and g2 are the gradients instead of 2 g1 and 2 g2",
+         "aniso-ray-cone", told(cones_by(0.5))},
+        {"root_of_the_cosine", "the cone's LOD has the root of the cosine", "trilinear-ray-cone",
+         told([](Footprint f, const glm::dvec2&) {
+             f.cone.cosine = 1;
+             return f;
+         })},
         {"differences_for_derivatives",
          "steps are differences within 2 x 2 pixels, although exact ones are promised", "trilinear-gl",
          [](const FilterFixture& fixture, const Texturing& right) {
@@ -256,6 +272,8 @@ std::vector<FilterFault> faults_of_taps() {
              set([](FilterOptions& o) { o.max_anisotropy = 1; })},
             {"line_of_half_the_length", "probes reach half as far", "aniso-feline",
              set([](FilterOptions& o) { o.max_anisotropy = 8; })},
+            {"one_lookup", "one anisotropic lookup, wherever it should be five", "aniso-elliptical",
+             by("aniso-d3d11")},
             {"fewer_supersamples", "3 x 3 samples instead of 4 x 4", "supersample-bilinear",
              set([](FilterOptions& o) { o.subdivisions = 3; })},
             {"fewer_strips", "at most 8 strips instead of 16", "sat-strips",
@@ -271,6 +289,10 @@ std::vector<FilterFault> faults_of_tables() {
              by(summed_box({.least = 0x1p-6}))},
             {"sat_in_float32", "sums are stored as float32", "sat-moment",
              set([](FilterOptions& o) { o.sat_storage = texture::SatStorage::float32; })},
+            {"box_for_triangle", "a box of the same variance, where a triangle is promised", "triangle-sat",
+             by("sat-moment")},
+            {"triangle_for_quadratic", "the sums are added up twice, where three times are promised",
+             "quadratic-sat", by("triangle-sat")},
             {"sat_quad_for_affine", "the box of the true quadrilateral, where the affine one is promised",
              "sat-affine", by("sat-quad")}};
 }
@@ -286,6 +308,13 @@ std::vector<FilterFault> faults_of_draws() {
              "all samples of a pixel have the same number",
              "stochastic-bilinear",
              set([](FilterOptions& o) { o.samples = 1; }),
+             {.samples = 4}},
+            {"white_noise_for_interleaved", "every decision has a number of its own, white noise",
+             "stochastic-interleaved", by("stochastic-trilinear")},
+            {"one_frame_late",
+             "the frames of the accumulation begin with the second",
+             "stochastic-interleaved",
+             set([](FilterOptions& o) { o.seed += 1; }),
              {.samples = 4}},
             {"drawn_lod_half_too_large", "every LOD is a half too large", "stochastic-trilinear",
              set([](FilterOptions& o) { o.lod_bias = 0.5; })}};

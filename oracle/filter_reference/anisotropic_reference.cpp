@@ -22,8 +22,8 @@ Interval level_of_line(const Levels& levels, const FilterQuery& q, const Line& l
     return level_of(log2(line.width), levels.settings(), levels.count(), q.precision);
 }
 
-ColourRange read_linear(const Levels& levels, const FilterQuery& q, const Line& line, Placement placement) {
-    const TexelInterval centre = q.footprint().centre;
+ColourRange read_line(const Levels& levels, const FilterQuery& q, const TexelInterval& centre,
+                      const Line& line, Placement placement) {
     const Interval level = level_of_line(levels, q, line);
     const double error = std::exp2(-q.precision.tap_bits);
     std::vector<LineTap> taps;
@@ -34,6 +34,10 @@ ColourRange read_linear(const Levels& levels, const FilterQuery& q, const Line& 
     return mean_along(centre, line.whole, taps, [&](const TexelInterval& place) {
         return levels.trilinear(level, place, q.precision);
     });
+}
+
+ColourRange read_linear(const Levels& levels, const FilterQuery& q, const Line& line, Placement placement) {
+    return read_line(levels, q, q.footprint().centre, line, placement);
 }
 
 /// Each tap at its own place of the picture.
@@ -92,6 +96,43 @@ std::vector<Line> along_ellipse(const PixelFootprint& f, int most) {
     for (const int n : ceilings(taps, most))
         lines.push_back({{axes_of.major * direction.u, axes_of.major * direction.v}, n, minor});
     return lines;
+}
+
+/// Mavridis and Papaioannou 2011: five lookups along the ellipse's longer axis, L / 5 from one to the next,
+/// each a line of taps by itself. At L = 0 all five are one.
+PermittedColours elliptical(const Levels& levels, const FilterQuery& q) {
+    const PixelFootprint f = q.footprint();
+    const Axes axes_of = axes(f);
+    const int most = levels.settings().max_anisotropy;
+    const Interval length_of_line =
+        larger(Interval{0}, Interval{2} * axes_of.major - Interval{double(most)} * axes_of.minor);
+    const TexelInterval direction = major_direction(f), step{length_of_line / Interval{5} * direction.u,
+                                                             length_of_line / Interval{5} * direction.v};
+    const Interval error{-std::exp2(-q.precision.tap_bits), std::exp2(-q.precision.tap_bits)};
+    PermittedColours all;
+    for (const Line& line : along_ellipse(f, most)) {
+        std::vector<LineTap> lookups;
+        for (const int i : {-2, -1, 0, 1, 2})
+            lookups.push_back(
+                {Interval{double(i)} + error, exp(Interval{double(-std::abs(i))} / Interval{5})});
+        all.push_back(mean_along(f.centre, step, lookups, [&](const TexelInterval& place) {
+            return read_line(levels, q, place, line, midpoints);
+        }));
+    }
+    return all;
+}
+
+/// The pixel's steps are the ellipse's whole axes, 2 g1 and 2 g2 (erratum of Akenine-Moller et al. 2021).
+PermittedColours by_cone(const Levels& levels, const FilterQuery& q) {
+    const auto [width, along, across] = q.seen.cone(q.x, q.y);
+    const auto whole = [](const TexelInterval& semi_axis) {
+        return TexelInterval{Interval{2} * semi_axis.u, Interval{2} * semi_axis.v};
+    };
+    const PixelFootprint f{q.footprint().centre, whole(along), whole(across)};
+    PermittedColours all;
+    for (const Line& line : along_longer_step(f, levels.settings().max_anisotropy))
+        all.push_back(read_linear(levels, q, line, midpoints));
+    return all;
 }
 
 using Lines = std::vector<Line> (*)(const PixelFootprint&, int);
@@ -153,6 +194,8 @@ std::vector<Definition> anisotropic_definitions() {
             anisotropic_definition("vulkan-linear", by_vulkan, to_the_letter),
             anisotropic_definition("midpoint", along_longer_step, midpoints),
             anisotropic_definition("d3d11", along_ellipse, midpoints),
+            {"aniso-elliptical", over_levels(elliptical)},
+            {"aniso-ray-cone", over_levels(by_cone)},
             {"aniso-feline", over_levels(feline)}};
 }
 

@@ -102,6 +102,10 @@ IntervalImage shrunk(const IntervalImage& finer, int width, int height, const Se
 
 std::vector<IntervalImage> chain(const texture::LinearImage& image, const Settings& settings) {
     std::vector<IntervalImage> levels{exact_image(image)};
+    if (settings.given_levels) {
+        for (const texture::LinearImage& level : *settings.given_levels) levels.push_back(exact_image(level));
+        return levels;
+    }
     while (levels.back().width > 1 || levels.back().height > 1) {
         const IntervalImage& finer = levels.back();
         levels.push_back(shrunk(finer, half_of(finer.width), half_of(finer.height), settings));

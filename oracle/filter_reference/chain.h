@@ -12,7 +12,8 @@ inline int half_of(int size) { return size > 1 ? size / 2 : 1; }
 /// what it is made of, and one rounding to float32 (docs/filter-conformance.md).
 IntervalImage shrunk(const IntervalImage& finer, int width, int height, const Settings& settings);
 
-/// Level k + 1 has max(1, floor(size / 2)) texels on either side, down to 1 x 1.
+/// Level k + 1 has max(1, floor(size / 2)) texels on either side, down to 1 x 1. Levels that are given are
+/// exact.
 std::vector<IntervalImage> chain(const texture::LinearImage& image, const Settings& settings);
 
 }  // namespace zproof::oracle::filter_reference

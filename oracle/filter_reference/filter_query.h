@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "frame/colour_draw.h"
 #include "oracle/filter_reference/interval_image.h"
@@ -19,7 +20,10 @@ struct Settings {
     double lod_min = 0, lod_max = 1000;  ///< clamp of the biased LOD
     int max_anisotropy = 16;
     int subdivisions = 4;
-    int samples = 1;  ///< a pixel's, of stochastic methods
+    int samples = 1;         ///< a pixel's, of stochastic methods
+    std::uint32_t seed = 0;  ///< the first frame, of a method whose numbers are defined
+    std::shared_ptr<const std::vector<texture::LinearImage>>
+        given_levels{};  ///< 1 and on; null: made by kernel
     double texel_error =
         0;  ///< stored texels of level 0 are rounded by at most this much (a table of integers)
 };
@@ -55,6 +59,7 @@ std::vector<Definition> anisotropic_definitions();
 std::vector<Definition> openimageio_definitions();
 std::vector<Definition> ewa_definitions();
 std::vector<Definition> sat_definitions();
+std::vector<Definition> repeated_sat_definitions();
 std::vector<Definition> supersample_definitions();
 std::vector<Definition> stochastic_definitions();
 

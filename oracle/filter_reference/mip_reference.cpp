@@ -40,6 +40,12 @@ PermittedColours mip_nearest_bilinear(const Levels& levels, const FilterQuery& q
     });
 }
 
+PermittedColours trilinear_by_cone(const Levels& levels, const FilterQuery& q) {
+    const Interval level =
+        level_of(log2(q.seen.cone(q.x, q.y).width), levels.settings(), levels.count(), q.precision);
+    return {levels.trilinear(level, q.footprint().centre, q.precision)};
+}
+
 }  // namespace
 
 std::vector<Definition> mip_definitions() {
@@ -50,6 +56,7 @@ std::vector<Definition> mip_definitions() {
             trilinear_definition("rms", LodRule::root_mean_square),
             trilinear_definition("area", LodRule::root_of_area),
             trilinear_definition("pbrt", LodRule::pbrt),
+            {"trilinear-ray-cone", over_levels(trilinear_by_cone)},
             trilinear_definition("mesa", LodRule::mesa_longer_step)};
 }
 

@@ -8,19 +8,6 @@ namespace zproof::oracle::filter_reference {
 
 namespace {
 
-/// Texel coordinates of a corner: size (translation + linear uv).
-template <class Number>
-std::array<Number, 2> texel_coordinates(const TexturedTriangle& triangle, std::size_t corner) {
-    const glm::dvec2 uv{triangle.uv[corner]};
-    std::array<Number, 2> t;
-    for (int axis = 0; axis < 2; ++axis)
-        t[std::size_t(axis)] =
-            Number(triangle.texture_size[axis]) * (Number(triangle.transform.translation[axis]) +
-                                                   Number(triangle.transform.linear[0][axis]) * Number(uv.x) +
-                                                   Number(triangle.transform.linear[1][axis]) * Number(uv.y));
-    return t;
-}
-
 template <class Number>
 Homography<Number> homography(const View& view, const TexturedTriangle& triangle) {
     const auto b = barycentric_functionals(view, corners_from_eye<Number>(view, triangle.corners_world));
@@ -64,7 +51,9 @@ TexturedTriangle textured_triangle(const Scene& scene, std::uint32_t triangle) {
 }
 
 SeenTexture::SeenTexture(const View& view, const TexturedTriangle& triangle, const FilterPrecision& precision)
-    : rounding_(gamma(coordinate_roundings, std::exp2(-precision.arithmetic_bits))),
+    : view_(view),
+      triangle_(triangle),
+      rounding_(gamma(coordinate_roundings, std::exp2(-precision.arithmetic_bits))),
       displacement_px_(precision.displacement_px),
       step_error_(std::exp2(-precision.step_bits)),
       coordinate_unit_(std::exp2(-precision.coordinate_bits)) {

@@ -30,6 +30,12 @@ struct PixelFootprint {
     TexelInterval centre, per_x, per_y;
 };
 
+/// Where the cone about the pixel's ray meets the surface (Akenine-Moller et al. 2021, with their erratum).
+struct ConeFootprint {
+    Interval width;               ///< w sqrt(t_a / p_a) / |n . d|, texels: its log2 is the LOD
+    TexelInterval along, across;  ///< semi-axes of the ellipse, along the ray's projection and across it
+};
+
 /// A triangle and its texture, as the scene has them.
 struct TexturedTriangle {
     std::array<glm::vec3, 3> corners_world;
@@ -37,6 +43,19 @@ struct TexturedTriangle {
     UvTransform transform;
     glm::ivec2 texture_size;
 };
+
+/// Texel coordinates of a corner: size (translation + linear uv).
+template <class Number>
+std::array<Number, 2> texel_coordinates(const TexturedTriangle& triangle, std::size_t corner) {
+    const glm::dvec2 uv{triangle.uv[corner]};
+    std::array<Number, 2> t;
+    for (int axis = 0; axis < 2; ++axis)
+        t[std::size_t(axis)] =
+            Number(triangle.texture_size[axis]) * (Number(triangle.transform.translation[axis]) +
+                                                   Number(triangle.transform.linear[0][axis]) * Number(uv.x) +
+                                                   Number(triangle.transform.linear[1][axis]) * Number(uv.y));
+    return t;
+}
 
 /// The material of a triangle, and the triangle with its texture; the material must have one.
 const Material& material_of(const Scene& scene, std::uint32_t triangle);
@@ -54,6 +73,8 @@ class SeenTexture {
     /// horizon may lie between them.
     TexelInterval between(const glm::dvec2& from_raster, const glm::dvec2& to_raster) const;
     PixelFootprint footprint(int x, int y, StepRule rule) const;
+    /// Throws UndecidedSign where the ray may run along the plane.
+    ConeFootprint cone(int x, int y) const;
     /// How far 1 / depth at the pixel's centre exceeds its fall to the farthest corner, in units of its own:
     /// positive where the whole pixel lies before the plane's horizon.
     Interval before_horizon(int x, int y) const;
@@ -70,6 +91,8 @@ class SeenTexture {
                        Magnitude Affine<Magnitude>::*along_size) const;
     TexelInterval undisplaced(double x, double y) const;
 
+    const View& view_;  ///< must outlive this
+    TexturedTriangle triangle_;
     Functional u_, v_, w_;
     double rounding_;  ///< relative to the terms' size
     double displacement_px_;

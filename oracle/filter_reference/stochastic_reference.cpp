@@ -77,6 +77,79 @@ PermittedColours permitted_by(const ColourDraws& all) {
     return {range};
 }
 
+/// What a number between 0 and 1 decides, and what it leaves of itself for the next decision.
+struct Decided {
+    std::int64_t index;
+    Interval left;
+};
+
+/// Jimenez 2014, of pixel and frame. Its inner sum is of some hundreds, of which 53 times the rounding is
+/// kept.
+Interval interleaved_number(int x, int y, int frame) {
+    const Interval offset = Interval{5.588238} * Interval{double(frame)};
+    const Interval inner = Interval{0.06711056} * (Interval{double(x)} + offset) +
+                           Interval{0.00583715} * (Interval{double(y)} + offset);
+    const auto fraction = [](const Interval& a) {
+        const double whole = std::floor(a.low());
+        return a.high() < whole + 1 ? a - Interval{whole} : Interval{0, 1};
+    };
+    const double rounding = 16 * 0x1p-53 * (1 + magnitude(inner).high());
+    return fraction(Interval{52.9829189} * widen(fraction(inner), rounding));
+}
+
+/// Between the whole numbers around a place, by the share of the second. Quotients have a few roundings.
+std::vector<Decided> decided(const Interval& number, const Interval& place, double error) {
+    const auto left = [](const Interval& a, const Interval& of) {
+        return of.low() > 0 ? clamped(widen(a / of, 0x1p-50 / of.low()), 0, 1) : Interval{0, 1};
+    };
+    std::vector<Decided> all;
+    for (double low = std::floor(place.low()); low <= std::floor(place.high()); ++low) {
+        const Interval share = clamped(widen(place - Interval{low}, error), 0, 1);
+        if (number.low() <= share.high() && share.high() > 0)
+            all.push_back({std::int64_t(low) + 1, left(number, share)});
+        if (number.high() >= share.low() && share.low() < 1)
+            all.push_back({std::int64_t(low), left(number - share, Interval{1} - share)});
+    }
+    return all;
+}
+
+/// Every texel of a level that a number may decide for.
+void add_interleaved(const Levels& levels, const Decided& level, const FilterQuery& q,
+                     PermittedColours& all) {
+    const IntervalImage& image = levels.at(int(level.index));
+    const TexelInterval place = place_in(image, levels.at(0), q.footprint().centre, q.precision);
+    const Interval half{0.5}, u = place.u - half, v = place.v - half;
+    if (!(u.high() - u.low() < widest_draw && v.high() - v.low() < widest_draw)) throw UndecidedSign{};
+    const double error = std::exp2(-q.precision.weight_bits);
+    const WrapRules& wrap = levels.settings().wrap;
+    for (const Decided& column : decided(level.left, u, error))
+        for (const Decided& row : decided(column.left, v, error)) {
+            const auto& texel = image.at(wrapped_index(wrap.u, column.index, image.width),
+                                         wrapped_index(wrap.v, row.index, image.height));
+            all.push_back(around(texel.value, texel.radius));
+        }
+}
+
+/// One sample: every texel that it may be. Several: their mean, each within the range of its texels.
+PermittedColours interleaved(const Levels& levels, const FilterQuery& q) {
+    const Interval lod_of_pixel =
+        level_of(lod(LodRule::gl_maximum, q.footprint()), levels.settings(), levels.count(), q.precision);
+    const Settings& settings = levels.settings();
+    ColourRange sum;
+    for (int sample = 0; sample < settings.samples; ++sample) {
+        const int frame = int((settings.seed + std::uint32_t(sample)) % 64);
+        PermittedColours possible;
+        for (const Decided& level :
+             decided(interleaved_number(q.x, q.y, frame), lod_of_pixel, std::exp2(-q.precision.weight_bits)))
+            if (level.index < std::int64_t(levels.count())) add_interleaved(levels, level, q, possible);
+        if (settings.samples == 1) return possible;
+        ColourRange range = possible.front();
+        for (const ColourRange& colour : possible) range = hull(range, colour);
+        sum = sum + Interval{1.0 / settings.samples} * range;
+    }
+    return {sum};
+}
+
 using DrawsOf = ColourDraws (*)(const Levels&, const FilterQuery&);
 
 Definition stochastic_definition(const std::string& name, DrawsOf draws_of) {
@@ -98,7 +171,8 @@ Definition stochastic_definition(const std::string& name, DrawsOf draws_of) {
 
 std::vector<Definition> stochastic_definitions() {
     return {stochastic_definition("bilinear", bilinear_draws),
-            stochastic_definition("trilinear", trilinear_draws)};
+            stochastic_definition("trilinear", trilinear_draws),
+            {"stochastic-interleaved", over_levels(interleaved)}};
 }
 
 }  // namespace zproof::oracle::filter_reference

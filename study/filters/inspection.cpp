@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "rasterizer/texel_map.h"
+#include "rasterizer/triangle_footprints.h"
 #include "rasterizer/wrap_mode.h"
 
 namespace zproof::study {
@@ -114,6 +114,16 @@ std::vector<WeightFinding> findings_of(const texture::Ellipse& ellipse, const te
 
 namespace {
 
+/// Not of a sampler of others, and not where levels are given: what they are made of nobody says.
+bool has_known_weights(const ConfiguredMethod& method) {
+    return !method.paint && !method.texturing.options.given_levels;
+}
+
+/// Of a large table of repeated sums it is not told.
+bool tells_what_it_keeps(const Sampler& sampler) {
+    return std::ranges::all_of(sampler.stored, [](const auto& image) { return bool(image.made_of); });
+}
+
 /// What a method keeps of one texture, made when first asked for.
 class MethodSamplers {
   public:
@@ -153,10 +163,10 @@ Inspector::Seen Inspector::seen_at(const ConfiguredMethod& method, const PixelCo
     const Material& material = rasterizer::material_of(scene_, std::uint32_t(id));
     one.factor = glm::dvec3{glm::dvec4{material.base_color_factor}};
     one.result = one.factor;
-    const auto map = rasterizer::texels_from_raster(scene_, view_, std::uint32_t(id));
-    if (!map) return seen;
+    const auto footprints = rasterizer::footprints_of(scene_, view_, std::uint32_t(id));
+    if (!footprints) return seen;
     seen.material = int(&material - scene_.materials.data());
-    one.footprint = texture::footprint(*map, pixel.x, pixel.y, method.texturing.derivatives);
+    one.footprint = footprints->at(pixel.x, pixel.y, method.texturing.derivatives);
     one.ellipse = texture::ellipse(one.footprint);
     const texture::LinearImage& image = sources_[std::size_t(seen.material)]->image;
     one.texture_width = image.width, one.texture_height = image.height;
@@ -186,12 +196,12 @@ std::vector<PixelInspection> Inspector::at(const ConfiguredMethod& method,
     MethodSamplers samplers(method, sources_);
     for (const PixelCoord& pixel : pixels) all.push_back(seen_at(method, pixel));
     for (const Seen& seen : all)
-        if (seen.material >= 0 && !method.paint) samplers.of(seen.material);
+        if (seen.material >= 0 && has_known_weights(method)) samplers.of(seen.material);
     tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t i) {
         Seen& seen = all[i];
         if (seen.material < 0) return;
         const SourceTexture& source = *sources_[std::size_t(seen.material)];
-        if (!method.paint)
+        if (has_known_weights(method) && tells_what_it_keeps(samplers.of(seen.material)))
             seen.inspection.reading =
                 reading_of(samplers.of(seen.material), seen.inspection.footprint, source);
         weigh(seen);

@@ -68,7 +68,8 @@ struct PixelInspection {
     glm::dvec3 factor{1};                       ///< of the material
     texture::Footprint footprint;
     texture::Ellipse ellipse;
-    std::optional<Reading> reading;     ///< none: of a sampler of others, or no texture
+    std::optional<Reading> reading;     ///< none: of a sampler of others, of given levels, of a large table
+                                        ///< of repeated sums, or no texture
     std::optional<ExactWeights> exact;  ///< none: the truth is sampled, or no texture
     std::vector<WeightFinding> findings;
     TextureWindow window;  ///< of no size where there is no texture

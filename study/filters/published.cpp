@@ -12,6 +12,7 @@
 #include "study/filters/crow.h"
 #include "study/filters/scores.h"
 #include "study/filters/study.h"
+#include "texture/box_moments.h"
 #include "texture/catalogue.h"
 
 namespace zproof::study {
@@ -82,6 +83,42 @@ std::vector<PublishedFigure> hensley_2005() {
             {std::string{"gain of the offset, on 1/f noise of 8 bits, "} + name, "dB", 31,
              snr_db(texels, side, sum / double(texels.size()), bits) - snr_db(texels, side, 0, bits), 1});
     return figures;
+}
+
+/// Chebyshev's bound from the moments over boxes of noise: reached where the noise is cut to two values, and
+/// never below the share of texels at or above a level.
+std::vector<PublishedFigure> lauritzen_2007() {
+    constexpr int side = 256;
+    const Image noise = filters::pink_noise({side, side});
+    texture::LinearImage grey{side, side, {}}, cut{side, side, {}};
+    for (std::size_t i = 0; i < noise.texels.size(); i += 4) {
+        grey.texels.emplace_back(float(noise.texels[i]) / 256);
+        cut.texels.emplace_back(noise.texels[i] < 128 ? 0.0f : 1.0f);
+    }
+    const texture::MomentTables of_grey{grey, {}, texture::SatStorage::integer},
+        of_cut{cut, {}, texture::SatStorage::integer};
+    const auto share = [](const texture::LinearImage& image, int left, int top, int size, float level) {
+        int above = 0;
+        for (int row = top; row < top + size; ++row)
+            for (int column = left; column < left + size; ++column) above += image.at(column, row).r >= level;
+        return double(above) / (size * size);
+    };
+    const auto bound = [](const texture::MomentTables& tables, int left, int top, int size, double level) {
+        const texture::Moments of_box =
+            tables.over({double(left), double(left + size)}, {double(top), double(top + size)});
+        return texture::most_at_or_above(of_box.mean.r, of_box.variance.r, level);
+    };
+    double farthest = 0, lowest = 1;
+    for (int i = 0; i < 1000; ++i) {
+        const int size = 2 + i % 31, left = 37 * i % (side - size), top = 101 * i % (side - size);
+        farthest =
+            std::max(farthest, std::abs(bound(of_cut, left, top, size, 1) - share(cut, left, top, size, 1)));
+        for (const float level : {0.25f, 0.5f, 0.75f})
+            lowest = std::min(
+                lowest, bound(of_grey, left, top, size, double(level)) - share(grey, left, top, size, level));
+    }
+    return {{"two values: the bound's greatest distance from the share", "", 0, farthest, 9},
+            {"1/f noise: how far the bound falls below the share", "", 0, std::max(0.0, -lowest), 9}};
 }
 
 /// What methods draw of a scene's first view.
@@ -187,6 +224,11 @@ std::span<const PublishedResult> published_results() {
          "Crow 1984, Summed-Area Tables for Texture Mapping", crow_1984},
         {"hensley-2005", "Taking the image's mean away before summing gains up to 31 dB, on their images.",
          "Hensley et al. 2005, Fast Summed-Area Table Generation and its Applications", hensley_2005},
+        {"lauritzen-2007",
+         "Mean and variance over a box bound the share of texels above a level; two values reach the bound.",
+         "Lauritzen 2007, Summed-Area Variance Shadow Maps, GPU Gems 3, chapter 8; Donnelly and Lauritzen "
+         "2006",
+         lauritzen_2007},
         {"sigg-hadwiger-2005", "A cubic B-spline of 16 taps is four bilinear reads.",
          "Sigg and Hadwiger 2005, Fast Third-Order Texture Filtering, GPU Gems 2, chapter 20",
          sigg_hadwiger_2005},

@@ -273,5 +273,32 @@ TEST(Filters, CrowIsOnePageThatAnswersTheLecturesQuestions) {
     EXPECT_EQ(page.find("https:"), std::string::npos);
 }
 
+/// worked has 512 x 512 texels. A chain of grey levels is one's own: a picture of them keeps to itself, not
+/// to zproof's.
+TEST(Filters, LevelsOfOnesOwnAreReadFromFiles) {
+    const Folder folder;
+    int level = 1;
+    for (int side = 256; side >= 1; side /= 2) {
+        const std::string name = "grey_" + std::to_string(level++) + ".png";
+        write_png(folder.path() / name, Plane<Rgb8>(Resolution{side, side}, Rgb8{128, 128, 128}));
+    }
+    const std::string own = "trilinear-gl:levels=" + (folder.path() / "grey_{level}.png").string();
+    const auto checked = [&](const std::string& word) {
+        return run(folder, {"filters", "check", word, "worked", "--view", "phi-0", "--width", "48",
+                            "--height", "48"});
+    };
+    EXPECT_EQ(checked(own).exit_code, 0) << checked(own).err;
+    const Ran none = checked("trilinear-gl:levels=grey.png");
+    EXPECT_EQ(none.exit_code, 2);
+    EXPECT_NE(none.err.find("levels: expected a file name with {level} in it"), std::string::npos)
+        << none.err;
+    write_png(folder.path() / "grey_2.png", Plane<Rgb8>(Resolution{100, 128}, Rgb8{128, 128, 128}));
+    const Ran odd = checked(own);
+    EXPECT_EQ(odd.exit_code, 3);
+    EXPECT_NE(odd.err.find("mip level 2 that is given has 100 x 128 texels: expected 128 x 128"),
+              std::string::npos)
+        << odd.err;
+}
+
 }  // namespace
 }  // namespace zproof::test

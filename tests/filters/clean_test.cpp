@@ -2,11 +2,13 @@
 /// matters.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "cli/selftest/filter_fault.h"
 #include "cli/selftest/filter_variants.h"
 #include "math/interval_functions.h"
+#include "oracle/admissible_surfaces.h"
 #include "texture/catalogue.h"
 
 namespace zproof::selftest {
@@ -115,6 +117,47 @@ TEST(TapPlacement, OnThePictureIsHeldToItsBits) {
     };
     EXPECT_EQ(outside(8), 0u);
     EXPECT_GT(outside(9), 0u);
+}
+
+/// A chain made of stored codes instead of light: right for a picture that promises it, wrong for one that
+/// promises zproof's own.
+TEST(GivenLevels, AreWhatAPictureIsHeldTo) {
+    const FilterFixture fixture = filter_fixture(Ground::noise);
+    const Image& image = fixture.scene.images.front();
+    std::vector<texture::LinearImage> levels =
+        averaged_as_stored(texture::linear_image({image.width, image.height, image.texels}));
+    levels.erase(levels.begin());
+    const texture::FilterOptions options{
+        .given_levels = std::make_shared<const std::vector<texture::LinearImage>>(levels)};
+    for (const char* name : {"trilinear-gl", "aniso-midpoint", "ewa-pbrt", "stochastic-interleaved"}) {
+        const Picture picture =
+            rasterizer::filtered(fixture.scene, fixture.view, fixture.frame,
+                                 {.method = *texture::find_method(name), .options = options});
+        EXPECT_FALSE(conformance_of(picture, fixture, name, options).is_caught()) << name;
+        EXPECT_TRUE(conformance_of(picture, fixture, name, {}).is_caught()) << name;
+    }
+}
+
+/// A parallel projection has no spread: its cones are as wide as a pixel everywhere.
+TEST(RayCones, OfAParallelProjectionConform) {
+    FilterFixture fixture = filter_fixture(Ground::noise);
+    Camera& camera = fixture.view.camera;
+    camera.projection = Projection::parallel;
+    camera.window = {-4, 4, -3.2, 3.2};
+    camera.shear = {0.3, -0.2};
+    camera.near_depth = -100;
+    camera.far_depth = 1000;
+    fixture.frame = oracle::exact_visibility(fixture.scene, fixture.view);
+    EXPECT_GT(std::ranges::count_if(fixture.frame.primitive.pixels(),
+                                    [](PrimitiveId id) { return id != PrimitiveId::none; }),
+              1000);
+    for (const char* name : {"trilinear-ray-cone", "aniso-ray-cone"}) {
+        const Picture picture = rasterizer::filtered(fixture.scene, fixture.view, fixture.frame,
+                                                     {.method = *texture::find_method(name)});
+        const ConformanceResult result = conformance_of(picture, fixture, name, {});
+        EXPECT_EQ(result.found.outside, 0u) << name << ": " << in_words(result);
+        EXPECT_GT(result.found.worst_slack, 0.1) << name;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Filters, Clean,

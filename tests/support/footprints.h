@@ -20,11 +20,18 @@ class Rng {
     std::mt19937 engine_;
 };
 
+/// The footprint with a cone that covers the ellipse of the pixel's own steps, seen square on.
+inline Footprint with_cone_of_its_steps(Footprint f) {
+    f.cone = {.along = f.per_x / 2.0, .across = f.per_y / 2.0, .cosine = 1};
+    return f;
+}
+
 /// The footprint at the centre of pixel (0, 0) of a plane that is the same at every pixel: no perspective.
 inline Footprint flat_footprint(const glm::dvec2& centre, const glm::dvec2& per_x, const glm::dvec2& per_y) {
     const glm::dvec2 corner = centre - 0.5 * (per_x + per_y);
-    return footprint({{per_x.x, per_y.x, corner.x}, {per_x.y, per_y.y, corner.y}, {0, 0, 1}}, 0, 0,
-                     Derivatives::analytic);
+    return with_cone_of_its_steps(
+        footprint({{per_x.x, per_y.x, corner.x}, {per_x.y, per_y.y, corner.y}, {0, 0, 1}}, 0, 0,
+                  Derivatives::analytic));
 }
 
 /// Of a plane in perspective, anywhere: steps of 2^-3 to 2^7 texels, any turn, anisotropy up to about 100.
@@ -36,10 +43,10 @@ inline Footprint random_footprint(std::uint32_t seed) {
     const glm::dvec2 per_x = major * std::cos(pixel) * along + minor * std::sin(pixel) * across,
                      per_y = -major * std::sin(pixel) * along + minor * std::cos(pixel) * across;
     const glm::dvec2 corner{rng.between(-300, 300), rng.between(-300, 300)};
-    return footprint({{per_x.x, per_y.x, corner.x},
-                      {per_x.y, per_y.y, corner.y},
-                      {rng.between(-0.1, 0.1), rng.between(-0.1, 0.1), 1}},
-                     0, 0, Derivatives::analytic);
+    return with_cone_of_its_steps(footprint({{per_x.x, per_y.x, corner.x},
+                                             {per_x.y, per_y.y, corner.y},
+                                             {rng.between(-0.1, 0.1), rng.between(-0.1, 0.1), 1}},
+                                            0, 0, Derivatives::analytic));
 }
 
 /// Independent channels, uniform in [0, 1), any size.

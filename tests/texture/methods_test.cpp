@@ -1,5 +1,5 @@
 // What holds of every method that keeps a mip chain or the texture itself; summed-area tables have their own
-// tests (summed_area_test.cpp).
+// tests (summed_area_test.cpp, repeated_sums_test.cpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 std::vector<std::string> methods_of_texels() {
     std::vector<std::string> names;
     for (const Method& method : methods())
-        if (!method.name.starts_with("sat-")) names.push_back(method.name);
+        if (method.name.find("sat") == std::string::npos) names.push_back(method.name);
     return names;
 }
 
@@ -343,6 +343,31 @@ TEST(Anisotropic, VulkanDoesNotRoundTheRatioInItsLod) {
     }
     EXPECT_NEAR(mean_level("aniso-ext", f), std::log2(10 / 3.0), 1e-14);
     EXPECT_NEAR(mean_level("aniso-ext", narrow), 2, 1e-14);
+}
+
+/// R = 64 and r = 2 texels, at most 16: L = 2 (64 - 16) = 96, so lookups stand 19.2 apart. Each has 16 taps,
+/// 64 / 16 = 4 apart, of width 4: level 2, in texels of which everything is a quarter.
+TEST(Anisotropic, EllipticalLookupsStandAndWeighWhatTheirCardSays) {
+    const Footprint f = flat_footprint({200, 128}, {64, 0}, {0, 2});
+    const std::vector<Probe> found =
+        probes(prepared("aniso-elliptical", constant_image(512, 256, glm::vec4{1})), f, 2);
+    ASSERT_EQ(found.size(), 5u * 16);
+    const double near = 0.8187307530779818, far = 0.6703200460356393;  // exp(-1/5), exp(-2/5)
+    const double weights[] = {far, near, 1, near, far}, sum = 1 + 2 * near + 2 * far;
+    for (int lookup = 0; lookup < 5; ++lookup)
+        for (int tap = 0; tap < 16; ++tap) {
+            const Probe& probe = found[std::size_t(16 * lookup + tap)];
+            EXPECT_NEAR(probe.place.x, (200 + 19.2 * (lookup - 2) - 30 + 4 * tap) / 4, 1e-12);
+            EXPECT_NEAR(probe.place.y, 32, 1e-12);
+            EXPECT_NEAR(probe.weight, weights[lookup] / sum / 16, 1e-15);
+        }
+}
+
+/// R = 16 and r = 2: one lookup of 16 texels reaches as far as the line would.
+TEST(Anisotropic, EllipticalIsOneLookupWhereThatReachesFarEnough) {
+    const LinearImage image = random_image(64, 64, 8);
+    const Footprint f = flat_footprint({31.3, 17.9}, {16, 0}, {0, 2});
+    EXPECT_EQ(prepared("aniso-elliptical", image).colour(f), prepared("aniso-d3d11", image).colour(f));
 }
 
 TEST(Anisotropic, GaussianProbesWeighWhatTheirCardsSay) {

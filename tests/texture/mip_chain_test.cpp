@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/support/footprints.h"
+#include "texture/catalogue.h"
 
 namespace zproof::texture {
 namespace {
@@ -165,6 +166,43 @@ TEST(MipChain, StoredImagesTellWhatTheyAreMadeOf) {
                 }
         }
     }
+}
+
+std::shared_ptr<const std::vector<LinearImage>> given(std::vector<LinearImage> levels) {
+    return std::make_shared<const std::vector<LinearImage>>(std::move(levels));
+}
+
+/// Steps of two texels read level 1 alone, whatever it is made of.
+TEST(GivenLevels, AreReadInsteadOfTheKernels) {
+    const LinearImage image = constant_image(6, 4, glm::vec4{1});
+    const auto levels =
+        given({constant_image(3, 2, glm::vec4{0.25f}), constant_image(1, 1, glm::vec4{0.5f})});
+    const Footprint two = flat_footprint({2, 3}, {2, 0}, {0, 2}),
+                    four = flat_footprint({2, 3}, {4, 0}, {0, 4}),
+                    far = flat_footprint({2, 3}, {400, 0}, {0, 400});
+    for (const char* name : {"mip-nearest-point", "trilinear-gl", "ewa-pbrt", "stochastic-trilinear"}) {
+        const Sampler sampler = find_method(name)->prepare(image, {.given_levels = levels});
+        EXPECT_NEAR(sampler.colour(two).r, 0.25, 1e-15) << name;
+        EXPECT_NEAR(sampler.colour(four).r, 0.5, 1e-15) << name;
+        EXPECT_NEAR(sampler.colour(far).r, 0.5, 1e-15) << name;
+    }
+}
+
+TEST(GivenLevels, MustHaveTheirSizes) {
+    const LinearImage image = constant_image(6, 4, glm::vec4{1});
+    const auto refused = [&](std::vector<LinearImage> levels) {
+        try {
+            mip_chain(image, {.given_levels = given(std::move(levels))});
+        } catch (const MipChainError& e) {
+            return std::string{e.what()};
+        }
+        return std::string{};
+    };
+    const LinearImage right = constant_image(3, 2, glm::vec4{1}), last = constant_image(1, 1, glm::vec4{1});
+    EXPECT_EQ(refused({right, last}), "");
+    EXPECT_EQ(refused({right}), "");  // it may end early
+    EXPECT_EQ(refused({last}), "mip level 1 that is given has 1 x 1 texels: expected 3 x 2");
+    EXPECT_EQ(refused({right, last, last}), "mip level 3 is given, behind a level of 1 x 1 texels");
 }
 
 }  // namespace

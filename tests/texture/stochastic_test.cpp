@@ -67,5 +67,53 @@ TEST(Stochastic, DecidesEverySampleAndPixelByItself) {
     EXPECT_NEAR(like_the_last / pixels, 0.5, by_chance(pixels));
 }
 
+struct Drawn {
+    int level, column, row;
+    bool operator==(const Drawn&) const = default;
+};
+
+/// What pixel (x, y) draws of a texture of 4 x 4 at the place (1.75, 2), with steps of 2^lod texels.
+Drawn interleaved(int x, int y, std::uint32_t frame, double lod) {
+    Footprint f = flat_footprint({1.75, 2}, {std::exp2(lod), 0}, {0, std::exp2(lod)});
+    f.centre_raster = {x + 0.5, y + 0.5};
+    const Tap tap =
+        stochastic("stochastic-interleaved", random_image(4, 4, 1), {.seed = frame}).taps(f).front();
+    return {tap.image, tap.column, tap.row};
+}
+
+/// Columns 1 and 2 by 3/4 and 1/4, rows 1 and 2 by halves. The noise is 0 at (0, 0), 0.5557 at (1, 0), 0.3093
+/// at (0, 1), 0.8178 at (7, 3) and 0.1542 at (1, 0) a frame later.
+TEST(Interleaved, DecidesByOneNumberOfPixelAndFrame) {
+    EXPECT_EQ(interleaved(0, 0, 0, 0), (Drawn{0, 2, 2}));
+    EXPECT_EQ(interleaved(1, 0, 0, 0), (Drawn{0, 1, 2}));  // (0.5557 - 1/4) / (3/4) = 0.408
+    EXPECT_EQ(interleaved(0, 1, 0, 0), (Drawn{0, 1, 2}));  // 0.079
+    EXPECT_EQ(interleaved(7, 3, 0, 0), (Drawn{0, 1, 1}));  // 0.757
+    EXPECT_EQ(interleaved(1, 0, 1, 0), (Drawn{0, 2, 1}));  // 0.1542 / (1/4) = 0.617
+    EXPECT_EQ(interleaved(1, 0, 65, 0), interleaved(1, 0, 1, 0));
+}
+
+/// LOD 1/4: the level comes first. In level 1 of 2 x 2 texels the place is (0.875, 1): columns 0 and 1 by 5/8
+/// and 3/8.
+TEST(Interleaved, DecidesTheLevelFirst) {
+    EXPECT_EQ(interleaved(1, 0, 0, 0.25), (Drawn{0, 1, 2}));  // 0.408, then (0.408 - 1/4) / (3/4) = 0.210
+    EXPECT_EQ(interleaved(1, 0, 1, 0.25), (Drawn{1, 0, 1}));  // 0.617, then (0.617 - 3/8) / (5/8) = 0.387
+}
+
+/// How far the mean of 3 x 3 pixels lies from the expectation 1/4, root mean square: with white noise
+/// sqrt(3/16 / 9).
+TEST(Interleaved, IsEvenerOverNeighboursThanWhiteNoise) {
+    double squares = 0;
+    int blocks = 0;
+    for (int y = 0; y < 60; y += 3)
+        for (int x = 0; x < 60; x += 3) {
+            int second = 0;
+            for (int j = 0; j < 3; ++j)
+                for (int i = 0; i < 3; ++i) second += interleaved(x + i, y + j, 0, 0).column == 2;
+            squares += (second / 9.0 - 0.25) * (second / 9.0 - 0.25);
+            ++blocks;
+        }
+    EXPECT_LT(std::sqrt(squares / blocks), 0.5 * std::sqrt(3 / 16.0 / 9));
+}
+
 }  // namespace
 }  // namespace zproof::texture

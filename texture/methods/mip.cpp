@@ -86,7 +86,22 @@ std::vector<Method> mip_methods() {
                  "is in texels of its own axis.",
              .taps = {},
              .source = "pbrt-v4, MIPMap::Filter"},
-            prepare_bilinear<Trilinear<lod_pbrt>>)};
+            prepare_bilinear<Trilinear<lod_pbrt>>),
+        trilinear_method(
+            "trilinear-ray-cone",
+            {.footprint =
+                 "The cone about the pixel's ray d. Its spread angle is alpha = atan(p), p: the image "
+                 "plane's "
+                 "height at depth 1 by the image's rows. At the distance t of the surface it is w = 2 t "
+                 "tan(alpha / 2) wide. Of a parallel projection w is the height of a pixel.",
+             .lod =
+                 "log2(w sqrt(t_a / p_a) / |n . d|), t_a: the triangle's area in texels of level 0, p_a: its "
+                 "area in the world, n: its unit normal.",
+             .taps = {},
+             .source = "Akenine-Moller, Nilsson, Andersson, Barre-Brisebois, Toth and Karras 2019; "
+                       "Akenine-Moller, Crassin, Boksansky, Belcour, Panteleev and Wright 2021, with its "
+                       "erratum"},
+            prepare_bilinear<Trilinear<lod_ray_cone>>)};
 }
 
 }  // namespace zproof::texture

@@ -23,7 +23,7 @@ struct MipReads {
     std::vector<glm::dvec2> scales;  ///< texels of each level per texel of level 0, along either axis
 
     MipReads(const LinearImage& image, const FilterOptions& settings)
-        : levels{mip_chain(image, settings.mip_kernel, settings.addressing)}, options{settings} {
+        : levels{mip_chain(image, settings)}, options{settings} {
         for (const LinearImage& level : levels)
             scales.emplace_back(double(level.width) / image.width, double(level.height) / image.height);
     }

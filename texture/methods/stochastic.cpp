@@ -11,27 +11,50 @@ namespace zproof::texture {
 
 namespace {
 
-/// White noise: a number of its own for every seed, pixel, sample and decision.
-class Noise {
-  public:
-    Noise(std::uint32_t seed, const glm::dvec2& centre_raster)
-        : pixel_{mixed(mixed(seed ^ mixed(bits(centre_raster.x))) ^ bits(centre_raster.y))} {}
+enum Decision { column, row, level };
 
+/// White noise: a number of its own for every seed, pixel, sample and decision.
+class WhiteNoise {
+  public:
+    WhiteNoise(std::uint32_t seed, const glm::dvec2& centre_raster, int sample)
+        : sample_{mixed(mixed(mixed(seed ^ mixed(bits(centre_raster.x))) ^ bits(centre_raster.y)) ^
+                        std::uint64_t(sample))} {}
+
+    /// 1, the second of two, with the probability of its share.
+    int second(Decision decision, double share) { return number(decision) < share ? 1 : 0; }
+
+  private:
     /// In [0, 1), a multiple of 2^-53.
-    double at(int sample, int decision) const {
-        return double(mixed(mixed(pixel_ ^ std::uint64_t(sample)) ^ std::uint64_t(decision)) >> 11) * 0x1p-53;
+    double number(Decision decision) const {
+        return double(mixed(sample_ ^ std::uint64_t(decision)) >> 11) * 0x1p-53;
+    }
+    static std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+    std::uint64_t sample_;
+};
+
+/// Interleaved gradient noise (Jimenez 2014), a number for every pixel and frame. What is left of it after a
+/// decision takes the next one.
+class InterleavedNoise {
+  public:
+    InterleavedNoise(std::uint32_t seed, const glm::dvec2& centre_raster, int sample) {
+        const glm::dvec2 at =
+            glm::floor(centre_raster) + 5.588238 * double((seed + std::uint32_t(sample)) % 64);
+        number_ = glm::fract(52.9829189 * glm::fract(0.06711056 * at.x + 0.00583715 * at.y));
+    }
+
+    int second(Decision, double share) {
+        const bool is_second = number_ < share;
+        number_ = is_second ? number_ / share : (number_ - share) / (1 - share);
+        return is_second ? 1 : 0;
     }
 
   private:
-    static std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
-
-    std::uint64_t pixel_;
+    double number_;
 };
 
-/// 1, the second of two, with the probability of its share.
-int second(double number, double share) { return number < share ? 1 : 0; }
-
 /// One texel a sample, of the levels around the LOD. Without a chain there is one level.
+template <class Noise>
 struct OneTexelRule {
     std::vector<LinearImage> levels;
     FilterOptions options;
@@ -39,12 +62,10 @@ struct OneTexelRule {
     void operator()(const Footprint& footprint, auto&& read) const {
         const double lod = lod_in_chain(lod_gl_maximum(footprint), options, levels.size());
         const int finer = int(lod);  // rounded down: it is not negative
-        const Noise noise{options.seed, footprint.centre_raster};
         for (int sample = 0; sample < options.samples; ++sample) {
-            const Tap tap{.image = finer + second(noise.at(sample, 2), lod - finer),
-                          .weight = 1.0 / options.samples};
-            const glm::dvec2 numbers{noise.at(sample, 0), noise.at(sample, 1)};
-            read(drawn(tap, place_in(tap.image, footprint.centre), numbers));
+            Noise noise{options.seed, footprint.centre_raster, sample};
+            const Tap tap{.image = finer + noise.second(level, lod - finer), .weight = 1.0 / options.samples};
+            read(drawn(tap, place_in(tap.image, footprint.centre), noise));
         }
     }
     glm::dvec4 value(const Tap& tap) const {
@@ -52,28 +73,29 @@ struct OneTexelRule {
     }
 
   private:
-    glm::dvec2 place_in(int level, const glm::dvec2& place) const {
-        const LinearImage &image = levels[std::size_t(level)], &finest = levels[0];
+    glm::dvec2 place_in(int of_level, const glm::dvec2& place) const {
+        const LinearImage &image = levels[std::size_t(of_level)], &finest = levels[0];
         return place * glm::dvec2{double(image.width) / finest.width, double(image.height) / finest.height};
     }
-    Tap drawn(Tap tap, const glm::dvec2& place, const glm::dvec2& numbers) const {
+    Tap drawn(Tap tap, const glm::dvec2& place, Noise& noise) const {
         const LinearImage& image = levels[std::size_t(tap.image)];
         const glm::dvec2 between{place_on_line(place.x) - 0.5, place_on_line(place.y) - 0.5},
             low = glm::floor(between), share = between - low;
         tap.column =
-            wrapped(options.addressing.u, std::int64_t(low.x) + second(numbers.x, share.x), image.width);
+            wrapped(options.addressing.u, std::int64_t(low.x) + noise.second(column, share.x), image.width);
         tap.row =
-            wrapped(options.addressing.v, std::int64_t(low.y) + second(numbers.y, share.y), image.height);
+            wrapped(options.addressing.v, std::int64_t(low.y) + noise.second(row, share.y), image.height);
         return tap;
     }
 };
 
 Sampler prepare_stochastic_bilinear(const LinearImage& image, const FilterOptions& options) {
-    return sampler(OneTexelRule{{image}, options}, {level_zero(image)});
+    return sampler(OneTexelRule<WhiteNoise>{{image}, options}, {level_zero(image)});
 }
 
+template <class Noise>
 Sampler prepare_stochastic_trilinear(const LinearImage& image, const FilterOptions& options) {
-    return sampler(OneTexelRule{mip_chain(image, options.mip_kernel, options.addressing), options},
+    return sampler(OneTexelRule<Noise>{mip_chain(image, options), options},
                    stored_mip_chain(image, options.mip_kernel, options.addressing));
 }
 
@@ -105,7 +127,22 @@ std::vector<Method> stochastic_methods() {
                                       "fraction, there as stochastic-bilinear. "} +
                           noise_rule + " The expectation is trilinear-gl.",
                   .source = papers},
-         .prepare = prepare_stochastic_trilinear}};
+         .prepare = prepare_stochastic_trilinear<WhiteNoise>},
+        {.name = "stochastic-interleaved",
+         .card =
+             {.footprint = "The longer of the pixel's two steps.",
+              .lod = "log2 of its length in texels.",
+              .taps =
+                  "The mean of spp samples, the frames of an accumulation. A sample is one texel, decided "
+                  "by one number: frac(52.9829189 frac(0.06711056 (x + o) + 0.00583715 (y + o))) of pixel "
+                  "(x, y), o = 5.588238 ((seed + sample) mod 64), interleaved gradient noise. Level, "
+                  "column and row are decided in this order. A number q below the second one's share s "
+                  "takes it and leaves q / s for the next decision; any other takes the first one and "
+                  "leaves (q - s) / (1 - s). Averaged over frames and neighbouring pixels it nears "
+                  "trilinear-gl.",
+              .source = "Jimenez 2014, Next Generation Post Processing in Call of Duty; Fajardo, Wronski, "
+                        "Salvi and Pharr 2023, Stochastic Texture Filtering, for one number for all"},
+         .prepare = prepare_stochastic_trilinear<InterleavedNoise>}};
 }
 
 }  // namespace zproof::texture

@@ -104,6 +104,18 @@ TEST_F(OnTheWorkedPlane, SumsOfATableAreNoLevels) {
     EXPECT_FALSE(found.reading->images[0].level);
 }
 
+TEST_F(OnTheWorkedPlane, WhatManySumsOfSumsAreMadeOfIsNotTold) {
+    EXPECT_FALSE(inspector_.at(method("quadratic-sat"), {{31, 30}}).front().reading);
+}
+
+TEST_F(OnTheWorkedPlane, WhatGivenLevelsAreMadeOfIsNotTold) {
+    ConfiguredMethod own = method("trilinear-gl");
+    own.texturing.options.given_levels = std::make_shared<const std::vector<texture::LinearImage>>();
+    const PixelInspection found = inspector_.at(own, {{31, 30}}).front();
+    EXPECT_FALSE(found.reading);
+    EXPECT_TRUE(found.exact);
+}
+
 TEST_F(OnTheWorkedPlane, WhatOthersReadIsNotRecorded) {
     ConfiguredMethod foreign = method("nearest");
     foreign.paint = [](const Scene&, const View&, const Frame&) { return Picture{}; };

@@ -29,6 +29,12 @@ TEST(PublishedResults, AnOffsetGainsBitsOfASummedAreaTable) {
     }
 }
 
+TEST(PublishedResults, MomentsOverABoxBoundTheShareAboveALevel) {
+    const auto figures = figures_of("lauritzen-2007");
+    ASSERT_EQ(figures.size(), 2u);
+    for (const PublishedFigure& figure : figures) EXPECT_LT(figure.ours, 1e-9) << figure.what;
+}
+
 TEST(PublishedResults, FourBilinearReadsAreABSplineOf16Taps) {
     EXPECT_LT(figures_of("sigg-hadwiger-2005").at(0).ours, 1e-6);
 }
