@@ -119,8 +119,9 @@ Hypothesis exchanged(const DiagnosisInput& input) {
     const Ids there = most_often_with(ours, theirs), back = most_often_with(theirs, ours);
     const auto meant = [there, back](std::uint32_t id) {
         const auto triangle = there.find(id);
-        if (triangle == there.end()) return id;
-        return back.at(triangle->second) == id ? triangle->second : id;
+        if (triangle != there.end()) return back.at(triangle->second) == id ? triangle->second : id;
+        const auto other = back.find(id);  // the triangle of that index has another's id
+        return other != back.end() && there.at(other->second) == id ? nobody : id;
     };
     Hypothesis h = with_ids(
         input, "ids are exchanged",

@@ -76,6 +76,13 @@ bool OtherWorld::may_show(const Claim& claim) const {
     return check_depth(view_, shown_bounds_, p_world, triangle, {claim.x, claim.y}, depth).is_admissible;
 }
 
+ReportedDepth OtherWorld::depth_of(const Claim& claim) const {
+    const CornersWorld p_world = corners_of(*scene_, std::uint32_t(claim.answer.primitive));
+    const TriangleDepth triangle(TriangleInView(view_, shown_bounds_, p_world), shown_bounds_);
+    const DepthBound bound = triangle.at(claim.x, claim.y);
+    return {bound.low, bound.high};
+}
+
 bool OtherWorld::might_be_shown_in(const Frame& frame) const {
     const std::size_t count = frame.primitive.pixels().size(), width = std::size_t(frame.size().width);
     std::size_t asked = 0, possible = 0;
@@ -108,22 +115,27 @@ std::shared_ptr<const Scene> declared_scene(const DiagnosisInput& input) {
 }
 
 Hypothesis decided_by(const DiagnosisInput& input, std::string name, std::string description,
-                      std::function<bool(const Claim&)> admits) {
+                      std::function<bool(const Claim&)> admits,
+                      std::function<ReportedDepth(const Claim&)> depth_of) {
     Hypothesis h = as_declared(input, std::move(name), std::move(description));
     h.restate = [admits = std::move(admits)](const Claim& claim) -> std::optional<Claim> {
         if (!admits(claim)) return std::nullopt;
         return Claim{claim.x, claim.y, {PrimitiveId::none, background_depth}};
     };
     h.amend = [](Neighbourhood& around, PrimitiveId) { around.neighbours.clear(); };
+    h.decided_depth = std::move(depth_of);
     return h;
 }
 
 Hypothesis shown_instead(const DiagnosisInput& input, std::string name, std::string description,
                          std::shared_ptr<const Scene> scene, const View& view) {
     const auto world = std::make_shared<OtherWorld>(std::move(scene), view, input.candidate.precision);
-    return decided_by(input, std::move(name), std::move(description),
-                      [world, is_possible = world->might_be_shown_in(input.candidate.frame)](
-                          const Claim& claim) { return is_possible && world->admits(claim); });
+    return decided_by(
+        input, std::move(name), std::move(description),
+        [world, is_possible = world->might_be_shown_in(input.candidate.frame)](const Claim& claim) {
+            return is_possible && world->admits(claim);
+        },
+        [world](const Claim& claim) { return world->depth_of(claim); });
 }
 
 }  // namespace zproof

@@ -39,6 +39,15 @@ std::vector<Hypothesis> of_windows(const DiagnosisInput& input) {
         window("the window is twice as wide", "The width is taken for its half.", 2 * wide, high),
         window("the window is half as high", "The height is taken for half of itself.", wide, high / 2),
         window("the window is twice as high", "The height is taken for its half.", wide, 2 * high)};
+    const double width = input.view.width, height = input.view.height;
+    if (wide * height != high * width) {
+        all.push_back(window("pixels are taken for square: the width follows the height",
+                             "The window is as wide as square pixels of its height are.",
+                             high * width / height, high));
+        all.push_back(window("pixels are taken for square: the height follows the width",
+                             "The window is as high as square pixels of its width are.", wide,
+                             wide * height / width));
+    }
     if (wide == high) return all;
     all.push_back(window("the window's width and height are exchanged",
                          "The picture is as wide as it should be high.", high, wide));
