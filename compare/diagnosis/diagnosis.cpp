@@ -1,6 +1,8 @@
 #include "compare/diagnosis/diagnosis.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <span>
 #include <tuple>
@@ -35,9 +37,6 @@ struct HypothesisTest {
     /// Does no pixel that was asked speak against it, the defects that it leaves apart?
     bool is_not_refuted() const { return outcome.contradicted == 0 && makes_what_it_explains(); }
     bool leaves_nothing() const { return outcome.explained == outcome.asked; }
-    bool fits_a_number() const {
-        return hypothesis->learned_bits > 0 && hypothesis->learned_bits <= bits_of_a_number;
-    }
     /// Is it the whole cause, as far as was asked, and not only the least of several that would permit it?
     bool suffices() const {
         return is_not_refuted() && leaves_nothing() && !hypothesis->only_permits &&
@@ -77,8 +76,9 @@ class Diagnoser {
         double saved_bits = 0;
         std::vector<Explanation> causes;
         for (std::vector<HypothesisTest> best = first; !best.empty(); best = best_tests()) {
+            if (is_one_of_several(best)) put_what_supposes_no_rule_first(best);
             const HypothesisTest& cause = best.front();
-            if (!cause.is_not_refuted() || is_one_fit_of_several(best)) return diagnosis;
+            if (!cause.is_not_refuted() || is_one_of_several(best)) return diagnosis;
             if (!cause.suffices() && cause.saved_bits < least_part * all_bits) return diagnosis;
             saved_bits += cause.saved_bits;
             causes.push_back(cause.outcome);
@@ -133,26 +133,33 @@ class Diagnoser {
         return std::size_t(std::ranges::find_if_not(ranked, is_alike) - ranked.begin());
     }
 
-    /// Of those that do as well as the best, the ones that learned nothing from the frames stand first, and
-    /// next what learned one number. What speaks of the whole frame goes before what speaks of a part.
+    /// Of those that do as well as the best, what speaks of the whole frame stands before what speaks of
+    /// parts, and what learned less from the frames before what learned more.
     void put_unlearned_first(std::vector<HypothesisTest>& ranked) const {
         if (ranked.empty()) return;
         const Resolution whole = input_.candidate.frame.size();
-        const auto last = ranked.begin() + std::ptrdiff_t(alike(ranked));
-        std::stable_sort(ranked.begin(), last, [&](const HypothesisTest& a, const HypothesisTest& b) {
-            const auto order = [&](const HypothesisTest& t) {
-                if (t.hypothesis->cell != whole) return 2;
-                return t.hypothesis->learned_bits == 0 ? 0 : t.fits_a_number() ? 1 : 2;
-            };
-            return order(a) < order(b);
+        std::ranges::stable_sort(std::span(ranked).first(alike(ranked)), {}, [&](const HypothesisTest& t) {
+            return std::pair{t.hypothesis->cell != whole, t.hypothesis->learned_bits};
         });
     }
 
-    /// Did two of them each fit another number, and do equally well? Then the frame does not tell which it
-    /// is.
-    static bool is_one_fit_of_several(std::span<const HypothesisTest> ranked) {
-        return ranked.front().fits_a_number() &&
-               std::ranges::count_if(ranked.first(alike(ranked)), &HypothesisTest::fits_a_number) > 1;
+    /// Does another one, which rests on no more, do as well: a rule of another kind, or another fitted limit?
+    /// Then the frame does not tell which it is.
+    static bool is_one_of_several(std::span<const HypothesisTest> ranked) {
+        const Hypothesis& best = *ranked.front().hypothesis;
+        if (best.supposes_no_rule) return false;
+        return std::ranges::any_of(ranked.subspan(1, alike(ranked) - 1), [&](const HypothesisTest& t) {
+            const Hypothesis& other = *t.hypothesis;
+            if (other.only_permits || other.supposes_no_rule || other.cell != best.cell) return false;
+            if (best.fits_a_limit) return other.fits_a_limit;
+            return best.learned_bits == 0 && other.learned_bits == 0 && other.kind != best.kind;
+        });
+    }
+
+    /// Of those that do as well as the best.
+    static void put_what_supposes_no_rule_first(std::vector<HypothesisTest>& ranked) {
+        std::ranges::stable_partition(std::span(ranked).first(alike(ranked)),
+                                      [](const HypothesisTest& t) { return t.hypothesis->supposes_no_rule; });
     }
 
     /// Counts what those that seem best leave open, a few at a time, and ranks them anew; how many of them
@@ -250,6 +257,9 @@ class Diagnoser {
                                  bits_of_choice(with_defects, all_cells) +
                                  description_.of_exceptions(defects.exceptions() + agreeing.exceptions()) +
                                  defects.open_bits() + agreeing.open_bits() - declared_bits;
+        if (getenv("ZD") && e.name.find(getenv("ZD")) != std::string::npos)
+            fprintf(stderr, "DBG %s %zu/%zu contra %zu/%zu\n", e.name.c_str(), e.explained, e.asked,
+                    e.contradicted, e.checked);
         test.saved_bits = description_.of_exceptions(defect_set_.pixel_count()) - told_with;
         e.saved_share = std::min(1.0, test.saved_bits / bits_of_defects());
     }

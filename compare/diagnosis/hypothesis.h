@@ -37,6 +37,10 @@ struct Hypothesis {
     std::string look_at{};    ///< where in a renderer's code to look first: one sentence
     /// Bits that it takes to tell what it learned from the two frames.
     double learned_bits = 0;
+    bool fits_a_limit =
+        false;  ///< Is what it learned one number, such as a limit that it fits to the frames?
+    bool supposes_no_rule = false;  ///< Does it say what is missing, and not why?
+    int kind = 0;                   ///< which of the catalogue's: rules of two kinds suppose different things
     /// Does it move triangles? Then it is no cause where every defect is a depth.
     bool moves_triangles = false;
     /// Does it say what may be wrong, and not what must? The right answer is admissible under it as well.

@@ -160,6 +160,7 @@ std::vector<Hypothesis> fitted(const DiagnosisInput& input, const std::string& n
     Hypothesis h =
         as_declared(input, name, description + number_text(shown ? shown(*number) : *number, 6) + ".");
     h.learned_bits = bits_of_a_number;
+    h.fits_a_limit = true;
     h.report = [form, number = *number](const DepthBound& bound, const Claim&) {
         const double one = form.told(number, bound.low), other = form.told(number, bound.high);
         const double room = std::max(form.rounding(number, bound.low), form.rounding(number, bound.high));
@@ -226,6 +227,7 @@ std::vector<Hypothesis> clipped_elsewhere(const DiagnosisInput& input) {
                                        double near_depth, double far_depth) {
         Hypothesis h = as_declared(input, name, description);
         h.learned_bits = bits_of_a_number;
+        h.fits_a_limit = true;
         h.view.camera.near_depth = near_depth;
         h.view.camera.far_depth = far_depth;
         return h;

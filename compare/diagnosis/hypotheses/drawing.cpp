@@ -168,6 +168,7 @@ Hypothesis lost_triangles(const DiagnosisInput& input) {
                                     [&](const Neighbour& n) { return missing.contains(n.triangle); });
                   });
     h.learned_bits = double(missing.size()) * bits_of_an_id(input.scene);
+    h.supposes_no_rule = true;
     return h;
 }
 

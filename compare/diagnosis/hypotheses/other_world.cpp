@@ -1,5 +1,6 @@
 #include "compare/diagnosis/hypotheses/other_world.h"
 
+#include <cmath>
 #include <utility>
 
 #include "compare/admissible/depth_rule.h"
@@ -68,7 +69,8 @@ bool OtherWorld::may_show(const Claim& claim) const {
     const PrimitiveId id = claim.answer.primitive;
     const float depth = claim.answer.camera_depth;
     if (id == PrimitiveId::none) return depth == background_depth;
-    if (std::size_t(id) >= scene_->triangles.size() || !(depth >= 0)) return false;
+    if (std::size_t(id) >= scene_->triangles.size() || std::isnan(depth)) return false;
+    if (depth < 0 && view_.camera.near_depth >= 0) return false;
     const CornersWorld p_world = corners_of(*scene_, std::uint32_t(id));
     const Neighbour seen = neighbour_of(ViewRay<double>(view_, claim.x, claim.y), bounds_, p_world);
     if (seen.image && !comes_within(*seen.image, seen.bounds.eps_px + searched_px)) return false;

@@ -84,6 +84,7 @@ std::vector<Hypothesis> blank_sides(const DiagnosisInput& input) {
         Hypothesis h = as_declared(
             input, name, "Nothing is drawn there: " + std::to_string(count) + " of them are background.");
         h.learned_bits = std::log2(double(most));
+        h.fits_a_limit = true;
         h.amend = [strip = strip_along(side, size, count)](Neighbourhood& around, PrimitiveId) {
             if (around.x >= strip.x0 && around.x < strip.x1 && around.y >= strip.y0 && around.y < strip.y1)
                 around.neighbours.clear();
@@ -138,10 +139,16 @@ std::vector<Hypothesis> moved_tiles(const DiagnosisInput& input) {
 
 }  // namespace
 
+std::vector<Hypothesis> hypotheses_of_blank_frames(const DiagnosisInput& input) {
+    Hypothesis h =
+        blank(input, "nothing was drawn", "The whole frame is background.", input.candidate.frame.size());
+    h.supposes_no_rule = true;
+    return {h};
+}
+
 std::vector<Hypothesis> hypotheses_of_parts(const DiagnosisInput& input) {
     const Resolution size = input.candidate.frame.size();
     std::vector<Hypothesis> all{
-        blank(input, "nothing was drawn", "The whole frame is background.", size),
         blank(input, "rows are missing", "Whole rows are background.", {size.width, 1}),
         blank(input, "columns are missing", "Whole columns are background.", {1, size.height})};
     for (Hypothesis& h : blank_sides(input)) all.push_back(std::move(h));

@@ -84,6 +84,12 @@ std::vector<Hypothesis> of_offsets(const DiagnosisInput& input) {
     if (length(offset) > 0) {
         all.push_back(seen_in(input, "the window's offset is ignored",
                               "The window stands about the view axis.", with_offset(glm::dvec2(0))));
+        if (offset.x != 0 && offset.y != 0) {
+            all.push_back(seen_in(input, "the window's offset is ignored in x",
+                                  "The window stands about the view axis in x.", with_offset({0, offset.y})));
+            all.push_back(seen_in(input, "the window's offset is ignored in y",
+                                  "The window stands about the view axis in y.", with_offset({offset.x, 0})));
+        }
         for (const glm::dvec2& sign : {glm::dvec2(-1, -1), glm::dvec2(-1, 1), glm::dvec2(1, -1)})
             if (sign * offset != offset)
                 all.push_back(seen_in(input, "the window's offset has the wrong sign",
@@ -94,6 +100,12 @@ std::vector<Hypothesis> of_offsets(const DiagnosisInput& input) {
     if (length(shear) > 0) {
         all.push_back(seen_in(input, "the shear is ignored", "The view ray is the view axis.",
                               with_shear(glm::dvec2(0))));
+        if (shear.x != 0 && shear.y != 0) {
+            all.push_back(seen_in(input, "the shear is ignored in x", "The view ray leans up or down alone.",
+                                  with_shear({0, shear.y})));
+            all.push_back(seen_in(input, "the shear is ignored in y", "The view ray leans aside alone.",
+                                  with_shear({shear.x, 0})));
+        }
         for (const glm::dvec2& sign : {glm::dvec2(-1, -1), glm::dvec2(-1, 1), glm::dvec2(1, -1)})
             if (sign * shear != shear)
                 all.push_back(seen_in(input, "the shear has the wrong sign",
