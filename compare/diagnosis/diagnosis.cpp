@@ -1,8 +1,6 @@
 #include "compare/diagnosis/diagnosis.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <span>
 #include <tuple>
@@ -28,15 +26,26 @@ struct HypothesisTest {
     const Hypothesis* hypothesis = nullptr;
     std::size_t place = 0;  ///< in the order of all hypotheses
     Explanation outcome;
-    double saved_bits = 0;  ///< by which the frame is told shorter
+    double saved_bits = 0;      ///< by which the frame is told shorter
+    std::uint64_t defects = 0;  ///< all that there are to explain
 
     /// Does it say what must be wrong? What merely permits a defect leaves open why it is there.
     bool makes_what_it_explains() const {
         return hypothesis->only_permits || 2 * outcome.permitted < outcome.explained;
     }
+    /// Pixels at which it may be mistaken, of so many.
+    double slips(std::uint64_t pixels) const {
+        return hypothesis->reads_surroundings ? alike_shares * double(pixels) : 0;
+    }
     /// Does no pixel that was asked speak against it, the defects that it leaves apart?
-    bool is_not_refuted() const { return outcome.contradicted == 0 && makes_what_it_explains(); }
-    bool leaves_nothing() const { return outcome.explained == outcome.asked; }
+    bool is_not_refuted() const {
+        return double(outcome.contradicted) <= slips(outcome.checked) && makes_what_it_explains();
+    }
+    /// One wrong pixel proves nothing, neither for a rule nor against it.
+    bool leaves_nothing() const {
+        const std::uint64_t left = outcome.asked - outcome.explained;
+        return double(left) <= slips(outcome.asked) || (left == 1 && outcome.asked == defects);
+    }
     /// Is it the whole cause, as far as was asked, and not only the least of several that would permit it?
     bool suffices() const {
         return is_not_refuted() && leaves_nothing() && !hypothesis->only_permits &&
@@ -248,6 +257,7 @@ class Diagnoser {
     void tell(HypothesisTest& test, const Checked& defects, const Checked& agreeing, double declared_bits) {
         const Hypothesis& h = *test.hypothesis;
         Explanation& e = test.outcome;
+        test.defects = defect_set_.defect_count();
         e.explained = defects.admissible();
         e.asked = defects.checks.size();
         e.contradicted = agreeing.checks.size() - agreeing.admissible();
@@ -257,9 +267,6 @@ class Diagnoser {
                                  bits_of_choice(with_defects, all_cells) +
                                  description_.of_exceptions(defects.exceptions() + agreeing.exceptions()) +
                                  defects.open_bits() + agreeing.open_bits() - declared_bits;
-        if (getenv("ZD") && e.name.find(getenv("ZD")) != std::string::npos)
-            fprintf(stderr, "DBG %s %zu/%zu contra %zu/%zu\n", e.name.c_str(), e.explained, e.asked,
-                    e.contradicted, e.checked);
         test.saved_bits = description_.of_exceptions(defect_set_.pixel_count()) - told_with;
         e.saved_share = std::min(1.0, test.saved_bits / bits_of_defects());
     }

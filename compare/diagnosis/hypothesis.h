@@ -39,6 +39,8 @@ struct Hypothesis {
     double learned_bits = 0;
     bool fits_a_limit =
         false;  ///< Is what it learned one number, such as a limit that it fits to the frames?
+    /// Does it read a claim by the pixels around? At outlines it may be mistaken.
+    bool reads_surroundings = false;
     bool supposes_no_rule = false;  ///< Does it say what is missing, and not why?
     int kind = 0;                   ///< which of the catalogue's: rules of two kinds suppose different things
     /// Does it move triangles? Then it is no cause where every defect is a depth.

@@ -168,7 +168,7 @@ TEST(Diagnosis, NamesAFurtherCauseOfWhatTheFirstLeaves) {
     const auto diagnosis = fixture.diagnosis_of(faulty(fixture, "transposed"));
     expect_cause(diagnosis, "the image is transposed");
     ASSERT_EQ(diagnosis->further.size(), 1u) << told(diagnosis);
-    EXPECT_EQ(diagnosis->further[0].name, "columns are missing");
+    EXPECT_EQ(diagnosis->further[0].name, "the last columns are missing");
 }
 
 TEST(Diagnosis, OneWrongPixelProvesNoRule) {

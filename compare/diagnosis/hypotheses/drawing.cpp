@@ -34,10 +34,12 @@ RuleOverride ordered_by(Range range) {
 using Range = std::pair<double, double>;
 
 std::vector<Hypothesis> of_the_depth_test(const DiagnosisInput& input) {
-    return {with_rule(input, "the depth test is reversed", "The farthest triangle is seen.",
-                      ordered_by([](const Neighbour& n) {
-                          return Range{-n.greatest_inverse_depth, -n.least_inverse_depth};
-                      })),
+    Hypothesis reversed = with_rule(input, "the depth test is reversed", "The farthest triangle is seen.",
+                                    ordered_by([](const Neighbour& n) {
+                                        return Range{-n.greatest_inverse_depth, -n.least_inverse_depth};
+                                    }));
+    reversed.only_permits = true;  // ranges of whole triangles overlap
+    return {reversed,
             with_rule(input, "the depth test is missing: the last drawn wins",
                       "The triangle with the greatest index is seen, at whatever depth.",
                       ordered_by([](const Neighbour& n) {

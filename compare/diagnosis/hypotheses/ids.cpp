@@ -90,6 +90,7 @@ Hypothesis of_vertices(const DiagnosisInput& input) {
 Hypothesis apart_from_depths(const DiagnosisInput& input, int dx, int dy, const std::string& where) {
     Hypothesis h = as_declared(input, "ids lie one pixel " + where + " of their depths",
                                "The id of a pixel belongs to its neighbour's depth.");
+    h.reads_surroundings = true;
     h.restate = [dx, dy, &frame = input.candidate.frame](Claim claim) -> std::optional<Claim> {
         const Claim moved{claim.x - dx, claim.y - dy, claim.answer};
         if (!holds(frame.size(), moved)) return std::nullopt;

@@ -28,6 +28,7 @@ Hypothesis truncating(const DiagnosisInput& input, const RasterPrecision& declar
                                "Vertices go to the next grid point " + how + " instead of the nearest.");
     const double half_step = std::ldexp(0.5, -declared.subpixel_bits);
     h.moves_triangles = true;
+    h.only_permits = true;
     h.view = shifted_view(input.view, glm::dvec2(direction * half_step));
     return h;
 }
